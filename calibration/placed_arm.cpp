@@ -229,7 +229,7 @@ Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice) {
       const auto parameter = deflection::findParameter(placed.arm, name);
       if (!parameter)
         result.problems.push_back(
-            {group, "the arm has no number '" + name + "'", "name the path of a number in the arm file", true});
+            {group, "the arm has no number '" + name + "'", "give the path of a number in the arm file", true});
       else if (is_free(name))
         result.problems.push_back({group, "'" + name + "' is freed twice", "name it once"});
       else

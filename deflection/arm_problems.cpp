@@ -35,7 +35,7 @@ void checkNumbers(const Row<double>& row, std::vector<ArmProblem>& out) {
       else if (*number < field.lower || *number > field.upper || (may_be_rigid && *number <= 0))
         out.push_back(
             {path, *number <= 0 ? (*number < 0 ? "a negative number" : "zero") : text(*number),
-             may_be_rigid ? "more than zero (leave the axis out where it is rigid)" : "a value in its physical range"});
+             may_be_rigid ? "more than zero (leave out the axis if it is rigid)" : "a value in its physical range"});
     }
   }
 }
@@ -44,7 +44,7 @@ void checkName(const Row<double>& row, std::set<std::string>& rows, std::set<std
                std::vector<ArmProblem>& out) {
   if (!rows.insert(row.name).second) out.push_back({row.name, "another row has the same name"});
   if (row.joint.type != JointType::kPassive && !joints.insert(row.joint.name).second)
-    out.push_back({row.name + ".joint.name", "another joint has the name '" + row.joint.name + "' too"});
+    out.push_back({row.name + ".joint.name", "another joint also has the name '" + row.joint.name + "'"});
 }
 
 void checkJoint(const Row<double>& row, std::vector<ArmProblem>& out) {
@@ -65,7 +65,7 @@ void checkFollower(const Arm& arm, const Row<double>& row, std::vector<ArmProble
   const std::string path = row.name + ".joint.follows";
   for (const auto& followed : row.joint.follows) {
     if (followed.row < 0 || arm.rows.at(static_cast<std::size_t>(followed.row)).joint.type != JointType::kRevolute)
-      out.push_back({path, "the joint follows one that is not revolute, or has no encoder reading of its own"});
+      out.push_back({path, "the followed joint is not revolute, or has no encoder reading of its own"});
     if (!std::isfinite(followed.ratio)) out.push_back({path, text(followed.ratio), "a finite number"});
   }
 }
@@ -84,7 +84,7 @@ void checkBeam(const Arm& arm, int index, std::vector<ArmProblem>& out) {
   for (int k = 0; k < 3; ++k)
     if (std::isfinite(row.beam->I[k]) && std::abs(member.normalized()[k]) > 1 - 1e-9)
       out.push_back({path + "." + kInertia[k], std::string("a member does not bend about its own axis, here ") +
-                                                   kAxis[k] + ": give G and J for the twist about it"});
+                                                   kAxis[k] + ": give G and J for the twist about this axis"});
 }
 
 /// Checks a row of a side chain: it must be rigid, and its joint must not follow others.
@@ -113,7 +113,8 @@ void checkSideChains(const Arm& arm, std::set<std::string>& rows, std::set<std::
       weight += weightOf(row);
     }
     if (!chain.rows.empty() && weight == 0)
-      out.push_back({chain.rows.front().name, "the side chain has no weight, and it has no other influence"});
+      out.push_back(
+          {chain.rows.front().name, "the side chain has no weight, which is the only influence that it can have"});
   }
 }
 
@@ -139,7 +140,7 @@ std::vector<ArmProblem> findProblems(const Arm& arm) {
   if (std::abs(arm.tool_axis_L.norm() - 1) > 1e-9)
     out.push_back({"tool.axis", "a direction of length zero", "three numbers, not all zero"});
   if (!((arm.R_LT.transpose() * arm.R_LT - Eigen::Matrix3d::Identity()).norm() < 1e-9))
-    out.push_back({"tool.rpy", "axes that are no frame", "three finite angles"});
+    out.push_back({"tool.rpy", "axes that do not form a frame", "three finite angles"});
   if (!arm.tool_turn_L.allFinite()) out.push_back({"tool.turn", "a number that is not finite", "three finite angles"});
   for (auto& problem : findEffectProblems(arm)) out.push_back(std::move(problem));
   return out;

@@ -40,7 +40,8 @@ std::optional<Problem> findHeaderProblem(const std::vector<std::string>& columns
       return Problem{"header", "the number " + columns[i], "names of columns", "add a header line", line};
     if (std::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(i), columns[i]) !=
         columns.begin() + static_cast<std::ptrdiff_t>(i))
-      return Problem{"header", "the column \"" + columns[i] + "\" occurs twice", "", "rename or remove one", line};
+      return Problem{"header", "the column \"" + columns[i] + "\" occurs twice", "", "rename or remove one of them",
+                     line};
   }
   return std::nullopt;
 }

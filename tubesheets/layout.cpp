@@ -40,8 +40,8 @@ void findSizeProblems(const Layout& layout, const LayoutType& type, std::vector<
     problems.push_back({"stay_radius", fmt::format("{:.6g} m", layout.stay_radius),
                         fmt::format("less than the radius, {:.6g} m", layout.radius), ""});
   if (layout.columns > 0 && type.columns_modulo_two >= 0 && layout.columns % 2 != type.columns_modulo_two)
-    problems.push_back({"columns", fmt::format("{}", layout.columns), "an odd number, as one column lies on x = 0",
-                        "leave it out to have it derived"});
+    problems.push_back({"columns", fmt::format("{}", layout.columns), "an odd number, because one column lies on x = 0",
+                        "leave out `columns` to have the number derived"});
 }
 
 // Finds a stated number of columns that the radius does not fill. Such a number would shift every column number, and so
@@ -55,9 +55,10 @@ void findNumberingProblems(const Layout& layout, const LayoutType& type, std::ve
   int first = layout.columns;
   for (const Tube& tube : tubes) first = std::min(first, tube.column);
   if (first > 1)
-    problems.push_back({"columns", fmt::format("{}", layout.columns),
-                        fmt::format("at most {}, as no more fit within the radius", layout.columns - 2 * (first - 1)),
-                        "leave it out to have it derived"});
+    problems.push_back(
+        {"columns", fmt::format("{}", layout.columns),
+         fmt::format("at most {}, because no more fit within the radius", layout.columns - 2 * (first - 1)),
+         "leave out `columns` to have the number derived"});
 }
 
 }  // namespace

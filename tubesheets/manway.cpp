@@ -23,7 +23,8 @@ std::vector<Problem> findManwayProblems(const Manway& manway, Leg leg) {
   std::vector<Problem> problems;
   const double side = leg == Leg::kHot ? 1 : -1;
   if (!(manway.centre.z() < 0))
-    problems.push_back({centre, placeOf(manway), "z below 0, as the bowl hangs below the sheet", "reverse its sign"});
+    problems.push_back(
+        {centre, placeOf(manway), "z below 0, because the bowl hangs below the sheet", "reverse its sign"});
   if (manway.centre.head<2>().norm() < kAside)
     problems.push_back({centre, placeOf(manway), "a place beside the line straight below the sheet's middle", ""});
   else if (leg != Leg::kFull && !(side * manway.centre.y() > 0))

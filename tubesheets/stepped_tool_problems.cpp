@@ -20,17 +20,17 @@ void findStepProblems(const Step& step, const std::string& name, double hole_dia
   const double gap = (hole_diameter - step.diameter) / 2;
   if (isPositive(gap) && isPositive(step.tolerance) && step.tolerance > kGapSlack * gap)
     problems.push_back({name + ".tolerance", fmt::format("{:.6g} m", step.tolerance),
-                        fmt::format("at most the gap between step and hole, {:.6g} m", gap), "check its unit"});
+                        fmt::format("at most the gap between step and hole, {:.6g} m", gap), "check the unit"});
 }
 
 void findOrderProblems(const Step& before, const Step& step, const std::string& name, std::vector<Problem>& problems) {
   if (!(step.diameter > before.diameter))
     problems.push_back({name + ".diameter", fmt::format("{:.6g} m", step.diameter),
-                        fmt::format("more than the step before it, {:.6g} m", before.diameter),
+                        fmt::format("more than that of the step before, {:.6g} m", before.diameter),
                         "list the thinnest step first"});
   if (!(step.tolerance < before.tolerance))
     problems.push_back({name + ".tolerance", fmt::format("{:.6g} m", step.tolerance),
-                        fmt::format("less than the step before it, {:.6g} m", before.tolerance),
+                        fmt::format("less than that of the step before, {:.6g} m", before.tolerance),
                         "a thicker step needs better centring"});
 }
 

@@ -30,7 +30,7 @@ class ColumnFinder {
         refuse("header", fmt::format("column {} has no name", c + 1), "", "name every column");
       else if (std::ranges::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(c), columns[c]) !=
                columns.begin() + static_cast<std::ptrdiff_t>(c))
-        refuse("header", "the column \"" + columns[c] + "\" occurs twice", "", "rename or remove one");
+        refuse("header", "the column \"" + columns[c] + "\" occurs twice", "", "rename or remove one of them");
       else
         take(c);
     }
@@ -67,7 +67,7 @@ class ColumnFinder {
     const TubeHeading says = readTubeHeading(heading);
     if (says.column) return put(*says.column, c, says.unit);
     if (const auto meant = tubeColumnMeantBy(heading))
-      refuse("header", fmt::format("the column \"{}\" may be a misspelt \"{}\"", heading, nameOf(*meant)), "",
+      refuse("header", fmt::format("the column \"{}\" may be a misspelling of \"{}\"", heading, nameOf(*meant)), "",
              "rename or remove it");
     table_.unread.push_back(heading);
   }
@@ -98,7 +98,7 @@ class ColumnFinder {
     for (const auto& [column, name] : {std::pair{TubeColumn::kRow, "row"}, std::pair{TubeColumn::kColumn, "column"}})
       if (!table_.has(column))
         refuse("header", fmt::format("there is no column \"{}\" among {}", name, fmt::join(table_.text.columns, ", ")),
-               "", "add it to the header");
+               "", "add the column to the header");
   }
 
   void requireOneUnit() {
@@ -160,7 +160,7 @@ void TubeText::readRows(std::string_view what, const std::function<void(const Cs
     readRow(row);
   }
   if (table.text.rows.empty())
-    refuse(Problem{"text", fmt::format("there are no {} below the header", what), "", "write a line for each",
+    refuse(Problem{"text", fmt::format("there are no {} below the header", what), "", "write a row for each",
                    table.text.heading_line});
   status = problem ? TubeTextStatus::kRefused : TubeTextStatus::kRead;
 }
@@ -195,7 +195,7 @@ NamedTube tubeOf(const TubeTable& table, const CsvRow& row) {
   if (of_row.value_or(found.row) != found.row || of_column.value_or(found.column) != found.column)
     return {{},
             Problem{table.nameOf(TubeColumn::kTube), "\"" + tube + "\"",
-                    fmt::format("row {}, column {}, as beside it", of_row.value_or(found.row),
+                    fmt::format("row {}, column {}, as in the columns beside it", of_row.value_or(found.row),
                                 of_column.value_or(found.column)),
                     "correct one of them", row.line}};
   return {found, std::nullopt};
@@ -218,13 +218,13 @@ ReadCodes codesOf(const TubeTable& table, const CsvRow& row) {
     const TubeCode* code = findTubeCode(field);
     if (!code && is_state)
       read.problem = Problem{table.text.columns[place], "\"" + field + "\"", "one of " + tubeCodeNames(),
-                             "write remarks into a column of another name", row.line};
+                             "write remarks in a column with another name", row.line};
     else if (!code)
       read.unknown.push_back(field);
     else if (code->use == CodeUse::kState && read.state && *read.state != code->state)
-      read.problem =
-          Problem{table.text.columns[place], "\"" + field + "\"",
-                  fmt::format("{}, as beside it", tubeStateName(*read.state)), "keep the one that is right", row.line};
+      read.problem = Problem{table.text.columns[place], "\"" + field + "\"",
+                             fmt::format("{}, as in the column beside it", tubeStateName(*read.state)),
+                             "keep the one that is right", row.line};
     else if (code->use == CodeUse::kState)
       read.state = code->state;
     else if (code->use == CodeUse::kDone)

@@ -153,7 +153,7 @@ std::string besides(const Selection& selection) {
   const std::string left_out = leftOutText(selection);
   return left_out.empty()
              ? ""
-             : fmt::format(" but {}, which are taken by state (\"plugged\", say) or by name alone", left_out);
+             : fmt::format(" except {}, which are selected only by state (such as \"plugged\") or by name", left_out);
 }
 
 /// Returns the fault of a list for another leg or sheet, or of a tube whose position differs from that on the sheet.
@@ -167,8 +167,8 @@ std::string findListFault(const WorkListItem& item, const Sheet& sheet, const st
   const double off = std::hypot(item.x.value_or(tube->x) - tube->x, item.y.value_or(tube->y) - tube->y);
   if (off <= sheet.hole_diameter / 2) return "";
   return fmt::format(
-      "its coordinates are not those of {}, which is {:.4g} m from there: correct the name or the coordinates, or "
-      "remove their columns",
+      "the coordinates are not those of {}, which is {:.4g} m away: correct the name or the coordinates, or remove the "
+      "columns of the coordinates",
       tubeName(item.row, item.column), off);
 }
 

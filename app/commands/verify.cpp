@@ -140,8 +140,8 @@ int run(const VerifyOptions& options) {
   const planner::Workcell work = checkedWorkcell(cell, planned, files);
   if (files.padding_sigmas > 0 && work.base_covariance.isZero(0))
     throw InputError::saying(options.folder + "/plan.json padding",
-                             "the plan has a padding for the uncertainty of the base, but the cell.yaml beside it has "
-                             "no covariance of the base",
+                             "the plan has a padding for the uncertainty of the base, but the cell.yaml beside "
+                             "plan.json has no covariance of the base",
                              "plan again");
   planner::PlanCheckOptions checks;
   checks.padding = files.padding_sigmas;

@@ -47,8 +47,9 @@ IdentificationOptions identificationOptions(const IdentificationRequest& request
   for (const auto& method : calibration::leastSquaresMethods())
     if (method.name == request.method) result.solver.method = method.method;
   if (result.free.names.empty() && request.stages.empty() && cell.base_known)
-    throw InputError::saying(cell.path, "no parameter is free; list parameters under `identify`, or add --free NAME",
-                             "`tubeplan identify --help` lists what can be freed");
+    throw InputError::saying(
+        cell.path, "no parameter is free",
+        "free one with a list `identify`, or --free NAME; `tubeplan identify --help` lists what can be freed");
   return result;
 }
 

@@ -32,7 +32,7 @@ Answer files(Workbench& workbench, const Request&) {
 Answer openInstead(Workbench& workbench, const nlohmann::json& body, const std::filesystem::path& path) {
   if (isUnsaved(workbench.session()) && !booleanOf(body, "discard", false))
     return refusal(409, InputError::saying("cell", "the work is not saved as a project",
-                                           "save it first, or confirm that it is discarded"));
+                                           "save the work first, or confirm that it is to be discarded"));
   Session opened = openCell(path.string(), "");
   opened.saved_revision = opened.revision;
   if (!workbench.replace(std::move(opened)))

@@ -153,7 +153,7 @@ class HttpServer::Implementation : public httplib::Server {
     if (!is_bound)
       throw InputError::saying("--port",
                                fmt::format("the server cannot listen on port {} of {}", door_.port, door_.host),
-                               "give a free port of this machine; --port 0 takes any free one");
+                               "give a free port of this machine; --port 0 chooses any free port");
     ::listen(svr_sock_,
              SOMAXCONN);  // the library's backlog is five, and refused clients retry only after a second or more
   }

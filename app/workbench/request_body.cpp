@@ -122,7 +122,7 @@ std::vector<int> selectedTubes(const std::string& text, const tubesheets::Sheet&
   if (selection.status != tubesheets::SelectionStatus::kSelected)
     throw InputError::saying(
         "tubes", fmt::format("{} does not select tubes of this sheet: {}", inQuotes(text), selection.reason),
-        "write all, R10C20, R1-10C5-9, outer:2, every:10, spread:60 or -plugged");
+        "use a selection such as all, R10C20, R1-10C5-9, outer:2, every:10, spread:60 or -plugged");
   return selection.tube_indices;
 }
 

@@ -215,7 +215,8 @@ Design chooseReadings(const DesignProblem& problem, const DesignOptions& options
   const int n = static_cast<int>(problem.candidates.size());
   if (n < options.count || options.count < 1) {
     design.status = DesignStatus::kTooFewCandidates;
-    design.reason = std::to_string(n) + " readings can be made, " + std::to_string(options.count) + " are asked for";
+    design.reason =
+        std::to_string(n) + " readings can be made, but " + std::to_string(options.count) + " are asked for";
     return design;
   }
   const std::vector<int> chosen = bestChoice(problem, options, design.swaps);

@@ -140,7 +140,7 @@ TouchChoice chooseTouches(const DesignProblem& problem, int count) {
   if (n < count || count < 3) {
     result.status = TouchChoiceStatus::kTooFewCandidates;
     result.reason =
-        std::to_string(n) + " holes can be touched, " + std::to_string(count) + " (at least 3) are asked for";
+        std::to_string(n) + " holes can be touched, but " + std::to_string(count) + " (at least 3) are asked for";
     return result;
   }
   const TouchBlocks blocks(problem);

@@ -35,9 +35,9 @@ ReadingProblem fewOfSurface(int place, const std::vector<Measurement>& readings)
   const auto count = std::count_if(readings.begin(), readings.end(),
                                    [&](const Measurement& m) { return placeOf(m) == placeOf(first); });
   return {place,
-          "the " + placeOf(first) + " has " + std::to_string(count) + " readings (" + first.id + " the first), and a " +
-              kindOf(first).name + " needs " + std::to_string(leastOfPlace(first)) + " or more",
-          "touch it again elsewhere, or remove them: so few only determine its place"};
+          "the " + placeOf(first) + " has " + std::to_string(count) + " readings (the first is " + first.id +
+              "), but a " + kindOf(first).name + " needs at least " + std::to_string(leastOfPlace(first)),
+          "touch it again elsewhere, or remove its readings: so few readings determine only its place"};
 }
 
 }  // namespace
@@ -55,14 +55,15 @@ int numbersMeasured(const std::vector<Measurement>& readings) {
 
 std::optional<ReadingProblem> findReadingProblem(const std::vector<Measurement>& readings,
                                                  const std::vector<Unknown>& unknowns) {
-  if (readings.empty()) return ReadingProblem{-1, "there is no reading to fit", "mark some as fit, not held-out"};
+  if (readings.empty())
+    return ReadingProblem{-1, "there is no reading to fit", "mark some readings as fit, not held-out"};
   if (const auto lone = loneReading(readings)) {
     if (touchesSurface(readings[static_cast<std::size_t>(*lone)])) return fewOfSurface(*lone, readings);
     const Measurement& touch = readings[static_cast<std::size_t>(*lone)];
     return ReadingProblem{*lone,
                           "point " + touch.point + ", whose position is unknown, is touched only once (reading " +
                               touch.id + "), which carries no information",
-                          "touch it again, give its position, or remove the reading"};
+                          "touch the point again, give its position, or remove the reading"};
   }
   if (isOnePosture(readings))
     return ReadingProblem{-1, "all readings are at one posture under one load, so they determine a single point",
@@ -72,8 +73,8 @@ std::optional<ReadingProblem> findReadingProblem(const std::vector<Measurement>&
   if (measured < named)
     return ReadingProblem{-1,
                           "the readings hold " + std::to_string(measured) + " numbers, fewer than the " +
-                              std::to_string(named) + " that are free",
-                          "measure more or free fewer"};
+                              std::to_string(named) + " free numbers",
+                          "add readings, or free fewer numbers"};
   return std::nullopt;
 }
 

@@ -58,7 +58,7 @@ std::string findNoiseProblem(const CampaignDesign& design) {
     return "a sigma of x, y or z is not above zero";
   if (design.sigma_W && !kindOf(design.kind).has_coordinates)
     return std::string("readings of kind ") + kindOf(design.kind).name +
-           " measure no x, y, z, so they have no sigmas of these";
+           " do not measure x, y, z, so they have no sigmas of x, y and z";
   if (design.correlation_W && !design.sigma_W) return "the correlations need the sigmas of x, y and z";
   if (design.correlation_W && !isPossibleCorrelation(*design.correlation_W))
     return "the correlations are not positive definite";
@@ -74,7 +74,8 @@ std::string findLoadProblem(const CampaignDesign& design) {
       *std::min_element(loads.begin(), loads.end()) <= 0)
     return "a deflection is measured under a load of zero, where it is zero";
   const bool is_seen = !kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles;
-  if (is_seen && *std::max_element(loads.begin(), loads.end()) > 0) return "holes are looked at under a load";
+  if (is_seen && *std::max_element(loads.begin(), loads.end()) > 0)
+    return "holes are looked at under a load, which must be zero";
   return {};
 }
 
@@ -85,15 +86,17 @@ std::string findKindProblem(const CampaignDesign& design) {
     return std::string("readings of kind ") + kind.name + " need an anchor";
   if (kind.has_direction && !design.direction_W)
     return std::string("readings of kind ") + kind.name + " need a direction";
-  if (!is_touch && design.place == CampaignPlace::kPlane) return "the points of a plane are not touched";
+  if (!is_touch && design.place == CampaignPlace::kPlane)
+    return "the design is at points of a plane, but its readings do not touch them";
   const bool is_of_holes = kind.is_place || kind.names_hole;
-  if (!is_of_holes && design.place == CampaignPlace::kHoles) return "the holes are neither touched nor looked at";
+  if (!is_of_holes && design.place == CampaignPlace::kHoles)
+    return "the design is at holes, but its readings neither touch them nor look at them";
   if (kind.names_hole && !is_touch && design.place != CampaignPlace::kHoles)
     return std::string("readings of kind ") + kind.name + " are made at holes of the sheet only";
   if (!design.rows.empty() && !kind.may_be_of_row)
     return std::string("readings of kind ") + kind.name + " cannot be of rows of the arm";
   if (is_surface && readingsPerPoint(design) < leastOfSurface(kind))
-    return std::string("a ") + kind.name + " of unknown place is touched less than " +
+    return std::string("a ") + kind.name + " of unknown place is touched fewer than " +
            std::to_string(leastOfSurface(kind)) + " times, which carries no information";
   if (!is_touch && !is_surface && design.postures_per_point != 1)
     return "a point that is not touched has several postures";
@@ -143,7 +146,7 @@ std::string findDesignProblem(const CampaignDesign& design, int readings) {
   if (auto problem = findKindProblem(design); !problem.empty()) return problem;
   const int points = pointsOf(design, readings);
   if (points < design.setups)
-    return "the design has " + std::to_string(design.setups) + " set-ups for " + std::to_string(points) +
+    return "the design has " + std::to_string(design.setups) + " set-ups, but only " + std::to_string(points) +
            " points or postures";
   if (points < 2 && design.held_out > 0) return "a single point or posture cannot be held out in part";
   return {};

@@ -56,7 +56,7 @@ std::vector<ArmProblem> findEffectProblems(const Arm& arm) {
     const Effect& effect = arm.effects[k];
     const std::string path = std::string("effects.") + std::to_string(k + 1);
     if (effect.kind < 0 || effect.kind >= static_cast<int>(effectKinds().size())) {
-      out.push_back({path, "the effect is of no kind of the catalogue"});
+      out.push_back({path, "the effect is not in the catalogue"});
       continue;
     }
     const EffectKind& kind = kindOf(effect);

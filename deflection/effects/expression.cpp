@@ -67,8 +67,11 @@ std::optional<ExpressionProblem> findForeign(const std::string& text) {
     const bool assigns = c == '=' && after != '=' && std::string_view("=<>!").find(before) == std::string_view::npos;
     if (is_printable && !assigns && c != '"' && c != '\\') continue;
     const std::string what = is_printable ? std::string("'") + c + "'" : "a byte that cannot be printed";
-    return ExpressionProblem{
-        what + " stands", assigns ? ": a comparison is ==" : ": a formula has numbers, names and operators", k, "", {}};
+    return ExpressionProblem{what + " stands",
+                             assigns ? ": write == to compare" : ": a formula has only numbers, names and operators",
+                             k,
+                             "",
+                             {}};
   }
   return std::nullopt;
 }
@@ -220,7 +223,8 @@ std::shared_ptr<const Expression> Expression::parse(const std::string& text, Exp
     return nullptr;
   }
   if (pool->idle.front()->parser.GetNumResults() != 1) {
-    problem = {"a second expression follows", ", but a formula has one", std::min(text.find(','), text.size()), "", {}};
+    problem = {
+        "a second expression follows", ", but a formula has only one", std::min(text.find(','), text.size()), "", {}};
     return nullptr;
   }
   return std::shared_ptr<const Expression>(new Expression(std::move(pool)));

@@ -110,7 +110,7 @@ std::optional<MadeFormula> bindNames(const Arm& arm, const FormulaUnits& units, 
       if (symbol.name == name) meant.push_back(&symbol);
     if (meant.size() > 1)
       return refused(FormulaStatus::kBadExpression, "two parts of the arm have the name '" + name +
-                                                        "': rename one, so that they differ by more than signs");
+                                                        "': rename one, so that their letters or digits differ");
     Formula::Input input;
     if (meant.empty()) {
       input.parameter = static_cast<int>(formula.names.size());
@@ -136,7 +136,7 @@ std::optional<MadeFormula> chooseParameters(const std::vector<Start>& starts, Fo
     if (std::find(formula.names.begin(), formula.names.end(), start.name) == formula.names.end()) {
       MadeFormula wrong =
           refused(FormulaStatus::kBadStart, "there is an initial value of '" + start.name.substr(0, 40) +
-                                                "', which is no parameter of the formula");
+                                                "', which is not a parameter of the formula");
       wrong.word = start.name;
       wrong.known = formula.names;
       return wrong;
@@ -271,13 +271,13 @@ MadeFormula makeFormula(const Arm& arm, std::string_view text, const FormulaUnit
   const auto parts = split(formula->text);
   if (!parts)
     return refused(FormulaStatus::kBadTarget, formula->text.empty() ? "nothing" : "no '+='",
-                   "TARGET += EXPRESSION, as 'theta3 += c*sin(3*theta1)'");
+                   "TARGET += EXPRESSION, such as 'theta3 += c*sin(3*theta1)'");
   if (auto wrong = understand(arm, *parts, units, at, *formula)) return *wrong;
   std::string wrong_start;
   const auto starts = readStarts(parts->starts, wrong_start);
   if (!starts)
     return refused(FormulaStatus::kBadStart, "'" + wrong_start.substr(0, 40) + "'",
-                   "initial values as 'c=0.1, k=3', each once");
+                   "initial values such as 'c=0.1, k=3', each given once");
   MadeFormula made;
   if (auto wrong = chooseParameters(*starts, *formula, made)) return *wrong;
   made.status = FormulaStatus::kMade;
@@ -296,7 +296,7 @@ std::string findUndefinedFormula(const Arm& arm, const Posture& posture) {
     if (!std::isfinite(formula.expression->value(at))) return user_formula::undefinedText(formula, at);
     for (std::size_t k = 0; k < at.size(); ++k)
       if (!std::isfinite(formula.expression->slope(at, k)))
-        return "'" + formula.text + "' has no finite slope by " + formula.expression->names()[k] +
+        return "'" + formula.text + "' has no finite derivative with respect to " + formula.expression->names()[k] +
                namedValues(formula, at);
   }
   return "";

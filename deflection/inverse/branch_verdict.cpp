@@ -65,7 +65,7 @@ void judge(const Arm& arm, const InverseKinematicsOptions& options, Branch& bran
   const bool flat = branch.smallest_singular_value < options.singular_floor;
   if (branch.status != BranchStatus::kConverged) {
     branch.status = flat ? BranchStatus::kSingular : BranchStatus::kNotConverged;
-    branch.reason = flat ? kStretched : "no posture was found that reaches it";
+    branch.reason = flat ? kStretched : "no posture was found that reaches the place";
     return;
   }
   const std::string joint = wrapIntoLimits(arm, branch.q);
@@ -77,8 +77,8 @@ void judge(const Arm& arm, const InverseKinematicsOptions& options, Branch& bran
     branch.reason = kNextToSingular;
   } else if (branch.tilt > options.max_tilt) {
     branch.status = BranchStatus::kTiltTooLarge;
-    branch.reason = "the tool leans by " + degrees(branch.tilt) + " deg at the least, more than the " +
-                    degrees(options.max_tilt) + " deg that are allowed";
+    branch.reason = "the tool leans by " + degrees(branch.tilt) + " deg at least, more than the " +
+                    degrees(options.max_tilt) + " deg allowed";
   }
 }
 

@@ -67,18 +67,18 @@ bool LineTravels::refine(double tolerance, const Vector3d& from_W, const Vector3
     for (std::size_t k = 0; k < middles.size(); ++k) {
       if (distanceFromLine(tips_W[k], from_W, to_W) <= tolerance) continue;
       if (shares[k + 1] - shares[k] < kShortest)
-        return fail(LineTravelStatus::kOtherPosture, "the postures at its ends cannot be joined along it");
+        return fail(LineTravelStatus::kOtherPosture, "the postures at the ends of the line cannot be joined along it");
       wide.push_back(k);
       places_W.push_back(from_W + (shares[k] + shares[k + 1]) / 2 * (to_W - from_W));
       starts.push_back(middles[k]);
     }
     if (wide.empty()) return true;
     if (static_cast<int>(travel.waypoints.size() + wide.size()) > options_.most_waypoints)
-      return fail(LineTravelStatus::kTooManyWaypoints, "it needs too many via points");
+      return fail(LineTravelStatus::kTooManyWaypoints, "the line needs too many via points");
     const auto vias = placer_.near(places_W, starts);
     for (std::size_t n = wide.size(); n-- > 0;) {
       if (vias[n].status != deflection::BranchStatus::kConverged)
-        return fail(LineTravelStatus::kNotReached, "a point on it cannot be reached: " + vias[n].reason);
+        return fail(LineTravelStatus::kNotReached, "a point on the line cannot be reached: " + vias[n].reason);
       const auto at = static_cast<std::ptrdiff_t>(wide[n]);
       travel.waypoints.insert(travel.waypoints.begin() + at + 1, vias[n].q);
       shares.insert(shares.begin() + at + 1, (shares[wide[n]] + shares[wide[n] + 1]) / 2);
@@ -100,7 +100,7 @@ LineTravel LineTravels::between(const VectorXd& q0, const VectorXd& q1) {
     travel.status = LineTravelStatus::kOnLine;
     return travel;
   }
-  return refused(LineTravelStatus::kTooManyWaypoints, "its via points cut too wide a corner");
+  return refused(LineTravelStatus::kTooManyWaypoints, "the via points cut the corners too widely");
 }
 
 }  // namespace tubeplan::planner

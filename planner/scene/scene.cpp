@@ -40,7 +40,7 @@ void findObstacleProblems(const Scene& scene, Problems& problems) {
     const Obstacle& obstacle = scene.obstacles[i];
     const std::string path = obstacle.name.empty() ? fmt::format("obstacle {}", i + 1) : "obstacle " + obstacle.name;
     if (obstacle.name.empty())
-      problems.push_back({path + ": name", "nothing", "a name, by which reports refer to it"});
+      problems.push_back({path + ": name", "nothing", "a name, which reports use"});
     else if (!seen.insert(obstacle.name).second)
       problems.push_back({path + ": name", "another obstacle has the same name"});
     if (!obstacle.shape) problems.push_back({path, "the obstacle has no shape"});

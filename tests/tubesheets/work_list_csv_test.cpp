@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadList{"TwoStates", "row,column,state\n1,1,plugged\n2,2,\n1,1,SLV\n", 4, "plugged, as on line 2"},
         BadList{"TwoStays", "row,column,dwell_s\n1,1,5\n1,1,6\n", 3, "5 s, as on line 2"},
         BadList{"DoneAndNot", "row,column,status\n1,1,done\n1,1,\n", 3, "done, as on line 2"},
-        BadList{"TwoStatesInARow", "row,column,state,code\n1,1,PLG,SLV\n", 2, "plugged, as beside it"},
+        BadList{"TwoStatesInARow", "row,column,state,code\n1,1,PLG,SLV\n", 2, "plugged, as in the column beside it"},
         BadList{"UnknownState", "row,column,status\n1,1,XYZ\n", 2, "\"XYZ\""},
         BadList{"ColumnTwice", "row,column,row\n1,1,1\n", 1, "\"row\" occurs twice"},
         BadList{"TwoNamesOfOneColumn", "Row,Col,Column\n1,1,1\n", 1, "\"Col\" and \"Column\""},

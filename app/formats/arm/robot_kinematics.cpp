@@ -67,7 +67,8 @@ const LinkOrigin& nominalOrigin(const YamlFile& nominal, const deflection::Row<d
 
 void requireSixJoints(const std::string& file, std::size_t joints) {
   if (joints != kLinks.size())
-    throw InputError(file, fmt::format("{} joints", joints), "6, as the kinematics file has origins");
+    throw InputError(file, fmt::format("{} joints", joints), "6, one for each origin in the kinematics file",
+                     "use the two files of the same arm");
 }
 
 /// Returns the row's origin combined with the row's tilt beta and the joint's offset; unchanged if both are zero.

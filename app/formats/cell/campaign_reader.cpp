@@ -76,7 +76,7 @@ std::vector<int> readRowList(const YamlNode& node, const deflection::Arm& arm) {
   for (const YamlNode& item : node.list()) {
     rows.push_back(rowOfArmNamed(item, arm));
     if (std::count(rows.begin(), rows.end(), rows.back()) > 1)
-      item.failSaying("the row " + item.text() + " is listed twice", "list every row once");
+      item.failSaying("the row " + item.text() + " is listed twice", "list each row only once");
   }
   if (rows.empty()) node.fail("one or more rows of the arm", "leave out the key for readings of the tool");
   return rows;

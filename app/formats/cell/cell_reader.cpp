@@ -130,7 +130,7 @@ void readIdentify(const YamlNode& node, Cell& cell) {
       item.fail("the unknown parameter '" + name + "'", "the path of a number in the arm file, or geometry",
                 suggestion(name, known));
     if (std::find(cell.identify.begin(), cell.identify.end(), name) != cell.identify.end())
-      item.failSaying(inQuotes(name) + " is listed twice", "list every name once");
+      item.failSaying(inQuotes(name) + " is listed twice", "list each name only once");
     cell.identify.push_back(name);
   }
 }

@@ -195,7 +195,7 @@ void requireReproduced(const CellFiles& files, const calibration::Identification
   const auto length = [&](double metres) {
     return fmt::format("{:.6g} {}", metres / units.factor(dimension::kLength), units.length().name);
   };
-  throw InputError(files.cell.path.string(), "an error of " + length(rms) + " by the cell as it would be written",
+  throw InputError(files.cell.path.string(), "an error of " + length(rms) + " with the cell as it would be written",
                    "the reported error of " + length(result.after.rms),
                    "nothing was written; please report this fault");
 }

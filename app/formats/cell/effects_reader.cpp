@@ -44,7 +44,7 @@ void requireFormula(const deflection::MadeFormula& made, const deflection::Arm& 
     if (const auto meant = misspeltSymbol(name, symbols); !meant.empty())
       throw InputError::saying(
           where, fmt::format("the name {} is neither a symbol nor a parameter with an initial value", inQuotes(name)),
-          meant + " If it is a parameter, give it an initial value: '; " + name.substr(0, 60) + "=0'");
+          meant + " If the name is a parameter, give it an initial value: '; " + name.substr(0, 60) + "=0'");
   if (made.status == deflection::FormulaStatus::kMade) return;
   std::string advice = suggestion(made.word, made.known);
   if (advice.empty() && made.status == deflection::FormulaStatus::kBadTarget && !made.known.empty())
@@ -55,7 +55,7 @@ void requireFormula(const deflection::MadeFormula& made, const deflection::Arm& 
 /// Returns the message for an effect that does not apply at a place of the arm.
 std::string noPlaceText(const deflection::MadeEffect& made, const std::string& name, const std::string& at) {
   if (!made.known.empty()) return fmt::format("this arm has no place {} for the effect {}", inQuotes(at), name);
-  return fmt::format("the effect {} cannot be at {}: {}", name, inQuotes(at), made.reason);
+  return fmt::format("the effect {} cannot be placed at {}: {}", name, inQuotes(at), made.reason);
 }
 
 /// Returns advice that lists the valid places of an effect and suggests the most similar; empty if there are no places.

@@ -50,11 +50,11 @@ planner::Workcell workcellOf(const Cell& cell, const std::string& purpose) {
 void requireSpeeds(const Cell& cell) {
   for (const auto& joint : cell.arm.joints())
     if (!std::isfinite(joint.max_speed) && !std::isfinite(joint.max_acceleration))
-      throw InputError::saying(cell.path,
-                               fmt::format("joint {} has neither max_speed nor max_acceleration, from which a plan's "
-                                           "times follow",
-                                           inQuotes(joint.name)),
-                               "state one of them in the arm file; velocity=\"0\" in a URDF states no speed");
+      throw InputError::saying(
+          cell.path,
+          fmt::format("joint {} has neither max_speed nor max_acceleration, which determine the times of a plan",
+                      inQuotes(joint.name)),
+          "state one of them in the arm file; velocity=\"0\" in a URDF states no speed");
 }
 
 }  // namespace tubeplan::app

@@ -41,7 +41,7 @@ PlanCheckpoint::PlanCheckpoint(fs::path folder, bool must_resume, const std::str
   const fs::path path = fs::path(from) / kCacheFile;
   if (!isThere(path))
     throw InputError::saying("--from", fmt::format("there is no {} in {}", kCacheFile, inQuotes(from)),
-                             "name the folder of a plan that was completed, or plan without --from");
+                             "give the folder of a completed plan, or plan without --from");
   const CheckpointFile file = readCheckpoint(kPlanFormat, path);
   from_fingerprint_ = file.checksum;
   from_question_ = file.question;
@@ -69,10 +69,9 @@ bool PlanCheckpoint::takeStopped(const PlanKey& question) {
     return true;
   }
   if (must_resume_)
-    throw InputError::saying("--resume",
-                             fmt::format("the stopped plan in {} differs from this run: it had {}", path.string(),
-                                         fmt::join(differences, ", ")),
-                             "repeat the options of the stopped run, or omit --resume to start again");
+    throw InputError::saying(
+        "--resume", fmt::format("the plan in {} was stopped with {}", path.string(), fmt::join(differences, ", ")),
+        "repeat the options of the stopped run, or omit --resume to start again");
   putAside(path, differences);
   return false;
 }

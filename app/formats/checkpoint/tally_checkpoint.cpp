@@ -75,9 +75,7 @@ std::optional<TallySoFar> TallyCheckpoint::begin(const PlanKey& question, std::u
   }
   if (must_resume_)
     throw InputError::saying(
-        "--resume",
-        fmt::format("the campaign in {} differs from this one: it has {}", path().string(),
-                    fmt::join(differences, ", ")),
+        "--resume", fmt::format("the campaign in {} was run with {}", path().string(), fmt::join(differences, ", ")),
         "repeat the options of that campaign, with at least as many runs, or omit --resume to start again");
   putAside(path(), differences);
   return std::nullopt;

@@ -68,7 +68,7 @@ void requireOneForm(const ForeignTable& table, std::size_t column, bool is_state
   for (const auto& row : table.rows)
     if (isOfAnotherForm(row.fields[column], form))
       throw InputError::saying(fmt::format("{}:{} (column {})", table.file, row.line, inQuotes(heading)),
-                               fmt::format("the angle {} is written in another form than {} in line {}",
+                               fmt::format("the angle {} is written in a different form from {} in line {}",
                                            inQuotes(row.fields[column]), inQuotes(text), first->line),
                                "write all angles of the column in the same form");
   if (!form || !isBare(*form) || is_stated) return;

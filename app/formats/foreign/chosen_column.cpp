@@ -84,8 +84,9 @@ ChosenColumn parseChosenColumn(const std::string& chosen, const std::vector<Fore
   const auto [target, unit] = targetOf(chosen.substr(0, equals), targets);
   const auto [table, column, factor] = columnOf(chosen.substr(equals + 1), tables);
   if (factor != 1 && (!targets[target].is_number || targets[target].form))
-    throw InputError::saying("--column", fmt::format("the column of {} cannot have a factor", inQuotes(chosen)),
-                             "write the column alone; only joints, coordinates and other single numbers can have one");
+    throw InputError::saying(
+        "--column", fmt::format("the column of {} cannot have a factor", inQuotes(chosen)),
+        "give the column without a factor; only joints, coordinates and other single numbers can have a factor");
   return {target, table, column, unit, factor};
 }
 

@@ -31,7 +31,7 @@ void take(const std::string& assumption, bool is_sigma_settled, MeasurementTable
   const std::string name = assumption.substr(0, equals);
   const auto* kind = mistakeOf(assumption);
   if (!kind || equals == std::string::npos)
-    throw InputError("--assume", inQuotes(assumption), "NAME=VALUE with a NAME of " + alternatives(namesOfMistakes()),
+    throw InputError("--assume", inQuotes(assumption), "NAME=VALUE, where NAME is " + alternatives(namesOfMistakes()),
                      kind ? fmt::format("write {}={}", name, kind->value) : suggestion(name, namesOfMistakes()));
   const calibration::CheckedReadings checked{startOf(cell, table.readings), table.readings, freeNumbersOf(cell),
                                              table.units, cell.sheet ? &*cell.sheet : nullptr};

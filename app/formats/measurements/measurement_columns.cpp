@@ -38,7 +38,7 @@ class Header {
       const std::string name = quantity + "_" + unit;
       const auto index = take(name);
       if (index && found)
-        failSaying(fmt::format("there are both columns {} and {}", inQuotes(found->name), inQuotes(name)),
+        failSaying(fmt::format("the header has both columns {} and {}", inQuotes(found->name), inQuotes(name)),
                    "remove one of them");
       if (index) found = NumberColumn{*index, findUnit(kind, unit), name};
     }
@@ -88,7 +88,7 @@ class Header {
     const std::string near = suggestion(name, left);
     failSaying("there is no column " + inQuotes(name), near.empty()
                                                            ? std::string("add it to the header, or ") + kReadForeign
-                                                           : "is it " + near.substr(near.find('\'')));
+                                                           : "is the column called " + near.substr(near.find('\'')));
   }
 
   void refuseOtherUnit(const std::string& quantity, UnitKind kind) const {

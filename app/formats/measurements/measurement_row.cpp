@@ -95,7 +95,7 @@ std::optional<int> readRowOfArm(const RowReader& row, const MeasurementColumns& 
   if (!kind.may_be_of_row)
     row.failSaying(
         *columns.row,
-        fmt::format("a reading of kind {} cannot be of row {}: only readings of kind {} are of a row of the arm",
+        fmt::format("a reading of kind {} cannot be of row {}: only readings of kind {} can name a row of the arm",
                     kind.name, inQuotes(name), fmt::join(calibration::kindNamesOfRows(), ", ")),
         "leave the field empty");
   if (const auto found = deflection::findRow(arm, name)) return found;
@@ -272,7 +272,7 @@ std::shared_ptr<const Measurement> readReference(const RowReader& row, const Mea
   const Measurement& other = *found->second;
   if (other.setup != m.setup)
     row.failSaying(*columns.from, fmt::format("the reading {} is of another set-up", inQuotes(id)),
-                   "name one of the same set-up");
+                   "name a reading of the same set-up");
   auto reference = std::make_shared<Measurement>(other);
   reference->reference = nullptr;
   return reference;

@@ -157,7 +157,7 @@ namespace {
 /// Returns advice to write a joint reading shifted by one turn if this brings it within the limits; otherwise empty.
 std::string turnText(const deflection::Joint<double>& joint, double q, const MeasurementTable::JointColumn& column) {
   const auto back = calibration::oneTurnBack(joint, q);
-  return back ? fmt::format("a whole turn back it is {} {}, which is within: write that",
+  return back ? fmt::format("one whole turn back the reading is {} {}, which is within the limits; write that value",
                             formatNumber(*back / column.factor), column.unit)
               : "";
 }
@@ -194,7 +194,7 @@ MeasurementTable parseMeasurementTable(const std::string& text, const std::strin
   if (table.problem) refuseText(file, *table.problem);
   const MeasurementColumns columns = findColumns(table, file, arm);
   if (table.rows.empty())
-    throw InputError::saying(file, "there are no readings below the header", "write a line for each reading");
+    throw InputError::saying(file, "there are no readings below the header", "write a row for each reading");
   requireFilledIn(table, columns, file);
   MeasurementTable read;
   read.units = unitsOf(columns);

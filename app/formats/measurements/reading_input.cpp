@@ -103,7 +103,7 @@ void stateSigma(std::vector<Measurement>& readings, const Cell& cell, const std:
     else
       throw InputError::saying(fmt::format("{}:{}", file, reading.line),
                                "the reading has no sigma, which states its noise",
-                               fmt::format("add a column sigma_{}, or give --sigma", cell.units.length().name));
+                               fmt::format("add a column sigma_{} or --sigma", cell.units.length().name));
   }
 }
 

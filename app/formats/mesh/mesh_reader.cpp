@@ -38,8 +38,8 @@ const MeshKind& meshKindOf(const std::string& path) {
   const std::string ending = lowerCase(fs::path(path).extension().string());
   const auto* kind = std::ranges::find(kMeshKinds, ending, &MeshKind::ending);
   if (kind == kMeshKinds.end())
-    throw InputError(path, ending.empty() ? "no ending" : "the ending " + inQuotes(ending),
-                     "that of a mesh: .stl, .obj or .ply", "export the part as STL");
+    throw InputError(path, ending.empty() ? "no file extension" : "the file extension " + inQuotes(ending),
+                     "the extension of a mesh: .stl, .obj or .ply", "export the part as STL");
   return *kind;
 }
 
@@ -47,7 +47,7 @@ std::string bytesOf(const std::string& path) {
   std::error_code error;
   const auto status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found)
-    throw InputError::saying(path, "no such file", "check the name: it is relative to the cell's folder");
+    throw InputError::saying(path, "no such file", "check the name, which is relative to the cell's folder");
   if (!fs::is_regular_file(status))
     throw InputError::saying(path, "this is not a regular file", "give the file of a mesh");
   if (fs::file_size(path, error) > kLargestMesh)

@@ -79,7 +79,7 @@ bool isSameRow(const deflection::Row<double>& a, const deflection::Row<double>& 
 
 /// Throws InputError unless `arm` has the same rows as `in_file`, the arm that was read from the URDF file.
 void requireSameRows(const Arm& in_file, const Arm& arm, const std::string& file) {
-  const char* advice = "give --into the URDF file from which the arm was imported, with the same --tip";
+  const char* advice = "for --into, give the URDF file from which the arm was imported, with the same --tip";
   for (std::size_t k = 0; k < std::min(in_file.rows.size(), arm.rows.size()); ++k) {
     if (isSameRow(in_file.rows[k], arm.rows[k])) continue;
     const std::string where = fmt::format("{} (row {})", file, k + 1), found = inWords(in_file.rows[k]);

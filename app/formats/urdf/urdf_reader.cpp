@@ -44,7 +44,7 @@ Chain chainTo(const UrdfTree& tree, const Link& tip, const std::string& file) {
   for (const Link* link = &tip; link->joint; link = link->parent) {
     if (chain.size() == tree.links.size())
       throw InputError::saying(file, "the links on the way to " + inQuotes(tip.name) + " form a closed loop",
-                               "make them a tree with one root");
+                               "arrange the links as a tree with one root");
     chain.push_back(link);
   }
   std::reverse(chain.begin(), chain.end());

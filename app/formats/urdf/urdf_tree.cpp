@@ -317,11 +317,11 @@ class TreeReader {
       if (!carrier.contains(link)) roots.push_back(link);
     if (roots.empty())
       throw InputError::saying(file_, "the links form a closed loop: each is the child of a joint",
-                               "make them a tree with one root");
+                               "arrange the links as a tree with one root");
     if (roots.size() > 1)
       throw InputError::saying(
           file_, fmt::format("{} links are not the child of any joint: {}", roots.size(), fmt::join(roots, ", ")),
-          "only the root may be without a parent joint");
+          "only the root may have no parent joint");
   }
 
   void readLink(const XMLElement& element) {

@@ -33,7 +33,7 @@ class TreeBuilder : public YAML::EventHandler {
     refuseAnchor(mark, anchor);
     refuseTag(mark, "");
     YamlNode node = makeNode(mark, YamlNode::Kind::kNull);
-    if (expectsKey()) node.failSaying("there is no key before the colon", "write a word before it");
+    if (expectsKey()) node.failSaying("there is no key before the colon", "write a key before the colon");
     finish(std::move(node));
   }
 
@@ -183,7 +183,7 @@ YamlNode parseYaml(const std::string& text, const std::string& file) {
     std::istringstream stream(text);
     YAML::Parser parser(stream);
     if (!parser.HandleNextDocument(builder))
-      throw InputError::saying(file, "the file has nothing but comments", "write keys and values");
+      throw InputError::saying(file, "the file contains only comments", "write keys and values");
     TreeBuilder second(text, file);
     if (parser.HandleNextDocument(second))
       throw InputError::saying(file, "the file has a second document (---)",

@@ -45,8 +45,8 @@ describe("the page's words", () => {
     });
   });
   it("keep a sentence that has no expected value", () => {
-    expect(pageProblem({where: "cell", found: "a job is not done yet", expected: "", message: "m"})).toMatchObject({
-      found: "a job is not done yet",
+    expect(pageProblem({where: "cell", found: "another cell cannot be opened while a job is running", expected: "", message: "m"})).toMatchObject({
+      found: "another cell cannot be opened while a job is running",
       expected: "",
     });
   });

@@ -60,16 +60,18 @@ TEST(CommandLine, EveryKindOfMistakeIsASentence) {
       {{"pose", "a.yaml", "--joints=1", "--load", "3", "--load=4"},
        "--load: found 2 values, expected one; give the option once"},
       {{"score", "a.yaml", "--truth", "b.yaml", "--unmodelled", "1"},
-       "--unmodelled: the option needs --runs beside it; add --runs, or leave --unmodelled out"},
+       "--unmodelled: the option also needs --runs; add --runs, or leave --unmodelled out"},
       {{"map", "a.yaml", "b.yaml", "c.yaml"},
-       "map: there are too many words, from 'b.yaml' on; usage: tubeplan map CELL, see `tubeplan map --help`"},
+       "map: too many arguments, starting at 'b.yaml'; usage: tubeplan map CELL, see `tubeplan map --help`"},
       {{"plan", "a.yaml", "--tubez=all", "--out", "plan"}, "--tubez: there is no such option; did you mean '--tubes'?"},
       {{"map", "a.yaml", "--frobnicate"}, "--frobnicate: there is no such option; see `tubeplan map --help`"},
       {{"map", "a.yaml", "-q"}, "-q: there is no such option; see `tubeplan map --help`"},
       {{"--frobnicate", "map"},
-       "--frobnicate: the command is missing before this option; begin with a command; `tubeplan help` lists them"},
+       "--frobnicate: the command is missing before this option; begin with a command; `tubeplan help` lists the "
+       "commands"},
       {{"--frobnicate", "--help"},
-       "--frobnicate: the command is missing before this option; begin with a command; `tubeplan help` lists them"},
+       "--frobnicate: the command is missing before this option; begin with a command; `tubeplan help` lists the "
+       "commands"},
   };
   for (const auto& [words, message] : mistakes) EXPECT_EQ(refusal(words), message);
 }

@@ -188,8 +188,7 @@ TEST_F(Identify, RefusesReadingsThatTellNothing) {
   write("few.csv", readingsCsv({readings[0]}));
   expectRefused(shipped("bowl.yaml") + " few.csv" + kFree, {"few.csv:", "posture"});
   write("two.csv", readingsCsv({readings[0], readings[1]}));
-  expectRefused(shipped("bowl.yaml") + " two.csv" + kFree,
-                {"two.csv:", "6 numbers", "8 that are free", "measure more"});
+  expectRefused(shipped("bowl.yaml") + " two.csv" + kFree, {"two.csv:", "6 numbers", "8 free numbers", "add readings"});
 }
 
 TEST_F(Identify, RefusesFilesThatAreBroken) {

@@ -82,7 +82,7 @@ TEST_F(RunSheet, ReadingsOfSeveralFilesHaveIdsOfTheirOwn) {
   ASSERT_EQ(run("simulate " + shipped("bench.yaml") + " --design bench --readings 20 --seed 1 --out s").exit_code, 0);
   const auto twice = run("compare " + shipped("bench.yaml") + " s/measurements.csv s/measurements.csv");
   EXPECT_EQ(twice.exit_code, 2);
-  EXPECT_NE(twice.err.find("an id of its own in all files"), std::string::npos) << twice.err;
+  EXPECT_NE(twice.err.find("an id of its own across all files"), std::string::npos) << twice.err;
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST_F(AtomicFile, folderIsOfOneProgramAtATime) {
   {
     OutputFolder out(folder, "--out");
     const std::string message = messageOf([&] { OutputFolder second(folder, "--out"); });
-    expectSays(message, "another run of tubeplan (process " + std::to_string(::getpid()) + ") writes to");
+    expectSays(message, "another run of tubeplan (process " + std::to_string(::getpid()) + ") is writing to");
   }
   // A program that was killed holds nothing, whatever it left.
   fs::create_directory(folder / ".tubeplan.1999999999.part");

@@ -62,7 +62,7 @@ TEST(ReadingProblems, FewerNumbersThanAreFree) {
   const auto free = unknownsOf({"tool.joint_stiffness.z", "latch-link.beam.Iz", "forearm.joint_stiffness.z",
                                 "mezzanine-beam.beam.Iz", "tool.tip.x"});
   expectProblem(maker.readings, free, "4 numbers");  // one distance, and six coordinates less the three of the point
-  EXPECT_NE(findReadingProblem(maker.readings, free)->what.find("5 that are free"), std::string::npos);
+  EXPECT_NE(findReadingProblem(maker.readings, free)->what.find("5 free numbers"), std::string::npos);
   EXPECT_FALSE(findReadingProblem(maker.readings, unknownsOf(kTwo)));
 }
 

@@ -72,9 +72,10 @@ TEST(ControllerCalibration, anArmThatItIsNotOfIsRefused) {
   const struct {
     const char *from, *to, *says;
   } kWrong[] = {
-      {"convention: standard\n", "", "not by the standard convention"},
+      {"convention: standard\n", "", "do not follow the standard convention"},
       {"    joint: {name: q4, type: revolute}\n", "", "found 3 joints"},
-      {"joint: {name: q4, type: revolute}", "joint: {name: q4, type: prismatic}", "with a revolute joint"},
+      {"joint: {name: q4, type: revolute}", "joint: {name: q4, type: prismatic}",
+       "does not have both `dh` and a revolute joint"},
   };
   for (const auto& [from, to, says] : kWrong) {
     // A row without a joint states its theta.

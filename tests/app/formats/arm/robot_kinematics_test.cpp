@@ -135,7 +135,7 @@ TEST(RobotKinematics, anArmThatItIsNotOfIsRefused) {
       {"joint: {name: q4, type: revolute}", "joint: {name: q4, type: revolute, offset: 5}", "'w1'"},
       {"joint: {name: q4, type: revolute}", "joint: {name: q4, type: prismatic}", "'w1'"},
       {", joint: {name: q4, type: revolute}", "", "found 5 joints"},
-      {"origin: {position: [0, 92.1, 0], rpy: [90, 180, 180]}", "dh: {alpha: 90, a: 0, d: 92.1}", "'w3' is by dh"},
+      {"origin: {position: [0, 92.1, 0], rpy: [90, 180, 180]}", "dh: {alpha: 90, a: 0, d: 92.1}", "'w3' has `dh`"},
   };
   for (const auto& [from, to, says] : kWrong)
     expectSays(messageOf([&, &f = from, &t = to] {

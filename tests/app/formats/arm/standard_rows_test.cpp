@@ -143,7 +143,7 @@ TEST(StandardRows, whatTheyCannotBeIsRefused) {
   expectSays(refusal(fileOf(rows, "convention: craig\n")), "standard or modified");
   const std::string mixed =
       changed(rows, "dh: {alpha: 0, a: -0.55, d: 0, theta: 0}", "origin: {position: [1, 0, 0], rpy: [0, 0, 0]}");
-  expectSays(refusal(standardFile(mixed)), "a row by origin follows one by dh");
+  expectSays(refusal(standardFile(mixed)), "a row with `origin` follows a row with `dh`");
   const std::string wrong = refusal(standardFile(changed(rows, "a: -0.6", "a: .inf")));
   expectSays(wrong, "arm.yaml:5");
 }

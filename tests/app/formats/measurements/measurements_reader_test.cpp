@@ -256,7 +256,7 @@ TEST_F(MeasurementsReader, readsHowTheNoiseOfCoordinatesGoesTogether) {
              "m.csv:2: only some of the correlations rho_xy, rho_xz, rho_yz are given; give all three or none");
   for (const char* rho : {"1", "-1", "1.2"})
     expectSays(refusal(header + changed(good, "0.9,", std::string(rho) + ",")),
-               std::string("m.csv:2 (column rho_xy): found ") + rho + ", expected a correlation between -1 and 1");
+               std::string("m.csv:2 (column rho_xy): found ") + rho + ", expected a correlation above -1 and below 1");
   expectSays(refusal(header + changed(good, "0.9,", "nan,")), "m.csv:2 (column rho_xy): found 'nan'");
   expectSays(refusal(header + changed(good, "0.9,-0.1,0,", "0.9,0.9,-0.9,")), "positive definite");
   const std::string alone = changed(good, "0.001,0.002,0.002,0.9,-0.1,0,", ",,,0.9,-0.1,0,0.002");
@@ -285,7 +285,7 @@ TEST_F(MeasurementsReader, readsWaysFromOtherReadings) {
   const auto with = [&](const std::string& row, const std::string& from, const std::string& to) {
     return refusal(header + first + second + changed(row, from, to));
   };
-  expectSays(with(length, ",A,a,", ",A,,"), "another reading's id in the column 'from'");
+  expectSays(with(length, ",A,a,", ",A,,"), "the id of that reading in the column 'from'");
   expectSays(with(length, ",A,a,", ",A,z,"), "m.csv:4 (column from): found the unknown id 'z'");
   expectSays(with(length, ",A,a,", ",A,c,"), "own id");
   expectSays(with(length, ",A,a,", ",B,a,"), "of another set-up");

@@ -125,7 +125,7 @@ TEST_F(MeshReader, APlyFileThatContradictsItselfIsRefused) {
   expectSays(message("element vertex ", "element vertex -"), "the number of entries");
   expectSays(message("element vertex ", "element vertex 9"), "a.ply");
   expectSays(message("float y", "float x"), "the element vertex has the property x 2 times");
-  expectSays(message("float y", "real y"), "a type of numbers");
+  expectSays(message("float y", "real y"), "a number type");
   expectSays(message("vertex_indices", "texture"), "the element face has the property vertex_indices 0 times");
   expectSays(message("end_header", "the_end"), "comment or end_header");
   expectSays(message("\n3 ", "\n2 "), "face 1 has fewer than three corners");
@@ -143,7 +143,7 @@ TEST_F(MeshReader, FilesOnWhichALibraryCrashedAreRefused) {
   expectSays(
       message("a.ply",
               "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nelement face 2\nproperty list end_header"),
-      "a type of numbers");
+      "a number type");
   expectSays(message("a.stl", "\xfe\xff" + std::string(23, '\0') + "i"), "26 bytes");
 }
 
@@ -166,20 +166,20 @@ TEST_F(MeshReader, APolygonThatPointsInwardsIsCutFromACornerThatSeesAllOthersOrR
 TEST_F(MeshReader, WhatIsNoMeshIsRefused) {
   const auto message = [](const std::string& file) { return messageOf([&] { (void)readMeshFile(file); }); };
   expectSays(message((folder / "none.stl").string()), "no such file");
-  expectSays(message(write("part.step", "ISO-10303-21;")), "the ending '.step'");
-  expectSays(message(write("part", "solid")), "no ending");
+  expectSays(message(write("part.step", "ISO-10303-21;")), "the file extension '.step'");
+  expectSays(message(write("part", "solid")), "no file extension");
   expectSays(message(write("empty.stl", "")), "the file is empty");
   std::filesystem::create_directory(folder / "folder.stl");
-  expectSays(message((folder / "folder.stl").string()), "no regular file");
+  expectSays(message((folder / "folder.stl").string()), "not a regular file");
   expectSays(message(write("words.stl", "here is no mesh at all, only words that go on for a while, on and on and on")),
              "words.stl");
   expectSays(message(write("nothing.stl", "solid nothing\nendsolid nothing\n")), "nothing.stl");
   expectSays(message(write("long.obj", "v 0 0 0\nf" + std::string(2'000'000, ' ') + "\n")), "long.obj:2: found");
-  expectSays(message(write("corner.obj", kCorners + "f 1 2 4\n")), "face 1 is beyond the 3 vertices");
+  expectSays(message(write("corner.obj", kCorners + "f 1 2 4\n")), "face 1 is not one of the 3 vertices");
   expectSays(message(write("word.obj", kCorners + "f 1 2 x\n")), "word.obj:4: found 'x'");
   expectSays(message(write("before.obj", kCorners + "f 1 2 -4\n")), "before.obj:4: found '-4'");
   expectSays(message(write("none.obj", kCorners + "f 1 2 0\n")), "the number of a vertex");
-  expectSays(message(write("two.obj", kCorners + "f 1 2 # 3\n")), "three vertices or more");
+  expectSays(message(write("two.obj", kCorners + "f 1 2 # 3\n")), "three or more vertices");
   expectSays(message(write("flat.obj", "v 0 0\nv 1 0 0\n")), "flat.obj:1: found the end of the line");
   expectSays(message(write("free.obj", kCorners + "surf 0 1 0 1 1 2 3\n")), "free-form surfaces");
   expectSays(message(write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")), "points.obj");
