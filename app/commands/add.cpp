@@ -36,7 +36,8 @@ int run(const AddOptions& options) {
   const Cell cell = readCell(options.cell);
   const Addition added = addToCell(cell, options.request);
   if (!options.readings.empty() && added.formulas.empty())
-    throw InputError::saying("--readings", "there is no formula that these readings could compare with the catalogue",
+    throw InputError::saying("--readings",
+                             "the readings serve to compare a formula with the catalogue, but no formula is given",
                              "add --formula, or leave --readings out");
   checkWritableCell(cell, options.out, "--out");
   const std::string text = cellTextWith(cell, added, options.out);

@@ -202,7 +202,7 @@ int exportArm(const ArmOptions& options) {
                              "use --into for a URDF file, or --convention for an arm file");
   if (options.is_kinematics && !(options.into.empty() && options.convention.empty()))
     throw InputError::saying("--kinematics", "this option cannot be combined with --into or --convention",
-                             "use --kinematics only to write the YAML file of ROS");
+                             "use --kinematics only to write the kinematics YAML file for ROS");
   if (options.is_kinematics) return exportKinematics(options);
   if (!options.into.empty()) return exportIntoUrdf(options);
   return options.convention.empty() ? exportUrdf(options) : exportRows(options);

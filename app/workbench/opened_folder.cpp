@@ -33,7 +33,7 @@ OpenedFolder::OpenedFolder(const fs::path& folder) {
     throw InputError::saying("--folder", fmt::format("{} cannot be opened: {}", quoted, error.message()),
                              "check the name");
   if (!fs::is_directory(path_, error))
-    throw InputError::saying("--folder", quoted + " is not a folder", "name the folder with the files");
+    throw InputError::saying("--folder", quoted + " is not a folder", "give the folder with the files");
 }
 
 fs::path OpenedFolder::fileToRead(const std::string& name) const {

@@ -64,7 +64,7 @@ Answer answer(Workbench& workbench, const Request& request) {
     return refusal(422, error);
   } catch (const nlohmann::json::exception&) {
     return refusal(400, InputError::saying("request body", "a value is not of the kind that this address takes",
-                                           "docs/workbench_api.md describes what it takes"));
+                                           "docs/workbench_api.md describes what the address takes"));
   } catch (const std::filesystem::filesystem_error& error) {
     return refusal(422, inputErrorOf(error));
   } catch (const std::exception& error) {

@@ -130,10 +130,10 @@ void requireTouchable(const CentringTask& task) {
                      : is_tested ? task.options.holes
                                  : static_cast<int>(task.holes.visited.size());
     if (setting.touches > most)
-      throw InputError(
-          "--touches", std::to_string(setting.touches),
-          fmt::format("at most the {} holes that {}", most, is_tested ? "are visited in a run" : "can be touched"),
-          is_tested ? "touch fewer holes, or visit more with --holes" : "touch fewer holes");
+      throw InputError("--touches", std::to_string(setting.touches),
+                       fmt::format("at most {}, the number of holes {}", most,
+                                   is_tested ? "visited in a run" : "that can be touched"),
+                       is_tested ? "touch fewer holes, or visit more with --holes" : "touch fewer holes");
   }
 }
 

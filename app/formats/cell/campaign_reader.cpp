@@ -169,13 +169,13 @@ void readNumbers(const YamlNode& root, const Units& units, CampaignFile& file) {
   if (const YamlNode* node = root.find("region")) design.region_W = readRegion(*node, units);
   if (const YamlNode* node = root.find("split")) readShare(*node, design.held_out);
   design.push = readQuantityOr(root, "push", units, dimension::kForce, design.push);
-  if (design.push < 0) root.at("push").fail("zero or more");
+  if (design.push < 0) root.at("push").fail("a number of zero or more");
   design.sigma = readQuantityOr(root, "sigma", units, dimension::kLength, design.sigma);
-  if (design.sigma < 0) root.at("sigma").fail("zero or more");
+  if (design.sigma < 0) root.at("sigma").fail("a number of zero or more");
   if (const YamlNode* node = root.find("sigmas")) readNoiseOfAxes(*node, units, design);
   if (const YamlNode* node = root.find("correlations")) readCorrelationList(*node, design);
   design.turn_sigma = readQuantityOr(root, "turn_sigma", units, dimension::kAngle, design.turn_sigma);
-  if (design.turn_sigma < 0) root.at("turn_sigma").fail("zero or more");
+  if (design.turn_sigma < 0) root.at("turn_sigma").fail("a number of zero or more");
 }
 
 }  // namespace

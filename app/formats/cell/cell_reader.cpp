@@ -141,7 +141,7 @@ void requireSamePair(const YamlNode& pair, const ArmSource& arm, const Cell& cel
   if (pair.text() == arm.pair) return;
   const std::string found = arm.pair.empty() ? "none" : "'" + arm.pair + "'";
   pair.failSaying(fmt::format("'{}' is not the arm file that was written with this cell: the cell has the pair '{}', "
-                              "the arm {}",
+                              "but the arm has {}",
                               cell.arm_path, pair.text(), found),
                   "write both again, or remove the key `pair` if another arm is meant");
 }

@@ -358,7 +358,7 @@ class TreeReader {
     const std::string mass = attributeOf(inertial.FirstChildElement("mass"), "value");
     const auto number = writtenNumbers(mass);
     if (!number || number->size() != 1 || number->front() < 0)
-      throw InputError(placeOf(link, file_), mass.empty() ? "no mass in the inertial" : "the mass " + inQuotes(mass),
+      throw InputError(placeOf(link, file_), mass.empty() ? "no mass in <inertial>" : "the mass " + inQuotes(mass),
                        "<mass value=\"...\"/> of 0 kg or more");
     return number->front();
   }
@@ -374,7 +374,8 @@ class TreeReader {
     const XMLElement *axis = element.FirstChildElement("axis"), *limit = element.FirstChildElement("limit"),
                      *mimic = element.FirstChildElement("mimic");
     checkAttributes(axis, {"xyz"}, where);
-    if (axis) joint.axis = numbers.vector("axis", "xyz", "three numbers, a direction", Eigen::Vector3d::Zero());
+    if (axis)
+      joint.axis = numbers.vector("axis", "xyz", "three numbers that form a direction", Eigen::Vector3d::Zero());
     if (limit)
       joint.limits = {numbers.number("limit", "lower", "a number in rad or m", 0),
                       numbers.number("limit", "upper", "a number in rad or m", 0),

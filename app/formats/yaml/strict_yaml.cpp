@@ -187,7 +187,7 @@ YamlNode parseYaml(const std::string& text, const std::string& file) {
     TreeBuilder second(text, file);
     if (parser.HandleNextDocument(second))
       throw InputError::saying(file, "the file has a second document (---)",
-                               "split the file, with one document in each");
+                               "split the file into files of one document each");
   } catch (const YAML::Exception& error) {
     throw InputError::saying(fmt::format("{}:{}:{}", file, error.mark.line + 1, error.mark.column + 1),
                              "the text is not YAML (" + error.msg + ")",
