@@ -55,11 +55,11 @@ void allowInPlace(const Cell& cell, const fs::path& out, const std::string& file
   if (record && fs::equivalent(out, cell.path, error)) record->allowReplacing(file);
 }
 
-constexpr const char* kAdvice = "choose another name, because that file would be overwritten";
+constexpr const char* kOtherName = "choose another name, because that file would be overwritten";
 
 void requireCellOrNothing(const fs::path& cell, const std::string& option) {
   if (isFilled(cell) && !isCellFile(cell))
-    throw InputError::saying(option, fmt::format("'{}' already exists and is not a cell", cell.string()), kAdvice);
+    throw InputError::saying(option, fmt::format("'{}' already exists and is not a cell", cell.string()), kOtherName);
 }
 
 void requireOwnArmOrNothing(const fs::path& cell, const std::string& option) {
@@ -69,7 +69,7 @@ void requireOwnArmOrNothing(const fs::path& cell, const std::string& option) {
         option,
         fmt::format("the arm would be written as '{}', which already exists and is not the arm of '{}'", arm.string(),
                     cell.string()),
-        kAdvice);
+        kOtherName);
 }
 
 }  // namespace

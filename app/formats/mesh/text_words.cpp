@@ -13,7 +13,7 @@ namespace tubeplan::app {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr const char* kAdvice = "export the part again";
+constexpr const char* kExportAgain = "export the part again";
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
@@ -71,10 +71,10 @@ double TextWords::number() {
 
 void TextWords::fail(std::string_view found, const std::string& expected) const {
   const std::string end = fmt::format("the end of the {}", atEnd() ? "file" : "line");
-  throw InputError(where(), found.empty() ? end : inQuotes(found), expected, kAdvice);
+  throw InputError(where(), found.empty() ? end : inQuotes(found), expected, kExportAgain);
 }
 
-void TextWords::failSaying(const std::string& what) const { throw InputError::saying(where(), what, kAdvice); }
+void TextWords::failSaying(const std::string& what) const { throw InputError::saying(where(), what, kExportAgain); }
 
 std::string TextWords::where() const { return fmt::format("{}:{}", name_, line_); }
 

@@ -23,7 +23,7 @@ using planner::SegmentKind;
 using tubesheets::CsvRow;
 
 constexpr int kMost = std::numeric_limits<int>::max();
-constexpr const char* kAdvice = "plan again";
+constexpr const char* kPlanAgain = "plan again";
 
 Eigen::VectorXd jointsOf(const JsonValue& readings, const Cell& cell) {
   return readings.numbers(cell.arm.jointCount()).cwiseProduct(jointFactors(cell.arm, cell.units));
@@ -83,7 +83,7 @@ class PathReader {
   PathReader(const std::string& path, const Cell& cell)
       : path_(path), factors_(jointFactors(cell.arm, cell.units)), table_(tubesheets::parseCsv(readTextFile(path))) {
     if (table_.problem) {
-      table_.problem->advice = kAdvice;
+      table_.problem->advice = kPlanAgain;
       refuseText(path, *table_.problem);
     }
     std::vector<std::string> columns{"time_s", "segment", "kind"};
@@ -94,7 +94,7 @@ class PathReader {
     if (!has_echo_)
       throw InputError(fmt::format("{}:{}", path, table_.header_line),
                        inQuotes(fmt::format("{}", fmt::join(table_.columns, ","))),
-                       fmt::format("{}", fmt::join(columns, ",")), kAdvice);
+                       fmt::format("{}", fmt::join(columns, ",")), kPlanAgain);
   }
 
   void read(PlanFiles& files) const {
@@ -114,7 +114,7 @@ class PathReader {
  private:
   [[noreturn]] void refuse(const CsvRow& row, std::size_t column, const std::string& expected) const {
     throw InputError(fmt::format("{}:{} ({})", path_, row.line, table_.columns[column]), inQuotes(row.fields[column]),
-                     expected, kAdvice);
+                     expected, kPlanAgain);
   }
 
   [[nodiscard]] double number(const CsvRow& row, std::size_t column) const {
@@ -145,8 +145,8 @@ class PathReader {
 
 PlanFiles readPlanFiles(const std::filesystem::path& folder, const Cell& cell) {
   const std::string path = (folder / "plan.json").string();
-  const json text = parseJson(readTextFile(path), path, "JSON written by tubeplan plan", kAdvice);
-  const JsonValue document(text, path, kAdvice);
+  const json text = parseJson(readTextFile(path), path, "JSON written by tubeplan plan", kPlanAgain);
+  const JsonValue document(text, path, kPlanAgain);
   if (document.at("units").json() != unitsJson(cell.units))
     throw InputError(path + " units", text["units"].dump(), unitsJson(cell.units).dump(),
                      "verify the plan with the cell for which it was made");
