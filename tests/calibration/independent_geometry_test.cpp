@@ -22,7 +22,8 @@ Eigen::MatrixXd motions(const PlacedArm& placed, const std::vector<std::string>&
   const bool has_base = !placed.base_poses[0].is_known;
   for (const std::string axis : {"x", "y", "z"})
     if (!placed.shows_tool_turn)
-      variables.push_back(deflection::Variable::number(deflection::findParameter(placed.arm, "tool.turn." + axis)->path));
+      variables.push_back(
+          deflection::Variable::number(deflection::findParameter(placed.arm, "tool.turn." + axis)->path));
   const auto count = static_cast<Eigen::Index>(variables.size());
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(6 * kPostures, count + (has_base ? 6 : 0));
   RandomStream random(3);
