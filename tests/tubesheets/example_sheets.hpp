@@ -1,4 +1,4 @@
-// Published and fitted sheets, in inches as published, for the tests of this folder.
+// Tube sheets for the tests of this folder, some published and some fitted, with dimensions in inches as published.
 #pragma once
 
 #include <limits>
@@ -13,7 +13,7 @@ namespace tubeplan::tubesheets {
 inline constexpr double kMetresPerInch = 0.0254;
 inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns a layout from its numbers in inches.
+/// Returns a layout from dimensions in inches.
 inline Layout layoutInInches(const std::string& type, double pitch, double first_row, double radius,
                              double stay_radius = 0, int rows = 0, int columns = 0) {
   return {type,
@@ -38,7 +38,7 @@ inline ExampleSheet example(const std::string& name, const Layout& layout, doubl
   return {name, {name, layout, hole * kMetresPerInch, leg, ViewedFrom::kBelow}, holes, rows, columns};
 }
 
-/// Returns seven sheets with their hole counts. 0 columns: not published.
+/// Returns seven sheets with their hole counts; `columns` is 0 if the number of columns is not published.
 inline std::vector<ExampleSheet> exampleSheets() {
   return {
       example("W44", layoutInInches("square", 1.234, 2.19, 57.23, 0, 45, 92), 0.885, Leg::kHot, 3260, 45, 92),
@@ -51,11 +51,11 @@ inline std::vector<ExampleSheet> exampleSheets() {
   };
 }
 
-/// Returns the mock-up's hot leg with 4,674 holes.
+/// Returns the description of the mock-up's hot leg, which has 4,674 holes.
 inline SheetDescription mockupDescription() { return exampleSheets()[2].description; }
 
 /// Returns a half-disc of 8 columns and 4 rows on a square lattice of pitch 1 in, small enough to count by hand: rows 1
-/// and 2 have columns 1 to 8, row 3 has 2 to 7, row 4 has 3 to 6.
+/// and 2 have columns 1 to 8, row 3 has columns 2 to 7, and row 4 has columns 3 to 6.
 inline SheetDescription smallDescription() {
   return {"small", layoutInInches("square", 1.0, 0.5, 4.0), 0.7 * kMetresPerInch, Leg::kHot, ViewedFrom::kBelow};
 }

@@ -1,4 +1,4 @@
-// The hole map as text: exact round trips, short numbers, and every kind of bad text refused with its line.
+// The hole map as text: exact round trips, short decimals, and refusal of every kind of bad text with its line number.
 #include "tubesheets/hole_map_csv.hpp"
 
 #include <gtest/gtest.h>
@@ -93,7 +93,7 @@ struct BadText {
   std::string name;
   std::string text;
   int line;
-  std::string found;  // part of the problem's sentence
+  std::string found;  // expected part of the problem's sentence
 };
 
 void PrintTo(const BadText& text, std::ostream* out) { *out << text.name; }

@@ -1,4 +1,4 @@
-// Slips in the names of a map's holes, and maps that count in other ways.
+// Checks of hole names against positions: maps with exchanged names, and maps with other numbering schemes.
 #include "tubesheets/hole_names.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ class HoleNames : public testing::TestWithParam<ExampleSheet> {
  protected:
   Sheet sheet_ = makeSheet(GetParam().description);
 
-  /// The two are where the other was; names stay.
+  /// Exchanges the positions of holes `a` and `b`; their names stay.
   void exchange(std::size_t a, std::size_t b) {
     std::swap(sheet_.tubes[a].x, sheet_.tubes[b].x);
     std::swap(sheet_.tubes[a].y, sheet_.tubes[b].y);

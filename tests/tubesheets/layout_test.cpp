@@ -1,4 +1,4 @@
-// The published counts, and layouts that cannot be drilled.
+// Published hole counts, and layouts that cannot be drilled.
 #include "tubesheets/layout.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST_P(PublishedLayout, KeepsItsDistances) {
 INSTANTIATE_TEST_SUITE_P(All, PublishedLayout, testing::ValuesIn(exampleSheets()),
                          [](const auto& sheet) { return sheet.param.name; });
 
-/// Those whose numbers of rows and columns are known.
+/// Returns the example sheets whose numbers of rows and columns are known.
 std::vector<ExampleSheet> sheetsWithGrid() {
   std::vector<ExampleSheet> sheets = exampleSheets();
   std::erase_if(sheets, [](const ExampleSheet& sheet) { return sheet.rows == 0; });
@@ -96,7 +96,7 @@ TEST(Layout, DoesNotDependOnTheUnit) {
 }
 
 TEST(Layout, ACentreOnTheCircleIsInside) {
-  // 3-4-5: the hole at (3, 4) pitches lies on the circle, whatever the pitch rounds to.
+  // 3-4-5 triangle: the hole at (3, 4) pitches lies on the circle, for any rounding of the pitch.
   for (const double pitch : {0.1, 0.3, 0.7, 1.1, 0.0254 * 0.3}) {
     const std::vector<Tube> tubes = makeTubes({"square", pitch, 4 * pitch, 5 * pitch, 0, 1, 7});
     ASSERT_EQ(tubes.size(), 7u) << pitch;
@@ -131,7 +131,7 @@ TEST(LayoutTypes, HaveUniqueNamesAndSayWhatTheyAre) {
 struct BadLayout {
   std::string name;
   Layout layout;
-  std::string what;  // of the first problem
+  std::string what;  // expected field of the first problem
 };
 
 void PrintTo(const BadLayout& layout, std::ostream* out) { *out << layout.name; }

@@ -1,4 +1,4 @@
-// Sheets: names, neighbours, mirror, fingerprint, and what makes one unusable.
+// Sheets: names, neighbours, mirror images, fingerprints, and problems that make a sheet unusable.
 #include "tubesheets/sheet.hpp"
 
 #include <gtest/gtest.h>
@@ -95,7 +95,7 @@ TEST(Sheet, TheColdLegIsTheMirrorImage) {
 }
 
 TEST(Fingerprint, IsStableAcrossReleases) {
-  // A changed value here makes every saved work list of users invalid.
+  // If this fingerprint changes, all work lists that users have saved become invalid.
   EXPECT_EQ(makeSheet(smallDescription()).fingerprint(), "fbced66195b21aa8");
   EXPECT_EQ(makeSheet(mockupDescription()).fingerprint(), "c23137934490cc81");
 }
@@ -141,7 +141,7 @@ TEST(DescriptionProblems, NameTheKey) {
   EXPECT_EQ(first([](auto&) {}), "none");
   EXPECT_EQ(first([](auto& d) { d.hole_diameter = kNan; }), "hole_diameter");
   EXPECT_EQ(first([](auto& d) { d.hole_diameter = d.layout.pitch; }), "hole_diameter");
-  EXPECT_EQ(first([](auto& d) { d.hole_diameter = 0.7; }), "hole_diameter");  // inches taken for metres
+  EXPECT_EQ(first([](auto& d) { d.hole_diameter = 0.7; }), "hole_diameter");  // value in inches, read as metres
   EXPECT_EQ(first([](auto& d) { d.leg = Leg::kFull; }), "leg");
   EXPECT_EQ(first([](auto& d) { d.layout = layoutInInches("disc", 1, 0, 4); }), "leg");
   EXPECT_EQ(first([](auto& d) { d.layout.first_row = 0.005; }), "first_row");
@@ -228,7 +228,7 @@ TEST(SheetProblems, StopAtTwenty) {
   EXPECT_LE(count, 21u);
 }
 
-/// Processor time for each hole, the best of several checks.
+/// Returns the processor time per hole [s], the least of five runs.
 double secondsPerHole(const SheetDescription& description, int repeats) {
   const Sheet sheet = makeSheet(description);
   double best = std::numeric_limits<double>::infinity();
@@ -240,7 +240,7 @@ double secondsPerHole(const SheetDescription& description, int repeats) {
   return best / CLOCKS_PER_SEC / repeats / static_cast<double>(sheet.tubes.size());
 }
 
-// A check of every pair of holes would make a hole of the largest sheet some 600 times as dear as one of the small one.
+// A check of all pairs of holes would cost some 600 times as much per hole on the largest sheet as on the small sheet.
 TEST(SheetProblems, AHoleOfTheLargestSheetIsCheckedAtTheCostOfAnyOther) {
   EXPECT_LT(secondsPerHole(exampleSheets()[6].description, 1), 20 * secondsPerHole(smallDescription(), 500));
 }
@@ -263,7 +263,7 @@ TEST(SheetProblems, MillimetresReadAsInchesOfHolesFarApart) {
     for (Tube& tube : sheet.tubes) tube.x *= unit, tube.y *= unit;
     return findSheetProblems(sheet);
   };
-  for (const int step : {3, 4}) {  // of every fifth, 25.4 times the distance would be whole pitches again
+  for (const int step : {3, 4}) {  // with every fifth hole, 25.4 times the spacing is again a whole number of pitches
     EXPECT_TRUE(withEvery(step, 1).empty()) << step;
     EXPECT_FALSE(withEvery(step, 25.4).empty()) << step;
   }

@@ -1,4 +1,4 @@
-// The stepped tool: which step enters, and how probable each is, against closed forms and sampling.
+// The stepped tool: the number of steps that enter and the probability of each, against closed forms and sampling.
 #include "tubesheets/stepped_tool.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 constexpr double kMetresInAnInch = 0.0254;
 constexpr double kHole = 0.760 * kMetresInAnInch;
 
-/// The tool of table 5.7.
+/// Returns the stepped tool of table 5.7.
 SteppedTool thesisTool() {
   return {{{0.582 * kMetresInAnInch, 0.089 * kMetresInAnInch},
            {0.644 * kMetresInAnInch, 0.058 * kMetresInAnInch},
@@ -52,10 +52,10 @@ TEST(PlayInTube, IsAStepsToleranceLessHowFarItIsOff) {
   EXPECT_EQ(playInTube(tool, off, upright, 0), std::numeric_limits<double>::infinity());
   EXPECT_NEAR(playInTube(tool, off, upright, 0.3 * kMetresInAnInch), 0.084 * kMetresInAnInch, 1e-15);
   EXPECT_NEAR(playInTube(tool, off, upright, 0.5 * kMetresInAnInch + 1e-9), 0.084 * kMetresInAnInch,
-              1e-15);  // no part of the next
+              1e-15);  // the next step has not entered
   EXPECT_NEAR(playInTube(tool, off, upright, 0.6 * kMetresInAnInch), 0.053 * kMetresInAnInch, 1e-15);
   EXPECT_NEAR(playInTube(tool, off, upright, 9 * kMetresInAnInch), 0.005 * kMetresInAnInch,
-              1e-15);  // as thick as its last step
+              1e-15);  // beyond its length the tool is as thick as its last step
   SteppedTool without = tool;
   without.lengths.clear();
   EXPECT_NEAR(playInTube(without, off, upright, 9 * kMetresInAnInch), 0.084 * kMetresInAnInch, 1e-15);
@@ -67,7 +67,7 @@ TEST(PlayInTube, ALeanCountsAtTheFarthestEndThatIsIn) {
   EXPECT_NEAR(playInTube(tool, centred, lean, 0.4 * kMetresInAnInch), (0.089 - 0.02) * kMetresInAnInch, 1e-15);
   EXPECT_NEAR(playInTube(tool, centred, lean, 0.8 * kMetresInAnInch), (0.058 - 0.04) * kMetresInAnInch, 1e-15);
   EXPECT_LT(playInTube(tool, centred, lean, 1.2 * kMetresInAnInch), 0);
-  // By closely spaced places along the tool.
+  // Reference value: least play over closely spaced points along the tool.
   const Eigen::Vector2d off(-0.01 * kMetresInAnInch, 0.006 * kMetresInAnInch), askew(0.02, -0.03);
   const double depth = 0.93 * kMetresInAnInch;
   double least = std::numeric_limits<double>::infinity();
@@ -99,7 +99,8 @@ TEST(ProbabilityWithin, IsRayleighForARoundSpreadAboutTheAxis) {
           << sigma << " " << radius;
 }
 
-/// Rice: an offset of a round spread, by the series of Poisson weights times chi-square with 2j + 2 degrees of freedom.
+/// Rice distribution: returns the probability that a round spread with an offset mean lies within `radius`, as a series
+/// of Poisson weights times chi-square probabilities with 2j + 2 degrees of freedom.
 double riceWithin(double radius, double offset, double sigma) {
   const double a = offset * offset / (2 * sigma * sigma), b = radius * radius / (2 * sigma * sigma);
   double weight = std::exp(-a), term = std::exp(-b), tail = term, sum = 0;
@@ -157,7 +158,8 @@ TEST(ProbabilityWithin, DoesNotTurnWithTheAxes) {
   }
 }
 
-/// P by plain summation in polar coordinates: slow, other code, good to 1e-9 for smooth spreads.
+/// Returns the probability by a plain sum in polar coordinates: slow, independent of the tested code, accurate to 1e-9
+/// for smooth spreads.
 double sumWithin(double radius, const Eigen::Vector2d& mean, const Eigen::Matrix2d& covariance) {
   const Eigen::Matrix2d information = covariance.inverse();
   const double scale = 1 / (2 * M_PI * std::sqrt(covariance.determinant()));
@@ -187,7 +189,7 @@ TEST(ProbabilityWithin, AgreesWithPlainSummation) {
   }
 }
 
-/// P by strips across the other (wide) axis with the trapezoidal rule.
+/// Returns the probability by the trapezoidal rule over strips across the wide axis.
 double sumAcrossWide(double radius, const Eigen::Vector2d& mean, double wide, double thin) {
   const int strips = 400000;
   double sum = 0;
@@ -210,7 +212,7 @@ TEST(ProbabilityWithin, AgreesWithStripsAcrossTheOtherAxis) {
 }
 
 TEST(ProbabilityWithin, OnTheRimIsHalfAsTheSpreadShrinks) {
-  // The rim's curvature takes sigma / (radius sqrt(8 pi)) off the half-plane's 1/2.
+  // The curvature of the rim reduces the half-plane's probability of 1/2 by sigma / (radius sqrt(8 pi)).
   for (const double sigma : {1e-3, 1e-5, 1e-7, 1e-9})
     EXPECT_NEAR(probabilityWithin(1, {0.6, 0.8}, covarianceOf(sigma, sigma, 0)), 0.5 - sigma / std::sqrt(8 * M_PI),
                 1e-7 * sigma / 1e-3 + 1e-8)
@@ -241,10 +243,10 @@ TEST(StepsInserted, CountsTheLeanOverTheStepsLengths) {
   const SteppedTool tool = thesisTool();
   const Eigen::Vector2d centred = Eigen::Vector2d::Zero();
   EXPECT_EQ(stepsInserted(tool, centred, centred), 3);
-  // The third step's far end is 1.5 in below the tip: 0.010 in of it are taken up by a lean of 1 in 150.
+  // The third step ends 1.5 in below the tip: a tilt of 1 in 150 uses up its tolerance of 0.010 in.
   EXPECT_EQ(stepsInserted(tool, centred, {0, 1 / 151.}), 3);
   EXPECT_EQ(stepsInserted(tool, centred, {0, 1 / 149.}), 2);
-  // An offset that the lean takes back helps the third step, and only there.
+  // An offset that the tilt compensates at the third step lets the third step enter.
   EXPECT_EQ(stepsInserted(tool, {0.012 * kMetresInAnInch, 0}, {0.01, 0}), 3);
   EXPECT_EQ(stepsInserted(tool, {0.012 * kMetresInAnInch, 0}, {-0.01, 0}), 2);
   EXPECT_EQ(stepsInserted(tool, {0.07 * kMetresInAnInch, 0}, {-0.05, 0}), 0);
@@ -337,7 +339,7 @@ TEST(ToolProblems, NameTheStep) {
   EXPECT_EQ(first([](auto& tool) { tool.steps[1].tolerance = 0; }), "steps[1].tolerance");
   EXPECT_EQ(first([](auto& tool) { tool.steps[2].tolerance = -0.001; }), "steps[2].tolerance");
   EXPECT_EQ(first([](auto& tool) { tool.steps[0].tolerance = 0.089; }),
-            "steps[0].tolerance");  // inches taken for metres
+            "steps[0].tolerance");  // value in inches, read as metres
   EXPECT_EQ(first([](auto& tool) { tool.steps[2].diameter = kHole; }), "steps[2].diameter");
   EXPECT_EQ(first([](auto& tool) { tool.steps[0].diameter = kNan; }), "steps[0].diameter");
   EXPECT_EQ(first([](auto& tool) { tool.steps[1].diameter = std::numeric_limits<double>::infinity(); }),

@@ -1,4 +1,4 @@
-// Hole maps and work lists as other programs write them: one reader, and what goes in comes out.
+// Hole maps and work lists in the formats of other programs: one reader for all, and exact round trips.
 #include "tubesheets/tube_table.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::vector<std::string> selectedNames(const Sheet& sheet, const Selection& sele
   return names;
 }
 
-/// How a list is written down: separator, line end, what stands before and behind.
+/// Text format of a list: field separator, line end, and text before the table.
 struct Dialect {
   char separator;
   std::string end, before;
@@ -40,7 +40,7 @@ const std::vector<Dialect>& dialects() {
   return all;
 }
 
-/// The tubes R2C3 and R4C4, and R2C3 once more, in every way of calling them: headings, then fields row by row.
+/// The tubes R2C3, R4C4 and again R2C3 in every supported naming: headings, then the fields of each row.
 const std::vector<std::vector<std::vector<std::string>>>& nameForms() {
   static const std::vector<std::vector<std::vector<std::string>>> all{
       {{"row", "column"}, {"2", "3"}, {"4", "4"}, {"2", "3"}},
@@ -135,7 +135,7 @@ TEST(TubeCodes, SayWhichTubesOfAListAreVisited) {
     }
 }
 
-/// Tables in words that no heading of ours has, and which column is the row, the column and the stay.
+/// Tables with headings that the reader does not know, and the columns chosen for row, column and dwell time.
 TEST(TubeTable, IsReadByColumnsThatAreChosenWhateverTheirHeadings) {
   const auto place = [](TubeColumn column, std::size_t at) { return ChosenTubeColumn{column, at}; };
   const struct {
@@ -214,7 +214,7 @@ TEST(TubeTable, AMapStatesItsUnitInTheHeadingBelowItOrBeforeIt) {
   EXPECT_EQ(parseWorkListCsv("row,column,x,y\n1,1,2,3\n").notes.size(), 1u);
 }
 
-/// The text without the columns that were added behind: of every line so many fields less.
+/// Returns the text without the last `columns` fields of each line.
 std::string withoutLast(const std::string& text, char separator, std::size_t columns) {
   std::string out;
   for (std::size_t start = 0; start < text.size();) {
@@ -233,7 +233,7 @@ std::string withoutLast(const std::string& text, char separator, std::size_t col
 TEST(TableText, KeepsAllThatWasThereInEveryDialectAndNameForm) {
   for (const auto& form : nameForms())
     for (const auto& dialect : dialects()) {
-      if (form.front().size() == 1 && dialect.separator != ',') continue;  // one column is apart by nothing
+      if (form.front().size() == 1 && dialect.separator != ',') continue;  // a table with one column has no separator
       const std::string text = written(form, dialect);
       const TubeTable table = parseTubeTable(text);
       ASSERT_FALSE(table.problem) << table.problem->sentence();
@@ -260,7 +260,7 @@ TEST(TableText, KeepsUnitsRowsCommentsAndEmptyFieldsBehindTabs) {
             "row\tcolumn\tx\tnote\tvisit\r\n\t\tmm\t\t\r\n# zone 1\r\n1\t1\t5,0\t\t2\r\n\r\n1\t2\t\"6,0\"\tlast\t1");
 }
 
-/// A cell's sheet as the reader makes it of a map.
+/// Returns a cell's sheet made from a hole map, as the reader of cell files makes it.
 Sheet sheetOfMap(const std::string& text) {
   auto map = std::make_shared<HoleMap>(parseHoleMap(text));
   EXPECT_EQ(map->status, TubeTextStatus::kRead) << map->problem->sentence();

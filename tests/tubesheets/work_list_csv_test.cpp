@@ -1,4 +1,4 @@
-// Work lists as tables: what is read, and what is refused with its line.
+// Work lists as tables: accepted tables, and tables refused with the line number.
 #include <gtest/gtest.h>
 
 #include "tests/tubesheets/example_sheets.hpp"

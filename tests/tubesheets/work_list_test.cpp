@@ -1,4 +1,4 @@
-// The selection language, word by word, and every refusal.
+// The selection language, term by term, and every refusal.
 #include "tubesheets/work_list.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-/// The small sheet with R1C3 and R2C5 plugged and R4C4 sleeved.
+/// Returns the small sheet with R1C3 and R2C5 plugged and R4C4 sleeved.
 Sheet sheetWithStates() {
   Sheet sheet = makeSheet(smallDescription());
   sheet.tubes[*sheet.indexOf(1, 3)].state = TubeState::kPlugged;
@@ -24,7 +24,7 @@ Sheet sheetWithStates() {
   return sheet;
 }
 
-/// The selected tubes as "R1C2 R1C3", or the reason.
+/// Returns the names of the selected tubes, for example "R1C2 R1C3", or the reason for a refusal.
 std::string namesOf(const Sheet& sheet, const std::string& request) {
   const Selection selection = selectTubes(sheet, request);
   if (selection.status != SelectionStatus::kSelected) return "refused: " + selection.reason;
@@ -125,7 +125,7 @@ TEST(SelectTubes, AWorkListNamesItsTubesSoThatDoubtfulOnesAreTakenAndReported) {
 }
 
 TEST(SelectTubes, OuterPeelsTheSheet) {
-  // By hand: only these ten have a hole on all four sides, and each touches one that has not.
+  // Counted by hand: only these ten tubes have a hole on all four sides, and each is next to a tube that lacks one.
   const Sheet sheet = makeSheet(smallDescription());
   EXPECT_EQ(namesOf(sheet, "-outer:1"), "R2C2 R2C3 R2C4 R2C5 R2C6 R2C7 R3C3 R3C4 R3C5 R3C6");
   EXPECT_EQ(countOf(sheet, "outer:1"), 16u);
@@ -165,7 +165,7 @@ TEST(SelectTubes, ZoneKnowsUnits) {
   const Sheet sheet = makeSheet(smallDescription());
   EXPECT_EQ(namesOf(sheet, "zone:-0.6:0.6:0:1.6in"), "R1C4 R1C5 R2C4 R2C5");
   EXPECT_EQ(namesOf(sheet, "zone:-15.24:15.24:0:40.64mm"), "R1C4 R1C5 R2C4 R2C5");
-  EXPECT_EQ(namesOf(sheet, "zone:-0.5:0.5:0.5:0.5in"), "R1C4 R1C5");  // limits belong to the zone
+  EXPECT_EQ(namesOf(sheet, "zone:-0.5:0.5:0.5:0.5in"), "R1C4 R1C5");  // the unit applies to all limits of the zone
 }
 
 TEST(SelectTubes, GuardsPassTheRightSheet) {
@@ -190,7 +190,8 @@ TEST(SelectTubes, SpreadIsEvenAndRepeatable) {
     ASSERT_EQ(static_cast<int>(selection.tube_indices.size()), count);
     EXPECT_TRUE(std::is_sorted(selection.tube_indices.begin(), selection.tube_indices.end()));
     EXPECT_EQ(selection.tube_indices, selectTubes(sheet, "spread:" + std::to_string(count)).tube_indices);
-    // Farthest-point choice: no tube of the sheet is farther from the chosen ones than they are from each other.
+    // Farthest-point selection: no tube of the sheet is farther from the selection than the selected tubes from each
+    // other.
     const double least = leastDistance(sheet, selection.tube_indices);
     double farthest = 0;
     for (const Tube& tube : sheet.tubes) {
@@ -213,7 +214,7 @@ TEST(SelectTubes, SpreadComesAfterTheMinus) {
 
 struct BadRequest {
   std::string request;
-  std::string reason;  // part of it
+  std::string reason;  // expected part of the reason
 };
 
 void PrintTo(const BadRequest& bad, std::ostream* out) { *out << bad.request; }
