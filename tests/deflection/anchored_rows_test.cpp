@@ -11,7 +11,7 @@ namespace {
 
 using testing::DrawnRows;
 
-/// As a controller writes it: common normals wherever they are.
+/// Returns the arm as a controller writes it, with exact common normals even between nearly parallel axes.
 Arm byCommonNormals(const Arm& arm) { return convertRows(arm, RowConvention::kModified, {.nearly_parallel = 0}).arm; }
 
 TEST(AnchoredRows, areTheSameArmHoweverFarItsRowsGo) {
@@ -52,7 +52,8 @@ TEST(AnchoredRows, holdRowsThatBendOrWeighAtTheirOrigins) {
   EXPECT_LE(testing::writingsApart(arm, anchored.arm, draw.readings(arm)), 1e-14 * testing::longestRow(arm) + 1e-12);
 }
 
-/// No upper arm but the first is at a right angle: a cobot whose three middle axes are parallel but for rounding.
+/// Returns a cobot whose three middle axes are parallel and whose other axes are at right angles, apart from small
+/// errors.
 Arm cobot() {
   constexpr double kRight = std::numbers::pi / 2;
   Arm arm;
@@ -91,7 +92,7 @@ TEST(AnchoredRows, inverseKinematicsFindsTheSameBranches) {
       EXPECT_LE((rigidFramesOf<double>(arm, branch.q).tip - goal.p_BT).norm(), 1e-9) << n;
     }
   }
-  EXPECT_GE(found, 9);  // drawn postures may be singular
+  EXPECT_GE(found, 9);  // a random posture may be singular
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Arms that cannot be used are refused by the name of what is wrong.
+// Unusable arms are refused with a problem that names the cause.
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -1,11 +1,11 @@
 // CalculiX model of an arm: rigid bodies joined by strips of solid elements that are compliant about one axis only.
 //
 // A strip is one 20-node brick between two bodies, thin across its bending axis and far wider along that axis than
-// long. Its modulus E follows from E h^3 w / 12 = EI, so it bends as a beam of that EI. Its end faces cannot warp, so
-// about the other two axes it is stiffer by (width / length)^2 and (width / thickness)^2: practically rigid. A joint
-// stiffness K is a short strip of EI = K l centred on the row's origin; a beam is a row of strips. The model uses only
-// the unloaded frames of the deflection library, none of its laws or its load sweep. Weights are forces of constant
-// direction. Units: metre, newton.
+// long. Its modulus E follows from E h^3 w / 12 = EI, so it bends as a beam of stiffness EI. Its end faces cannot warp,
+// so about the other two axes it is stiffer by (width / length)^2 and (width / thickness)^2: practically rigid. A joint
+// stiffness K is a short strip with EI = K l centred on the row's origin; a beam is a row of strips. The model uses
+// only the unloaded frames of the deflection library, not its deflection laws or load sweep. Weights are forces of
+// constant direction. Units: metre, newton.
 #pragma once
 
 #include <cassert>
@@ -23,17 +23,17 @@
 
 namespace tubeplan::deflection {
 
-/// Dimensions of the strips, converged to 0.03 % of the tip's deflection. The width matters most: 240 with thickness
-/// 0.25 leaves 0.003 %, at several times the run time.
+/// Dimensions of the strips; the tip's deflection is converged to 0.03 %. The width matters most: a width of 240 with a
+/// thickness of 0.25 leaves an error of 0.003 %, at several times the run time.
 struct CalculixMesh {
-  double hinge_length = 0.010;  ///< [m]
+  double hinge_length = 0.010;  ///< length of the strip of a joint stiffness [m]
   int strips_per_beam = 16;
   double width = 60;       ///< width of a strip, relative to its length
   double thickness = 0.5;  ///< thickness of a strip, relative to its length
 };
 
-/// Model for arms of revolute and fixed rows whose beams bend about one axis perpendicular to the member, without
-/// lumps.
+/// Model of an arm with revolute and fixed rows, whose beams bend about one axis perpendicular to the member; lumped
+/// weights are not supported.
 class CalculixModel {
  public:
   CalculixModel(const Arm& arm, const Posture& posture, const CalculixMesh& mesh = {})
@@ -47,20 +47,20 @@ class CalculixModel {
     tip_ = addWeight(unloaded.X_BT.p, posture.load);
   }
 
-  /// Writes the input file. CalculiX prints the tip's displacement at the end of each increment, the last one at
-  /// time 1.
+  /// Writes the input file. CalculiX prints the tip's displacement at the end of each increment; the last increment
+  /// ends at time 1.
   void write(const std::filesystem::path& path) const {
     std::ofstream file(path);
     file << "*NODE, NSET=ALL\n" << nodes_.str() << elements_.str();
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       file << "*NSET, NSET=BODY" << b << "\n";
       for (const int node : bodies_[b].nodes) file << node << ",\n";
-      if (b == 0) continue;  // ground
+      if (b == 0) continue;  // body 0 is the ground
       const int pilot = bodies_[b].pilot;
       file << "*RIGID BODY, NSET=BODY" << b << ", REF NODE=" << pilot << ", ROT NODE=" << pilot + 1 << "\n";
     }
     // The stiff axes make the first residuals of an increment grow, so many iterations are allowed. The tolerance of
-    // the residual is far below the default of half a per cent.
+    // the residual is far below CalculiX's default of 0.5 %.
     file << "*NSET, NSET=TIP\n"
          << tip_ << "\n*BOUNDARY\nBODY0, 1, 3\n*STEP, NLGEOM, INC=200\n"
          << "*CONTROLS, PARAMETERS=TIME INCREMENTATION\n50, 60, 9, 100, 50\n*CONTROLS, PARAMETERS=FIELD\n1.e-5, 1.e-5\n"
@@ -71,7 +71,7 @@ class CalculixModel {
  private:
   struct Body {
     std::vector<int> nodes;
-    int pilot = 0;  ///< node with the translation; the next one has the rotation
+    int pilot = 0;  ///< pilot node with the translation; the following node has the rotation
   };
 
   void addRow(const Row<double>& row, const PoseOf<double>& X_BL, const Eigen::Vector3d& p_end) {
@@ -87,7 +87,7 @@ class CalculixModel {
     addWeight(p_end, row.weight.end);
   }
 
-  /// Adds a strip for a joint stiffness, along any direction perpendicular to the axis.
+  /// Adds a strip for a joint stiffness [N m/rad]; the strip may point in any direction perpendicular to the axis.
   void addHinge(double stiffness, const PoseOf<double>& X_BL, int axis) {
     const Eigen::Vector3d half = X_BL.R.col((axis + 1) % 3) * mesh_.hinge_length / 2;
     addStrip(X_BL.p - half, X_BL.p + half, X_BL.R.col(axis), stiffness * mesh_.hinge_length);
@@ -127,8 +127,8 @@ class CalculixModel {
     addElement(near, far, middle, 12 * EI / (w * h * h * h));
   }
 
-  /// Adds an element by its faces: four corners, then four edge middles, in one sense about the direction from near to
-  /// far.
+  /// Adds an element from its faces: four corners each, then the four middle edge nodes, all numbered in the same sense
+  /// about the direction from `near` to `far`.
   void addElement(const std::vector<int>& near, const std::vector<int>& far, const std::vector<int>& middle, double E) {
     const auto number = bodies_.size() - 1;
     elements_ << "*ELEMENT, TYPE=C3D20R, ELSET=STRIP" << number << "\n" << number;
@@ -148,7 +148,7 @@ class CalculixModel {
     addNode(p);
   }
 
-  /// Adds a weight [N] to the last body and returns the node.
+  /// Adds a weight [N] to the last body and returns the number of its node.
   int addWeight(const Eigen::Vector3d& p, double weight) {
     const int node = addNode(p);
     bodies_.back().nodes.push_back(node);
@@ -164,7 +164,7 @@ class CalculixModel {
   CalculixMesh mesh_;
   Eigen::Vector3d gravity_B_;
   std::ostringstream nodes_, elements_, loads_;
-  std::vector<Body> bodies_{1};  ///< the first is the ground
+  std::vector<Body> bodies_{1};  ///< the first body is the ground
   int node_count_ = 0, tip_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// The whole Cobra arm against the finite-element program CalculiX, large rotations included.
+// The complete Cobra arm compared with the finite-element program CalculiX, including large rotations.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own that goes when the test does.
+/// Temporary folder, removed at the end of the test.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -41,7 +41,7 @@ class TemporaryFolder {
 
 bool hasCalculix() { return std::system("command -v ccx >/dev/null 2>&1") == 0; }
 
-/// The displacement [m] printed for the end of the step, at time 1; nothing when the analysis stopped before.
+/// Returns the displacement [m] printed at time 1, the end of the step; empty if the analysis stopped earlier.
 std::optional<Eigen::Vector3d> readTipDisplacement(const fs::path& path) {
   std::ifstream file(path);
   std::string line;
@@ -79,13 +79,13 @@ Eigen::Vector3d tipDisplacement(const Arm& arm, const Posture& posture) {
 
 struct CalculixCase {
   const char* name;
-  Eigen::Vector4d joints;  ///< deg
-  double load;             ///< lbf
+  Eigen::Vector4d joints;  ///< joint angles [deg]
+  double load;             ///< load at the tip [lbf]
 };
 
 void PrintTo(const CalculixCase& example, std::ostream* out) { *out << example.name; }
 
-/// The two example postures of Calkins 1994, tables 5.8 and 5.9: stretched out, and folded.
+/// Joint angles [deg] of the two example postures of Calkins 1994, tables 5.8 and 5.9: stretched out and folded.
 const Eigen::Vector4d kStretched(-36.688, 46.138, -35.856, -11.127), kFolded(73.312, 126.138, -95.856, -31.127);
 
 class CalculixComparison : public ::testing::TestWithParam<CalculixCase> {};
@@ -103,7 +103,7 @@ TEST_P(CalculixComparison, TipDeflectsAlike) {
     return (u - *expected).norm() / expected->norm();
   };
   EXPECT_LE(difference(1), 0.005);
-  // Shorter elements come nearer to the exact curve; what stays is mostly the strips' width.
+  // Shorter elements approach the exact curve; the remaining difference is mostly due to the width of the strips.
   EXPECT_LE(difference(8), 0.001);
 }
 

@@ -8,7 +8,7 @@ namespace tubeplan::deflection {
 
 inline const FlexibleKinematicsOptions kTight{1e-15, 200};
 
-/// Moves one variable of the arm and posture by h.
+/// Changes one variable of the arm or posture by `h`.
 inline void step(Arm& arm, Posture& posture, const Variable& variable, double h) {
   switch (variable.type) {
     case Variable::Type::kJoint:
@@ -40,7 +40,7 @@ struct Difference {
   Eigen::Vector3d position, rotation;
 };
 
-/// Returns the fourth-order central difference.
+/// Returns the fourth-order central difference with respect to one variable.
 inline Difference centralDifference(const Arm& arm, const Posture& posture, const Variable& variable, double h,
                                     int row = kTool) {
   const auto slope = [&](double step_size) {

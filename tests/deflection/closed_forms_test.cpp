@@ -1,4 +1,4 @@
-// One flexible member against the closed forms of the cantilever (equations 2.8 with 3, 2.9 to 2.17).
+// One flexible member compared with closed forms of the cantilever (equations 2.8 with 3, 2.9 to 2.17).
 #include <gtest/gtest.h>
 
 #include "deflection/flexible_kinematics.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kBeam = 0.8, kEI = 5e4, kGJ = 2e4;
 
-/// A turntable that carries a beam along x; gravity may point anywhere.
+/// Returns a turntable that carries a beam along x; gravity may have any direction.
 Arm cantilever(double distributed = 0, double lump = 0,
                const Eigen::Vector3d& lump_beyond_tip = Eigen::Vector3d::Zero()) {
   Arm arm;
@@ -41,7 +41,7 @@ FlexibleKinematics solve(const Arm& arm, double load, const Eigen::Vector3d& gra
 
 double slopeAboutZ(const FlexibleKinematics& shape) { return std::atan2(shape.X_BD.R(1, 0), shape.X_BD.R(0, 0)); }
 
-/// A joint that gives about its axis alone, on both sides of the angle below which its sine and cosine are series.
+/// A joint compliant only about its axis, at angles below and above the limit under which sine and cosine are series.
 TEST(ClosedForms, AJointsTurnIsExactToRounding) {
   for (const double angle : {0.02, 0.0999, 0.1001, 0.3}) {
     Arm arm;
@@ -53,8 +53,8 @@ TEST(ClosedForms, AJointsTurnIsExactToRounding) {
     arm.rows = {link};
     arm.p_LT = {1, 0, 0};
     Posture posture{Eigen::VectorXd::Zero(1), 0, -Eigen::Vector3d::UnitY()};
-    posture.wrench.emplace();  // a load beside gravity's, so that the general sweeps solve the arm
-    posture.wrench->force_B = {0, -1e4 * angle / std::cos(angle), 0};  // k angle = F L cos(angle)
+    posture.wrench.emplace();  // a wrench in addition to gravity makes the general sweeps solve the arm
+    posture.wrench->force_B = {0, -1e4 * angle / std::cos(angle), 0};  // equilibrium: k angle = F L cos(angle)
     const auto shape = solveFlexibleKinematics(arm, posture, {1e-15, 100});
     ASSERT_EQ(shape.status, KinematicsStatus::kConverged) << angle;
     EXPECT_NEAR(shape.X_BD.R(1, 0), -std::sin(angle), 2e-15) << angle;
@@ -128,7 +128,7 @@ TEST(ClosedForms, JointStiffness) {
   arm.rows[0].joint_stiffness[2] = 3e4;
   const double F = 50;
   const auto shape = solve(arm, F);
-  // theta = F L cos(theta) / K, the moment taken on the turned arm.
+  // Fixed point of theta = F L cos(theta) / K, with the moment evaluated on the rotated arm.
   double theta = 0;
   for (int k = 0; k < 50; ++k) theta = F * kBeam * std::cos(theta) / 3e4;
   EXPECT_NEAR(slopeAboutZ(shape), -theta, 1e-12);

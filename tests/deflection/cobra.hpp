@@ -1,4 +1,4 @@
-// The shipped Cobra arm, and random postures of it.
+// The shipped Cobra arm and random postures of the arm.
 #pragma once
 
 #include <numbers>

@@ -9,7 +9,7 @@
 namespace tubeplan::deflection {
 namespace {
 
-/// A weightless cantilever of 1 m along x, of one segment, and the load that bends it to P L^2 / (E I) = alpha.
+/// Returns a weightless cantilever 1 m long along x, with one segment and the load that gives P L^2 / (E I) = alpha.
 Arm weightlessBeam() {
   Arm arm;
   Row<double> row;
@@ -27,7 +27,7 @@ double deflectionOf(const Arm& arm, double alpha) {
   return -solveFlexibleKinematics(arm, {Eigen::VectorXd(0), alpha}).X_BD.p.z();
 }
 
-/// Tip deflection per length of the elastica (Bisshopp and Drucker 1945).
+/// Tip deflection relative to the length of the beam, from the elastica (Bisshopp and Drucker 1945).
 struct Elastica {
   double alpha, deflection;
 };

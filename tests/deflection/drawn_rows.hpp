@@ -1,4 +1,4 @@
-// Arms of random rows with many parallel or nearly parallel axes, for which conventions of rows differ.
+// Arms of random rows with many parallel or nearly parallel axes, for which the row conventions differ.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ class DrawnRows {
     return q;
   }
 
-  /// Returns a rigid arm of `rows` origin rows, the first of which has a joint.
+  /// Returns a rigid arm with `rows` rows placed by origins; the first row has a joint.
   Arm arm(int rows, bool only_revolute = false) {
     Arm arm;
     for (int k = 0; k < rows; ++k) arm.rows.push_back(row(k, only_revolute));
@@ -35,13 +35,13 @@ class DrawnRows {
     switch (static_cast<int>(between(0, 5))) {
       case 0:
         return vector(1.5);
-      case 1:  // nearly parallel
+      case 1:  // axes nearly parallel
         return {between(-1e-3, 1e-3), between(-1e-3, 1e-3), between(-3, 3)};
-      case 2:  // nearly at right angles
+      case 2:  // axes nearly at right angles
         return {std::numbers::pi / 2 + between(-1e-3, 1e-3), between(-1e-3, 1e-3), 0};
       case 3:
         return {0, 0, between(-3, 3)};
-      default:  // nearly opposite
+      default:  // axes nearly opposite
         return {std::numbers::pi + between(-1e-4, 1e-4), 0, between(-3, 3)};
     }
   }
@@ -63,8 +63,8 @@ class DrawnRows {
   std::mt19937_64 random_;
 };
 
-/// Returns the largest distance between two forms of an arm at some readings: of the tips, the last rows' axes, and the
-/// places of lumps [m or rad]. Additional first rows of the second form are skipped.
+/// Returns the largest difference between two forms of an arm at joint readings q: of tip positions, axes of the last
+/// rows, and positions of lumped weights [m or rad]. Additional first rows of the second form are skipped.
 inline double writingsApart(const Arm& one, const Arm& other, const Eigen::VectorXd& q) {
   const auto a = rigidFramesOf<double>(one, q), b = rigidFramesOf<double>(other, q);
   double most = std::max((a.tip - b.tip).norm(), (a.rows.back().R - b.rows.back().R).norm());

@@ -1,4 +1,4 @@
-// Derivatives of batches by other variables than joints: stiffnesses and the direction of gravity.
+// Derivatives of batches with respect to variables other than joints: stiffnesses and the direction of gravity.
 #include <gtest/gtest.h>
 
 #include "tests/deflection/central_difference.hpp"
@@ -7,7 +7,7 @@
 namespace tubeplan::deflection {
 namespace {
 
-/// All that a kernel has derivatives by: joints, gravity's turns, stiffnesses.
+/// Returns all variables for which a kernel has derivatives: joints, rotations of gravity, stiffnesses.
 std::vector<Variable> kernelVariables(const Arm& arm) {
   std::vector<Variable> variables = jointVariables(arm);
   for (int axis = 0; axis < 3; ++axis) variables.push_back(Variable::gravityTurn(axis));
@@ -18,7 +18,7 @@ std::vector<Variable> kernelVariables(const Arm& arm) {
   return variables;
 }
 
-/// A variable's step, and what makes its columns comparable.
+/// Returns the scale of a variable, used for its step and to make columns of derivatives comparable.
 double sizeOf(const Arm& arm, const Variable& variable) {
   Arm copy = arm;
   return variable.type == Variable::Type::kParameter ? locate(copy, variable.parameter) : 1;
@@ -71,11 +71,11 @@ TEST(PostureBatch, DerivativesByStiffnessesAndGravityAreDifferencesOfShapes) {
   }
 }
 
-/// Two stiffnesses that bend about the same axis share it by their parts.
+/// Two stiffnesses that bend about the same axis share the deflection in proportion to their compliances about it.
 TEST(PostureBatch, StiffnessesOfOneAxisAreToldApart) {
   Arm arm = cobraArm();
   arm.rows[3].beam->I = {3e-7, 5e-7, kRigid};
-  arm.rows[4].placement = Origin<double>{{0.4, 0.4, 0}, {0, 0, 0}};  // the member between the two axes
+  arm.rows[4].placement = Origin<double>{{0.4, 0.4, 0}, {0, 0, 0}};  // the member lies between the two axes
   const std::vector<Variable> variables{Variable::number(findParameter(arm, "latch-link.beam.Ix")->path),
                                         Variable::number(findParameter(arm, "latch-link.beam.Iy")->path),
                                         Variable::number(findParameter(arm, "latch-link.beam.E")->path)};

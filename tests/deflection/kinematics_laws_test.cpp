@@ -1,4 +1,4 @@
-// Laws that the flexible shape obeys whatever its numbers.
+// Laws that the flexible shape obeys for all parameters.
 #include <gtest/gtest.h>
 
 #include "tests/deflection/cobra.hpp"
@@ -82,7 +82,7 @@ TEST(KinematicsLaws, TheCobraSettlesWithinTenPasses) {
   }
 }
 
-// Also where roll and yaw turn about the same line, exactly and up to rounding.
+// The angles reproduce the rotation even where roll and yaw rotate about the same line, exactly or up to rounding.
 TEST(FixedAngles, MakeTheirRotationAgain) {
   std::mt19937_64 random(9);
   std::uniform_real_distribution<double> angle(-3, 3), tiny(-1e-15, 1e-15);

@@ -1,4 +1,4 @@
-// Batches: each posture as if it were alone, and what fails told alone.
+// Batches: each posture is solved as if it were alone, and each failure is reported for its own posture.
 #include "deflection/kinematics.hpp"
 
 #include <gtest/gtest.h>
@@ -96,7 +96,7 @@ TEST(PostureBatch, TellsWhatFailsAloneAndLeavesTheOthersAsTheyAre) {
     kinematics.solveWithJacobian(mixed, found);
     for (Eigen::Index k = 0; k < good.size(); ++k) {
       const auto i = static_cast<std::size_t>(k);
-      if (k == 20 && !arm.rows[0].beam) continue;  // nothing in a rigid arm asks for the load
+      if (k == 20 && !arm.rows[0].beam) continue;  // a rigid arm does not depend on the load
       if (k == 4 || k == 13 || k == 20) {
         EXPECT_NE(found.status[i], KinematicsStatus::kConverged) << k;
         EXPECT_TRUE(found.poses.col(k).array().isNaN().all()) << k;

@@ -1,4 +1,4 @@
-// Joints that others take along, and rows that are rigid in one set-up of the base.
+// Joints that drive other joints through a linkage, and rows that are rigid in one set-up of the base.
 #include <gtest/gtest.h>
 
 #include "tests/deflection/central_difference.hpp"
@@ -7,7 +7,8 @@
 namespace tubeplan::deflection {
 namespace {
 
-/// The Cobra whose forearm is kept at a fixed angle to the horizontal by a linkage: theta3 = -0.8 theta1 - theta2.
+/// Returns the Cobra with a linkage that keeps the forearm at a fixed angle to the horizontal: theta3 = -0.8 theta1 -
+/// theta2.
 Arm linkedCobra() {
   Arm arm = cobraArm();
   Joint<double>& joint = arm.rows[4].joint;
@@ -19,7 +20,7 @@ Arm linkedCobra() {
   return arm;
 }
 
-/// The same arm with a reading of its own there.
+/// Returns the same arm with an independent joint in place of the linkage.
 Arm unlinked(Arm arm) {
   arm.rows[4].joint.type = JointType::kRevolute;
   arm.rows[4].joint.follows.clear();
@@ -77,12 +78,12 @@ void expectDifferences(const Arm& arm, const Posture& posture) {
       Arm copy = arm;
       const double value = locate(copy, variables[k].parameter);
       if (value != 0) h = std::min(1e-3, 1e-3 * std::abs(value));
-      const int field = variables[k].parameter.field;  // none of an effect's
+      const int field = variables[k].parameter.field;  // -1 for a parameter of an effect
       if (field >= 0 && isStiffness(parameterFields()[static_cast<std::size_t>(field)].quantity)) h = 1e-3 * value;
     }
     const auto difference = centralDifference(arm, posture, variables[k], h);
     const auto column = static_cast<Eigen::Index>(k);
-    // What the shape's last digits, 1e-14 m, leave open over the step.
+    // Rounding errors of the solved shape, 1e-14 m, divided by the step.
     const double rounding = 2e-14 / h;
     EXPECT_LE((tip.position_B.col(column) - difference.position).norm(), 1e-6 * difference.position.norm() + rounding)
         << k;
@@ -99,7 +100,7 @@ TEST(LinkedJoints, HaveExactDerivativesWithEffectsAndWithout) {
   for (int k = 0; k < 5; ++k) expectDifferences(arm, anyPosture(random));
 }
 
-// A reading that the effect corrects takes the linkage along.
+// An effect that corrects a joint's reading also moves the linkage driven by the joint.
 TEST(LinkedJoints, FollowTheTrueAngleOfAJointWhoseReadingIsOff) {
   Arm arm = linkedCobra();
   Posture posture{Eigen::Vector3d(0.2, 0.9, -0.4), 50};

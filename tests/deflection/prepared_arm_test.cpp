@@ -1,5 +1,5 @@
-// An arm made ready: the same shapes whatever was solved before, nothing from the heap, slopes of laws as their duals
-// have them.
+// Prepared arms: shapes independent of earlier solves, no heap allocations, and slopes of laws equal to those from dual
+// numbers.
 #include "deflection/prepared_arm.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 std::atomic<long> allocations = 0;
 }
 
-// Everything from the heap passes here, Eigen's matrices as well as `new`. Sanitizers keep the heap to themselves.
+// All heap allocations pass here, Eigen's matrices as well as `new`. Sanitizers do not let a test replace malloc.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define TUBEPLAN_SANITIZED 1
 #elif defined(__has_feature)
@@ -35,7 +35,7 @@ extern "C" void* malloc(std::size_t size) {
 namespace tubeplan::deflection {
 namespace {
 
-/// How often `work` takes something from the heap; none where that is not counted.
+/// Returns the number of heap allocations of `work`; 0 in builds that do not count them.
 template <class Work>
 long allocationsOf(Work&& work) {
   const long before = allocations;
@@ -119,7 +119,7 @@ TEST(TipDifferentiation, TakesDerivativesWithoutTheHeap) {
             0);
 }
 
-/// The slopes of a law by dual numbers, eight inputs at a time, against those that the law states.
+/// Compares the slopes of a law from dual numbers, eight inputs at a time, with the slopes that the law states.
 template <Deflection<Dual> (*Deflect)(const Flexibility<Dual>&, const Loading<Dual>&)>
 void expectSlopes(const Flexibility<double>& flexibility, const Loading<double>& loading,
                   const DeflectionSlopes& slopes) {

@@ -1,6 +1,7 @@
 // Random arms: one to nine joints of any kind, with springs, beams, weights and side chains anywhere.
 //
-// The arms are the same in every run; RC_PARAMS="seed=2 max_success=10000" tries others and shrinks failures.
+// The arms are the same in every run; RC_PARAMS="seed=2 max_success=10000" tests other arms and reduces failures to
+// small cases.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ namespace tubeplan::deflection {
 
 [[maybe_unused]] inline const bool kIsSeeded = setenv("RC_PARAMS", "seed=20 max_success=300", 0) == 0;
 
-/// Returns a number from zero to end - 1 with equal probabilities, independent of the size of the test.
+/// Returns a uniformly distributed integer from 0 to end - 1, independent of RapidCheck's size parameter.
 inline int below(int end) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, end)); }
 inline double between(double low, double high) { return low + (high - low) * below(1001) / 1000; }
 inline bool happens(double share) { return below(1000) < 1000 * share; }
@@ -39,7 +40,7 @@ inline Row<double> randomRow(int index) {
   row.joint.name = "joint" + std::to_string(index);
   row.joint.lower = row.joint.type == JointType::kRevolute ? -3 : 0.05;
   row.joint.upper = row.joint.type == JointType::kRevolute ? 3 : 0.8;
-  row.joint.offset = between(-0.04, 0.1);  // avoids a slide through its own bearing, where its length has a kink
+  row.joint.offset = between(-0.04, 0.1);  // prevents a slide from passing its own bearing, where its length has a kink
   return row;
 }
 
@@ -102,8 +103,8 @@ inline bool isModest(const Arm& arm, const FlexibleKinematics& shape) {
   return shape.status == KinematicsStatus::kConverged && (shape.X_BD.p - shape.X_BT.p).norm() < 0.02 * reachOf(arm);
 }
 
-/// Returns true if a column of derivatives agrees with the difference quotient by its variable, for the better of two
-/// steps. The long step has an error of its own if the arm bends much.
+/// Returns true if column `k` of the derivatives agrees with the difference quotient of its variable, for the better of
+/// two steps. The long step is inaccurate if the arm bends strongly.
 inline bool isExact(const Arm& arm, const Posture& posture, const TipDerivatives& exact, std::size_t k,
                     const Variable& variable, double h) {
   const double reach = reachOf(arm);

@@ -1,4 +1,5 @@
-// Laws over random arms, under loads to many times what they bear: they hold, or a status says why there is no shape.
+// Laws over random arms, under loads up to far beyond their strength: the laws hold, or a status says why no shape
+// exists.
 #include "tests/deflection/random_arms.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@
 namespace tubeplan::deflection {
 namespace {
 
-/// N, of all that hangs on the arm.
+/// Returns the total weight that hangs on the arm [N].
 double weightOf(const Arm& arm, const Posture& posture) {
   double weight = posture.load;
   const auto add = [&](const Row<double>& row, double length) {
@@ -115,7 +116,7 @@ RC_GTEST_PROP(RandomArms, AreTheSameInABatchAndInAFile, ()) {
   TipBatch tips;
   kinematics.solve(batch, tips, kTight);
   const auto bare = solveFlexibleKinematics(arm, posture, kTight);
-  // A force that moves nothing keeps the kernels off.
+  // A contact force too small to move the arm excludes the kernels.
   const Arm general = withEffect(arm, "contact-force", "tip", {1e-200});
   RC_ASSERT(bare.status == solveFlexibleKinematics(general, posture, kTight).status);
   RC_PRE(isModest(arm, bare));

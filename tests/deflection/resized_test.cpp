@@ -1,4 +1,4 @@
-// What has no memory for another size is empty, and is not freed a second time at its end.
+// A matrix that gets no memory for a new size is empty, and its memory is not freed twice.
 #include "deflection/resized.hpp"
 
 #include <gtest/gtest.h>
@@ -7,14 +7,14 @@
 
 #include "deflection/posture_batch.hpp"
 
-/// The sanitizers' allocators say no as any other, where they would end the program.
+/// Lets the sanitizers' allocators return null, as other allocators do, instead of ending the program.
 extern "C" const char* __asan_default_options() { return "allocator_may_return_null=1"; }
 extern "C" const char* __tsan_default_options() { return "allocator_may_return_null=1"; }
 
 namespace tubeplan::deflection {
 namespace {
 
-constexpr Eigen::Index kTooMany = Eigen::Index{1} << 56;  // more than addresses reach
+constexpr Eigen::Index kTooMany = Eigen::Index{1} << 56;  // exceeds the address space
 
 template <class Matrix>
 void expectEmptyWithoutMemory() {

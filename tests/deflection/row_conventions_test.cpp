@@ -43,7 +43,7 @@ TEST(RowConventions, readWhatTheStandardTableSays) {
   }
 }
 
-/// Turns and shifts written out, one after another.
+/// Returns the pose of a standard Denavit-Hartenberg row as a product of its rotations and translations.
 Eigen::Isometry3d standardStep(const DenavitHartenberg<double>& dh, double reading) {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.rotate(Eigen::AngleAxisd(dh.theta + reading, Eigen::Vector3d::UnitZ()));
@@ -98,8 +98,8 @@ TEST(RowConventions, parametersStandWhereTheStandardFileHasThem) {
     placements += parameter.name.find(".dh.") != std::string::npos;
     of_first_axis += parameter.name.starts_with("row0.axis.");
   }
-  EXPECT_EQ(placements, 3 * 4);  // alpha, a, beta and d of each: the joints stand for theta
-  EXPECT_EQ(of_first_axis, 4);   // alpha, a, beta and b
+  EXPECT_EQ(placements, 3 * 4);  // alpha, a, beta and d of each row; the joint's offset replaces theta
+  EXPECT_EQ(of_first_axis, 4);   // alpha, a, beta and b of the first axis
   const Arm copy = castArm<double>(castArm<Dual>(arm));
   EXPECT_TRUE(findParameter(copy, "row2.dh.alpha").has_value());
 }

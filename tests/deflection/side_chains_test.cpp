@@ -1,4 +1,4 @@
-// What hangs from a row without leading to the tip.
+// Side chains: links that hang from a row and do not lead to the tip.
 #include "deflection/side_chains.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace tubeplan::deflection {
 namespace {
 
-/// The Cobra with an arm of two links and a slide on its third row.
+/// Returns the Cobra with a side chain of two links and a slide on its third row.
 Arm cobraWithSideChain() {
   Arm arm = cobraArm();
   SideChain<double> chain{2, {}};
@@ -39,7 +39,7 @@ Arm cobraWithSideChain() {
 Eigen::VectorXd anySidePosture() { return Eigen::Vector3d(0.4, -1.1, 0.2); }
 
 TEST(SideChains, WeighWhatTheirLinksWeighWhereTheyAre) {
-  // Its own kinematics as an arm: the same rows, each weight by itself.
+  // Reference: the side chain's rows solved as an arm of their own, with each weight added separately.
   const Arm arm = cobraWithSideChain();
   const SideChain<double>& chain = arm.side_chains[0];
   const Eigen::VectorXd q = anySidePosture();
@@ -75,7 +75,7 @@ TEST(SideChains, BendTheArmAsALumpAtTheirCentreOfGravity) {
     posture.side_q = anySidePosture() * (n % 5);
     Eigen::Index joint = 0;
     Arm lumped = cobraArm();
-    // Hung from the row's origin as the chain is: through a row of no length.
+    // The lumped weight hangs from the row's origin, as the side chain does: on a row of zero length.
     Row<double> carrier;
     carrier.name = "carrier";
     carrier.placement = Origin<double>{};
@@ -88,7 +88,8 @@ TEST(SideChains, BendTheArmAsALumpAtTheirCentreOfGravity) {
     const auto without = solveFlexibleKinematics(lumped, posture, kTight);
     const double difference = (with.rows[2].moment_B - without.rows[2].moment_B).norm();
     EXPECT_GT(difference, 0.1) << "the side chain is felt";
-    // Statics on the deflected shape: the row's moment is the sum of what hangs there and what leads on.
+    // Equilibrium of the deflected shape: the row's moment is the sum of the weights on the row and the moment of the
+    // next row.
     const auto& row = with.rows[2];
     const Eigen::Vector3d at_B = row.X_BL.R * carrier.weight.lumps[0].at;
     Eigen::Vector3d beyond = Eigen::Vector3d::Zero();

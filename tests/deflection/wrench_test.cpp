@@ -1,4 +1,4 @@
-// Forces and moments on the tip beside the hung load: closed forms, derivatives, and shapes before and after.
+// Forces and moments on the tip in addition to the hung load: closed forms, derivatives, and shapes before and after.
 #include <gtest/gtest.h>
 
 #include "deflection/effects/rigid_moment.hpp"
@@ -69,7 +69,7 @@ TEST(Wrench, DerivativesAreDifferences) {
       Arm arm = bare;
       if (with_effects)
         for (const Effect& effect : allEffects(bare)) {
-          // Gaps and knees have no derivative where they change over: effects_derivatives_test.cpp.
+          // Gaps and knees have no derivative at their transitions: see effects_derivatives_test.cpp.
           if (effectKinds()[effect.kind].stage == EffectStage::kFlexibility) continue;
           arm.effects.push_back(sized(bare, effect, 0.02));
         }

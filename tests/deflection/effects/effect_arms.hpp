@@ -1,4 +1,4 @@
-// Arms with effects for the tests: the Cobra, a six-axis arm of origin rows, an arm with a slide; typical sizes.
+// Arms for tests of effects: the Cobra, a six-axis arm of origin rows, an arm with a slide; effects at typical values.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,8 +21,8 @@ inline Row<double> originRow(const std::string& name, const Eigen::Vector3d& pos
   return row;
 }
 
-/// Returns an arm of six revolute joints by origin rows, with springs about every axis somewhere, a twisting beam, and
-/// lumps.
+/// Returns a six-axis arm of revolute joints in origin rows. Among its rows there are springs about every axis, a
+/// twisting beam, and lumped weights.
 inline Arm sixAxisArm() {
   constexpr double kQuarter = std::numbers::pi / 2;
   Arm arm;
@@ -67,7 +67,7 @@ inline Arm mastArm() {
 
 inline std::vector<Arm> effectArms() { return {cobraArm(), sixAxisArm(), mastArm()}; }
 
-/// Returns one effect of an arm, at the given values or at neutral ones.
+/// Returns one effect of an arm, at the given values or, without values, at neutral ones.
 inline Effect effectAt(const Arm& arm, const std::string& name, const std::string& at,
                        std::vector<double> values = {}) {
   MadeEffect made = makeEffect(arm, name, at);
@@ -92,8 +92,8 @@ inline std::vector<Effect> allEffects(const Arm& arm) {
   return effects;
 }
 
-/// Returns the effect moved from neutral by a share of the size in real machines; the numbers alternate in sign if both
-/// are allowed.
+/// Returns the effect with each parameter moved from neutral by a fraction `share` of its usual size in real machines;
+/// the signs alternate where both are allowed.
 inline Effect sized(const Arm& arm, Effect effect, double share) {
   const auto& parameters = effectKinds()[effect.kind].parameters;
   double sign = 1;
@@ -106,7 +106,7 @@ inline Effect sized(const Arm& arm, Effect effect, double share) {
   return effect;
 }
 
-/// Returns a random posture of an arm, with all quantities that an effect may depend on.
+/// Returns a random posture of an arm, with random values of all conditions that an effect may depend on.
 inline Posture randomPosture(const Arm& arm, std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(0, 1);
   Posture posture{randomJoints(arm, random), 180 * unit(random), randomDirection(random)};

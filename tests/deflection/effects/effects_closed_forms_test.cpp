@@ -1,5 +1,5 @@
-// Every effect of the catalogue against a closed form, or against the arm file that says the same. A row of the table
-// without a case fails.
+// Every effect of the catalogue compared with a closed form, or with an equivalent arm without effects. An effect of
+// the table that has no case here fails the test.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr double kLength = 0.8, kStiffness = 3e4, kLoad = 60;
 
-/// A jointed boom along x with a spring about z; more rows can follow.
+/// Returns a boom along x on a revolute joint with a spring about z; rows can be added to the arm.
 Arm boom(double stiffness = kStiffness) {
   Arm arm;
   arm.name = "boom";
@@ -30,7 +30,7 @@ Arm boom(double stiffness = kStiffness) {
   return arm;
 }
 
-/// Boom and forearm, both along x at zero, the second joint parallel to the first or not.
+/// Returns a boom and a forearm, both along x at zero; the second joint's axis is rotated from the first's by `twist`.
 Arm elbow(double twist = 0, double stiffness = kRigid) {
   Arm arm = boom(stiffness);
   Row<double> row;
@@ -56,10 +56,10 @@ FlexibleKinematics solve(const Arm& arm, const Posture& posture) {
   return shape;
 }
 
-/// Turn of the tool about z.
+/// Returns the rotation of the tool about z [rad].
 double angleOf(const FlexibleKinematics& shape) { return std::atan2(shape.X_BD.R(1, 0), shape.X_BD.R(0, 0)); }
 
-/// The turn of a boom of stiffness K for a moment that depends on the turn.
+/// Returns the equilibrium rotation [rad] of a boom of stiffness K under a moment that depends on the rotation.
 double turnUnder(const std::function<double(double)>& moment, double stiffness = kStiffness) {
   double angle = 0;
   for (int k = 0; k < 200; ++k) angle = moment(angle) / stiffness;
@@ -72,7 +72,7 @@ void expectSame(const Arm& arm, const Posture& posture, const Arm& other, const 
   EXPECT_LE((a.X_BT.p - b.X_BT.p).norm(), 1e-12);
 }
 
-/// A reading effect at theta3 of the Cobra does as much as a reading changed by `change`.
+/// Expects that an effect on the reading of the Cobra's theta3 is equivalent to a reading changed by `change`.
 void expectReadingChange(const std::string& name, const std::vector<double>& values, double reading, double change) {
   const Arm arm = cobraArm();
   const Posture posture = at({0.2, 1.1, reading, -0.3}, kLoad, -Vector3d::UnitZ());
@@ -153,7 +153,7 @@ void toolOffset() {
   EXPECT_LE((tip - Vector3d(kLength + 0.01, -0.02, 0.03)).norm(), 1e-15);
 }
 
-/// The frame that readings state is turned about the last row's x and then lies as drawn; tip and axis stay.
+/// The effect rotates the tool frame about the last row's x, before the drawn rotation; tip and tool axis do not move.
 void toolTurn() {
   Arm arm = boom();
   arm.R_LT = rotationZ<double>(0.7);
@@ -174,7 +174,7 @@ void thermalGrowth() {
   Posture posture = at({0, 0}, 0);
   EXPECT_NEAR(solve(warm, posture).X_BD.p.x(), 0.5 + 2 * kLength, 1e-15);
   posture.conditions[Condition::kTemperature] = 320;
-  // The way to the first joint belongs to the base and stands.
+  // The offset from the base to the first joint belongs to the base and does not grow.
   EXPECT_NEAR(solve(warm, posture).X_BD.p.x(), 0.5 + 2 * kLength * (1 + 2e-5 * 30), 1e-15);
 }
 
@@ -198,7 +198,7 @@ void payloadOffset() {
   Arm arm = boom();
   arm.rows[0].weight.end = 30;
   const auto shape = solve(withEffect(arm, "payload-offset", "payload", {0.1, 0.2, 0}), at({0}));
-  // Only the hung load is off the tip; the couple turns with the boom.
+  // Only the hung load is displaced from the tip; its offset rotates with the boom.
   const auto moment = [&](double a) {
     return -30 * kLength * std::cos(a) - kLoad * ((kLength + 0.1) * std::cos(a) - 0.2 * std::sin(a));
   };
@@ -209,7 +209,7 @@ void payloadOffset() {
 void gravityTilt() {
   const double tilt = 0.02;
   const auto shape = solve(withEffect(boom(), "gravity-tilt", "base", {tilt, 0}), at({0}, kLoad, -Vector3d::UnitZ()));
-  // Gravity along the joint's axis has no moment about it; leaning about x it has a share along y.
+  // Gravity along the joint's axis has no moment about the axis; tilted about x, gravity has a component along y.
   EXPECT_NEAR(angleOf(shape), turnUnder([&](double a) { return kLoad * std::sin(tilt) * kLength * std::cos(a); }),
               1e-14);
 }
@@ -273,7 +273,7 @@ void stiffening() {
   const auto moment = [](double load) { return [load](double a) { return -load * kLength * std::cos(a); }; };
   const double below = 15, beyond = 200;
   EXPECT_NEAR(angleOf(solve(arm, at({0}, below))), turnUnder(moment(below), kStiffness / (1 + softness)), 1e-15);
-  // K1 up to the knee, K2 from there on.
+  // Piecewise linear spring: stiffness K1 up to the knee, K2 beyond the knee.
   const auto past_knee = [&](double a) { return moment(beyond)(a) - softness * knee; };
   EXPECT_NEAR(angleOf(solve(arm, at({0}, beyond))), turnUnder(past_knee), 1e-15);
   EXPECT_NEAR(angleOf(solve(arm, at({0}, beyond, Vector3d::UnitY()))), -turnUnder(past_knee), 1e-15);
@@ -283,12 +283,13 @@ void backlash() {
   const double gap = 0.01;
   const Arm arm = withEffect(boom(), "backlash", "boom.z", {gap});
   for (double up : {-1., 1.}) {
-    // The whole gap's half, in the sense of the moment, and the spring beyond it.
+    // The joint rotates by half the gap in the sense of the moment, then the spring deflects.
     double angle = 0;
     for (int k = 0; k < 200; ++k) angle = up * (kLoad * kLength * std::cos(angle) / kStiffness + gap / 2);
     EXPECT_NEAR(angleOf(solve(arm, at({0}, kLoad, up * Vector3d::UnitY()))), angle, 1e-14);
   }
-  // A boom let hang: inside the gap it hangs straight down, beyond it stops at the gap's end and the spring gives.
+  // Hanging boom: inside the gap the boom hangs straight down; beyond the gap it rests on the gap's end and loads the
+  // spring.
   for (double off : {-0.02, -0.0049, 0., 0.003, 0.0049, 0.02}) {
     const auto shape = solve(arm, at({-std::numbers::pi / 2 + off}));
     const double free = std::clamp(off, -gap / 2, gap / 2);
@@ -297,7 +298,7 @@ void backlash() {
     EXPECT_NEAR(angleOf(shape) + std::numbers::pi / 2, angle, 1e-12) << off;
     EXPECT_NEAR(shape.rows[0].moment_L.z(), -kLoad * kLength * std::sin(angle), 1e-10) << off;
   }
-  // Standing on end it falls to the side it leans to.
+  // An upright boom falls to the side to which it is tilted.
   for (double off : {-0.001, 0.001}) {
     const auto shape = solve(arm, at({std::numbers::pi / 2 + off}));
     EXPECT_NEAR(shape.components[0].gap.z(), off > 0 ? gap / 2 : -gap / 2, 1e-15);
@@ -312,7 +313,7 @@ void baseSlip() {
   expectSame(slipped, posture, arm, posture);
   posture.conditions[Condition::kTime] = 500;
   expectSame(slipped, posture, slipped, at({0.3}));
-  // Turned by the yaw the arm stands as with another reading, under the same gravity.
+  // A base rotated by the yaw is equivalent to a joint reading changed by the yaw, under the same gravity.
   const auto as_read = solve(arm, at({0.3 + 0.1}));
   EXPECT_LE((now.X_BD.p - as_read.X_BD.p - Vector3d(0.01, -0.02, 0.03)).norm(), 1e-14);
   EXPECT_LE((now.rows[0].X_BL.R - as_read.rows[0].X_BL.R).norm(), 1e-14);
@@ -354,7 +355,7 @@ void toolRemount() {
 }
 
 void gravitySag() {
-  // Gravity down along y turns the boom by what its parts and its tip have of level reach.
+  // Gravity along -y rotates the boom in proportion to the horizontal lever arms of its parts and of its tip.
   const double x = 4e-3, y = 1e-3, tip = 2e-3, reading = 0.3;
   const double level = (x + kLength * tip) * std::cos(reading) - y * std::sin(reading);
   const Arm arm = boom(kRigid);
@@ -387,7 +388,7 @@ void slideBending() {
   const double out = 0.4;
   slideBendsBy(arm, slide.lower + out * (slide.upper - slide.lower), out);
   slide.lower = -std::numeric_limits<double>::infinity();
-  slideBendsBy(arm, 0.7, 0.7);  // metres of the reading where no limits are stated
+  slideBendsBy(arm, 0.7, 0.7);  // without limits, the extension is the reading itself [m]
   const Posture in = at({0.2, 0.3, -0.4, -0.1}, kLoad, -Vector3d::UnitZ());
   expectSame(withEffect(arm, "slide-bending", "slider.x", {2e-6, 1e-6, 3e-6}), in, arm, in);
 }
@@ -440,7 +441,7 @@ std::vector<std::string> kindNames() {
   std::vector<std::string> names;
   for (const EffectKind& kind : effectKinds())
     if (std::string(kind.name) != "formula")
-      names.emplace_back(kind.name);  // formula_test.cpp: the user writes its law
+      names.emplace_back(kind.name);  // formula_test.cpp tests this kind, whose law is written by the user
   return names;
 }
 

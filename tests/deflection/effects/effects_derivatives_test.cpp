@@ -1,5 +1,5 @@
-// Exact derivatives of arms with effects against central differences: by every number of every effect, at neutral
-// values and at typical ones, and by joints, load and gravity with effects present.
+// Exact derivatives of arms with effects compared with central differences: with respect to every parameter of every
+// effect, at neutral and typical values, and to joints, load and gravity with effects present.
 #include <gtest/gtest.h>
 
 #include "tests/deflection/central_difference.hpp"
@@ -9,7 +9,7 @@
 namespace tubeplan::deflection {
 namespace {
 
-/// A step of a hundredth of what real machines have; a small one of what must not be stepped across.
+/// Returns the step of a difference quotient: a hundredth of an effect parameter's usual size, or a small fixed step.
 double stepOf(const Arm& arm, const Variable& variable) {
   switch (variable.type) {
     case Variable::Type::kJoint:
@@ -45,7 +45,8 @@ std::string nameOf(const Arm& arm, const Variable& variable) {
   return textOf(arm, effect) + "." + effectKinds()[effect.kind].parameters[variable.parameter.value].name;
 }
 
-/// True where a step could carry a moment over a knee, or over the zero at which a gap is crossed: no derivative there.
+/// Returns true if a step could carry a moment across a knee, or across zero where a gap changes side: no derivative
+/// there.
 bool isNearAKink(const Arm& arm, const Posture& posture) {
   const auto shape = solveFlexibleKinematics(arm, posture, kTight);
   for (const Effect& effect : arm.effects) {
@@ -64,7 +65,7 @@ Posture smoothPosture(const Arm& arm, std::mt19937_64& random) {
   return posture;
 }
 
-/// Of the tool frame, or of a row's.
+/// Expects exact derivatives of the tool frame, or of a row's frame if `row` is given.
 void expectExact(const Arm& arm, const Posture& posture, const std::vector<Variable>& variables, int row = kTool) {
   const auto exact = row == kTool ? differentiateTip(arm, posture, variables, kTight)
                                   : differentiateRow(arm, row, posture, variables, kTight);
@@ -126,7 +127,8 @@ TEST(EffectsDerivatives, WithAllOfThemTogether) {
 }
 
 TEST(EffectsDerivatives, WhereMostOfThemAreZero) {
-  // An arm and its gravity in one plane: what leads out of it changes nothing, and is not taken for unrest.
+  // The arm and gravity lie in one plane: out-of-plane parameters have derivatives of zero and must not prevent
+  // convergence.
   Arm arm;
   arm.rows = {originRow("upper", {0, 0, 0}, {0, 0, 0}, JointType::kRevolute),
               originRow("lower", {0.8, 0, 0}, {0, 0, 0}, JointType::kRevolute)};
@@ -196,7 +198,7 @@ TEST(EffectsDerivatives, OfAMeasurementByItsScale) {
 }
 
 TEST(EffectsDerivatives, AJointThatHangsInItsGapStaysWhereItIs) {
-  // A pendulum on a joint with clearance: while it hangs free, its reading does not move it.
+  // A pendulum on a joint with clearance: while the pendulum hangs free, the joint's reading does not move the tip.
   Arm arm = cobraArm();
   for (auto& row : arm.rows) row.weight = {};
   arm = withEffect(arm, "backlash", "tool.z", {0.06});

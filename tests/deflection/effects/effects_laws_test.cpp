@@ -1,4 +1,4 @@
-// Laws that every effect of the catalogue obeys, at every place of every arm.
+// Laws that every effect of the catalogue obeys, at every place where an arm can have the effect.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -149,7 +149,7 @@ TEST(Effects, AwayFromNeutralEachDoesSomething) {
   std::mt19937_64 random(22);
   for (const Arm& arm : effectArms()) {
     for (const Effect& neutral : allEffects(arm)) {
-      // A straight tool that carries everything on its own line is not twisted.
+      // A straight tool that carries all loads on its own line is not twisted.
       const std::string name = effectKinds()[neutral.kind].name;
       if (name == "link-torsion" && neutral.place.row + 1 == static_cast<int>(arm.rows.size())) continue;
       Arm one = arm;
@@ -185,7 +185,8 @@ TEST(Effects, TheirOrderDoesNotMatter) {
   }
 }
 
-/// The same effect seen from a base whose axes are turned back by R; nothing where it speaks of the base's z axis.
+/// Returns the same effect in a base frame whose axes are rotated back by R; empty if the effect refers to the base's z
+/// axis.
 std::optional<Effect> turned(Effect effect, const Eigen::Matrix3d& R) {
   const std::string name = effectKinds()[effect.kind].name;
   if (name == "base-slip" || name == "gravity-tilt") return std::nullopt;

@@ -1,4 +1,4 @@
-// Formulas of the user as effects: their values in closed form, their derivatives against differences, what is refused.
+// User-defined formulas as effects: values compared with closed forms, derivatives with differences, and refusals.
 #include "deflection/effects/formula.hpp"
 
 #include <gtest/gtest.h>
@@ -149,7 +149,7 @@ TEST(Formula, AtZeroSizesDoesNothing) {
     }
 }
 
-/// The text with every JOINT and ROW replaced by the arm's first ones.
+/// Returns the text with JOINT and ROW replaced by the names of the arm's first joint and row.
 std::string spelt(std::string text, const Arm& arm) {
   std::string joint, moment;
   for (const NamedSymbol& named : formulaSymbols(arm, {})) {

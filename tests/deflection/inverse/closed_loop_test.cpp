@@ -1,4 +1,4 @@
-// The closure of rigid chains: every joint changes it linearly, and its roots are all the postures there are.
+// Loop closure of rigid chains: linear in functions of each joint reading, and its roots are all postures.
 #include "deflection/inverse/closed_loop.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d, Eigen::VectorXd;
 using testing::apart, testing::kQuarter, testing::DrawnChain, testing::chainOf, testing::Draw, testing::drawnChain,
     testing::drawnReadings;
-/// Whether a posture drawn at random is among those that the roots lead to.
+/// Returns true if posture `q` is among the postures to which the roots of the closure lead.
 template <int Size>
 bool isAmongRoots(const DrawnChain& chain, const VectorXd& q) {
   TipMotion tip;

@@ -1,4 +1,4 @@
-// Rigid chains of random geometry, for the search for all their postures.
+// Rigid chains of random geometry, for tests of the search for all postures.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@ class Draw {
   std::mt19937_64 random_;
 };
 
-/// Joints of any geometry; the numbers of a file are used only for their limits.
+/// Random chain: an arm, and its joint axes at zero readings.
 struct DrawnChain {
   Arm arm;
   AxesAtZero axes;

@@ -1,4 +1,4 @@
-// Flexible inverse kinematics: every branch, its status, and the way up and down.
+// Flexible inverse kinematics: every branch, its status, and the path up and down.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 namespace tubeplan::deflection {
 namespace {
 
-/// The goal that a posture meets on the flexible model: its tip, and the nearest direction to the tool's axis that the
-/// arm's plane leaves free, here the tool's axis itself.
+/// Returns the goal that a posture meets on the flexible model: its tip and its tool axis, which the plane of the arm
+/// leaves unchanged.
 ToolGoal goalOf(const Arm& arm, const Eigen::VectorXd& q, double load, const Eigen::Vector3d& gravity_B) {
   const auto shape = solveFlexibleKinematics(arm, {q, load, gravity_B}, {1e-14, 100});
   return {shape.X_BD.p, shape.X_BD.R * arm.tool_axis_L};
@@ -28,7 +28,7 @@ void everyPostureIsFoundAgain(const Eigen::Vector3d& gravity_B) {
   int tried = 0;
   for (int n = 0; n < 300; ++n) {
     const auto q = randomJoints(arm, random);
-    if (std::abs(std::sin(q[2])) < 0.1) continue;  // near the stretched elbow two branches meet
+    if (std::abs(std::sin(q[2])) < 0.1) continue;  // two branches meet near the stretched elbow
     const ToolGoal goal = goalOf(arm, q, 90, gravity_B);
     const auto found = solveInverseKinematics(arm, goal, 90, gravity_B);
     bool singular = false;
@@ -49,7 +49,8 @@ void everyPostureIsFoundAgain(const Eigen::Vector3d& gravity_B) {
 TEST(InverseKinematics, EveryPostureIsFoundAgain) { everyPostureIsFoundAgain(-Eigen::Vector3d::UnitZ()); }
 TEST(InverseKinematics, EveryPostureIsFoundAgainUpsideDown) { everyPostureIsFoundAgain(Eigen::Vector3d::UnitZ()); }
 
-/// Many goals side by side, each as if it were alone; some out of reach, some at a stretched elbow, one not a number.
+/// Solves many goals in one call, each as if it were alone; some out of reach, some at a stretched elbow, one with a
+/// NaN.
 TEST(InverseSolver, SolvesEachGoalAsIfItWereAlone) {
   std::mt19937_64 random(22);
   const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ();
@@ -78,7 +79,7 @@ TEST(InverseSolver, SolvesEachGoalAsIfItWereAlone) {
   }
 }
 
-/// The kernels' steps and those of the general derivatives lead to the same readings and say the same of them.
+/// The kernels' steps and the general derivatives' steps lead to equal readings with equal statuses.
 TEST(InverseSolver, AgreesWithTheGeneralSteps) {
   std::mt19937_64 random(23);
   const Arm arm = cobraArm(), general = withEffect(arm, "contact-force", "tip", {1e-200});
@@ -121,7 +122,7 @@ TEST(InverseKinematics, TellsWhichLimitIsPassed) {
 
 TEST(InverseKinematics, TellsASingularPosture) {
   const Arm arm = cobraArm();
-  const Eigen::Vector4d q = Eigen::Vector4d(10, 60, 0.3, -40) * kDegree;  // elbow stretched
+  const Eigen::Vector4d q = Eigen::Vector4d(10, 60, 0.3, -40) * kDegree;  // the elbow is stretched
   const auto branch = refineBranch(arm, goalOf(arm, q, 0, -Eigen::Vector3d::UnitZ()), 0, -Eigen::Vector3d::UnitZ(), q);
   EXPECT_EQ(branch.status, BranchStatus::kSingular);
   EXPECT_LT(branch.smallest_singular_value, 0.01);
@@ -133,7 +134,7 @@ TEST(InverseKinematics, ReportsTheTiltThatFourJointsCannotCorrect) {
   const auto found =
       solveInverseKinematics(arm, {Eigen::Vector3d(40, -30, 44) * kInch, Eigen::Vector3d::UnitZ()}, 0, down);
   ASSERT_EQ(found.status, BranchStatus::kConverged);
-  // The platform leans 1.37 deg against the beam; what is left of it at this azimuth, and the sag aside, stays.
+  // The platform tilts by 1.37 deg relative to the beam; four joints leave part of this tilt, and the sag, uncorrected.
   EXPECT_GT(found.branches.front().tilt, 0.1 * kDegree);
   EXPECT_LT(found.branches.front().tilt, 2 * kDegree);
 }
@@ -188,7 +189,7 @@ TEST(InverseKinematics, AnArmOfSixJointsMeetsPlaceAndAxis) {
   }
 }
 
-/// Three joints, each a slide or a turn about its z, their axes askew.
+/// Returns an arm of three joints with skew axes, each joint a slide or a revolute joint.
 Arm threeJoints(const std::array<bool, 3>& slides) {
   Arm arm;
   arm.name = "three";
@@ -205,7 +206,7 @@ Arm threeJoints(const std::array<bool, 3>& slides) {
   return arm;
 }
 
-/// As a branch that can be used, or as one that is said to be stretched or folded.
+/// Returns true if q is among the usable branches or among the branches reported as stretched or folded.
 bool isAmong(const InverseKinematics& found, const Eigen::VectorXd& q) {
   return std::ranges::any_of(found.branches, [&](const Branch& branch) {
     return (branch.status == BranchStatus::kConverged || branch.status == BranchStatus::kSingular) &&

@@ -1,4 +1,4 @@
-// Arms of any build: the place is held, and the tilt is the least that the joints can then make of it.
+// Arms of any structure: the tip is on the goal, and its tilt is the least that the joints allow there.
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
@@ -14,14 +14,14 @@ namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
 const Vector3d kDown = -Vector3d::UnitZ();
-constexpr double kToolLoad = 60;  // N
+constexpr double kToolLoad = 60;  // [N]
 
 Arm shipped(const std::string& name) {
   return app::readArm(app::readYamlFile(TUBEPLAN_SOURCE_DIR "/app/cells/" + name).root).arm;
 }
 
-/// A posture well within the limits and neither stretched nor folded, and its tip with a tool's axis that leans from
-/// there.
+/// Posture well within the limits, neither stretched nor folded, and a goal: the tip of this posture and an axis tilted
+/// from its tool axis.
 struct Asked {
   VectorXd q;
   ToolGoal goal;
@@ -53,7 +53,7 @@ double tiltOf(const Arm& arm, const TipDerivatives& tip, const ToolGoal& goal) {
   return std::atan2(t.cross(goal.axis_B).norm(), t.dot(goal.axis_B));
 }
 
-/// The least tilt of postures a short way off that have the tip at the same place.
+/// Returns the least tilt among nearby postures with the tip at the same position.
 double leastTiltNear(const Arm& arm, const ToolGoal& goal, const VectorXd& q, double step, std::mt19937_64& random) {
   double least = std::numeric_limits<double>::infinity();
   for (int n = 0; n < 40; ++n) {
@@ -102,7 +102,7 @@ TEST_P(EachArm, TiltsTheLeastThatThePlaceAllows) {
   const Arm arm = shipped(GetParam());
   const InverseKinematicsOptions options;
   std::mt19937_64 random(32);
-  constexpr double kStep = 1e-3;  // rad
+  constexpr double kStep = 1e-3;  // [rad]
   for (int n = 0; n < 4; ++n) {
     const Asked asked = askedOf(arm, 3 * kDegree, random);
     const auto found = solveInverseKinematics(arm, asked.goal, kToolLoad, kDown);
@@ -111,7 +111,7 @@ TEST_P(EachArm, TiltsTheLeastThatThePlaceAllows) {
     for (std::size_t k = 0; k < found.branches.size() && k < 4; ++k) {
       const Branch& branch = found.branches[k];
       if (branch.status != BranchStatus::kConverged) continue;
-      // What joints change by less than the floor for a unit of theirs is left as it comes.
+      // The tilt is not reduced along directions whose slope is below the singular floor.
       EXPECT_LE(branch.tilt,
                 leastTiltNear(arm, asked.goal, branch.q, kStep, random) + 1.1 * options.singular_floor * kStep);
     }

@@ -1,4 +1,4 @@
-// Turns about known axes, and steps within what others leave free, by what they are to bring about.
+// Closed-form subproblems: rotations about known axes, and steps in the null space that earlier steps leave free.
 #include "deflection/inverse/subproblems.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(Subproblems, TurnsLeadToWhereTheyAreAskedTo) {
     const double turn = draw(3);
     const Vector3d b = Eigen::AngleAxisd(turn, axis) * a;
     EXPECT_NEAR(std::remainder(turnBetween(axis, a, b) - turn, 2 * std::numbers::pi), 0, 1e-9);
-    // Turned back by any of them, the point has the share along h that it had.
+    // Each solution, rotated back, gives the point its original coordinate along h.
     for (const double q : solveOffset(axis, h, b, h.dot(a)))
       EXPECT_NEAR(h.dot(Eigen::AngleAxisd(-q, axis) * b), h.dot(a), 1e-12);
   }
@@ -54,7 +54,7 @@ TEST(Subproblems, TwoLinksReachThePlaceWithTheElbowEitherWay) {
   }
 }
 
-// Whether directions are told apart or not, the step is the shortest, and the next one does not undo it.
+// Each step is the shortest one, whether or not all directions are distinguishable, and a later step does not undo it.
 TEST(FreeMotion, StepsKeepWhatThoseBeforeBroughtAbout) {
   Draw draw(4);
   for (int n = 0; n < 100; ++n) {

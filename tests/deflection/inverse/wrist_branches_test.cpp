@@ -1,4 +1,4 @@
-// Arms whose last three axes meet: every posture is found at its turn of the tool, and none is false.
+// Arms whose last three axes meet: every posture is found at its rotation of the tool, and no false posture is found.
 #include "deflection/inverse/wrist_branches.hpp"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
 using testing::apart, testing::kQuarter, testing::DrawnChain, testing::chainOf, testing::Draw, testing::drawnReadings;
-/// `before` joints of any geometry (with a third axis parallel to the second where `is_plane`), then a wrist whose axes
-/// miss each other by `off` [m].
+/// Returns a chain of `before` joints of any geometry (with the third axis parallel to the second if `is_plane`) and a
+/// wrist whose axes miss each other by `off` [m].
 DrawnChain drawnWrist(int before, int slide, bool is_plane, double off, Draw& draw) {
   std::vector<DenavitHartenberg<double>> rows;
   for (int k = 0; k <= before; ++k) rows.push_back({0.8 + draw(0.7), 0.3 + draw(0.2), draw(0.3), 0});
@@ -25,7 +25,7 @@ DrawnChain drawnWrist(int before, int slide, bool is_plane, double off, Draw& dr
   return chainOf(rows, slide, draw.vector(0.3));
 }
 
-/// A PUMA 560 on a level base, with its tool's tip beside the last axis.
+/// Returns a PUMA 560 on a level base; `tip` may lie off the last axis [m].
 DrawnChain levelPuma(const Vector3d& tip) {
   return chainOf({{0, 0, 0, 0},
                   {-kQuarter, 0, 0.2435, 0},
@@ -83,7 +83,7 @@ TEST(WristBranches, AxesThatMissEachOtherALittleGiveStartsThatLeadToThePosture) 
     RigidSearch(chain.arm, chain.axes).addPosturesLike(goal, q, like);
     missed += !hasNear(chain, like, q, 0.05);
   }
-  EXPECT_LE(missed, 3);  // two postures that are about to be one are further off
+  EXPECT_LE(missed, 3);  // nearly coinciding postures are found less accurately
 }
 
 TEST(WristBranches, AxesThatDoNotMeetAreNoWrist) {
@@ -92,14 +92,14 @@ TEST(WristBranches, AxesThatDoNotMeetAreNoWrist) {
   EXPECT_FALSE(carriesWrist(drawnWrist(3, 4, false, 0, draw).axes, 1.5));
 }
 
-// Where the last axis is in line with the third last, those two turn against each other with the tool as it is: a
-// posture of any such turn meets the goal at one roll of the tool only, which no lattice of rolls has.
+// If the last axis is aligned with the third last, the two joints rotate against each other without moving the tool. A
+// posture with any such rotation meets the goal at one roll of the tool only, which no grid of rolls contains.
 TEST(WristBranches, PosturesInLineAreFoundBetweenTheRolls) {
   const DrawnChain chain = levelPuma({0.04, 0, 0.22});
   const RigidSearch search(chain.arm, chain.axes);
   for (const double q2 : {-0.9, -0.5, 0.1})
     for (const double q4 : {-2.5, -1., 0.3, 1.7}) {
-      const VectorXd q{{0.4, q2, -q2, q4, 0, 0.6}};  // the third last axis upright
+      const VectorXd q{{0.4, q2, -q2, q4, 0, 0.6}};  // the third last axis is upright
       const ToolGoal goal = goalAt(chain, q);
       std::vector<VectorXd> all;
       search.addPostures(goal, all);

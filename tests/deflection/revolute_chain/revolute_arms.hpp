@@ -1,4 +1,4 @@
-// Arms that the kernels solve, the same arms without kernels, and random postures in lanes.
+// Arms that the kernels solve, the same arms without kernels, and random postures for kernel lanes.
 #pragma once
 
 #include <random>
@@ -8,8 +8,8 @@
 
 namespace tubeplan::deflection {
 
-/// Returns an arm with all features of the kernels: beams in several pieces, one that twists, lumps, a tilted tool, a
-/// spring across a joint's axis, and a beam whose start is not on its joint's axis.
+/// Returns an arm with all features that kernels support: beams in several pieces, a twisting beam, lumped weights, a
+/// tilted tool, a spring across a joint's axis, and a beam whose start is not on its joint's axis.
 inline Arm oddRevoluteArm() {
   Arm arm = cobraArm(3);
   arm.name = "odd";
@@ -23,7 +23,7 @@ inline Arm oddRevoluteArm() {
   return arm;
 }
 
-/// Returns an arm of skew beams in pieces, so that adjacent axes are parallel up to rounding.
+/// Returns an arm of skew beams divided into pieces, so that adjacent axes are parallel up to rounding.
 inline Arm askewBeamArm() {
   Arm arm;
   arm.name = "askew beams";
@@ -43,7 +43,8 @@ inline std::vector<Arm> kernelArms() {
   return {cobraArm(), cobraArm(4), rigidCopy(cobraArm()), oddRevoluteArm(), askewBeamArm()};
 }
 
-/// Returns the arm for the general sweeps: a force at the tip, too small to move it, excludes the kernels.
+/// Returns the arm with a tip force too small to move it, which excludes the kernels, so that the general sweeps solve
+/// it.
 inline Arm withoutKernel(const Arm& arm) { return withEffect(arm, "contact-force", "tip", {1e-200}); }
 
 inline Posture randomCase(const Arm& arm, std::mt19937_64& random) {

@@ -1,4 +1,4 @@
-// Kernels: the same shapes whatever solves them, in any number of lanes.
+// Kernels: equal shapes for every solver and every number of lanes.
 #include <gtest/gtest.h>
 
 #include "deflection/revolute_chain/kernels.hpp"
@@ -79,7 +79,7 @@ TEST(Kernels, HaveTheShapeOfTheGeneralSweeps) {
   }
 }
 
-/// At the usual tolerance the tip is as near to rest as the tolerance says.
+/// With the default tolerance the tip is as near to equilibrium as the tolerance states.
 TEST(Kernels, StopWithinTheTolerance) {
   std::mt19937_64 random(3);
   for (const Arm& arm : kernelArms()) {
@@ -156,7 +156,7 @@ TEST(Kernels, TellTheFrameOfEveryRow) {
   }
 }
 
-/// What turns after a row's frame, about the same axis at the same place, makes one turn with what is before it.
+/// A compliance about the axis and at the position of the previous row merges with it into one rotation.
 TEST(Kernels, ARowWithinATurnIsNotToldOf) {
   Arm arm = cobraArm();
   Row<double> hinge = arm.rows[4];
