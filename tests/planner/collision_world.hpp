@@ -1,5 +1,5 @@
-// Nearest pair of one posture, pair by pair and without kernels: the reference for NearestPairs, also for scenes of toy
-// arms.
+// Nearest pair of bodies in one posture, computed pair by pair without kernels: the reference for NearestPairs, also
+// for scenes of toy arms.
 #pragma once
 
 #include <algorithm>
@@ -17,19 +17,20 @@ namespace tubeplan::planner {
 
 struct PairClearance {
   Clearance clearance;
-  bool allowed = false;  ///< may touch: not counted in the scene's clearance; its margin is infinite
+  bool allowed = false;  ///< true if the pair may touch: not part of `closest`; the margin is infinite
 };
 
 class CollisionWorld {
  public:
-  /// Prepares a scene without problems (findSceneProblems).
+  /// Prepares a scene that has no problems according to findSceneProblems.
   explicit CollisionWorld(Scene scene);
 
   /// Returns the pair with the least margin for link frames X_WL (one per link of the scene, deflected or not). Pairs
   /// that may touch are left out.
   [[nodiscard]] Clearance closest(std::span<const Eigen::Isometry3d> X_WL) const;
 
-  /// Returns every pair, nearest first, including allowed ones, without bodies that share a joint.
+  /// Returns every pair, nearest first, including pairs that may touch; pairs of bodies that share a joint are left
+  /// out.
   [[nodiscard]] std::vector<PairClearance> allPairs(std::span<const Eigen::Isometry3d> X_WL) const;
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
@@ -37,11 +38,11 @@ class CollisionWorld {
  private:
   struct Pair {
     int body;
-    int other;  ///< index of an obstacle or of a body
+    int other;  ///< index of a body if `with_body`, else of an obstacle
     bool with_body;
-    const Solid* solid;  ///< solid of the other; null for a region or a mesh
+    const Solid* solid;  ///< solid of the other body or obstacle; null for a region or a mesh
   };
-  struct Placed;  ///< bodies in one posture
+  struct Placed;  ///< poses of all bodies in one posture
 
   void addPair(const Pair& pair, bool allowed);
   [[nodiscard]] Placed place(std::span<const Eigen::Isometry3d> X_WL) const;
@@ -51,14 +52,14 @@ class CollisionWorld {
   [[nodiscard]] std::optional<Clearance> findLostBody(std::span<const Eigen::Isometry3d> X_WL) const;
 
   Scene scene_;
-  std::vector<const Solid*> solids_;  ///< one per body
+  std::vector<const Solid*> solids_;  ///< solid of each body
   std::vector<Pair> pairs_;           ///< pairs that must keep clear
   std::vector<Pair> allowed_pairs_;
 };
 
 struct CollisionWorld::Placed {
   std::span<const Eigen::Isometry3d> X_WL;
-  std::vector<Capsule> around_W;  ///< one per body
+  std::vector<Capsule> around_W;  ///< capsule around each body, in the world frame
 };
 
 inline CollisionWorld::CollisionWorld(Scene scene) : scene_(std::move(scene)) {
@@ -87,7 +88,8 @@ inline CollisionWorld::Placed CollisionWorld::place(std::span<const Eigen::Isome
   return placed;
 }
 
-/// Compares by the capsules around both bodies, or by the body itself if it is no solid.
+/// Returns true if the pair is at least `distance` apart, judged by the capsules around both bodies; for an obstacle
+/// that is no solid, by the obstacle's own shape.
 inline bool CollisionWorld::isFarther(const Pair& pair, const Placed& placed, double distance) const {
   const Capsule& a = placed.around_W[pair.body];
   if (!pair.solid) return scene_.obstacles[pair.other].shape->isFartherThan(distance, a);

@@ -1,4 +1,4 @@
-// Short lists: no given order of the tubes is quicker than the one that a plan chooses.
+// Short lists: no order given by the user is quicker than the order that a plan chooses.
 #include "planner/few_tubes.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 using testing::bytesOf;
 using testing::mockup;
 
-/// Three tubes of an arm with many postures for each, among which most straight ways are blocked.
+/// Three tubes and an arm with many postures for each; most straight moves between the postures are blocked.
 class ThreeTubes : public ::testing::Test {
  protected:
   const Workcell cell_ = mockup("tsm-cobra.yaml");
@@ -30,7 +30,7 @@ TEST_F(ThreeTubes, AreOrderedAsWellAsByAnyGivenOrder) {
   cache.orders.clear();
   std::vector<int> given = tubes_;
   do {
-    if (given.front() > given.back()) continue;  // there and back take the same time
+    if (given.front() > given.back()) continue;  // a reversed order takes the same time
     VisitPlanOptions options;
     for (const int tube : given) options.conditions.zones.push_back({tube});
     PlanCache known = cache;
@@ -47,7 +47,7 @@ TEST_F(ThreeTubes, AreOrderedAsWellAsByALongSearch) {
   const VisitPlan chosen = planVisits(cell_, tubes_, {}, {}, cache);
   cache.orders.clear();
   VisitPlanOptions options;
-  options.order.most_exact_work = 0;  // until no move surprises
+  options.order.most_exact_work = 0;  // skips the exact search: improves until no move shortens the order
   options.reprice_rounds = 1000;
   const VisitPlan searched = planVisits(cell_, tubes_, options, {}, cache);
   EXPECT_LE(chosen.travel_time, 1.01 * searched.travel_time);

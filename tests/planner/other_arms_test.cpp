@@ -1,4 +1,4 @@
-// Plans for arms that are no turret arms: the tip is on the hole however the base leans, and reasons are true.
+// Plans for arms other than turret arms: the tip is on the hole for any tilt of the base, and reasons are correct.
 #include <gtest/gtest.h>
 
 #include "tests/planner/verification/stated_plan.hpp"
@@ -17,7 +17,7 @@ Workcell leaning(Workcell cell, double degrees) {
 
 struct Cell {
   const char* file;
-  int reachable;  ///< at least so many of eight tubes
+  int reachable;  ///< least number of reachable tubes of eight
 };
 
 class OtherArms : public ::testing::TestWithParam<Cell> {};

@@ -1,4 +1,4 @@
-// Plan as text, for exact comparison.
+// A plan as text, for exact comparison.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 
 namespace tubeplan::planner::testing {
 
-/// Returns every number of a plan, exactly.
+/// Returns all values of a plan as text without rounding.
 inline std::string bytesOf(const VisitPlan& plan) {
   std::string text =
       fmt::format("{} {} {:a} {:a} {:a} {:a} {:a} {:a} {} {}\n", static_cast<int>(plan.status), plan.reason,

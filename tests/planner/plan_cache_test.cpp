@@ -1,4 +1,4 @@
-// Plans that were stopped and taken up again, and plans that begin from an earlier one.
+// Plans that were stopped and resumed, and plans that start from an earlier plan.
 #include "planner/plan_cache.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using testing::bytesOf;
 using testing::mockup;
 using testing::tubesOf;
 
-/// Stops a plan at its `call`-th sign of progress; gives what it had by then.
+/// Stops a plan at its `call`-th progress report and returns the cache at that time.
 PlanCache stoppedAt(const Workcell& cell, const std::vector<int>& tubes, int call, VisitPlanStatus& status) {
   PlanCache cache;
   std::atomic<int> calls = 0;
@@ -90,7 +90,7 @@ TEST(PlanCache, AChangedListIsPlannedAroundTheChange) {
   const VisitPlan after = planVisits(cell, tubes, {}, {}, cache);
   ASSERT_EQ(after.status, VisitPlanStatus::kPlanned);
   EXPECT_EQ(after.kept.reach, 39);
-  // At each of the two places a few travels are new; the search may move a neighbour or two.
+  // A few travels are new at the removed and the added tube; the search may also move one or two neighbours.
   EXPECT_GE(after.kept.travels, static_cast<int>(after.visits.size()) - 1 - 10);
   EXPECT_LT(after.kept.travels, static_cast<int>(after.visits.size()) - 1);
   std::set<int> visited;
@@ -98,7 +98,7 @@ TEST(PlanCache, AChangedListIsPlannedAroundTheChange) {
   EXPECT_TRUE(visited.contains(come));
   EXPECT_FALSE(visited.contains(gone));
   EXPECT_EQ(visited.size() + after.unreachable.size(), tubes.size());
-  // The bound is proved for any order: the kept one is held against it as a new one would be.
+  // The kept order is compared with the bound of a new plan, which holds for any order.
   const VisitPlan anew = planVisits(cell, tubes);
   EXPECT_LE(after.travel_time, 1.05 * anew.travel_time);
   EXPECT_GE(after.travel_time, anew.lower_bound);

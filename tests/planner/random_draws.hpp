@@ -1,4 +1,4 @@
-// Random numbers and postures, the same with every standard library.
+// Random numbers and postures, identical with every standard library.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,6 @@
-// Equivalent forms of one task: a cell's files in other units, rotated about the sheet's normal, or the arm drawn from
-// another base frame. The plan must not change. Also tasks that do change, by a tilt of gravity or of the base.
+// Equivalent forms of one task: a cell's files in other units, the cell rotated about the sheet's normal, or the arm
+// described in another base frame. The plan must not change. Also tasks with a tilted gravity or base, whose plans do
+// change.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 
 namespace tubeplan::planner::testing {
 
-/// New numbers of a YAML text by the offset and length of the old ones.
+/// New values for numbers of a YAML text: offset of the old number -> its length and the new value.
 using NewNumbers = std::map<std::size_t, std::pair<std::size_t, double>>;
 
 inline void setNumber(const app::YamlNode& node, double value, NewNumbers& numbers) {
@@ -42,7 +43,7 @@ inline void scaleLengths(const app::YamlNode& node, double factor, bool is_lengt
   }
 }
 
-/// Returns the cell from files with lengths in `unit`, and torques and pressures accordingly.
+/// Returns the cell read from files with lengths in `unit`, and torques and pressures in matching units.
 inline Workcell inUnitOf(const std::string& file, const std::string& unit) {
   const std::string path = TUBEPLAN_SOURCE_DIR "/app/cells/" + file;
   const app::Cell cell = app::readCell(path);
@@ -70,7 +71,7 @@ inline void turnShapes(const app::YamlNode& node, double angle, NewNumbers& numb
   }
 }
 
-/// Returns `text` with an rpy for every box that has none.
+/// Returns `text` with `rpy: [0, 0, 0]` added to every box without a rotation.
 inline std::string withBoxesTurnable(std::string text) {
   const std::string size = "size: [";
   for (std::size_t at = 0; (at = text.find(size, at)) != std::string::npos; at += size.size()) {
@@ -80,7 +81,7 @@ inline std::string withBoxesTurnable(std::string text) {
   return text;
 }
 
-/// Returns the cell with sheet, base, obstacles and gravity rotated about the sheet's normal [rad].
+/// Returns the cell with sheet, base, obstacles and gravity rotated by `angle` [rad] about the sheet's normal.
 inline Workcell turnedAboutTheNormal(const std::string& file, double angle) {
   const std::string path = TUBEPLAN_SOURCE_DIR "/app/cells/" + file;
   const std::string text = withBoxesTurnable(app::readCell(path).source.text);
@@ -99,7 +100,7 @@ inline Workcell turnedAboutTheNormal(const std::string& file, double angle) {
   return cell;
 }
 
-/// Returns the cell with the same arm at the same place, but with a fixed first row and another base frame.
+/// Returns the cell with the same arm at the same position, described with a fixed first row and another base frame.
 inline Workcell fromAnotherBaseFrame(Workcell cell, std::mt19937_64& generator) {
   const auto angle = [&] { return uniform(generator, -3, 3); };
   auto mount = decltype(cell.arm.rows)::value_type{};
@@ -128,7 +129,7 @@ inline Workcell withBaseLeaning(Workcell cell, double degrees, double heading) {
   return cell;
 }
 
-/// Returns the cell with gravity tilted, equivalent to a common tilt of sheet, base and obstacles.
+/// Returns the cell with gravity tilted [deg], which is equivalent to a common tilt of sheet, base and obstacles.
 inline Workcell withGravityLeaning(Workcell cell, double degrees, double heading) {
   cell.arm.gravity_W = leanOf(degrees, heading) * cell.arm.gravity_W;
   return cell;

@@ -1,4 +1,4 @@
-// One task in many words has one answer; and what stands askew is planned too. The short form of the study
+// Equivalent descriptions of one task have the same plan, and tilted tasks can be planned: the short form of
 // studies/turned_cells.cpp.
 #include "tests/planner/turned_cells.hpp"
 
@@ -22,8 +22,8 @@ std::set<int> tubesIn(const VisitPlan& plan) {
 
 struct Shipped {
   const char* file;
-  /// Of the travel, that it may differ by from another base frame: an arm with a joint more than a goal asks for has a
-  /// continuum of postures, and rounding decides which samples of it are alike.
+  /// Relative difference of travel times allowed between base frames. An arm with more joints than a goal requires has
+  /// a continuum of postures, and rounding decides which samples count as equal.
   double apart;
 };
 

@@ -12,7 +12,7 @@ namespace {
 using testing::mockup;
 using testing::statedPlan;
 
-/// Seven tubes from a park posture back to it: two zones first, a stay at every hole.
+/// Seven tubes, from a park posture and back to it: two zones come first, with a dwell time at every hole.
 class Conditioned : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -29,7 +29,7 @@ class Conditioned : public ::testing::Test {
     plan_.reset();
     cell_.reset();
   }
-  /// Where the arm waits below a tube that is not on the list.
+  /// Returns the park posture: the standoff below a tube that is not on the list.
   static Eigen::VectorXd park() {
     const ArmClearance clearance(*cell_);
     return reachTube(clearance, testing::tubesOf(*cell_, "R25C57").front()).branches.front().approach.front();
@@ -118,7 +118,7 @@ TEST(VisitConditions, AStartThatIsBlockedOrPastALimitIsNamed) {
   const ArmClearance clearance(cell);
   const TubeReach reach = reachTube(clearance, tubes.front());
   options.conditions.start.reset();
-  options.conditions.end = reach.branches.front().q;  // at the hole: the tip may be there on an approach only
+  options.conditions.end = reach.branches.front().q;  // at the hole, where the tip may be during an approach only
   plan = planVisits(cell, tubes, options);
   EXPECT_EQ(plan.status, VisitPlanStatus::kNoOrder);
   EXPECT_NE(plan.reason.find("the end posture: tool-tip"), std::string::npos) << plan.reason;

@@ -23,13 +23,13 @@ using testing::mockup;
 using testing::obstacleInInches;
 using testing::withObstacle;
 
-/// The scene while travelling, said once more by the test: the sheet is out of bounds for the tip as well.
+/// Returns the scene for travelling, derived independently: the tool tip, too, must keep clear of the sheet.
 Scene travellingScene(Scene scene) {
   for (auto& obstacle : scene.obstacles) std::erase(obstacle.allow, "tool-tip");
   return scene;
 }
 
-/// The mock-up's plan for a few tubes, made once.
+/// The mock-up's plan for a few tubes, computed once for all tests.
 class MockupPlan : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -94,7 +94,7 @@ TEST_F(MockupPlan, TravelsAreAsClearAsTheyWereProved) {
     if (segment.kind == SegmentKind::kTravel) travels.push_back(&segment);
   std::ranges::stable_sort(travels, {}, [](const PathSegment* segment) { return segment->margin; });
   ASSERT_GE(travels.size(), 3u);
-  // The tightest three, 10,000 postures each.
+  // The three travels with the least margins, with 10,000 postures each.
   for (std::size_t t = 0; t < 3; ++t) {
     const auto waypoints = cornersOf(*travels[t], jointSpeedsOf(cell_->arm));
     const int share = static_cast<int>(10000 / (waypoints.size() - 1));
@@ -206,7 +206,7 @@ TEST(PlanVisits, ANozzleDamMovedUnderATubeIsNamed) {
 }
 
 TEST(PlanVisits, AWallAroundTheBaseLeavesNothingToPlan) {
-  // The turret stands at (0, 28) in; within 21 in of it there is room for the arm to fold, and no way out.
+  // The turret stands at (0, 28) in. The arm can fold within the walls, 21 in away, but cannot get out.
   Workcell cell = mockup();
   for (const auto& [name, x, y, wide, deep] :
        {std::tuple{"wall-west", -21., 28., 1., 43.}, std::tuple{"wall-east", 21., 28., 1., 43.},
@@ -227,9 +227,9 @@ TEST(PlanVisits, AWallAroundTheBaseLeavesNothingToPlan) {
 }
 
 TEST(PlanVisits, TubesBehindAPartitionAreLeftOutWithWhatIsInTheWay) {
-  // From the divider past the shoulder's circle, as high as the sheet: the turret turns freely, but the latch-link
-  // cannot pass. The way round the back is past the first joint's limit. Swinging from tube to tube straight would keep
-  // off the divider.
+  // The partition extends from the divider past the shoulder's circle and is as high as the sheet. The turret turns
+  // freely, but the latch-link cannot pass. The path around the back exceeds the first joint's limit. A straight move
+  // between the tubes would clear the divider.
   Obstacle wall = obstacleInInches("partition", "box", {0, 12, -31.6, 0.5, 23, 62});
   wall.allow = {"base-link"};
   const Workcell cell = withObstacle(mockup(), wall);
@@ -293,7 +293,7 @@ TEST(TravelNetwork, ThereAndBackAreTheSameWay) {
   EXPECT_EQ(forth.waypoints.front(), network.standoff(a));
   EXPECT_GE(network.timeOf(forth),
             moveDuration(network.standoff(a), network.standoff(b), jointSpeedsOf(cell.arm)) - 1e-9);
-  // Asked in another order, and the other way round: the same motion.
+  // A request in the opposite direction, after other requests, gives the same motion.
   (void)other.between(c, a);
   EXPECT_EQ(other.between(b, a).waypoints, network.between(b, a).waypoints);
   EXPECT_EQ(network.timeOf(MotionPlan{}), std::numeric_limits<double>::infinity());

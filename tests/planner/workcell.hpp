@@ -1,4 +1,4 @@
-// The shipped mock-up cell for tests, and changes to it.
+// The shipped mock-up cell for tests, and modified copies of the cell.
 #pragma once
 
 #include <random>
@@ -25,7 +25,7 @@ inline Eigen::Vector3d holeOf(const Workcell& cell, int tube) {
   return holeCentre(cell.sheet.tubes.at(static_cast<std::size_t>(tube)));
 }
 
-/// Returns an obstacle with its numbers in inches (directions may be scaled).
+/// Returns an obstacle from dimensions in inches (the scale of direction vectors does not matter).
 inline Obstacle obstacleInInches(const std::string& name, const char* key, std::vector<double> numbers) {
   for (double& number : numbers) number *= kInch;
   if (std::string(key) == "box") numbers.resize(9, 0.0);
@@ -38,14 +38,14 @@ inline Workcell withObstacle(Workcell cell, Obstacle obstacle) {
   return cell;
 }
 
-/// Returns the cell without obstacles, so that only the arm itself can collide.
+/// Returns the cell without obstacles, in which only the arm's own bodies can collide.
 inline Workcell alone(Workcell cell) {
   cell.scene.obstacles.clear();
   for (auto& body : cell.scene.bodies) body.allow.clear();
   return cell;
 }
 
-/// Returns a random posture within the joints' limits, with or without collisions.
+/// Returns a random posture within the joints' limits, whether or not it collides.
 inline Eigen::VectorXd randomPosture(const deflection::Arm& arm, std::mt19937_64& generator) {
   Eigen::VectorXd q(arm.jointCount());
   for (Eigen::Index j = 0; j < q.size(); ++j) {
@@ -63,7 +63,7 @@ inline bool withinLimits(const deflection::Arm& arm, const Eigen::VectorXd& q) {
   return true;
 }
 
-/// Returns the tip of the deflected arm from the kinematics [m].
+/// Returns the tip position of the deflected arm according to the kinematics [m].
 inline Eigen::Vector3d deflectedTip(const Workcell& cell, const Eigen::VectorXd& q) {
   const auto shape = deflection::solveFlexibleKinematics(
       cell.arm, {q, cell.load, deflection::gravityInBase(cell.arm, cell.X_WB)}, {1e-14, 200});

@@ -15,7 +15,7 @@ using testing::mockup;
 using testing::randomPosture;
 using testing::uniform;
 
-/// A cantilever along x: one revolute row about z, gravity along -y, without weight of its own.
+/// Returns a weightless cantilever along x: one revolute row about z, gravity along -y, and a load at the tip.
 Workcell cantilever(double length, double bending_stiffness, double load) {
   Workcell cell;
   deflection::Row<double> row;
@@ -41,7 +41,7 @@ TEST(BodyFrames, ALoadedCantileverLiesAlongItsChordWithTheBowOfTheClosedForm) {
   const auto frames = bodyFrames(cell, VectorXd::Zero(1), &bow);
   const double unit = load * length * length * length / stiffness;
   const Vector3d end = frames[0] * Vector3d(length, 0, 0);
-  // End displacement F L^3 / (3 E I); the bent axis is at most 0.0642 F L^3 / (E I) off its chord.
+  // End displacement F L^3 / (3 E I); the bent axis deviates by at most 0.0642 F L^3 / (E I) from its chord.
   EXPECT_NEAR(end.y() / end.x(), -unit / 3 / length, 0.02 * unit / 3 / length);
   EXPECT_GE(bow, 0.06415 * unit);
   EXPECT_LE(bow, 0.08 * unit);
@@ -90,7 +90,7 @@ TEST(BodyFrames, MembersRunFromTheirFrameToTheNextOnTheDeflectedShape) {
   }
 }
 
-/// The lowest and the highest that any body gets.
+/// Least and greatest height of the arm's bodies [m].
 struct Span {
   double lowest, highest;
 };
@@ -110,7 +110,8 @@ Span heightsOf(const Workcell& cell, const VectorXd& q) {
 }
 
 TEST(ArmClearance, ItIsTheDeflectedShapeThatIsChecked) {
-  // Held straight out the arm sags; a shelf or a ceiling at half the sag tells the two shapes apart, either way round.
+  // An arm stretched out horizontally sags. A shelf and a ceiling within the sag distinguish the deflected from the
+  // rigid shape.
   const Workcell bent = testing::alone(mockup()), rigid = testing::rigid(bent);
   const VectorXd q = Eigen::Vector4d(0.3, 0, 0, 0);
   const Span bent_span = heightsOf(bent, q), rigid_span = heightsOf(rigid, q);
@@ -143,7 +144,7 @@ TEST(ArmClearance, TheBowOfABentMemberIsTakenOff) {
     double bow = 0;
     const auto frames = bodyFrames(cell, q, &bow);
     const Clearance found = clearance.at(q, ContactRule::kApproach), straight = world.closest(frames);
-    // Found by other sums of lengths of metres: the same to their rounding.
+    // The two methods add lengths of metres in different order, so the results agree only to rounding.
     EXPECT_NEAR(found.margin, straight.margin - bow, 1e-14);
     EXPECT_NEAR(found.distance, straight.distance - bow, 1e-14);
     EXPECT_DOUBLE_EQ(clearance.withSpare(q, ContactRule::kApproach, 0.003).margin, found.margin - 0.003);
@@ -153,7 +154,7 @@ TEST(ArmClearance, TheBowOfABentMemberIsTakenOff) {
 class UnderAHole : public ::testing::Test {
  protected:
   const Workcell cell = mockup();
-  /// A posture with the tip half an inch inside the hole R10C40.
+  /// Returns a posture with the tip half an inch inside the hole R10C40.
   VectorXd inTheHole() const {
     CompensationOptions options;
     options.with_approach = false;
@@ -227,7 +228,7 @@ TEST_P(TravelOfSeed, NoBodyPointMovesFurtherThanTheBound) {
     const VectorXd q0 = randomPosture(cell.arm, generator);
     VectorXd q1 = q0;
     const double size = std::pow(10.0, uniform(generator, -4, -0.5));
-    // Often one joint alone: the others' share of the bound would hide it.
+    // A single joint moves in most rounds: with several, the bounds of the other joints would hide an error.
     const int only = static_cast<int>(uniform(generator, -2, 4));
     for (int j = 0; j < q1.size(); ++j)
       if (only < 0 || only == j) q1[j] += uniform(generator, -size, size);

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
 
-/// Ends of all bodies in a posture, with the bow taken as a point that moves too.
+/// Returns the ends of all bodies in a posture [m]; `bow` receives the largest bow if it is not null.
 std::vector<Vector3d> pointsAt(const Workcell& cell, const VectorXd& q, double* bow) {
   const auto frames = bodyFrames(cell, q, bow);
   std::vector<Vector3d> points;
@@ -25,7 +25,8 @@ std::vector<Vector3d> pointsAt(const Workcell& cell, const VectorXd& q, double* 
   return points;
 }
 
-/// Travel beyond what a rigid arm's bound allows never exceeds the bound, for steps great and small.
+/// Expects that no point of a body moves, including the change of the bow, by more than the bound, for large and small
+/// steps.
 void expectBounded(const Workcell& cell, std::uint64_t seed) {
   const ArmTravel travel = armTravelOf(cell, bodyReachOf(cell.scene));
   ASSERT_TRUE(travel.is_proved) << travel.reason;
@@ -57,7 +58,7 @@ TEST(DeflectionTravel, BoundsArmsTenTimesAsSoft) {
   expectBounded(cell, 2);
 }
 
-/// Its forearm turned with the two joints before it, faster than they turn.
+/// The linkage turns the forearm with the two joints before it, faster than these joints turn.
 TEST(DeflectionTravel, BoundsAnArmWhoseForearmALinkageTurns) {
   for (const bool is_rigid : {true, false}) {
     Workcell cell = is_rigid ? testing::rigid(testing::mockup()) : testing::mockup();
@@ -68,7 +69,8 @@ TEST(DeflectionTravel, BoundsAnArmWhoseForearmALinkageTurns) {
   }
 }
 
-/// Up and down a bar that bends, whatever hangs on it, and level: the bar's own weight bends it, too.
+/// An arm on a vertical and on a horizontal slide; the bar of the slide bends under the arm, the load and its own
+/// weight.
 TEST(DeflectionTravel, BoundsAnArmWithASlide) {
   for (const bool is_level : {false, true})
     for (const double load : {0., 200.}) {
@@ -80,7 +82,7 @@ TEST(DeflectionTravel, BoundsAnArmWithASlide) {
     }
 }
 
-/// One element at a time is the only one that gives: its travel is held against differences of the deflected shape.
+/// With only one compliant element at a time, its travel bound is compared with differences of the deflected shape.
 TEST(DeflectionTravel, BoundsEachElementsOwnPart) {
   const Workcell nominal = testing::mockup();
   const Workcell rigid = testing::rigid(nominal);
@@ -99,13 +101,14 @@ TEST(DeflectionTravel, BoundsEachElementsOwnPart) {
         for (Eigen::Index j = 0; j < q.size(); ++j) {
           VectorXd moved = q;
           moved[j] += 1e-5;
-          // Points of the bent arm less those of the rigid one: what deflection adds.
+          // Displacement due to deflection: points of the bent arm minus points of the rigid arm.
           const auto bent0 = pointsAt(cell, q, nullptr), bent1 = pointsAt(cell, moved, nullptr);
           const auto rigid0 = pointsAt(rigid, q, nullptr), rigid1 = pointsAt(rigid, moved, nullptr);
           for (std::size_t p = 0; p < bent0.size(); ++p) {
             const double sag = (bent0[p] - rigid0[p]).norm();
             const double extra = ((bent1[p] - bent0[p]) - (rigid1[p] - rigid0[p])).norm();
-            // The joint's own turn moves the sag along with the arm: that belongs to the frozen bent shape.
+            // The joint's own rotation also moves the sag: this is motion of the frozen deflected shape, not
+            // deflection.
             EXPECT_LE(extra, 1e-5 * (travel.per_joint[j] + sag) + 1e-11);
           }
         }
@@ -113,7 +116,8 @@ TEST(DeflectionTravel, BoundsEachElementsOwnPart) {
     }
 }
 
-/// What a level slide moves beyond its own way along the end of its bent bar, of a bar and a bearing that give.
+/// A horizontal slide on a bar or bearing that is compliant: motion in addition to the travel along the end of the bent
+/// bar.
 TEST(DeflectionTravel, BoundsWhatASlideGains) {
   for (const bool bar_bends : {true, false}) {
     Workcell cell = testing::rigid(testing::mockup("column.yaml"));
@@ -138,8 +142,8 @@ TEST(DeflectionTravel, BoundsWhatASlideGains) {
   }
 }
 
-/// Two joints and a beam of this length, each of them compliant: what one gains turns the others, and that again, to
-/// the end of the geometric series, whose sum is the inverse of the identity less one round.
+/// Two joints and a beam of length `beam`, all compliant. The rotation added by one element rotates the others, and so
+/// on; the geometric series of these rounds sums to the inverse of the identity minus one round.
 struct ThreeElements {
   Vector3d compliance, moment, weight, reach;
   double beam = 0;
@@ -155,7 +159,8 @@ struct ThreeElements {
   }
 };
 
-/// A joint in a bearing that gives, and another of this kind whose beam bends about these two axes.
+/// Returns a joint in a compliant bearing, followed by joint `outer` in a compliant bearing on a beam with compliances
+/// `bends` about its axes.
 Workcell twoRows(const deflection::Joint<double>& outer, const Vector3d& bends) {
   deflection::Row<double> first, second;
   first.placement = deflection::Origin<double>{};
@@ -192,7 +197,7 @@ TEST(DeflectionTravel, CountsWhatElementsTurnInEachOtherToTheEnd) {
   EXPECT_NEAR(travel.per_joint[1], elements.travelBy(compliance * M1), 1e-10);
   EXPECT_EQ(travel.stretch, stretch);
 
-  // As many joints at one place, each within its own limit, have no end to the series.
+  // With 13 such joints at one place, each within its own limit, the series diverges.
   auto upper = cell.arm.rows[0], fore = cell.arm.rows[1];
   upper.joint_stiffness.setConstant(1000);
   upper.weight.end = 0;
@@ -208,7 +213,7 @@ TEST(DeflectionTravel, CountsWhatElementsTurnInEachOtherToTheEnd) {
   EXPECT_NE(without.reason.find("compliant"), std::string::npos) << without.reason;
 }
 
-/// A joint, and a slide in a bearing that gives, on a bar that bends.
+/// A joint, and a slide in a compliant bearing on a bending bar.
 TEST(DeflectionTravel, CountsWhatASlideAddsToEachElement) {
   Workcell cell =
       twoRows({.name = "slide", .type = deflection::JointType::kPrismatic, .offset = 0.1, .lower = -0.3, .upper = 0.6},
@@ -227,7 +232,7 @@ TEST(DeflectionTravel, CountsWhatASlideAddsToEachElement) {
   EXPECT_NEAR(travel.per_joint[1], elements.travelBy(first), 1e-10);
 }
 
-/// Where a joint's clearance snaps over, all beyond it jumps.
+/// A joint that moves across its clearance makes all rows beyond the joint jump.
 TEST(DeflectionTravel, AGapLetsEverythingBeyondItJump) {
   Workcell cell = testing::mockup();
   const std::vector<double> thin(cell.arm.rows.size(), 0);
@@ -239,14 +244,14 @@ TEST(DeflectionTravel, AGapLetsEverythingBeyondItJump) {
   }
   const double tool = std::hypot(16.2493, 7.8471) * kInch, forearm = 19.4 * kInch;
   EXPECT_NEAR(gapJumpOf(cell, thin), 0.002 * tool + 0.003 * (forearm + tool), 1e-9);
-  // A body that reaches further than the rows do counts as far as it reaches.
+  // A body that extends beyond the rows counts with its full extent.
   std::vector<double> thick = thin;
   thick[4] = 2;
   EXPECT_NEAR(gapJumpOf(cell, thick), 0.002 * tool + 0.003 * 2, 1e-9);
   const auto travel = deflectionTravelOf(cell, thin);
   EXPECT_FALSE(travel.is_proved);
   EXPECT_EQ(travel.jump, gapJumpOf(cell, thin));
-  // A slide carries what is beyond it as far as it goes out.
+  // A slide adds its greatest extension to the reach of the rows beyond it.
   auto& slide = cell.arm.rows[5].joint;
   slide.type = deflection::JointType::kPrismatic;
   slide.offset = 0.1;

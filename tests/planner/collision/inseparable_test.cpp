@@ -1,4 +1,4 @@
-// Bodies that no posture parts are named and left alone; all others with more than one joint between them are judged.
+// Bodies that no posture separates are listed and not checked; all other bodies more than one joint apart are checked.
 #include "planner/collision/inseparable.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 using testing::shape;
 using Pairs = std::vector<std::pair<int, int>>;
 
-/// Three joints about parallel axes: a forearm, a bare wrist of this length, and a hand.
+/// Returns an arm of three joints with parallel axes: a forearm, a wrist of length `wrist` without a body, and a hand.
 deflection::Arm armWithWrist(double wrist) {
   deflection::Arm arm;
   for (const auto& [name, from] : {std::pair{"forearm", 0.0}, {"wrist", 1.0}, {"hand", wrist}}) {
@@ -56,7 +56,7 @@ TEST(Inseparable, WithinTheClearanceCountsAsNear) {
   EXPECT_EQ(inseparableBodies(arm, scene), Pairs{});
 }
 
-/// The hand folds back along the forearm: seen, though the wrist between them has no shape.
+/// The hand folds back onto the forearm: the contact is found although the wrist between them has no shape.
 TEST(CollisionWorld, JudgesBodiesAcrossALinkWithoutShapes) {
   const testing::ToyArm toy{{1, 1, 1}, 0.05};
   Scene scene = toy.scene({});

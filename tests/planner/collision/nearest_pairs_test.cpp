@@ -19,7 +19,7 @@ using testing::uniformVector;
 
 using Frames = std::vector<Isometry3d>;
 
-/// Postures laid side by side as RowPlacing lays them, the last one again in lanes that are left over.
+/// Returns postures in kernel lanes as RowPlacing lays them out; the last posture is repeated in unused lanes.
 deflection::PlacedRows sideBySide(std::span<const Frames> postures, const kernels::Kernel& kernel) {
   deflection::PlacedRows placed;
   placed.lanes = kernel.lanes;
@@ -76,7 +76,7 @@ std::vector<ShapePointer> obstaclesOfAllKinds() {
           shape("cylinder", {-0.2, -0.4, -0.3, 0.1, -0.2, 0.3, 0.12})};
 }
 
-/// The capsule in its place, the obstacle's own axes and edges among the directions that it may lie along.
+/// Returns a random capsule; in some trials its axis is parallel to an axis or edge of an obstacle, or of zero length.
 Capsule anyCapsule(std::mt19937_64& random, int trial) {
   const Vector3d from = uniformVector(random, -1, 1);
   static const std::array kAxes{Vector3d(1, 0, 0), Vector3d(0, 0, 1), Vector3d(0.8, 0.2, 0.1), Vector3d(0.3, 0.2, 0.6),
@@ -88,7 +88,7 @@ Capsule anyCapsule(std::mt19937_64& random, int trial) {
   return {from, from + along, trial % 5 ? uniform(random, 0.01, 0.2) : 1e-12};
 }
 
-/// Least distance at evenly spaced places of the axis, by the distance of points alone.
+/// Returns the least distance from evenly spaced points of the capsule's axis, computed by pointDistance alone.
 double leastSampled(const Shape& obstacle, const Capsule& body) {
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k <= 400; ++k)
@@ -125,21 +125,21 @@ TEST(NearestPairs, TouchingAndCrossingCountAsContact) {
   };
   const ShapePointer box = shape("box", {0, 0, 0, 2, 2, 2, 0, 0, 0}), rod = shape("cylinder", {0, 0, -1, 0, 0, 1, 1});
   for (const ShapePointer& solid : {box, rod}) {
-    EXPECT_NEAR(distanceOf(capsule({2, 0, 0}, {3, 0, 0}, 1), solid), 0, 1e-15);                 // end on
-    EXPECT_NEAR(distanceOf(capsule({1.5, 0, -3}, {1.5, 0, 3}, 0.5), solid), 0, 1e-15);          // alongside
-    EXPECT_NEAR(distanceOf(capsule({-3, 0, 1.25}, {3, 0, 1.25}, 0.125), solid), 0.125, 1e-15);  // over the end
-    EXPECT_EQ(distanceOf(capsule({-3, 0, 0}, {3, 0, 0}, 0.125), solid), -0.125);                // right through
+    EXPECT_NEAR(distanceOf(capsule({2, 0, 0}, {3, 0, 0}, 1), solid), 0, 1e-15);                 // capsule end on a face
+    EXPECT_NEAR(distanceOf(capsule({1.5, 0, -3}, {1.5, 0, 3}, 0.5), solid), 0, 1e-15);          // along the side face
+    EXPECT_NEAR(distanceOf(capsule({-3, 0, 1.25}, {3, 0, 1.25}, 0.125), solid), 0.125, 1e-15);  // above the end face
+    EXPECT_EQ(distanceOf(capsule({-3, 0, 0}, {3, 0, 0}, 0.125), solid), -0.125);                // through the middle
     EXPECT_EQ(distanceOf(capsule({0, 0, 0}, {0, 0, 0}, 0.125), solid), -0.125);                 // a ball inside
     EXPECT_NEAR(distanceOf(capsule({0, 0, 4}, {0, 0, 4}, 0.5), solid), 2.5, 1e-15);
   }
   const ShapePointer bar = capsule({0, 0, 0}, {1, 0, 0}, 0.25);
   EXPECT_NEAR(distanceOf(capsule({0, 1, 0}, {1, 1, 0}, 0.25), bar), 0.5, 1e-15);  // parallel
-  EXPECT_NEAR(distanceOf(capsule({2, 0, 0}, {3, 0, 0}, 0.25), bar), 0.5, 1e-15);  // in line
+  EXPECT_NEAR(distanceOf(capsule({2, 0, 0}, {3, 0, 0}, 0.25), bar), 0.5, 1e-15);  // collinear
   EXPECT_NEAR(distanceOf(capsule({0.5, -1, 0}, {0.5, 1, 0}, 0.25), bar), -0.5, 1e-15);
   EXPECT_NEAR(distanceOf(capsule({0.5, 0.5, 0}, {0.5, 0.5, 0}, 0.25), bar), 0, 1e-15);
 }
 
-/// Bodies of every kind, all but touching now and then, in scenes with a mesh.
+/// Returns scenes with bodies of every kind, one scene with a mesh; some random poses are almost in contact.
 std::vector<Scene> manyScenes() {
   const std::vector<ShapePointer> bodies = {
       capsule({0, 0, 0}, {0.3, 0, 0}, 0.05), shape("box", {0.1, 0, 0, 0.2, 0.1, 0.08, 0.2, 0, 0}),
@@ -166,7 +166,7 @@ TEST(NearestPairs, AreThoseOfTheWorldInEveryPostureAndInAnyNumberOfLanes) {
     for (std::size_t k = 0; k < postures.size(); ++k) {
       const Clearance expected = world.closest(postures[k]);
       const Clearance named = pairs.named(sideBySide({&postures[k], 1}, kernels::kernels().front()), 0, alone[k]);
-      // Inside one another only the sign is a promise, and which pair is named first.
+      // For overlapping bodies only the sign of the distance is guaranteed, and any overlapping pair may be named.
       if (expected.distance < 0) {
         EXPECT_LT(alone[k].distance, 0);
         continue;

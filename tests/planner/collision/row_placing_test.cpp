@@ -15,8 +15,8 @@ using Eigen::Index, Eigen::VectorXd;
 using testing::mockup;
 using testing::randomPosture;
 
-/// The mock-up; with members in pieces under a load; rigid; and what no kernel takes: a joint that gives about two
-/// axes, an effect.
+/// Returns the mock-up, the mock-up with divided members under a load, and a rigid arm; also arms that no kernel
+/// supports: with a joint compliant about two axes, and with an effect.
 std::vector<Workcell> cells() {
   std::vector<Workcell> cells{mockup(), mockup(), testing::rigid(mockup()), mockup(), mockup()};
   for (auto& row : cells[1].arm.rows)

@@ -1,4 +1,5 @@
-// Random motions of toy arms among obstacles that coarse steps miss: motions judged free, compared with fine steps.
+// Random motions of toy arms among obstacles that coarse sampling misses: motions found free are compared with fine
+// sampling.
 #pragma once
 
 #include <array>
@@ -11,9 +12,9 @@ namespace tubeplan::planner::testing {
 
 struct MotionTally {
   int free = 0, blocked = 0;
-  int refuted = 0;  ///< judged free, although a step is nearer than the proved distance
+  int refuted = 0;  ///< motions found free although a sampled posture is nearer than the proved distance
 
-  /// Counts a motion; fine steps are computed only for one that is judged free.
+  /// Counts a motion; `least_sampled` is computed only for a motion found free.
   void add(const MotionCheckResult& result, const std::function<double()>& least_sampled) {
     if (result.status != MotionCheckStatus::kFree) {
       ++blocked;
@@ -41,7 +42,7 @@ inline ToyArm adversarialArm(int scene) {
   return {{0.6, 0.5, 0.4}, kRadius.at(static_cast<std::size_t>(scene)), kClearance.at(static_cast<std::size_t>(scene))};
 }
 
-/// Returns a mesh at a place with a yaw.
+/// Returns a mesh at position (x, y), rotated by a yaw angle.
 inline ShapePointer placedMesh(const TriangleMesh& mesh, double x, double y, double yaw) {
   return makeShape(*findSceneShape("mesh"), std::vector<double>{x, y, 0, 0, 0, yaw}, &mesh).shape;
 }

@@ -1,5 +1,5 @@
-// Random motions of the mock-up's bent arm among plates of a hundredth of a millimetre: motions judged free, compared
-// with fine steps.
+// Random motions of the mock-up's deflected arm among plates 0.01 mm thick: motions found free are compared with fine
+// sampling.
 #pragma once
 
 #include "planner/collision/arm_clearance.hpp"
@@ -21,7 +21,7 @@ inline Workcell amongThinPlates(Workcell cell, std::mt19937_64& generator) {
   return cell;
 }
 
-/// Checks `motions` motions, with `motions_each` in each scene.
+/// Checks `motions` random motions, `motions_each` of them in each scene.
 inline MotionTally tallyBentArmMotions(std::uint64_t seed, int motions, int samples, int motions_each = 20) {
   std::mt19937_64 generator(seed);
   const Workcell bare = mockup();

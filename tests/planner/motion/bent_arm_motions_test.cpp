@@ -5,7 +5,7 @@
 namespace tubeplan::planner {
 namespace {
 
-/// studies/motion_proofs.cpp does the same with more motions and finer steps.
+/// studies/motion_proofs.cpp repeats this test with more motions and finer sampling.
 TEST(BentArmAmongThinPlates, NoMotionCalledFreeIsRefutedByFineSteps) {
   const auto tally = testing::tallyBentArmMotions(1, 200, 500);
   EXPECT_EQ(tally.refuted, 0);

@@ -88,8 +88,8 @@ TEST(CheckMotion, GivesUpHonestlyWhenPosturesRunOut) {
   EXPECT_NE(result.reason.find("5 postures"), std::string::npos) << result.reason;
 }
 
-/// Motions across plates of 10 micrometres at random places, seldom where a halving falls. The arm is a hair itself, so
-/// that the share of a motion that touches is about a hundred-thousandth.
+/// Motions across plates 10 micrometres thick at random positions, seldom at a point of bisection. The arm is as thin
+/// as a hair, so only about a hundred-thousandth of a motion is in contact.
 TEST(CheckMotion, NoThinPlateIsSteppedOver) {
   const ToyArm hair{{0.6, 0.5, 0.4}, 1e-6};
   std::mt19937_64 generator(77);
@@ -105,10 +105,11 @@ TEST(CheckMotion, NoThinPlateIsSteppedOver) {
     EXPECT_EQ(result.tightest.other, "plate");
     if (trial < 30 && leastSampled(q0, q1, clearance_of, 10000) >= 0) ++missed_by_steps;
   }
-  EXPECT_GT(missed_by_steps, 10);  // else the plates would prove nothing
+  EXPECT_GT(missed_by_steps, 10);  // otherwise sampling would find all plates, and the test would show nothing
 }
 
-/// Random motions among clutter: "free" is never said where fine steps find contact, nor "blocked" where there is room.
+/// Random motions among obstacles: no motion in which fine sampling finds contact is "free", and no motion with ample
+/// clearance is "blocked".
 TEST(CheckMotion, AgreesWithFineStepsOnRandomMotions) {
   const ToyArm arm{{0.6, 0.5, 0.4}, 0.02, 0.01};
   const CollisionWorld world(arm.scene({{"post", shape("cylinder", {0.9, 0.5, -1, 0.9, 0.5, 1, 0.05}), {}},
@@ -136,7 +137,7 @@ TEST(CheckMotion, AgreesWithFineStepsOnRandomMotions) {
   EXPECT_GT(blocked, 15);
 }
 
-/// Always as free, over a motion that moves points by so much.
+/// Returns the check of a motion with constant margin `margin` whose points travel by `travel`.
 MotionCheckResult evenlyFree(double margin, double travel, const MotionCheckOptions& options = {}) {
   const auto clearance_of = [margin](const VectorXd&) {
     Clearance clearance;
@@ -149,7 +150,7 @@ MotionCheckResult evenlyFree(double margin, double travel, const MotionCheckOpti
 TEST(CheckMotion, HalvesUntilTheEndsHaveMoreToSpareThanTheTravelBetween) {
   EXPECT_EQ(evenlyFree(1, 1.5).checks, 2);
   EXPECT_EQ(evenlyFree(1, 1.5).proved_margin, 0.25);
-  EXPECT_EQ(evenlyFree(1, 2).checks, 3);  // just as much is not more: they might touch
+  EXPECT_EQ(evenlyFree(1, 2).checks, 3);  // a travel equal to the margin does not exclude contact
   EXPECT_EQ(evenlyFree(1, 2).proved_margin, 0.5);
   EXPECT_EQ(evenlyFree(1, 5).checks, 5);
 }
@@ -161,7 +162,7 @@ TEST(CheckMotion, HalvesForAccuracyDownToTheLeastTravel) {
   EXPECT_EQ(evenlyFree(1, 1, {.least_travel = 1.1, .accuracy = 0.1}).checks, 2);
 }
 
-/// Asked for all at once, `asked` counting how often.
+/// Returns a clearance function for several postures at once; `asked` counts its calls.
 PostureClearance allAtOnce(const PostureClearance& alone, int& asked) {
   return SideBySideClearance{alone, [alone, &asked](const PostureColumns& q) {
                                ++asked;
@@ -190,8 +191,8 @@ TEST(CheckMotion, AsksForTheMiddlesOfHalvesTooWhereTheyWillBeNeeded) {
     const auto result = checkMotion(posture(0, 0, 0), posture(1, 0, 0), allAtOnce(even, asked), travel);
     EXPECT_EQ(result.status, MotionCheckStatus::kFree);
     EXPECT_EQ(result.checks, is_far ? 9 : 5);
-    EXPECT_EQ(asked, is_far ? 3 : 2);       // both ends; the middle and those of both halves; those of the quarters
-    EXPECT_EQ(alone_asked, result.checks);  // none of them twice, none in vain
+    EXPECT_EQ(asked, is_far ? 3 : 2);       // both ends; the middle and the quarter points; the eighth points
+    EXPECT_EQ(alone_asked, result.checks);  // no posture is evaluated twice or needlessly
   }
 }
 

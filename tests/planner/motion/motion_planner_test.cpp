@@ -82,7 +82,7 @@ TEST(PlanMotion, ShorteningLowersTheCostAsked) {
 }
 
 TEST(PlanMotion, SaysHonestlyThatAWallCutsTheWay) {
-  // The one joint must sweep across the plate; within its limits there is no other way.
+  // The only joint must sweep across the plate; within its limits there is no other path.
   const ToyArm stub{{1.0}, 0.02};
   const CollisionWorld world(stub.scene({{"plate", shape("box", {0.8, 0, 0, 1.0, 1e-5, 1, 0, 0, 0}), {}}}));
   const VectorXd q0 = VectorXd::Constant(1, -0.5), q1 = VectorXd::Constant(1, 0.5);
@@ -124,7 +124,7 @@ TEST(PlanMotion, SameSeedSameWaypointsToTheBit) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const MotionPlan first = planMotion(q0, q1, problem, {.seed = seed});
     const MotionPlan other =
-        planMotion(q1, q0, problem, {.seed = seed + 100});  // what was planned before must not matter
+        planMotion(q1, q0, problem, {.seed = seed + 100});  // an earlier plan must not change the result
     const MotionPlan again = planMotion(q0, q1, problem, {.seed = seed});
     ASSERT_EQ(first.waypoints.size(), again.waypoints.size());
     for (std::size_t i = 0; i < first.waypoints.size(); ++i) EXPECT_EQ(first.waypoints[i], again.waypoints[i]);
@@ -132,7 +132,7 @@ TEST(PlanMotion, SameSeedSameWaypointsToTheBit) {
     EXPECT_EQ(other.status, MotionPlanStatus::kFree);
     costs.insert(first.cost);
   }
-  EXPECT_GT(costs.size(), 1u);  // the seed does reach the search
+  EXPECT_GT(costs.size(), 1u);  // different seeds lead to different searches
 }
 
 TEST(PlanMotion, SameWaypointsWhenThreadsPlanAtOnce) {

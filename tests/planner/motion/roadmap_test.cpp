@@ -53,7 +53,7 @@ TEST(Roadmap, TheSameAnswerWhateverWasAskedBefore) {
 }
 
 TEST(Roadmap, PartsThatNothingJoinsAreToldApart) {
-  // A wall from the base outwards, as tall as the arm is long: the first joint cannot pass it.
+  // A wall extends outwards from the base over the length of the arm, so the first joint cannot pass it.
   const CollisionWorld world(kTwoJoints.scene({{"wall", shape("box", {0.8, 0, 0, 1.2, 0.02, 2, 0, 0, 0}), {}}}));
   auto problem = timed(kTwoJoints.problem(world, 1.4));
   const Roadmap roadmap(problem, {}, small());
@@ -71,7 +71,7 @@ TEST(Roadmap, AnEndThatIsShutInIsNotAttached) {
   auto problem = timed(kTwoJoints.problem(world));
   RoadmapOptions options = small();
   options.random_postures = 0;
-  const Roadmap roadmap(problem, {Vector2d(0, 0)}, options);  // blocked, so left out
+  const Roadmap roadmap(problem, {Vector2d(0, 0)}, options);  // in collision, so the posture is left out
   EXPECT_EQ(roadmap.postures(), 0);
   long checks = 0;
   EXPECT_EQ(roadmap.between(Vector2d(-0.6, 0), Vector2d(0.6, 0), checks).status, RoadmapStatus::kUnattached);

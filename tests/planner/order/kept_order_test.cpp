@@ -1,4 +1,4 @@
-// The order of an earlier plan on a changed list.
+// The order of an earlier plan, applied to a changed list of tubes.
 #include "planner/order/kept_order.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ TEST(KeptOrder, KeepsWhatStaysInItsOrderAndTakesInTheRest) {
   for (int trial = 0; trial < 20; ++trial) {
     const Route route = randomRoute(random, 40, 3, false, false);
     const auto tubes = countedFrom(100, 40);
-    std::vector<int> before = countedFrom(98, 40);  // two of them are gone, two of now are new
+    std::vector<int> before = countedFrom(98, 40);  // two tubes were removed from the list and two were added
     std::shuffle(before.begin(), before.end(), random);
     std::vector<int> order = keptOrder(route, tubes, before);
     ASSERT_EQ(order.size(), 40u);
@@ -38,7 +38,7 @@ TEST(KeptOrder, KeepsWhatStaysInItsOrderAndTakesInTheRest) {
 }
 
 TEST(KeptOrder, OneNewTubeStandsWhereItCostsLeast) {
-  // With one branch each the time of an order is the plain sum: every place can be tried.
+  // With one branch per visit the time of an order is a plain sum, so every position of the new tube can be tried.
   std::mt19937_64 random(9);
   for (int trial = 0; trial < 20; ++trial) {
     const Route route = randomRoute(random, 30, 1, false, false);

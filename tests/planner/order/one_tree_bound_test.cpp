@@ -45,7 +45,7 @@ TEST_P(BoundSeeds, NeverAboveTheOptimum) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, BoundSeeds, ::testing::Range<std::uint64_t>(1, 9));
 
-/// Postures at random, with all of one node and none of another.
+/// Returns a random set of postures that contains all postures of one node and none of another node.
 std::vector<char> randomCut(std::mt19937_64& random, const PostureTable& table) {
   std::vector<char> inside(static_cast<std::size_t>(table.postures()));
   for (char& side : inside) side = static_cast<char>(random() % 2);
@@ -55,7 +55,7 @@ std::vector<char> randomCut(std::mt19937_64& random, const PostureTable& table) 
   return inside;
 }
 
-// Whatever the prices: the bound must not lean on their being found well.
+// Every set of prices gives a valid bound: its validity must not depend on a good choice of prices.
 TEST(PairGraph, AnyPricesGiveABound) {
   std::mt19937_64 random(21);
   for (int i = 0; i < 20; ++i) {
@@ -77,7 +77,7 @@ TEST(PairGraph, AnyPricesGiveABound) {
   }
 }
 
-// With all pairs chosen, both ways to grow the tree must meet.
+// On the complete graph both methods of growing the tree must give the same bound.
 TEST(PairGraph, BothTreesAgreeOnTheCompleteGraph) {
   std::mt19937_64 random(22);
   for (int i = 0; i < 20; ++i) {
@@ -113,8 +113,8 @@ TEST(OneTreeBound, IsWithinTwoPercentForOneBranchEach) {
   EXPECT_GE(near, 18);
 }
 
-// Visits of one family, of another far from it, and of both: a tree may pass from one to the other at those of both
-// without the move between them, a route may not.
+// Some visits have postures of one family, some of a distant second family, and some of both. A tree can change
+// families at the visits with both without paying for the move between families; a route cannot.
 TEST(OneTreeBound, CountsTheMoveBetweenTwoFamiliesOfPostures) {
   std::mt19937_64 random(5);
   for (int trial = 0; trial < 5; ++trial) {

@@ -7,7 +7,7 @@
 namespace tubeplan::planner {
 namespace {
 
-/// Some moves between visits that are divisible by three, and from the start, cost extra.
+/// Returns extra times for some moves between visits divisible by three, and for one move from the start.
 EdgePenalties somePenalties(const Route& route, std::mt19937_64& random) {
   EdgePenalties penalties;
   const int visits = static_cast<int>(route.visits.size());
@@ -35,7 +35,8 @@ void expectTimesOneByOne(const Route& route) {
     }
 }
 
-// Whether joints share one ratio of speed to acceleration or not, and whatever costs extra: the same bits.
+// Times to all postures of a node equal the single times bit for bit, with equal or different joint ratios and extra
+// times.
 TEST(PostureTable, TimesOfAllPosturesOfANodeAreThoseOfEach) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     std::mt19937_64 random(seed);
@@ -50,7 +51,7 @@ TEST(PostureTable, TimesOfAllPosturesOfANodeAreThoseOfEach) {
   }
 }
 
-// A visit that is said to have no moves which cost extra is not asked about; what is found is the same.
+// No extra time is requested for a visit declared to have none, and the resulting table is unchanged.
 TEST(PostureTable, AsksForExtraTimesOnlyWhereTheyMayBe) {
   std::mt19937_64 random(3);
   Route route = randomRoute(random, 10, 5, true, false);

@@ -1,4 +1,5 @@
-// Routes for the tests of ordering: random postures, and lattices reached by a two-link arm with both elbows.
+// Routes for the tests of ordering: random postures, and lattices reached by a two-link arm with the elbow on either
+// side.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +20,7 @@ inline Eigen::VectorXd postureWithinOne(std::mt19937_64& random, int joints) {
   return testing::randomPosture(random, joints, -1, 1);
 }
 
-/// Returns equal speeds for all joints: 6 deg/s and 12 deg/s^2.
+/// Returns equal limits for all joints: 6 deg/s and 12 deg/s^2.
 inline JointSpeeds evenSpeeds(int joints) {
   return {Eigen::VectorXd::Constant(joints, 6 * kDegree), Eigen::VectorXd::Constant(joints, 12 * kDegree)};
 }
@@ -41,7 +42,7 @@ inline Route randomRoute(std::mt19937_64& random, int visits, int most_branches,
 }
 
 /// Returns the postures with the elbow left and right, for links of 1.6 m and a wrist that keeps the tool's direction.
-/// `x`, `y` in m, within reach.
+/// (x, y) is the hole's position [m], within reach.
 inline Visit twoElbows(double x, double y) {
   constexpr double kLink = 1.6;
   const double elbow = std::acos((x * x + y * y) / (2 * kLink * kLink) - 1);
@@ -53,7 +54,7 @@ inline Visit twoElbows(double x, double y) {
   return visit;
 }
 
-/// Returns a route of side x side holes with the pitch [m], starting at (0.9, -0.6) m; `branches` is 1 or 2.
+/// Returns a route of side x side holes with the given pitch [m], starting at (0.9, -0.6) m; `branches` is 1 or 2.
 inline Route latticeRoute(int side, double pitch, int branches) {
   Route route;
   route.speeds = evenSpeeds(3);
@@ -67,7 +68,7 @@ inline Route latticeRoute(int side, double pitch, int branches) {
   return route;
 }
 
-/// Returns the time [s] of an order with branches, computed from the postures.
+/// Returns the time [s] of an order with the given branches, computed directly from the postures.
 inline double timeOf(const Route& route, const std::vector<int>& order, const std::vector<int>& branches) {
   struct Stop {
     int visit, branch;

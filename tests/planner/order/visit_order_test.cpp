@@ -12,7 +12,8 @@
 namespace tubeplan::planner {
 namespace {
 
-// All orders and branches at once: the least time to have visited a set and stand in a posture (Held and Karp 1962).
+// Returns the optimum over all orders and branches by dynamic programming over (set of visits, last posture) (Held and
+// Karp 1962).
 double optimum(const Route& route) {
   struct Posture {
     int visit, branch;
@@ -66,7 +67,7 @@ void expectValid(const Route& route, const VisitOrder& result) {
   EXPECT_NEAR(result.travel_time, timeOf(route, result.order, result.branches), 1e-9 * (1 + result.travel_time));
 }
 
-/// The search, however few the visits.
+/// Returns options for the heuristic search, even for few visits.
 VisitOrderOptions quick(std::uint64_t seed) {
   VisitOrderOptions options;
   options.seed = seed;
@@ -228,7 +229,7 @@ TEST(OrderVisits, BeatsRowByRow) {
 TEST(OrderVisits, KeepsClearOfAForbiddenCrossing) {
   Route route = latticeRoute(6, 0.1, 1);
   const auto side = [](int visit) { return visit >= 0 && visit % 6 >= 3; };
-  // Two halves, and one gate between them.
+  // Two halves of the lattice, connected by a single gate.
   route.extra_time = [&](int a, int, int b, int) {
     if (a < 0 || b < 0 || side(a) == side(b) || (std::min(a, b) == 14 && std::max(a, b) == 15)) return 0.0;
     return std::numeric_limits<double>::infinity();

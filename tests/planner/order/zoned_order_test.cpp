@@ -14,7 +14,7 @@ namespace {
 VisitOrderOptions withSeed(std::uint64_t seed) {
   VisitOrderOptions options;
   options.seed = seed;
-  options.least_kicks = 2000;  // small problems need no more
+  options.least_kicks = 2000;  // enough for these small problems
   return options;
 }
 
@@ -24,7 +24,7 @@ std::vector<int> zonesByTurn(std::size_t visits, int count) {
   return zones;
 }
 
-/// The least time over all orders that keep to the zones, and all branches.
+/// Returns the least time [s] over all branches and all orders that respect the zones.
 double exhaustive(const Route& route, const std::vector<int>& zones) {
   std::vector<int> order(route.visits.size());
   std::iota(order.begin(), order.end(), 0);
@@ -64,7 +64,7 @@ TEST(OrderByZones, TheBoundHoldsForTheBestOrderOfAll) {
   }
 }
 
-/// Where the zones leave no choice of the order, the branches are chosen together: the first with a view of the last.
+/// With one visit per zone the order is fixed; the branches are then optimised over the whole route.
 TEST(OrderByZones, ChoosesBranchesOverAllZones) {
   std::mt19937_64 random(5);
   for (int k = 0; k < 20; ++k) {
@@ -92,7 +92,7 @@ TEST(OrderByZones, ExtraTimesCountAcrossZonesToo) {
   Route route = randomRoute(random, 8, 1, true, false);
   const auto zones = zonesByTurn(8, 2);
   const auto before = orderByZones(route, zones, {});
-  // The step from the first zone to the second and the step from the start are made dear; the way they went is left.
+  // The moves from the start and from the first zone to the second become expensive; other moves remain cheap.
   const int last = before.order[3], next = before.order[4], first = before.order[0];
   EdgePenalties penalties;
   penalties.set(last, 0, next, 0, 100);

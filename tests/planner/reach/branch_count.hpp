@@ -1,8 +1,9 @@
-// Branches of the inverse kinematics compared with those from many random starts, for any arm under holes of its cell.
+// Branches of the inverse kinematics compared with postures from many random starts, for any arm under the holes of its
+// cell.
 //
-// For an arm with more joints than its goals require, postures are a continuum. A posture then counts as found if the
-// search has it at the readings of the redundant joints, at its roll if a wrist rotates the tool, and at its rotation
-// if two axes of the wrist are aligned: the same place in the continuum.
+// For an arm with more joints than its goals require, the postures form a continuum. A posture then counts as found if
+// the search has a posture with equal readings of the redundant joints. If a wrist rotates the tool, the roll must
+// agree too; if two axes of the wrist are aligned, also the rotation between them.
 #pragma once
 
 #include <chrono>
@@ -17,12 +18,12 @@ namespace tubeplan::planner::testing {
 
 struct BranchCount {
   int goals = 0;
-  long brute = 0;      ///< different postures from the random starts, within limits
-  long missed = 0;     ///< postures of `brute` that the search lacks
+  long brute = 0;      ///< different postures from the random starts that are within the limits
+  long missed = 0;     ///< postures of `brute` that the search does not find
   long branches = 0;   ///< usable branches of the flexible arm
-  long wrong = 0;      ///< postures of `branches` with the tip not at its place, or beyond limits
-  int without = 0;     ///< goals that random starts reach within the tilt and the search does not
-  double seconds = 0;  ///< processor time for all branches of all goals, flexible [s]
+  long wrong = 0;      ///< postures of `branches` with the tip not on the goal, or beyond the limits
+  int without = 0;     ///< goals that random starts reach within the allowed tilt and the search does not
+  double seconds = 0;  ///< processor time for all branches of all goals of the flexible arm [s]
 
   BranchCount& operator+=(const BranchCount& other) {
     goals += other.goals, brute += other.brute, missed += other.missed, branches += other.branches;
@@ -40,7 +41,7 @@ inline double apartOf(const deflection::Arm& arm, const Eigen::VectorXd& a, cons
   return most;
 }
 
-/// Returns the different postures of the rigid arm from `starts` random starts.
+/// Returns the different postures of the rigid arm that `starts` random starts lead to.
 inline std::vector<Eigen::VectorXd> bruteForce(const deflection::Arm& rigid, const deflection::ToolGoal& goal,
                                                const Eigen::Vector3d& gravity_B, double max_tilt, int starts,
                                                std::mt19937_64& generator) {
@@ -59,8 +60,8 @@ inline std::vector<Eigen::VectorXd> bruteForce(const deflection::Arm& rigid, con
   return found;
 }
 
-/// Returns true if the search has a posture at the readings of the joints that it holds, which stay constant while its
-/// roots are moved to the goal.
+/// Returns true if the search finds a posture with the readings of `q` in the joints that the search holds fixed while
+/// its roots are refined to the goal.
 inline bool isFound(const deflection::RigidSearch& search, const deflection::Arm& arm, const deflection::ToolGoal& goal,
                     const Eigen::VectorXd& q) {
   using namespace deflection;
@@ -110,7 +111,7 @@ inline BranchCount countBranches(const Workcell& cell, std::span<const Eigen::Ve
   std::vector<ToolGoal> goals;
   for (const auto& place_W : places_W)
     goals.push_back({cell.X_WB.inverse() * place_W, cell.X_WB.linear().transpose() * kHoleAxis_W});
-  (void)solver.solve(goals.front());  // computes what is stored on first use
+  (void)solver.solve(goals.front());  // the first call computes what later calls reuse
 
   BranchCount count;
   count.goals = static_cast<int>(goals.size());
@@ -138,7 +139,7 @@ inline BranchCount countBranches(const Workcell& cell, std::span<const Eigen::Ve
   return count;
 }
 
-/// Returns an arm of `joints` joints, with joint `slide` a slide, of any geometry and limits, on any base.
+/// Returns a random arm of `joints` joints with any geometry, limits and base; joint `slide` is a slide (-1: none).
 inline Workcell drawnArm(int joints, int slide, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const auto angle = [&](double most) { return uniform(generator, -most, most); };
@@ -163,7 +164,7 @@ inline Workcell drawnArm(int joints, int slide, std::uint64_t seed) {
   return cell;
 }
 
-/// Returns places where a posture within the limits has the tool upright, refined from random postures.
+/// Returns positions [m] at which a posture within the limits has the tool upright, refined from random postures.
 inline std::vector<Eigen::Vector3d> placesOf(const Workcell& cell, int count, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const Eigen::Vector3d gravity_B = deflection::gravityInBase(cell.arm, cell.X_WB);
@@ -188,7 +189,7 @@ struct CountedArm {
   std::vector<Eigen::Vector3d> places_W;
 };
 
-/// Returns eight arms, six shipped and two random, each under `count` holes.
+/// Returns eight arms, six shipped and two random, each with `count` holes.
 inline std::vector<CountedArm> countedArms(int count) {
   std::vector<CountedArm> arms;
   for (const char* file :

@@ -1,4 +1,4 @@
-// All branches of eight arms, against random starts: the short form of the study studies/branch_counts.cpp.
+// All branches of eight arms compared with random starts: the short form of studies/branch_counts.cpp.
 #include "tests/planner/reach/branch_count.hpp"
 
 #include <gtest/gtest.h>

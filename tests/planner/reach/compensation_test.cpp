@@ -22,7 +22,7 @@ std::vector<TubeBranch> convergedFor(const Workcell& cell, int tube, Compensatio
   return branches;
 }
 
-/// Most the tip leaves the hole's axis, from 100 postures on each stretch.
+/// Returns the largest distance [m] of the tip from the hole's axis, sampled at 100 postures per path segment.
 double sampledDeviation(const Workcell& cell, const Vector3d& hole, const std::vector<VectorXd>& postures) {
   double worst = 0;
   for (std::size_t k = 0; k + 1 < postures.size(); ++k)
@@ -32,7 +32,7 @@ double sampledDeviation(const Workcell& cell, const Vector3d& hole, const std::v
   return worst;
 }
 
-/// Deflection of the tip at joint readings q.
+/// Returns the deflection of the tip [m] at joint readings q.
 Vector3d deflectionAt(const Workcell& cell, const VectorXd& q) {
   return deflectedTip(cell, q) - deflectedTip(testing::rigid(cell), q);
 }

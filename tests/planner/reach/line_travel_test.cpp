@@ -15,7 +15,7 @@ using testing::mockup;
 
 constexpr double kTolerance = 0.002 * kInch;
 
-/// The standoffs of a tube's branches.
+/// Returns the standoff postures of a tube's branches.
 std::vector<VectorXd> standoffsOf(const Workcell& cell, int tube) {
   std::vector<VectorXd> standoffs;
   for (const auto& branch : compensate(cell, holeOf(cell, tube)))
@@ -32,7 +32,8 @@ double distanceFromLine(const Vector3d& p, const Vector3d& a, const Vector3d& b)
   return (p - a - along * along.dot(p - a)).norm();
 }
 
-/// Most the tip, by the kinematics alone, leaves the line along the flow as it is driven.
+/// Returns the largest distance [m] of the tip from the straight line, sampled along the timed motion by kinematics
+/// alone.
 double sampledDeviation(const Workcell& cell, const LineTravel& line, const JointSpeeds& speeds) {
   const Vector3d a = deflectedTip(cell, line.waypoints.front()), b = deflectedTip(cell, line.waypoints.back());
   double worst = 0;
@@ -75,13 +76,13 @@ TEST(LineTravel, KeepsTheDeflectedTipOnTheLineInTheSameBranch) {
 
 TEST(LineTravel, BetweenOtherBranchesThereIsNone) {
   Workcell cell = mockup();
-  for (auto& row : cell.arm.rows) row.joint.lower = -3.2, row.joint.upper = 3.2;  // elbow up and down
+  for (auto& row : cell.arm.rows) row.joint.lower = -3.2, row.joint.upper = 3.2;  // allows the elbow up and down
   LineTravels lines(cell, jointSpeedsOf(cell.arm));
   const auto tubes = testing::tubesOf(cell, "R20C10,R20C50");
   int refused = 0;
   for (const VectorXd& q0 : standoffsOf(cell, tubes[0]))
     for (const VectorXd& q1 : standoffsOf(cell, tubes[1])) {
-      if (q0[2] * q1[2] > 0) continue;  // the elbow on the same side
+      if (q0[2] * q1[2] > 0) continue;  // skips pairs with the elbow on the same side
       const LineTravel line = lines.between(q0, q1);
       EXPECT_NE(line.status, LineTravelStatus::kOnLine);
       EXPECT_TRUE(line.waypoints.empty());

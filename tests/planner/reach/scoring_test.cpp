@@ -12,7 +12,7 @@ using testing::holeOf;
 using testing::mockup;
 using testing::sideways;
 
-/// A branch with its approach, for the cell's own model.
+/// Returns the first branch of a tube, with its approach, for the cell's own model.
 TubeBranch visitOf(const Workcell& cell, int tube, Compensation mode = Compensation::kViaPoint) {
   CompensationOptions options;
   options.mode = mode;
@@ -50,13 +50,13 @@ TEST(ScoreVisit, AMovedBaseIsTheErrorToTheLastDigit) {
   EXPECT_NEAR(score.offset.y(), shift.y(), 1e-10);
   EXPECT_NEAR(score.height, shift.z(), 1e-10);
   EXPECT_NEAR(score.error, 0.05 * kInch, 1e-10);
-  EXPECT_EQ(score.steps, 2);  // 0.089 and 0.058 in let 0.050 in pass, 0.010 in does not
+  EXPECT_EQ(score.steps, 2);  // 0.050 in is within the tolerances 0.089 and 0.058 in, not within 0.010 in
   EXPECT_NEAR(score.approach_deviation, 0.05 * kInch, 0.0011 * kInch);
 }
 
 TEST(ScoreVisit, WhatTheTrueArmDoesBeyondItsModelIsAdded) {
   Workcell cell = mockup();
-  cell.tool.lengths.clear();  // the lean aside
+  cell.tool.lengths.clear();  // ignores the tilt
   const int tube = testing::tubesOf(cell, "R10C40").front();
   const TubeBranch visit = visitOf(cell, tube);
   const struct {

@@ -72,8 +72,8 @@ TEST(ReachTube, ABoxUnderTheHoleIsNamedWithWhatComesTooNear) {
 }
 
 TEST(ReachTube, WhatIsMetOnlyOnTheWayUpBlocksTheApproach) {
-  // A small ball over the middle of each branch's tool, which lies level, half an inch clear at the standoff: an inch
-  // up is too far.
+  // A small ball above the middle of each branch's horizontal tool, half an inch clear at the standoff. The approach
+  // rises by an inch, so it collides with the ball.
   const Workcell cell = mockup();
   const int tube = tubeAt(cell, "R20C40");
   const TubeReach before = reachTube(ArmClearance(cell), tube);
@@ -95,7 +95,7 @@ TEST(ReachTube, TheSpareIsKeptInHand) {
   const Workcell cell = mockup();
   const int tube = tubeAt(cell, "R10C40");
   TubeReachOptions greedy;
-  greedy.spare = 1;  // a metre: nothing is that clear
+  greedy.spare = 1;  // [m]; no posture has this much clearance
   EXPECT_EQ(reachTube(ArmClearance(cell), tube, greedy).status, ReachStatus::kUnreachable);
 }
 

@@ -37,7 +37,8 @@ Corners anyTriangle(std::mt19937_64& generator, int kind) {
   return t;
 }
 
-/// Least distance of p from points spread over the triangle, and how far any of its points may be from one of them.
+/// Points spread over a triangle, with `spacing` [m] as an upper bound on the distance of any point of the triangle
+/// from the nearest of them.
 struct Spread {
   std::vector<Vector3d> points;
   double spacing;
@@ -105,7 +106,7 @@ TEST(MeshSurvey, SaysWhetherASurfaceHasAnInside) {
   box.triangles.pop_back();
   EXPECT_EQ(surveyMesh(box).open_edges, 3u);
   EXPECT_NE(describe(surveyMesh(box)).find("3 of its edges are open"), std::string::npos);
-  // As STL has it: every triangle with corners of its own.
+  // Each triangle has its own copies of its corners, as in an STL file.
   TriangleMesh apart;
   const TriangleMesh whole = testing::boxMesh({1, 2, 3});
   for (const auto& triangle : whole.triangles) {
@@ -133,8 +134,8 @@ TEST(MeshSurvey, MeshesThatMakeNoSenseAreTold) {
   EXPECT_NE(findMeshProblem(mesh).find("more than"), std::string::npos);
 }
 
-/// A body's distance from a mesh against the same of the shape that the mesh is made of, whose surface is nowhere
-/// farther than `sagitta` from the mesh, on its inner side.
+/// Compares distances of random bodies from a mesh with their distances from the exact shape. The exact surface lies
+/// nowhere more than `sagitta` outside the mesh [m].
 void expectAsFarAs(const MeshShape& mesh, const Shape& exact, double sagitta, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const auto box = testing::shape("box", {0, 0, 0, 0.4, 0.2, 0.1, 0, 0, 0});
@@ -218,7 +219,7 @@ TEST(MeshShape, OverlappingShellsAreOneSolidAndATurnedOneWithinIsARoom) {
 }
 
 TEST(MeshShape, InsideAndOutsideAreToldFromEveryPlace) {
-  // Lattice points see corners, edges and faces of the lattice-shaped mesh along every axis and diagonal.
+  // Rays from lattice points meet corners, edges and faces of the mesh along every axis and diagonal.
   const MeshShape box = meshShape(testing::boxMesh({1, 1, 1}));
   const MeshShape ball = meshShape(testing::ballMesh(1, 12));
   for (int i = -7; i <= 7; ++i)
@@ -310,7 +311,7 @@ TEST(MeshShape, HalvingAnAxisFindsTheSame) {
     }
 }
 
-/// The distance library's opinion; 0 where it takes the two to touch.
+/// Returns the distance according to the FCL library; 0 if FCL reports contact.
 double byLibrary(const fcl::CollisionGeometryd& body, const Isometry3d& X, const fcl::CollisionGeometryd& mesh) {
   const fcl::DistanceRequestd request(true, false, 0, 0, 1e-9, fcl::GST_INDEP);
   fcl::DistanceResultd result;
@@ -346,13 +347,13 @@ TEST(MeshShape, TheDistanceLibraryFindsTheSame) {
     for (const Body& body : bodies) {
       const Isometry3d X = uniformPose(generator, 1);
       const Separation found = mesh.separationFrom(X, solid(body.own));
-      // Inside a mesh the library knows no contact.
+      // FCL reports no contact for a body inside a mesh.
       if (found.distance < 0) continue;
       ++compared;
-      // The distance is proved from below; the point shows that it is no less.
+      // The distance is a proved lower bound; the nearest point shows that the bound is attained.
       EXPECT_NEAR(body.own->pointDistance(X.inverse() * found.point), 0, 1e-9);
       EXPECT_NEAR(mesh.pointDistance(found.point), found.distance, 1e-8);
-      // The library is known to err, but to the far side.
+      // FCL's distances have known errors, but only towards larger values.
       const double other = byLibrary(*body.library, X, model);
       EXPECT_GE(other, found.distance - 1e-7);
       alike += other < found.distance + 2e-5;

@@ -1,4 +1,4 @@
-// Meshes for tests: boxes, balls and cylinders of triangles, and random triangles.
+// Meshes for tests: triangulated boxes, balls and cylinders, and random triangles.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ inline void addQuad(TriangleMesh& mesh, int a, int b, int c, int d) {
   mesh.triangles.push_back({a, c, d});
 }
 
-/// Returns a box with corners at +-half; every face has two triangles, counter-clockwise from outside.
+/// Returns a box with corners at `centre` +- `half`; each face has two triangles, counter-clockwise seen from outside.
 inline TriangleMesh boxMesh(const Eigen::Vector3d& half, const Eigen::Vector3d& centre = Eigen::Vector3d::Zero()) {
   TriangleMesh mesh;
   for (int k = 0; k < 8; ++k)
@@ -29,7 +29,7 @@ inline TriangleMesh boxMesh(const Eigen::Vector3d& half, const Eigen::Vector3d& 
   return mesh;
 }
 
-/// Returns a prism about z, with corners on the cylinder, so inside of it everywhere.
+/// Returns a prism about z with its corners on the cylinder, so the prism lies inside the cylinder.
 inline TriangleMesh cylinderMesh(double radius, double half_length, int sides) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, -half_length}, {0, 0, half_length}};
@@ -47,7 +47,7 @@ inline TriangleMesh cylinderMesh(double radius, double half_length, int sides) {
   return mesh;
 }
 
-/// Returns a mesh with corners on the ball, by latitude and longitude.
+/// Returns a mesh with corners on the sphere, arranged by latitude and longitude.
 inline TriangleMesh ballMesh(double radius, int rings) {
   TriangleMesh mesh;
   const int sides = 2 * rings;
@@ -68,7 +68,7 @@ inline TriangleMesh ballMesh(double radius, int rings) {
   return mesh;
 }
 
-/// Returns triangles of any size and place; some are almost lines, some lines, some points.
+/// Returns random triangles of any size and position; some degenerate almost to lines, some to lines, some to points.
 inline TriangleMesh looseMesh(std::mt19937_64& generator, int triangles) {
   TriangleMesh mesh;
   for (int k = 0; k < triangles; ++k) {

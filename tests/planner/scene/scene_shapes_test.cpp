@@ -10,7 +10,7 @@
 namespace tubeplan::planner {
 namespace {
 
-/// Numbers that make sense for each of a row's fields.
+/// Returns a valid value for each field of a shape's row.
 std::vector<double> plainNumbers(const ShapeRow& row) {
   std::vector<double> numbers;
   for (const ShapeField& field : row.fields)
@@ -55,7 +55,7 @@ TEST(SceneShapes, EverySolidKeepsItsPromises) {
       EXPECT_LE(testing::shape("capsule", {from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), radius})
                     ->pointDistance(farthest),
                 1e-9);
-      // No point of the solid is farther in the direction or from the point.
+      // No point of the solid extends farther along the direction, or lies farther from the point.
       const Eigen::Vector3d inside = testing::uniformVector(generator, -1, 2);
       if (solid.pointDistance(inside) > 0) continue;
       EXPECT_LE(direction.dot(inside), direction.dot(support) + 1e-12);
@@ -94,7 +94,7 @@ TEST(SceneShapes, AMeshStandsAndTurnsAsABoxDoes) {
 }
 
 TEST(SceneShapes, BoxTurnsAboutFixedAxes) {
-  // Roll a quarter turn, then yaw a quarter turn: the box's long z edge lies along world x in the end.
+  // A roll and a yaw of a quarter turn each make the box's long z edge parallel to the world's x axis.
   const double quarter = std::numbers::pi / 2;
   const auto box = testing::shape("box", {0, 0, 0, 0.2, 0.4, 2, quarter, 0, quarter});
   EXPECT_NEAR(box->pointDistance({1.5, 0, 0}), 0.5, 1e-12);

@@ -37,7 +37,8 @@ TEST(NearestToCylinder, SideEndRimAndThrough) {
   EXPECT_EQ(distanceOf(nearestToCylinder({0, 0, -9}, {0, 0, 9}, 2, 5)), 0);
 }
 
-/// The least of the point distance along the segment, which is convex there: thirds close in on it.
+/// Returns the least point distance along the segment by ternary search; the point distance is convex along the
+/// segment.
 double byThirds(const Shape& shape, Vector3d a, Vector3d b) {
   for (int i = 0; i < 200; ++i) {
     const Vector3d third = a + (b - a) / 3, two_thirds = b - (b - a) / 3;
@@ -47,7 +48,7 @@ double byThirds(const Shape& shape, Vector3d a, Vector3d b) {
   return std::max(0.0, shape.pointDistance(0.5 * (a + b)));
 }
 
-/// Segments long and short, along the axes and nearly so, near and far.
+/// Returns a random segment: long or short, along an axis or nearly so, near or far.
 std::pair<Vector3d, Vector3d> segmentOf(std::mt19937_64& generator, int trial) {
   const Vector3d from = uniformVector(generator, -1.5, 1.5);
   Vector3d along = uniformVector(generator, -2, 2) * std::pow(10, uniform(generator, -6, 0));
@@ -87,8 +88,8 @@ ShapePointer randomSolid(const std::string& kind, std::mt19937_64& generator) {
   return shape(kind.c_str(), {0, 0, -length / 2, 0, 0.2, length / 2, radius});
 }
 
-/// No further than any two points of the bodies: from points found by turns, each the nearest to the other's, which for
-/// convex bodies close in on the distance from above. `points` starts.
+/// Returns an upper bound of the distance by alternating projections: each point is replaced by the nearest point to
+/// the other body's. For convex bodies the bound converges to the distance. `starts` is the number of random starts.
 double fromAbove(const Isometry3d& X_AB, const Solid& a, const Solid& b, std::mt19937_64& generator, int starts) {
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < starts; ++k) {
@@ -106,7 +107,7 @@ double fromAbove(const Isometry3d& X_AB, const Solid& a, const Solid& b, std::mt
 
 class OfKinds : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
 
-/// Where own proposal and library differ by more than a micro-inch, the points found by turns decide.
+/// Alternating projections decide where our distance and the library's differ by more than a micro-inch.
 TEST_P(OfKinds, NeverFurtherThanTwoPointsNorNearerThanTheLibrary) {
   std::mt19937_64 generator(5);
   int apart = 0, differ = 0, too_near = 0;
@@ -121,7 +122,7 @@ TEST_P(OfKinds, NeverFurtherThanTwoPointsNorNearerThanTheLibrary) {
     ++differ;
     const double above = fromAbove(X_AB, solid(a), solid(b), generator, 5);
     most_over = std::max(most_over, own - above);
-    // The cores touch or nearly so: then only contact is a promise.
+    // If the library finds the cores in contact, only contact is guaranteed, so the case does not count.
     if (own < other - 2.54e-8 && other > 0) ++too_near;
   }
   EXPECT_LE(most_over, 1e-12);

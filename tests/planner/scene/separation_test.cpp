@@ -21,8 +21,8 @@ Isometry3d at(double x, double y, double z) {
   return X;
 }
 
-/// Distance of a segment from a shape, by the shape's point distance alone: convex along the segment, so thirds close
-/// in on it.
+/// Returns the distance of a segment from a shape by ternary search on the shape's point distance, which is convex
+/// along the segment.
 double segmentDistance(const Shape& shape, Vector3d a, Vector3d b) {
   for (int i = 0; i < 200; ++i) {
     const Vector3d third = a + (b - a) / 3, two_thirds = b - (b - a) / 3;
@@ -57,7 +57,7 @@ TEST(NearestPoints, NoSampledPairIsNearer) {
   for (int trial = 0; trial < 300; ++trial) {
     const Vector3d a0 = uniformVector(generator, -1, 1), a1 = uniformVector(generator, -1, 1),
                    b0 = uniformVector(generator, -1, 1);
-    // Every other pair of segments is all but parallel.
+    // Every other pair of segments is nearly parallel.
     const Vector3d b1 = trial % 2 ? uniformVector(generator, -1, 1)
                                   : Vector3d(b0 + 0.7 * (a1 - a0) + 1e-7 * uniformVector(generator, -1, 1));
     const auto pair = nearestPoints(a0, a1, b0, b1);
@@ -69,7 +69,7 @@ TEST(NearestPoints, NoSampledPairIsNearer) {
       sampled = std::min(sampled, (b0 + t * along - p).norm());
     }
     EXPECT_LE(distance, sampled + 1e-12);
-    EXPECT_GE(distance, sampled - 2e-3);  // half a sample's spacing, at most
+    EXPECT_GE(distance, sampled - 2e-3);  // at most half the spacing of the samples
   }
 }
 
@@ -83,7 +83,7 @@ TEST(CapsuleSeparation, ClosedForms) {
 }
 
 TEST(PlaneSeparation, ExactForEveryBody) {
-  const auto plane = shape("keep_side", {0, 0, 1, 0, 0, -2});  // allowed: z < 1
+  const auto plane = shape("keep_side", {0, 0, 1, 0, 0, -2});  // keeps bodies at z < 1
   EXPECT_NEAR(plane->separationFrom(at(5, 6, 0), solid(shape("sphere", {0, 0, 0, 0.25}))).distance, 0.75, 1e-15);
   EXPECT_NEAR(plane->separationFrom(at(0, 0, 0), solid(shape("capsule", {0, 0, 0, 1, 1, 0.5, 0.1}))).distance, 0.4,
               1e-15);
@@ -110,8 +110,8 @@ TEST(SphereInteriorSeparation, ExactForEveryBody) {
   EXPECT_NEAR(bowl->separationFrom(at(3, 0, 0), solid(shape("sphere", {0, 0, 0, 0.25}))).distance, -1.25, 1e-15);
 }
 
-/// A capsule among poses all around an obstacle, near-contact ones included, against the point distance of the
-/// obstacle.
+/// Compares the distance of capsules in poses all around an obstacle, some nearly in contact, with a distance computed
+/// from the obstacle's point distance.
 void expectRightAgainstCapsules(const ShapePointer& obstacle, int poses, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   double worst_over = 0, worst_under = 0;
@@ -120,7 +120,7 @@ void expectRightAgainstCapsules(const ShapePointer& obstacle, int poses, std::ui
     const double length = i % 7 ? uniform(generator, 0.01, 1.5) : 0, radius = uniform(generator, 0.005, 0.1);
     const auto capsule = shape("capsule", {0, 0, 0, length, 0, 0, radius});
     Isometry3d X_WB = uniformPose(generator, 1.2);
-    if (i % 11 == 0) X_WB.linear().setIdentity();  // edges and faces met squarely
+    if (i % 11 == 0) X_WB.linear().setIdentity();  // parallel to the obstacle's edges and faces
     const double core = segmentDistance(*obstacle, X_WB.translation(), X_WB * Vector3d(length, 0, 0));
     const double found = obstacle->separationFrom(X_WB, solid(capsule)).distance;
     if (core < 1e-7) {
@@ -159,7 +159,7 @@ TEST(LibrarySeparation, BoxesBySupportAndByCorners) {
   for (int i = 0; i < 3000; ++i) {
     const Isometry3d X = uniformPose(generator, 1.2);
     const double found = obstacle->separationFrom(X, solid(body)).distance;
-    // Upper bound of the true distance: the body's surface sampled on its edges.
+    // Upper bound of the true distance: the least distance from the edges of the body.
     double sampled = 1e9;
     for (int edge = 0; edge < 12; ++edge) {
       const int axis = edge / 4;
@@ -171,7 +171,8 @@ TEST(LibrarySeparation, BoxesBySupportAndByCorners) {
       sampled = std::min(sampled, segmentDistance(*obstacle, X * from, X * to));
     }
     EXPECT_LE(found, std::max(sampled, 0.0) + 1e-12);
-    // A corner of the obstacle may be nearest to a face of the body: seen the other way round it is the same gap.
+    // The distance must not change if body and obstacle are exchanged, even if a corner of the obstacle is nearest to a
+    // face.
     const double other_way = body->separationFrom(X.inverse(), solid(obstacle)).distance;
     if (found <= 1e-6) continue;
     EXPECT_NEAR(found, other_way, 1e-8);

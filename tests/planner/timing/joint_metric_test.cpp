@@ -19,7 +19,7 @@ Eigen::VectorXd vectorOf(std::initializer_list<double> values) {
 }
 
 TEST(MoveDuration, TriangleOfOneJoint) {
-  const JointSpeeds speeds{vectorOf({2}), vectorOf({4})};  // cruises from 1 rad on
+  const JointSpeeds speeds{vectorOf({2}), vectorOf({4})};  // reaches full speed in moves of 1 rad or more
   EXPECT_DOUBLE_EQ(moveDuration(vectorOf({0}), vectorOf({0.25}), speeds), 2 * std::sqrt(0.25 / 4));
   EXPECT_DOUBLE_EQ(moveDuration(vectorOf({0.3}), vectorOf({-0.7}), speeds), 1.0);
 }
@@ -46,7 +46,8 @@ TEST(MoveDuration, TheSlowestJointDecides) {
   EXPECT_DOUBLE_EQ(moveDuration(vectorOf({0, 0, 0}), vectorOf({1, -2, 0.5}), speeds), 0.5 / 0.1 + 0.1 / 2);
 }
 
-// One joint is slow to cruise, the other slow to start: on the straight line the first waits for the second's start.
+// One joint is limited by speed, the other by acceleration; on the straight move both limits apply to the common
+// motion.
 TEST(StraightMoveDuration, TakesTheWorstOfBothLimits) {
   const JointSpeeds speeds{vectorOf({1, 100}), vectorOf({100, 1})};
   const Eigen::VectorXd from = vectorOf({0, 0}), to = vectorOf({4, 4});

@@ -12,8 +12,8 @@ namespace {
 
 using testing::randomPosture, testing::uniform;
 
-// Speeds of the chords and accelerations between the middles of neighbouring chords: both are averages of the true
-// ones.
+// Checks speeds along chords, and accelerations between the midpoints of neighbouring chords; both are averages of the
+// true values.
 void expectWithinLimits(const std::vector<TimedPosture>& samples, const JointSpeeds& speeds) {
   for (std::size_t k = 1; k < samples.size(); ++k) {
     const double step = samples[k].time - samples[k - 1].time;
@@ -95,7 +95,7 @@ TEST_P(RandomMoves, StayWithinTheLimitsOnTheStraightLine) {
   std::mt19937_64 random(GetParam());
   for (int i = 0; i < 800; ++i) {
     const JointSpeeds speeds{randomPosture(random, 4, 0.05, 2), randomPosture(random, 4, 0.05, 4)};
-    const double reach = i % 3 == 0 ? 0.02 : 3;  // triangles as well as trapezoids
+    const double reach = i % 3 == 0 ? 0.02 : 3;  // short moves without a cruise phase as well as long ones
     const Eigen::VectorXd a = randomPosture(random, 4, -reach, reach), b = randomPosture(random, 4, -reach, reach);
     const TimedPolyline line = timePolyline({a, b}, speeds);
     const std::vector<TimedPosture> samples = samplePolyline(line, line.duration / 97);
@@ -128,7 +128,7 @@ TEST(TimePolyline, RestsAtEveryWaypointAndKeepsTheLimits) {
     expectWithinLimits(samples, speeds);
     std::size_t met = 0;
     for (std::size_t k = 0; k < samples.size(); ++k) {
-      if (met < waypoints.size() && samples[k].posture == waypoints[met]) ++met;  // exactly, in turn
+      if (met < waypoints.size() && samples[k].posture == waypoints[met]) ++met;  // each waypoint exactly and in order
       if (k == 0) continue;
       EXPECT_GT(samples[k].time, samples[k - 1].time);
       EXPECT_LE(samples[k].time - samples[k - 1].time, 0.02 * (1 + 1e-9));

@@ -25,14 +25,14 @@ TEST(LipschitzDistance, MeetsClosedFormsToItsAccuracyFromBelow) {
     ShapePointer other;
     double distance;
   } cases[] = {
-      {shape("keep_side", {0, 0, -0.2, 0, 0, 1}), 0.15},            // the lower end
-      {shape("keep_side", {0.3, 0, 0, -1, 0, 0}), 0.25},            // parallel: the same everywhere
-      {shape("inside_of.sphere", {0, 0, 0.3, 1}), 0.65},            // both ends alike
-      {shape("sphere", {0.5, 0, 0.31, 0.1}), 0.35},                 // the inner part
-      {shape("capsule", {0.4, -1, 0.2, 0.4, 1, 0.2, 0.02}), 0.33},  // skew
+      {shape("keep_side", {0, 0, -0.2, 0, 0, 1}), 0.15},            // the lower end is nearest
+      {shape("keep_side", {0.3, 0, 0, -1, 0, 0}), 0.25},            // parallel: equal distance everywhere
+      {shape("inside_of.sphere", {0, 0, 0.3, 1}), 0.65},            // both ends are equally near
+      {shape("sphere", {0.5, 0, 0.31, 0.1}), 0.35},                 // an inner point is nearest
+      {shape("capsule", {0.4, -1, 0.2, 0.4, 1, 0.2, 0.02}), 0.33},  // skew axes
       {shape("box", {0.5, 0, 0.3, 0.2, 0.2, 0.2, 0, 0, 0}), 0.35},
       {shape("cylinder", {0.5, 0, -1, 0.5, 0, 1, 0.1}), 0.35},  // parallel
-      {shape("sphere", {0, 0, 0.3, 0.1}), -0.15},               // inside one another
+      {shape("sphere", {0, 0, 0.3, 0.1}), -0.15},               // overlapping
   };
   for (const double accuracy : {1e-3, 1e-5})
     for (const auto& [other, distance] : cases) {
@@ -67,7 +67,7 @@ TEST(LipschitzDistance, NeverAboveWhatDenseSamplingOfTheAxisFinds) {
             sampled, other->pointDistance(capsule.from + k / 200. * (capsule.to - capsule.from)) - capsule.radius);
       const double found = lipschitzDistance(capsule, *other, {.accuracy = 1e-5});
       EXPECT_LE(found, sampled + 1e-12);
-      // No point of the axis is further than a 400th of its length from a sampled one.
+      // Every point of the axis is within a 400th of the axis length of a sampled point.
       EXPECT_GE(found, sampled - 1e-5 - (capsule.to - capsule.from).norm() / 400);
     }
 }
@@ -89,7 +89,7 @@ TEST(LipschitzDistance, ShareAndEnoughKeepTheirPromises) {
   }
 }
 
-/// What the planner's own world says of every pair that may not touch.
+/// Returns the collision world's distance [m] for every pair that must keep clear, keyed by the names of the pair.
 std::map<std::string, double> pairDistances(const CollisionWorld& world, const std::vector<Eigen::Isometry3d>& frames) {
   std::map<std::string, double> distances;
   for (const auto& pair : world.allPairs(frames))
@@ -111,7 +111,7 @@ TEST_P(ByOtherMeans, EveryPairOfTheCellIsAsFarAsTheCollisionWorldSays) {
     const auto distances = pairDistances(world, frames);
     for (const auto& body : cell.scene.bodies)
       for (const auto& obstacle : cell.scene.obstacles) {
-        // Two bodies of one name are one entry: the base-link's and that of a pair left out.
+        // Bodies of one label share one entry, so pairs of the base-link are skipped.
         if (mayTouch(obstacle, body) || body.link == "base-link") continue;
         const auto& capsule = static_cast<const Solid&>(*body.shape).around();
         const auto& X_WL = frames[static_cast<std::size_t>(body.frame_index)];
@@ -133,7 +133,8 @@ TEST_P(ByOtherMeans, EveryPairOfTheCellIsAsFarAsTheCollisionWorldSays) {
   EXPECT_LT(apart, compared);
 }
 
-/// Boxes and cylinders for capsules: each other body is a box about its capsule's axis, each third a cylinder.
+/// Returns the cell with capsules replaced: every second body by a box about its capsule's axis, every third of the
+/// others by a cylinder.
 Workcell withOtherSolids(Workcell cell) {
   for (std::size_t k = 0; k < cell.scene.bodies.size(); ++k) {
     Body& body = cell.scene.bodies[k];
@@ -149,7 +150,7 @@ Workcell withOtherSolids(Workcell cell) {
   return cell;
 }
 
-/// A solid that is no capsule is no nearer than it is: the capsule around it would be.
+/// Distances of boxes and cylinders are exact: the capsules around these solids would give smaller margins.
 TEST_P(ByOtherMeans, TheLeastMarginOfOtherSolidsIsTheCollisionWorlds) {
   const Workcell cell = withOtherSolids(mockup());
   const CollisionWorld world(cell.scene);

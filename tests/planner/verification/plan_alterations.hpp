@@ -1,4 +1,4 @@
-// Alterations of a plan, or of its cell, that make the plan wrong.
+// Alterations of a plan, or of its cell, that invalidate the plan.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace tubeplan::planner::testing {
 using Eigen::Vector3d, Eigen::VectorXd;
 using Generator = std::mt19937_64;
 
-/// Cell with a plan, to be altered.
+/// Cell and its plan, both to be altered.
 struct Work {
   Workcell cell;
   StatedPlan plan;
@@ -23,7 +23,7 @@ struct Work {
 inline int pick(Generator& generator, std::size_t count) { return static_cast<int>(generator() % count); }
 inline double sign(Generator& generator) { return generator() % 2 ? 1 : -1; }
 
-/// Returns the rows of the whole path for which `wanted` is true.
+/// Returns the indices of the rows of the path for which `wanted` is true.
 inline std::vector<std::size_t> rowsWhere(const StatedPlan& plan, const std::function<bool(std::size_t)>& wanted) {
   std::vector<std::size_t> rows;
   for (std::size_t k = 0; k < plan.path.size(); ++k)
@@ -36,7 +36,7 @@ inline std::size_t anyRow(const StatedPlan& plan, SegmentKind kind, Generator& g
   return rows[static_cast<std::size_t>(pick(generator, rows.size()))];
 }
 
-/// Removes rows first..last - 1 and renumbers times and segments accordingly.
+/// Removes rows first..last - 1, and adjusts the times and segment numbers of the later rows.
 inline void cutOut(StatedPlan& plan, std::size_t first, std::size_t last, int segments) {
   const double time = plan.path[last - 1].time - (first > 0 ? plan.path[first - 1].time : 0);
   for (std::size_t k = last; k < plan.path.size(); ++k) {
@@ -53,7 +53,8 @@ inline std::size_t firstRowOf(const StatedPlan& plan, int segment) {
 
 inline Vector3d direction(Generator& generator) { return uniformPose(generator, 1).linear().col(0); }
 
-/// Alteration that breaks a rule; false if it would not have this time, so that it does not count.
+/// Alteration that breaks a rule; `apply` returns false if the alteration happens to break none, so that it does not
+/// count.
 struct Alteration {
   const char* name;
   bool (*apply)(Work& work, Generator& generator);
@@ -74,8 +75,8 @@ inline bool turnGoalRow(Work& work, Generator& generator) {
   return true;
 }
 
-/// Turns a row up or down. Harmless if the tip moves so little, or so upright, that it stays within the tolerance of
-/// the axis.
+/// Changes a joint in a row of an approach or retreat. Returns false if the tip stays within the tolerance of the
+/// hole's axis.
 inline bool turnUpOrDownRow(Work& work, Generator& generator) {
   const auto kind = generator() % 2 ? SegmentKind::kApproach : SegmentKind::kRetreat;
   VectorXd& q = work.plan.path[anyRow(work.plan, kind, generator)].q;
@@ -84,8 +85,8 @@ inline bool turnUpOrDownRow(Work& work, Generator& generator) {
   return sideways(deflectedTip(work.cell, q), before) > 0.0022 * kInch;
 }
 
-/// Turns the joint that limits the speed, so that one neighbouring row is too far away in the time. For other joints
-/// and stretches a hundredth of a degree stays within the limits, and the clearance is proved for the altered path.
+/// Moves the joint that limits the speed, so that the move to a neighbouring row is too fast. Other joints and path
+/// segments tolerate a hundredth of a degree, and the clearance is proved for the altered path.
 inline bool turnTheFastestJoint(Work& work, Generator& generator) {
   const JointSpeeds limits = jointSpeedsOf(work.cell.arm);
   auto& path = work.plan.path;
@@ -182,7 +183,7 @@ inline bool loseJointValue(Work& work, Generator& generator) {
   return true;
 }
 
-/// Puts a ball of a thumb's size at the tool or the forearm at some time of the path.
+/// Puts a ball the size of a thumb at the tool or the forearm in a random row of the path.
 inline bool standInTheWay(Work& work, Generator& generator) {
   const auto& row = work.plan.path[static_cast<std::size_t>(pick(generator, work.plan.path.size()))];
   const auto frames = bodyFrames(work.cell, row.q, nullptr);
@@ -191,7 +192,7 @@ inline bool standInTheWay(Work& work, Generator& generator) {
   return true;
 }
 
-/// Puts a needle where the thin tool tip passes midway between two rows, far enough apart that neither touches it.
+/// Puts a needle where the thin tool tip passes midway between two rows that are too far apart to touch the needle.
 inline bool standBetweenRows(Work& work, Generator& generator) {
   const auto k = anyRow(work.plan, SegmentKind::kTravel, generator);
   const auto needleAt = [&](const VectorXd& q) -> Vector3d {
@@ -249,8 +250,8 @@ inline bool stopTheClock(Work& work, Generator& generator) {
   return true;
 }
 
-/// Removes all rows between standoff and hole, which leaves one straight joint move. Harmless if that keeps to the
-/// axis.
+/// Removes all rows between standoff and hole, which leaves one straight joint move. Returns false if this move keeps
+/// to the hole's axis.
 inline bool leaveOutViaPoints(Work& work, Generator& generator) {
   const int tube = pick(generator, work.plan.tubes.size());
   const int segment = 3 * tube + (generator() % 2);
@@ -294,7 +295,7 @@ inline bool callNoTubeUnreachable(Work& work, Generator& generator) {
   return true;
 }
 
-/// Moves the tip through the sheet between two holes, with a complete and slow enough path.
+/// Moves the tip through the sheet between two holes, with a complete and sufficiently slow path.
 inline bool driveThroughTheSheet(Work& work, Generator& generator) {
   const int segment = work.plan.path[anyRow(work.plan, SegmentKind::kTravel, generator)].segment;
   for (auto& row : work.plan.path) {
@@ -319,7 +320,8 @@ inline bool stateMoreTime(Work& work, Generator&) {
   return true;
 }
 
-/// Raises a stated clearance by a tenth of an inch; the stated value at a row may be a twentieth too small.
+/// Raises the stated least clearance by a tenth of an inch; a clearance stated at a row may be a twentieth of an inch
+/// too small.
 inline bool stateMoreClearance(Work& work, Generator&) {
   *work.plan.least_clearance += 0.1 * kInch;
   return true;

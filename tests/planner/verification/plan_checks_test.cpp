@@ -55,7 +55,7 @@ TEST_F(Checked, AnUntouchedPlanIsProvedWithThePlannersOwnFigures) {
   EXPECT_GT(check.worst_approach, 0);
   EXPECT_NEAR(check.worst_speed_share, 1, 1e-9);
   EXPECT_NEAR(check.worst_acceleration_share, 1, 1e-6);
-  // Both proofs are lower bounds of one and the same least margin, each good to 0.010 in.
+  // Both proofs give lower bounds of the same least margin, each within 0.010 in.
   EXPECT_NEAR(check.least_margin, plan_->min_margin, 0.011 * kInch);
   EXPECT_GE(check.least_margin, 0);
   EXPECT_FALSE(check.tightest.empty());
@@ -66,7 +66,7 @@ TEST_F(Checked, EveryAlterationThatBreaksARuleIsCaught) {
   int altered = 0;
   for (const auto& alteration : kAlterations) {
     int counted = 0;
-    // Those that happen to break nothing are drawn again; 40 draws are plenty for each.
+    // Alterations that break no rule are drawn again; 40 draws suffice for each kind.
     for (std::uint64_t seed = 1; seed <= 40 && counted < kRounds; ++seed) {
       Generator generator(seed);
       Work work = *work_;
@@ -83,8 +83,8 @@ TEST_F(Checked, EveryAlterationThatBreaksARuleIsCaught) {
 }
 
 TEST_F(Checked, WhatIsLetPassBreaksNoRule) {
-  // A hundredth of a degree in any row: where the check says proved, the tip is still on the axis and no joint is too
-  // fast.
+  // Changes any row by a hundredth of a degree: where the check still proves the plan, the tip is on the axis and no
+  // joint is too fast.
   const JointSpeeds limits = jointSpeedsOf(work_->cell.arm);
   int passed = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -156,7 +156,7 @@ TEST_F(Checked, OnlyAnApproachAndARetreatHaveLeaveToTouch) {
   EXPECT_NE(check.findings.front().find("segment 3 cannot be a retreat"), std::string::npos) << check.findings.front();
 }
 
-/// Two thin links of one metre that turn in a plane, and nothing else.
+/// Returns an arm of two thin links, each 1 m long, that rotate in a plane, and an otherwise empty cell.
 Workcell twoLinks() {
   Workcell cell;
   for (const char* name : {"link1", "link2"}) {
@@ -177,8 +177,8 @@ Workcell twoLinks() {
 }
 
 TEST(CheckPlan, NothingThinIsSteppedOverHoweverFarApartTheRowsAre) {
-  // The arm stretched out sweeps by its first joint alone, or its last link by the second: over a needle at the very
-  // end, or beside it.
+  // The first joint sweeps the stretched arm, or the second joint the last link, past a needle: either within the
+  // clearance of the arm's end or just outside it.
   for (int joint : {0, 1})
     for (double step : {0.02, 0.1, 0.5, 1.5})
       for (double where : {0.3, 0.5, 0.8}) {
@@ -200,7 +200,7 @@ TEST(CheckPlan, NothingThinIsSteppedOverHoweverFarApartTheRowsAre) {
       }
 }
 
-/// A linkage that turns the second link by so many turns of the first, against its own.
+/// Returns the arm with a linkage that rotates the second link by `ratio` times the first joint's angle.
 Workcell linked(double ratio) {
   Workcell cell = twoLinks();
   cell.arm.rows[1].joint = {.name = "linkage", .type = deflection::JointType::kPassive, .follows = {{0, ratio}}};
@@ -282,7 +282,7 @@ TEST_F(Checked, AStopIsNoProof) {
   EXPECT_EQ(check.findings.back(), "stopped before the clearance was proved");
 }
 
-// Fuzzing found a plan with a row two hundred thousand turns away: the way there was halved for six minutes, unstopped.
+// Fuzzing found a plan with a row 200,000 turns away: the check bisected the move for six minutes and did not stop.
 TEST_F(Checked, ARowFarPastItsLimitIsRefutedAtOnce) {
   Work work = *work_;
   work.plan.path[7].q[0] = 1e6;

@@ -1,4 +1,5 @@
-// The flexible kinematics of random arms beside the checker's own statics, which share neither elements nor sweeps.
+// The flexible kinematics of random arms compared with the checker's independent statics, which shares no elements or
+// sweeps.
 #include <gtest/gtest.h>
 
 #include "planner/verification/segmented_statics.hpp"
@@ -17,7 +18,7 @@ RC_GTEST_PROP(SegmentedStatics, AgreesWithTheFlexibleKinematicsOfRandomArms, ())
   const auto shape = solveFlexibleKinematics(arm, posture);
   RC_PRE(isModest(arm, shape));
   SegmentedStaticsOptions options;
-  options.pieces = 256;  // a lump hangs from the end of its piece
+  options.pieces = 256;  // fine pieces, since each lumped weight hangs from the end of its piece
   const auto other = solveSegmentedStatics(arm, posture, options);
   RC_ASSERT(other.status == SegmentedStaticsStatus::kConverged);
   const double sag = (shape.X_BD.p - shape.X_BT.p).norm();

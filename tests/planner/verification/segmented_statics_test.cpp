@@ -1,4 +1,4 @@
-// The checker's own statics: closed forms, convergence, and the shipped arms beside the flexible kinematics.
+// The checker's own statics: closed forms, convergence, and the shipped arms compared with the flexible kinematics.
 #include "planner/verification/segmented_statics.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace {
 using deflection::Arm, deflection::Posture;
 using Eigen::Vector3d, Eigen::VectorXd;
 
-/// A cantilever of 2 m along x, its z axis level.
+/// Returns a cantilever 2 m long along x with its z axis horizontal.
 Arm cantilever(double E, double I) {
   Arm arm;
   auto& row = arm.rows.emplace_back();
@@ -36,14 +36,14 @@ SegmentedStatics solved(const Arm& arm, double load, int pieces = 32) {
 }
 
 TEST(SegmentedStatics, ACantileverSagsByTheClosedForm) {
-  const Arm arm = cantilever(2e11, 1e-6);  // 2e5 N m^2
+  const Arm arm = cantilever(2e11, 1e-6);  // E I = 2e5 N m^2
   EXPECT_NEAR(solved(arm, 100, 512).p_BD.z(), -100. * 8 / (3 * 2e5), 1e-6 * 100 * 8 / (3 * 2e5) + 1e-8);
   Arm heavy = arm;
   heavy.rows[0].weight.distributed = 50;
   EXPECT_NEAR(solved(heavy, 0, 512).p_BD.z(), -50. * 16 / (8 * 2e5), 1e-8);
 }
 
-// Bisshopp and Drucker (1945): at P L^2 / EI = 1 a cantilever sags by 0.3017 of its length and ends 0.0566 nearer.
+// Bisshopp and Drucker (1945): at P L^2 / EI = 1 the tip of a cantilever sags by 0.3017 L and moves 0.0566 L inwards.
 TEST(SegmentedStatics, ALargeDeflectionIsTheElastica) {
   const auto shape = solved(cantilever(2e11, 1e-6), 2e5 / 4, 512);
   ASSERT_EQ(shape.status, SegmentedStaticsStatus::kConverged) << shape.reason;
@@ -68,7 +68,7 @@ VectorXd anyPosture(const Arm& arm, std::mt19937_64& random) {
   return q;
 }
 
-/// Largest distance between the tips of both methods over random postures and loads [m].
+/// Returns the largest distance between the tips of both methods over random postures and loads [m].
 double worstDifference(const Arm& arm, const Eigen::Isometry3d& X_WB, double largest_load, int seed) {
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   double worst = 0;

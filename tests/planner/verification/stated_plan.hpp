@@ -1,4 +1,4 @@
-// Plan in the form of its files.
+// A plan in the form in which plan files state it.
 #pragma once
 
 #include "planner/verification/plan_checks.hpp"
