@@ -1,5 +1,5 @@
-// Readings of the shipped bench by an arm with one hidden effect: every joint moves freely, under three loads, with
-// known approach directions.
+// Readings of the shipped bench for an arm with one hidden effect: all joints move freely under three loads, with known
+// approach directions.
 #pragma once
 
 #include <boost/random/mersenne_twister.hpp>
@@ -23,8 +23,8 @@ inline app::Cell shippedBench() {
   return app::readCell((std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells/bench.yaml").string());
 }
 
-/// Returns readings with the noise of the arm's encoders and 0.003 in at the tip; without an effect if its name is
-/// empty.
+/// Returns readings with the noise of the arm's encoders and of 0.003 in at the tip; without a hidden effect if
+/// `effect` is empty.
 inline std::vector<Measurement> benchReadings(const app::Cell& cell, const std::string& effect, const std::string& at,
                                               const std::vector<double>& values, int count, std::uint64_t seed) {
   auto arm = cell.arm;

@@ -1,4 +1,4 @@
-// Readings of the Cobra with noise, and effects to hide in the measured arm.
+// Readings of the Cobra with noise, and hidden effects for the measured arm.
 #pragma once
 
 #include <boost/random/mersenne_twister.hpp>
@@ -25,12 +25,12 @@ inline deflection::Arm withEffect(deflection::Arm arm, const std::string& name, 
 struct CampaignPlan {
   int postures = 36;
   int repeats = 1;
-  double noise = kReadingSigma;  ///< noise of each coordinate, whatever is stated [m]
+  double noise = kReadingSigma;  ///< actual noise of each coordinate [m], independent of `stated`
   double stated = kReadingSigma;
 };
 
-/// Returns positions under 0, 60 and 120 N in turn, with random approach directions and temperatures, one reading per
-/// minute. Joints have their encoders' noise.
+/// Returns positions under loads of 0, 60 and 120 N in turn, with random approach directions and temperatures, one
+/// reading per minute. Joint readings contain encoder noise.
 inline std::vector<Measurement> makeCampaign(const deflection::Arm& truth, std::uint64_t seed,
                                              const CampaignPlan& plan = {}) {
   boost::random::mt19937_64 random(seed);

@@ -1,4 +1,4 @@
-// Geometry that a fit frees: complete, not redundant, well told apart, for arms of any joints written in any way.
+// Geometry that a fit frees: complete, not redundant and well distinguishable, for all arms and row conventions.
 #include "calibration/independent_geometry.hpp"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// How the tool moves by the numbers of these names, by its own turn where no reading shows it, and by the base where
-/// it is free, at random postures; each column has length 1.
+/// Returns derivatives of the tool's pose at random postures with respect to the named parameters. Columns of the
+/// tool's own rotation follow if no reading shows it, then columns of the base if it is free; each column has length 1.
 Eigen::MatrixXd motions(const PlacedArm& placed, const std::vector<std::string>& names) {
   constexpr int kPostures = 30;
   std::vector<deflection::Variable> variables;
@@ -80,8 +80,8 @@ TEST(IndependentGeometry, IsCompleteAndNotRedundantHoweverRowsAreWritten) {
   }
 }
 
-// Origins with six numbers a row reach every motion of geometry; rows by either table reach as many beside a known
-// base.
+// Origins with six parameters per row reach every change of geometry; on a known base, rows in either table reach as
+// many.
 TEST(IndependentGeometry, IsCompleteBesideAKnownBaseByEitherTable) {
   int counted = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -113,7 +113,7 @@ TEST(IndependentGeometry, HoldsAsManyNumbersAsMechanismsHave) {
     for (const auto& joint : placed.arm.joints()) ++(joint.type == deflection::JointType::kPrismatic ? slides : turns);
     if (placed.base_poses[0].is_known) continue;
     ++open;
-    // Everett's 4 R + 2 P + 6; slides along one another leave fewer.
+    // Everett's count is 4 R + 2 P + 6; parallel slides reduce the count.
     const Eigen::MatrixXd columns = motions(placed, chosen(placed));
     EXPECT_EQ(rankOf(columns), columns.cols()) << seed;
     EXPECT_LE(columns.cols(), 4 * turns + 2 * slides + 6) << seed;
@@ -124,7 +124,7 @@ TEST(IndependentGeometry, HoldsAsManyNumbersAsMechanismsHave) {
   EXPECT_GT(open, 30);
 }
 
-/// Everett's whole count, once readings state the tool's turn.
+/// If readings show the tool's rotation, the count is Everett's complete count.
 TEST(IndependentGeometry, HoldsTheToolsTurnWhereReadingsShowIt) {
   int whole = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -158,7 +158,7 @@ TEST(IndependentGeometry, TellsNearlyParallelAxesApartByTheirLean) {
   }
 }
 
-/// A pitch of a right angle leaves roll and yaw about one axis: beta is then the third turn.
+/// At a pitch of a right angle roll and yaw rotate about one axis; beta then provides the third rotation.
 TEST(IndependentGeometry, IsCompleteWhereFixedAnglesAreSingular) {
   PlacedArm placed = byOrigins(mechanism(5));
   placed.base_poses[0].is_known = false;

@@ -1,4 +1,4 @@
-// The numbers that may be freed, what a variable means, and the base pose of bases in closed form.
+// The parameters that may be freed, the meaning of each variable, and base poses in closed form.
 #include "calibration/placed_arm.hpp"
 
 #include <gtest/gtest.h>

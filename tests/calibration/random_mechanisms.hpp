@@ -1,4 +1,4 @@
-// Rigid arms with random axes, by Denavit-Hartenberg numbers and in other forms.
+// Rigid arms with random axes, in Denavit-Hartenberg rows and in other conventions.
 #pragma once
 
 #include <numbers>
@@ -12,8 +12,8 @@ namespace tubeplan::calibration {
 
 inline constexpr double kRightAngle = std::numbers::pi / 2;
 
-/// Returns an arm of three to eight joints by Denavit-Hartenberg rows. Each axis is parallel, nearly parallel,
-/// perpendicular or skew to the one before; a sixth of the joints are slides.
+/// Returns an arm of three to eight joints in Denavit-Hartenberg rows. Each axis is parallel, nearly parallel,
+/// perpendicular or skew to the previous axis; about a sixth of the joints are slides.
 inline PlacedArm mechanism(std::uint64_t seed) {
   RandomStream random(seed);
   PlacedArm placed;
@@ -26,7 +26,7 @@ inline PlacedArm mechanism(std::uint64_t seed) {
                                              random.index(2) * random.uniform(0.1, 0.4), 0};
     if (std::abs(dh.alpha) < 0.1 && random.index(2) == 0) dh.beta = random.uniform(-0.005, 0.005);
     const bool is_parallel = std::abs(dh.alpha) < 0.1;
-    if (random.index(4) == 0 && !is_parallel) dh.a = 0;  // intersecting axes
+    if (random.index(4) == 0 && !is_parallel) dh.a = 0;  // makes the axes intersect
     row.placement = dh;
     row.joint.name = "q" + std::to_string(k + 1);
     const bool follows_slide = k > 0 && placed.arm.rows.back().joint.type == deflection::JointType::kPrismatic;
@@ -42,7 +42,7 @@ inline PlacedArm mechanism(std::uint64_t seed) {
   return placed;
 }
 
-/// Returns the same arm with every row placed as in URDF.
+/// Returns the same arm with every row placed by an origin, as in URDF.
 inline PlacedArm byOrigins(PlacedArm placed) {
   for (auto& row : placed.arm.rows) {
     const Eigen::Vector3d p = deflection::offsetInPreviousAxes<double>(row);
@@ -54,7 +54,7 @@ inline PlacedArm byOrigins(PlacedArm placed) {
   return placed;
 }
 
-/// Returns the arm with these numbers as its standard Denavit-Hartenberg table.
+/// Returns the arm that results if the Denavit-Hartenberg parameters are read as a standard table.
 inline PlacedArm byStandardTable(PlacedArm placed) {
   deflection::readAsStandard(placed.arm.rows);
   return placed;

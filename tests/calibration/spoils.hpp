@@ -20,14 +20,14 @@ inline void moveAtRandom(Measurement& reading, double by, std::mt19937_64& rando
   for (double& p : *reading.p_W) p += normal(random);
 }
 
-/// One way to spoil readings.
+/// One method of spoiling readings.
 struct Spoil {
   const char* name;
-  int repeats;  ///< readings of each posture
+  int repeats;  ///< number of readings of each posture
   std::function<void(std::vector<Measurement>&, std::mt19937_64&)> apply;
 };
 
-/// Returns the ways to spoil readings; the first two change nothing.
+/// Returns the methods of spoiling readings; the first two change nothing.
 inline const std::vector<Spoil>& spoils() {
   static const std::vector<Spoil> kSpoils{
       {"nothing", 1, [](std::vector<Measurement>&, std::mt19937_64&) {}},

@@ -1,5 +1,5 @@
-// Long work that is asked to stop says so and gives nothing else, wherever it is; that it could be asked changes
-// nothing.
+// Long work that is asked to stop reports that it was stopped and returns no results, at any stage; being stoppable
+// changes no result.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -15,7 +15,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// Hooks that count what they are asked and told, and say stop from the n-th question on.
+/// Hooks that count progress reports and stop requests, and request a stop from the n-th query on; -1: never.
 class Watch {
  public:
   explicit Watch(int stop_at = -1) : stop_at_(stop_at) {}
@@ -41,11 +41,10 @@ class Watch {
   bool is_ordered_ = true;
 };
 
-/// Early, late and in between.
+/// Returns early, late and intermediate queries at which to stop.
 std::vector<int> momentsOf(int all) { return {1, 2, all / 7, all / 3, all / 2, (9 * all) / 10, all}; }
 
-constexpr int kAsItEnds =
-    200;  // questions that may still be asked once the answer was to stop: of solvers that give up
+constexpr int kAsItEnds = 200;  // queries allowed after the stop was requested, for solvers that give up
 
 class Stopping : public testing::Test {
  protected:
@@ -72,7 +71,7 @@ class Stopping : public testing::Test {
     return options;
   }
 
-  /// The work with hooks that watch, then stopped at several of its questions.
+  /// Runs the work to its end, then stops it at several of its queries.
   template <class Work, class IsStopped>
   void stopEverywhere(Work work, IsStopped isStopped) {
     Watch whole;
@@ -98,14 +97,14 @@ TEST_F(Stopping, IdentificationSaysThatItWasStopped) {
                  });
 }
 
-/// So many readings that they are looked at in blocks, each of which asks: a stop between two blocks leaves rows that
-/// nobody filled, and no figure may come of those.
+/// So many readings that they are processed in blocks, with a query per block. A stop between two blocks leaves
+/// unfilled rows, from which no result may be computed.
 class StoppingBetweenBlocks : public Stopping {
  protected:
   const std::vector<Measurement> many = benchReadings(cell, "hysteresis", "theta4", {0.001}, 1100, 6);
   const PlacedArm placed = benchStart(cell, many);
 
-  /// Every one of the first questions, then ever fewer.
+  /// Stops the work at each of the first queries, then at increasingly fewer.
   template <class Work, class IsStopped>
   void stopAtAll(Work work, IsStopped isStopped, int first, double growth) {
     Watch whole;
@@ -166,7 +165,7 @@ TEST_F(Stopping, ComparisonSaysThatItWasStopped) {
 TEST_F(Stopping, ProposalsSayThatTheyWereStopped) {
   Diagnosis open = diagnose(start, readings, diagnosis({}));
   ASSERT_FALSE(open.closest.empty());
-  open.verdict = Verdict::kInconclusive;  // so that there is something to split
+  open.verdict = Verdict::kInconclusive;  // leaves something to discriminate
   const auto candidates = app::discriminationCandidates(cell, open.baseline.fitted, readings);
   stopEverywhere(
       [&](const WorkHooks& hooks) {

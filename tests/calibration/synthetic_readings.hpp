@@ -1,4 +1,4 @@
-// Readings of a completely known arm, with or without noise.
+// Readings of an arm whose parameters are all known, with or without noise.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -25,19 +25,20 @@ inline Eigen::Isometry3d poseOf(const Eigen::Vector3d& position, const Eigen::Ve
   return X;
 }
 
-/// Returns the Cobra on its mezzanine with one known base.
+/// Returns the Cobra on its mezzanine, with one known base.
 inline PlacedArm cobra() {
   return {deflection::cobraArm(), {{"", poseOf({0.1, -0.2, 0.05}, {0.02, -0.03, 0.4}), true}}};
 }
 
-/// Returns the Cobra at two unknown base poses, "A" and "B".
+/// Returns the Cobra at two unknown base poses, in set-ups "A" and "B".
 inline PlacedArm cobraTwice() {
   return {deflection::cobraArm(),
           {{"A", poseOf({0.1, -0.2, 0.05}, {0.02, -0.03, 0.4}), false},
            {"B", poseOf({-0.4, 0.3, 0.1}, {-0.01, 0.04, -0.7}), false}}};
 }
 
-/// Makes readings of an arm, the same for the same seed. The stated noise does not depend on whether noise is added.
+/// Makes readings of an arm; equal seeds give equal readings. The stated noise is independent of whether noise is
+/// added.
 class ReadingMaker {
  public:
   enum class Noise { kNone, kStated };
@@ -46,9 +47,10 @@ class ReadingMaker {
       : truth_(std::move(truth)), random_(seed), has_noise_(noise == Noise::kStated), touch_sigma_(touch_sigma) {}
 
   std::vector<Measurement> readings;
-  std::optional<Eigen::Vector3d> sigma_W, correlation_W;  ///< stated and drawn, for kinds that measure x, y and z
+  std::optional<Eigen::Vector3d> sigma_W, correlation_W;  ///< stated and simulated; for kinds that measure x, y, z
 
-  /// Adds readings of any kind except touches at new postures; of a row's frame if one is given.
+  /// Adds readings of any kind except touches at new postures; they belong to the frame of row `of_row` if given, else
+  /// to the tool.
   void add(MeasurementKind kind, int count, const std::string& setup = "", std::optional<int> of_row = {}) {
     for (int k = 0; k < count; ++k) {
       Measurement m = blank(kind, setup);
@@ -92,7 +94,7 @@ class ReadingMaker {
     }
   }
 
-  /// Adds points touched once under each load [N], with the tool at the same tilt.
+  /// Adds points, each touched once under every load [N], with the tool at equal tilt.
   void addTouches(int points, const std::vector<double>& loads, bool are_known, const std::string& setup = "") {
     for (int made = 0; made < points;) made += touchPoint(loads, are_known, setup) ? 1 : 0;
   }
@@ -121,17 +123,17 @@ class ReadingMaker {
   }
 
  private:
-  /// Surface, with the number of readings that have touched it or an earlier one.
+  /// Surface, with the number of readings of its kind and set-up so far.
   struct Touched {
     Surface surface;
     int readings = 0;
   };
 
-  /// Moves the tip onto a surface that ten readings share and adds the reading; returns false if the tip cannot reach
-  /// it.
+  /// Moves the tip onto a surface, which ten readings share, and adds the reading; returns false if the tip cannot
+  /// reach the surface.
   bool touchSurface(const MeasurementKindRow& row, Measurement& m) {
     constexpr int kOfSurface = 10;
-    constexpr double kFarthest = 1.5;  // [rad] farthest motion to the surface
+    constexpr double kFarthest = 1.5;  // farthest motion to the surface, in joint space [rad]
     Touched& on = touched_[m.setup + row.name];
     const Eigen::Vector3d tip_W = toolOf(m).p_W;
     if (on.readings % kOfSurface == 0)
@@ -158,7 +160,7 @@ class ReadingMaker {
     return m;
   }
 
-  /// Returns the tool's pose in the world; for a deflection with the tip's displacement.
+  /// Returns the tool's pose in the world; for a deflection, its position is the tip's displacement.
   [[nodiscard]] ToolPose toolOf(const Measurement& m) const {
     const auto& X_WB = truth_.base_poses[static_cast<std::size_t>(basePoseOf(truth_, m))].X_WB;
     ToolPose tool = *frameAt(truth_.arm, X_WB, m);
@@ -180,14 +182,14 @@ class ReadingMaker {
     return noisy;
   }
 
-  /// Returns the offset of a hole from a tip that searches for it or looks at it [m].
+  /// Returns the offset [m] of a hole from a tip that centres on the hole or looks at it.
   [[nodiscard]] Eigen::Vector3d besideTheTip(const MeasurementKindRow& row) {
     const double far = row.is_centring ? 0.03 * kInch : 0.02, across = row.is_centring ? 0 : 0.05;
     return {far * noiseOf(), far * noiseOf(), across};
   }
   [[nodiscard]] double noiseOf() { return boost::random::normal_distribution<double>(0, 1)(random_); }
 
-  /// Sets a reading by a tool of three steps; returns false if none entered.
+  /// Sets the step count of a reading for a tool of three steps; returns false if no step enters.
   static bool settleSteps(Measurement& m) {
     static constexpr double kTolerances[] = {0.09 * kInch, 0.06 * kInch, 0.03 * kInch};
     const double off = m.own[1];
@@ -238,12 +240,12 @@ class ReadingMaker {
 
   PlacedArm truth_;
   boost::random::mt19937_64 random_;
-  std::map<std::string, Touched> touched_;  ///< last one of each kind and set-up
+  std::map<std::string, Touched> touched_;  ///< latest surface of each kind and set-up
   bool has_noise_;
   double touch_sigma_;
 };
 
-/// Adds a few readings of every kind except touches, every other one of a point of the tool beside its tip. A few
+/// Adds a few readings of every kind except touches; half of them measure a point of the tool away from its tip. A few
 /// readings of a surface give no information (surfaces_test.cpp).
 inline void addUntouched(ReadingMaker& maker, int count, const std::string& setup = "") {
   const std::size_t first = maker.readings.size();
@@ -253,7 +255,7 @@ inline void addUntouched(ReadingMaker& maker, int count, const std::string& setu
     if (!isDisplacement(maker.readings[k])) maker.readings[k].p_TQ = Eigen::Vector3d(0.03, -0.02, 0.05);
 }
 
-/// Adds a few readings of positions, displacements, lengths and touches, with known and unknown points, at a set-up.
+/// Adds a few readings of positions, displacements, lengths and touches in one set-up, with known and unknown points.
 inline void addEveryKind(ReadingMaker& maker, int count, const std::string& setup = "") {
   maker.add(MeasurementKind::kPosition, count, setup);
   maker.add(MeasurementKind::kDeflection, count, setup);

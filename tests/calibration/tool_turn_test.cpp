@@ -1,4 +1,4 @@
-// A tool frame that is turned on the arm: fitted, diagnosed, and told from another convention of its axes.
+// A rotated tool frame: fitted, diagnosed, and distinguished from another convention of its axes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ TEST(ToolTurn, IsNamedAloneByPoses) {
 }
 
 TEST(ToolTurn, AnotherConventionOfTheAxesIsAMistake) {
-  const Eigen::Matrix3d R_TM = (Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished();  // x along the tool's y
+  const Eigen::Matrix3d R_TM = (Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished();  // measured x is tool's y
   auto readings = turnedReadings(Eigen::Vector3d::Zero(), MeasurementKind::kPose, 40);
   for (auto& reading : readings)
     reading.own = deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(reading.own) * R_TM);

@@ -1,4 +1,4 @@
-// What to measure next with the Cobra arm.
+// Proposals for the next readings of the Cobra arm.
 #include "calibration/design/next_readings.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ Work randomWork(int count, std::uint64_t seed) {
   return work;
 }
 
-/// What is read of the arm at a planned reading: place and joints with their noise.
+/// Returns the reading that the arm would give at a planned reading: position and joints with noise.
 Measurement read(const ProposedMeasurement& planned, const deflection::Arm& arm, std::mt19937_64& random) {
   Measurement reading = conditionsOf(planned);
   std::normal_distribution<double> normal(0, 1);
@@ -69,7 +69,7 @@ Estimate fromNothing(const FreeChoice& free, bool base_known = true) {
   return estimateFrom(cobraArm(), Eigen::Isometry3d::Identity(), base_known, {}, free);
 }
 
-/// Value of a reading with the logarithm of one stiffness moved by `step`.
+/// Returns the predicted value of a reading after the logarithm of one stiffness is changed by `step`.
 VectorXd movedBy(const Measurement& reading, const std::string& name, double step) {
   deflection::Arm arm = cobraArm();
   double& number = deflection::locate(arm, deflection::findParameter(arm, name)->path);
@@ -77,8 +77,8 @@ VectorXd movedBy(const Measurement& reading, const std::string& name, double ste
   return predictReading(arm, Eigen::Isometry3d::Identity(), reading).value;
 }
 
-// The covariance of generalised least squares, put together from difference quotients of the readings themselves: one
-// matrix over all coordinates, with every noise in it.
+// Reference: the covariance of generalised least squares from difference quotients of the readings, with one covariance
+// matrix of all coordinates that includes the encoder noise.
 TEST(NextReadings, CovarianceIsThatOfGeneralisedLeastSquaresByDifferences) {
   const auto estimate = fromNothing(kStiffnesses);
   const auto candidates = randomCandidates(30, 5);
@@ -111,7 +111,7 @@ TEST(NextReadings, CovarianceIsThatOfGeneralisedLeastSquaresByDifferences) {
   for (int k = 0; k < n; ++k) {
     const auto& number = next.numbers[static_cast<std::size_t>(k)];
     EXPECT_NEAR(number.after, number.value * std::sqrt(covariance(k, k)), 1e-4 * number.after);
-    EXPECT_NEAR(number.now, number.value, 1e-9 * number.value);  // a factor of e, before any reading
+    EXPECT_NEAR(number.now, number.value, 1e-9 * number.value);  // before any reading, the prior sigma is a factor of e
     EXPECT_FALSE(number.is_identifiable_now);
   }
 }
@@ -144,7 +144,7 @@ TEST(NextReadings, PromisesWhatAFitThenReaches) {
       square[k] += std::pow(number.value - number.unknown.start, 2) / kRuns;
     }
   }
-  // Forty runs know a sigma to 11 per cent; three of those.
+  // Forty runs determine a standard deviation to 11 per cent; the tolerance is three times as large.
   for (int k = 0; k < 4; ++k)
     EXPECT_NEAR(std::sqrt(square[k]) / next.numbers[static_cast<std::size_t>(k)].after, 1, 0.34) << k;
 }
@@ -231,7 +231,7 @@ TEST(NextReadings, ReadingsThatCannotBeFittedAreCountedWhereTheDrawingStands) {
   EXPECT_GT((estimate.information - MatrixXd::Identity(4, 4)).norm(), 1);
 }
 
-// An arm that cannot bear the load stands nowhere: none of the candidates can be made.
+// An arm that cannot bear the load has no equilibrium, so no candidate can be measured.
 TEST(NextReadings, AreRefusedWhereNoCandidateCanBeMade) {
   std::mt19937_64 random(9);
   std::vector<ReadingCandidate> candidates;

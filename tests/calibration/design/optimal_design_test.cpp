@@ -1,4 +1,4 @@
-// Which readings tell the most, on linear problems drawn at random.
+// Choice of the most informative readings, for random linear problems.
 #include "calibration/design/optimal_design.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ MatrixXd randomMatrix(int rows, int columns, std::mt19937_64& random) {
   return m;
 }
 
-/// Six variables, each candidate telling much of two of them and little of the others.
+/// Returns a problem of six variables; each candidate is informative about two of them and hardly about the others.
 DesignProblem randomProblem(int candidates, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   DesignProblem problem;
@@ -99,7 +99,7 @@ TEST_P(OptimalDesign, BeatsRandomChoices) {
   }
 }
 
-// Every triple tried: 14 choose 3 is 364.
+// The best triple is found by trying all 14 choose 3 = 364 triples.
 TEST_P(OptimalDesign, ExchangeComesWithinAPercentOfTheBestTriple) {
   const auto problem = randomProblem(14, GetParam());
   double best_determinant = 1e300, best_mean = 1e300;

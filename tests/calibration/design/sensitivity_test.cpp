@@ -1,4 +1,4 @@
-// What each number of the Cobra arm does to the tip.
+// Sensitivity of the Cobra's tip to each parameter of the arm.
 #include "calibration/design/sensitivity.hpp"
 
 #include <gtest/gtest.h>
@@ -27,14 +27,14 @@ struct Case {
   [[nodiscard]] Sensitivity find() const { return findSensitivities(cell.arm, cell.X_WB_nominal, task); }
 };
 
-/// The tip of an arm that stands at X_WB.
+/// Returns the tip position of an arm with base pose X_WB.
 Eigen::Vector3d tipOf(const Arm& arm, const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q) {
   const Prediction tip = predictTip(arm, X_WB, q, 0);
   EXPECT_TRUE(tip.ok);
   return tip.value;
 }
 
-/// The first three places touched exactly where the arm's tip rests.
+/// Returns noise-free touches at the first three planned postures; each touched point lies at the tip of `arm`.
 std::vector<Measurement> touchesBy(const Arm& arm, const Case& c) {
   std::vector<Measurement> touches;
   for (int t = 0; t < 3; ++t) {
@@ -70,7 +70,7 @@ TEST(Sensitivity, DeflectionDerivativeIsTheDifferenceQuotientOfTheMeanSag) {
       const auto sag = [&](double more) {
         return meanDeflection(withMore(c.cell.arm, number.parameter, more), c.cell.X_WB_nominal, c.task);
       };
-      // Weights that are zero have no other side: one-sided, to second order.
+      // A weight of zero cannot decrease, so the quotient is one-sided, of second order.
       const bool is_at_bound = number.parameter.value - step < number.parameter.lower;
       const double quotient = is_at_bound ? (4 * sag(step) - sag(2 * step) - 3 * sag(0)) / (2 * step)
                                           : (sag(step) - sag(-step)) / (2 * step);
@@ -97,8 +97,8 @@ TEST(Sensitivity, StiffeningLessensSagAndWeightAddsToIt) {
   EXPECT_EQ(weights, 7);
 }
 
-// All springs and beams (E only) stiffened together by one part lower the sag by as much, but for what the deflected
-// shape changes of the levers: a hundredth.
+// If all springs and beams (only E) become stiffer by the same fraction, the sag decreases by that fraction, except for
+// a change of about 1 % because the deflected shape changes the lever arms.
 TEST(Sensitivity, AllStiffnessesTogetherScaleTheSag) {
   const auto result = Case().find();
   double sum = 0;
@@ -108,8 +108,8 @@ TEST(Sensitivity, AllStiffnessesTogetherScaleTheSag) {
   EXPECT_NEAR(sum, -result.mean_deflection, 0.02 * result.mean_deflection);
 }
 
-// The whole way round, with nothing made linear: an arm that is off by one part in a thousand touches three holes, the
-// nominal model places the base by them, its numbers exact or as uncertain as they may be, and is then off at the work.
+// The whole procedure without linearisation: an arm with one parameter off by 0.1 % touches three holes. The nominal
+// model, with exact or uncertain parameters, is calibrated from the touches, and its error at the work is measured.
 TEST(Sensitivity, ErrorAfterCalibrationIsWhatACalibrationLeaves) {
   for (const auto& doubt : {ArmUncertainty::none(), ArmUncertainty{}}) {
     Case c;
@@ -150,7 +150,8 @@ TEST(Sensitivity, UncompensatedErrorIsWhatRigidCalibrationLeaves) {
   for (const auto& q : c.task.work)
     left += (tipOf(c.cell.arm, c.cell.X_WB_nominal, q) - tipOf(rigid, base.X_WB, q)).head<2>().norm() /
             static_cast<double>(c.task.work.size());
-  // Taken as small, the base's move of an inch on an arm of sixty leaves out no more than that share.
+  // The prediction is linear in the base's motion of about 1 in on an arm of 60 in, so it may be wrong by that
+  // fraction.
   EXPECT_NEAR(c.find().mean_uncompensated, left, 0.01 * left);
 }
 

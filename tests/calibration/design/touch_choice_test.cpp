@@ -1,4 +1,4 @@
-// Which holes to touch.
+// Choice of the holes to touch.
 #include "calibration/design/touch_choice.hpp"
 
 #include <gtest/gtest.h>

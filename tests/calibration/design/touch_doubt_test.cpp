@@ -1,4 +1,4 @@
-// Touches that are chosen and foretold beside an arm whose numbers are uncertain, as a calibration finds them.
+// Touches chosen and forecast for an arm with uncertain parameters, compared with actual calibrations.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// An arm, where it stands, what it may touch and where it works: postures at random.
+/// An arm with its base pose, candidate touches and work postures; all postures are random.
 struct DoubtedCell {
   deflection::Arm arm;
   Eigen::Isometry3d X_WB;
@@ -43,7 +43,7 @@ Estimate nothingTouched(const DoubtedCell& cell, const ArmUncertainty& doubt, do
   return estimateFrom(cell.arm, cell.X_WB, false, {}, {{}, true}, {doubt, model_error});
 }
 
-/// Touches of these candidates with the noise that they are said to have.
+/// Returns touches of the given candidates with noise of the stated sigma.
 std::vector<Measurement> noisyTouches(const DoubtedCell& cell, const std::vector<int>& candidates, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal(0, 1);
@@ -58,7 +58,8 @@ std::vector<Measurement> noisyTouches(const DoubtedCell& cell, const std::vector
   return touches;
 }
 
-/// Root mean square of a coordinate of the tip at work, by what a calibration leaves uncertain of base and numbers.
+/// Returns the root mean square of a tip coordinate's sigma at work [m], from the base calibration's joint covariance
+/// of base and parameters.
 double tipSigmaBy(const BaseCalibration& base, const Work& work) {
   const auto& [numbers, covariance] = base.uncertainty;
   PredictionRequest request;
@@ -81,7 +82,7 @@ double tipSigmaBy(const BaseCalibration& base, const Work& work) {
 class TouchDoubt : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Cells, TouchDoubt, ::testing::Values("mockup.yaml", "puma.yaml", "iiwa.yaml", "column.yaml"));
 
-/// Three touches and five, beside the usual doubt and beside more, with and without an error of the model.
+/// Tests three and five touches, with the usual and a larger uncertainty, with and without a model error.
 TEST_P(TouchDoubt, SigmasForetoldAreThoseOfTheCalibration) {
   const auto cell = doubtedCell(GetParam());
   ArmUncertainty more;
@@ -112,7 +113,7 @@ TEST_P(TouchDoubt, SigmasForetoldAreThoseOfTheCalibration) {
     }
 }
 
-/// No triple is better than the one that is chosen, by the plain inverse of everything's information.
+/// No triple is better than the chosen triple, as judged by the plain inverse of the complete information matrix.
 TEST_P(TouchDoubt, TheBestTripleIsBestBesideTheDoubt) {
   const auto cell = doubtedCell(GetParam());
   const auto problem = poseDesign(nothingTouched(cell, ArmUncertainty{}), cell.candidates, cell.work).problem;
@@ -142,7 +143,7 @@ TEST_P(TouchDoubt, MoreDoubtOfStiffnessesLowersNoSigma) {
   }
 }
 
-/// An arm whose numbers are exact, and one that is off also by its own error.
+/// Tests an arm with exact parameters, one with uncertain parameters, and one with a model error as well.
 TEST_P(TouchDoubt, PlansAreChosenAsTheirReadingsAre) {
   const auto cell = doubtedCell(GetParam());
   std::vector<TouchPlan> plans;
@@ -160,7 +161,8 @@ TEST_P(TouchDoubt, PlansAreChosenAsTheirReadingsAre) {
     }
 }
 
-/// Touches of an arm whose numbers are off as they may be show no lack of fit, and leave what a calibration states.
+/// Touches of an arm whose parameters deviate within their uncertainty show no lack of fit; the estimate equals that of
+/// a base calibration.
 TEST_P(TouchDoubt, TouchesMadeCountAsACalibrationCountsThem) {
   const auto cell = doubtedCell(GetParam());
   int lacking = 0;

@@ -1,5 +1,5 @@
-// Hidden effects are named, the error falls to the noise on readings kept out, and nothing is named where nothing
-// hides.
+// Hidden effects are named, the error of held-out readings falls to the noise, and no effect is named where none is
+// hidden.
 #include "calibration/diagnosis/diagnosis.hpp"
 
 #include <gtest/gtest.h>
@@ -115,7 +115,8 @@ TEST(Diagnosis, RanksCausesWithTheirOwnSizes) {
   EXPECT_NEAR(both->size.value, 0.0009, 0.0002) << "the number that is largest beside its doubt";
 }
 
-/// The tube of the forearm would give as its bearing does, wherever the arm goes: one cause with two names.
+/// A compliance of the forearm's tube has the same effect as one of its bearing in all postures: one cause with two
+/// names.
 TEST(Diagnosis, CausesThatNoReadingTellsApartAreOneWithBothNames) {
   const Diagnosis found = diagnosisOf("joint-compliance", "forearm.y", {4e-5}, 5);
   ASSERT_EQ(found.verdict, Verdict::kExplained);
@@ -133,10 +134,11 @@ TEST(Diagnosis, NamesNothingWhereNothingIsHidden) {
   int alarms = 0;
   constexpr int kSets = 12;
   for (std::uint64_t seed = 1; seed <= kSets; ++seed) alarms += !diagnosisOf("", "", {}, seed, 60).alternatives.empty();
-  EXPECT_LE(alarms, 2);  // one in twenty is allowed; three of twelve are not (chance below 2 %)
+  EXPECT_LE(alarms, 2);  // one in twenty is allowed; three of twelve would have a probability below 2 %
 }
 
-// An error that no smooth function of a few joints makes, the same under every load, is no scatter.
+// An error that repeats at each posture under every load is not scatter, even if no smooth function of few joints fits
+// it.
 TEST(Diagnosis, SaysThatWhatRepeatsAtAPostureFollowsIt) {
   const auto cell = shippedBench();
   std::vector<Measurement> readings;
@@ -159,7 +161,7 @@ TEST(Diagnosis, SaysThatWhatRepeatsAtAPostureFollowsIt) {
   EXPECT_EQ(found.remainder.follows.front().first, "posture");
 }
 
-// Noise twice as large as stated is no function of the readings: something is missing, and nothing is named.
+// With noise twice as large as stated the fit is inadequate, but no function of the readings and no effect explains it.
 TEST(Diagnosis, SaysThatReadingsScatterBeyondTheirNoise) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 90, 4);
@@ -172,7 +174,8 @@ TEST(Diagnosis, SaysThatReadingsScatterBeyondTheirNoise) {
   EXPECT_GT(found.remainder.size, 0.5 * found.noise_floor);
 }
 
-// Few readings of a noise somewhat larger than stated: the prior may favour nothing, the chi-square does not.
+// With few readings and slightly understated noise, the prior may favour no cause, but the chi-square shows a lack of
+// fit.
 TEST(Diagnosis, IsNotAdequateAtAChiSquareThatNoiseHardlyGives) {
   const auto cell = shippedBench();
   int hardly = 0;
@@ -186,7 +189,7 @@ TEST(Diagnosis, IsNotAdequateAtAChiSquareThatNoiseHardlyGives) {
   EXPECT_GE(hardly, 3);
 }
 
-// The same, where readings were repeated: they tell the noise, and nothing is missing.
+// Repeated readings reveal that the noise is twice as large as stated, so nothing is missing.
 TEST(Diagnosis, TakesTheScatterOfRepeatedReadingsForNoise) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 40, 4);
@@ -206,7 +209,7 @@ TEST(Diagnosis, TakesTheScatterOfRepeatedReadingsForNoise) {
   EXPECT_GT(found.nothing_probability, 0.9);
 }
 
-// Waves too short for the slow ones of the unknown function: what `compare` finds is not called scatter.
+// Waves too short for the smooth unknown function: an error whose pattern `compare` finds is not called scatter.
 TEST(Diagnosis, DoesNotCallScatterWhatFollowsAPattern) {
   const auto cell = shippedBench();
   for (const auto& [cycles, follows] : {std::pair(3, "time"), std::pair(7, "cycles of time")}) {
@@ -236,7 +239,7 @@ TEST(Cause, FreesNumbersWithThePriorsOfTheFit) {
   EXPECT_EQ(placeCause(placed, cause, 0).front().prior_sigma, 1e-5);
 }
 
-// An unknown function of the joints could follow the noise of so few readings: the evidence of both is weighed.
+// An unknown function of the joints could fit the noise of so few readings, so the evidences of both are compared.
 TEST(Diagnosis, SaysThatFewReadingsMayOnlyScatter) {
   const auto cell = shippedBench();
   for (const std::uint64_t seed : {4, 5, 6}) {
@@ -248,7 +251,8 @@ TEST(Diagnosis, SaysThatFewReadingsMayOnlyScatter) {
   }
 }
 
-// Three waves to a turn of a joint: no catalogue has it, and a pair of known effects comes near it.
+// An error with three waves per turn of a joint: no effect of the catalogue fits it, but two known effects together
+// come near.
 TEST(Diagnosis, SaysWhatAnUnknownErrorFollows) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 90, 6);
@@ -283,7 +287,7 @@ TEST(Diagnosis, SetsSeveralOutliersAsideAlsoWhereOneHidesAnother) {
   EXPECT_NE(found.verdict, Verdict::kUnexplained);
 }
 
-/// One reflector at all postures is no one point.
+/// A reflector name that all postures share does not make the measured positions one fixed point.
 TEST(Diagnosis, AReadingsOwnPlaceMayHaveTheReflectorsName) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "joint-offset", "theta4", {0.002}, 60, 5);
@@ -307,7 +311,8 @@ TEST(Diagnosis, TellsWhichEffectsTheReadingsCannotShow) {
   EXPECT_FALSE(mentions("joint-offset"));
 }
 
-// Of 1,000 times the catalogue tries 64: a slip among the others asked for a link's length beside it, of size none.
+// The catalogue tries 64 of 1,000 times. A slip between two tried times once required a spurious link length in
+// addition.
 TEST(Diagnosis, LeavesOutWhatOnlyACoarseTimeAskedFor) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 1000, 1);
@@ -324,7 +329,7 @@ TEST(Diagnosis, LeavesOutWhatOnlyACoarseTimeAskedFor) {
   EXPECT_NEAR(found.alternatives.front().effects.front().fitted.values[4], 499.5 * 60, 31);
 }
 
-// Backlash and stiffening of one axis look alike over these readings; the hysteresis beside either is sure.
+// Backlash and stiffening of one axis are confounded in these readings; hysteresis is certain with either of them.
 TEST(Diagnosis, SaysWhatTheAlternativesAgreeOn) {
   const auto cell = shippedBench();
   auto with_backlash = cell;
@@ -340,7 +345,8 @@ TEST(Diagnosis, SaysWhatTheAlternativesAgreeOn) {
   EXPECT_LT(found.agreed->heldout.rms, found.heldout_before.rms);
 }
 
-// All of the geometry says three errors of it with 24 more numbers; the three that there are say it better.
+// Freeing the complete geometry explains the three errors with 24 more parameters; naming only the three is more
+// probable.
 TEST(Diagnosis, FindsThreeErrorsOfGeometryAmongAllOfIt) {
   auto hidden = shippedBench();
   const auto hide = [&](const char* effect, const char* at, double value) {
@@ -359,7 +365,7 @@ TEST(Diagnosis, FindsThreeErrorsOfGeometryAmongAllOfIt) {
   EXPECT_EQ(names, (std::vector<std::string>{"joint-offset@theta2", "joint-offset@theta4", "link-length@forearm"}));
 }
 
-// Millimetres an hour are much for a base: a tenth of one is a drift all the same, and no unknown.
+// A usual base drift is millimetres per hour; a tenth of a millimetre per hour is still recognised as drift.
 TEST(Diagnosis, NamesASlowDrift) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 90, 4);
@@ -378,8 +384,7 @@ TEST(Diagnosis, SaysOneJointWhereTheOthersShowNothing) {
   for (const Explanation& explanation : found.alternatives) EXPECT_EQ(explanation.effects.size(), 1U);
 }
 
-// Two touches of one unknown point share an outlier between them: neither stands out, and a slip between them would
-// explain both.
+// Two touches of one unknown point share an outlier, so neither stands out, and a slip between them would explain both.
 TEST(Diagnosis, AnOutlierAmongTouchesIsNoSlip) {
   const PlacedArm start = cobra();
   ReadingMaker maker(start, 3, ReadingMaker::Noise::kStated);
@@ -395,7 +400,7 @@ TEST(Diagnosis, AnOutlierAmongTouchesIsNoSlip) {
   EXPECT_EQ(found.set_aside, (std::vector<int>{40, 41}));
 }
 
-// Touches of unknown points agree the better the shorter the arm: no size may grow until it is a point.
+// With touches of unknown points, residuals shrink with the arm's size, so no length may grow beyond plausible values.
 TEST(Diagnosis, NamesNoSizeThatNoMachineHas) {
   const auto& kinds = deflection::effectKinds();
   const auto kind =

@@ -1,4 +1,4 @@
-// An effect that the readings do not need is warned of; the right one is not.
+// An effect that the readings do not need causes a warning; the true effect does not.
 #include "calibration/diagnosis/effect_warnings.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ struct Added {
   const char* at;
 };
 
-/// The bench with effects added by hand, and their numbers freed.
+/// The bench with effects added by hand and with the parameters of these effects freed.
 struct WithEffects {
   app::Cell cell = shippedBench();
   std::vector<std::string> free = cell.identify;
@@ -103,7 +103,7 @@ TEST(EffectWarnings, TwoRightEffectsAreBothNeeded) {
   EXPECT_TRUE(both.diagnosed(readings).empty());
 }
 
-/// No diagnosis tries a formula: it is judged by what it does to chi-square.
+/// The diagnosis proposes no formulas; a user's formula is judged by how much it reduces chi-square.
 TEST(EffectWarnings, AFormulaOfTheUsersIsNeededWhereItIsRight) {
   const WithEffects wave("theta3 += c*sin(theta3) + d*cos(theta3)");
   const auto readings = benchReadings(shippedBench(), "encoder-eccentricity", "theta3", {0.001, 0.0012}, 60, 7);

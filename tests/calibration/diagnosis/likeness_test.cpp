@@ -1,5 +1,5 @@
-// What an unknown effect has in common with a known one is no cause; and what a model gains by its linearisation alone
-// counts for nothing.
+// Similarity between an unknown effect and a known effect does not make the latter a cause, and an improvement that
+// exists only in the linearised model counts for nothing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,8 +17,8 @@ Diagnosis diagnosisOf(const app::Cell& cell, const std::vector<Measurement>& rea
   return diagnose(benchStart(cell, readings), readings, options);
 }
 
-/// The last joint keeps something of where it was: in the mean that is a wave of its angle, and the rest follows
-/// nothing that a reading states.
+/// Adds a memory of the previous position to the last joint. On average this error is a wave of the joint's angle; the
+/// rest depends on nothing that a reading states.
 std::vector<Measurement> withMemory(std::vector<Measurement> readings, double size) {
   double before = readings.front().q[3];
   for (Measurement& reading : readings) {
@@ -50,8 +50,8 @@ TEST(Likeness, IsNotWhatExplainsNearlyAll) {
   EXPECT_EQ(found.alternatives.front().effects.front().effect, "tool-offset");
 }
 
-// An instrument whose scale goes up and down with the reach, a hundred times the noise: models of three causes gain by
-// the linearisation what no fit of theirs keeps.
+// An instrument whose scale varies with the distance by a hundred times the noise. In the linearised model, three
+// causes improve the fit, but no nonlinear fit confirms the improvement.
 TEST(Likeness, AndLinearisationMakeNoCauseOfAGrossUnknown) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 120, 2);

@@ -1,4 +1,4 @@
-// Where the base stands, from touches: recovery, coverage, and refusals.
+// The base pose from touches: recovery, coverage, and refusals.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ TEST(BaseCalibration, IsTheSameByEitherSolver) {
   const auto cell = touchedCell();
   BaseCalibrationOptions quick;
   quick.method = LeastSquaresMethod::kLevenbergMarquardt;
-  quick.mistaken_hole_p_value = 0;  // a rigid arm is off by inches
+  quick.mistaken_hole_p_value = 0;  // a rigid arm is wrong by inches
   quick.finds_model_error = quick.finds_suspects = false;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     auto touches = touchesOf(cell, 0.005, seed);
@@ -71,14 +71,14 @@ TEST(BaseCalibration, RecoversAHangingBase) {
   EXPECT_LE(stepBetween(found.X_WB, X_WB).head<3>().norm(), 1e-6 * kInch);
 }
 
-/// How often the stated regions hold, over arms whose numbers are off as a cell says that they may be.
+/// Counts how often the stated regions contain the true base, for arms that deviate within the cell's uncertainty.
 struct Coverage {
   int runs = 0, held = 0, fits = 0, held_where_it_fits = 0;
   double chi2 = 0;
 };
 
 Coverage coverageOf(const ArmUncertainty& uncertainty, int runs) {
-  constexpr double kInRegion = 12.591587;  // 95 % of chi-square with 6 degrees of freedom
+  constexpr double kInRegion = 12.591587;  // 95 % quantile of chi-square with 6 degrees of freedom
   const auto cell = touchedCell();
   BaseCalibrationOptions options;
   options.arm = uncertainty;
@@ -101,7 +101,7 @@ Coverage coverageOf(const ArmUncertainty& uncertainty, int runs) {
   return coverage;
 }
 
-/// Exact arms, stiffnesses that are off, and all numbers that are.
+/// Tests exact arms, arms with deviating stiffnesses, and arms with deviations of all parameters.
 TEST(BaseCalibration, NinetyFivePercentRegionsHoldTheBaseWhateverOfTheArmIsUncertain) {
   constexpr int kRuns = 1000;
   ArmUncertainty stiffnesses = ArmUncertainty::none();
@@ -225,13 +225,13 @@ TEST(BaseCalibration, NamesTheOneTouchThatDoesNotAgreeWithTheOthers) {
   EXPECT_EQ(calibrateBase(cell.arm, touches, cell.X_WB_nominal, options).odd_touch, -1) << "two do not agree";
 }
 
-/// A joint of one touch misread, by little or by much: the larger the mistake, the more is said.
+/// One joint of one touch is misread by little or by much: for a larger mistake more is reported.
 TEST(BaseCalibration, NamesTheJointReadingThatIsOff) {
   const auto cell = touchedCell({{-40, 10}, {38, 12}, {10, 45}, {-5, 20}, {30, 35}});
   for (const double off : {0.5, 5.}) {
     int named = 0, first = 0;
     for (std::size_t touch = 0; touch < cell.plans.size(); ++touch)
-      for (Eigen::Index joint = 0; joint < 2; ++joint) {  // the tip is far from these
+      for (Eigen::Index joint = 0; joint < 2; ++joint) {  // the joints with long levers to the tip
         auto touches = touchesOf(cell, 0.005, 3 + touch);
         touches[touch].q[joint] += off * kDegree;
         const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal);
@@ -292,7 +292,7 @@ TEST(BaseCalibration, NamesTheMistakenHole) {
   for (std::size_t wrong = 0; wrong < 3; ++wrong)
     for (int way = 0; way < 4; ++way) {
       auto touches = touchesOf(cell, 0.005, 7 + static_cast<std::uint64_t>(way));
-      // The operator was one hole off: what is written down is the neighbour's name.
+      // The operator touched the neighbouring hole, so the recorded name is one hole off.
       *touches[wrong].p_W -= aside[way];
       BaseCalibrationOptions options;
       options.neighbours = [&](const Measurement& touch) {

@@ -1,4 +1,4 @@
-// The Cobra arm under the mock-up's sheet, and touches of it.
+// The Cobra arm under the mock-up's sheet, and its touches of the holes.
 #pragma once
 
 #include "app/formats/cell/cell_reader.hpp"
@@ -23,7 +23,7 @@ inline Eigen::Isometry3d pose(double x, double y, double z, double roll, double 
   return X;
 }
 
-/// Returns holes at these places [in], touched in the branch with the elbow up.
+/// Returns a cell with touches planned at the given holes [in], with the elbow up.
 inline TouchedCell touchedCell(const std::vector<std::pair<double, double>>& holes = {{-40, 10}, {38, 12}, {10, 45}}) {
   static const app::Cell kCell = app::readCell(TUBEPLAN_SOURCE_DIR "/app/cells/mockup.yaml");
   TouchedCell cell{kCell.arm, kCell.X_WB, pose(0.8, 42.4, -43.5, 0.3, -0.2, -89), {}};
@@ -38,7 +38,7 @@ inline TouchedCell touchedCell(const std::vector<std::pair<double, double>>& hol
   return cell;
 }
 
-/// Returns the arm with its numbers drawn within their uncertainty.
+/// Returns the arm with parameters drawn at random from their uncertainty.
 inline deflection::Arm drawnArm(const deflection::Arm& arm, const ArmUncertainty& uncertainty, std::uint64_t seed) {
   const UncertainNumbers numbers = uncertainNumbers(arm, uncertainty);
   RandomStream random(seed * 7919 + 1);
@@ -52,7 +52,7 @@ inline deflection::Arm drawnArm(const deflection::Arm& arm, const ArmUncertainty
   return drawn;
 }
 
-/// Returns touches of the true arm; with sigma 0 exact ones, with a stated noise of 0.005 in.
+/// Returns touches of the true arm with noise `sigma_in` [in]; 0 gives exact touches with a stated noise of 0.005 in.
 inline std::vector<Measurement> touchesOf(const TouchedCell& cell, double sigma_in, std::uint64_t seed) {
   deflection::Arm truth = cell.arm;
   if (sigma_in == 0)

@@ -1,4 +1,4 @@
-// Coordinates whose errors go together: what such a reading weighs, and what a fit that knows it gains.
+// Coordinates with correlated errors: the weight of such a reading, and the gain of a fit that uses the correlation.
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/identification.hpp"
@@ -50,7 +50,7 @@ TEST(CorrelatedCoordinates, AreThoseOfAPositiveDefiniteCovariance) {
   EXPECT_FALSE(isPossibleCorrelation({0, std::numeric_limits<double>::quiet_NaN(), 0}));
 }
 
-// What is turned is the covariance: x, y, z of the file are -y, x, z of the world.
+// The covariance is rotated with the coordinates: x, y, z of the file are -y, x, z of the world.
 TEST(CorrelatedCoordinates, TurnWithTheAxesThatTheyAreWrittenIn) {
   const Measurement m = correlated(MeasurementKind::kPosition);
   const Matrix3d to_world = *mistakes::axes::matrixOf("-yxz");
@@ -70,7 +70,7 @@ TEST(CorrelatedCoordinates, GoWithWhatWasMeasuredWhereRowsAreShifted) {
   EXPECT_EQ((*readings[1].correlation_W)[0], 0.2);
 }
 
-/// How often 95 % intervals hold the truth, and how wide they are on average beside those with the whole covariance.
+/// Counts 95 % intervals and those that contain the truth, and adds up their relative widths.
 struct IntervalCoverage {
   int holds = 0, count = 0;
   double width = 0;
@@ -88,12 +88,12 @@ void fit(const PlacedArm& truth, const std::vector<Measurement>& readings, const
     const double value = deflection::findParameter(truth.arm, number.unknown.name)->value;
     ++coverage.count;
     coverage.holds += number.lower <= value && value <= number.upper;
-    coverage.width += (1 / number.lower - 1 / number.upper) * value;  // of the compliance, as a share of it
+    coverage.width += (1 / number.lower - 1 / number.upper) * value;  // relative width in the compliance
   }
 }
 
-// A tracker that looks along x: 1 in the range, 5 across, and errors that go together by 0.9. The encoders are good, so
-// that its noise is most of what there is.
+// A tracker that looks along x: noise of 0.001 in in range and 0.005 in across, with correlations of 0.9. The encoders
+// are accurate, so that the tracker's noise dominates.
 TEST(CorrelatedCoordinates, IntervalsHoldTheTruthAndAreSharperForIt) {
   const std::vector<std::string> names{"tool.joint_stiffness.z", "forearm.joint_stiffness.z",
                                        "mezzanine-beam.joint_stiffness.z", "mezzanine-platform.joint_stiffness.x"};

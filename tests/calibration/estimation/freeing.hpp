@@ -1,4 +1,4 @@
-// Options of a test's fit: free numbers by name, without folds and profiles.
+// Fit options for tests: parameters freed by name, without folds and profiles.
 #pragma once
 
 #include <limits>
@@ -17,7 +17,7 @@ inline IdentificationOptions freeing(const std::vector<std::string>& names) {
   return options;
 }
 
-/// Returns options without priors, for exact readings of an arm that is far from its file.
+/// Returns options without priors, for exact readings of an arm that differs much from its file.
 inline IdentificationOptions freeingBlindly(const std::vector<std::string>& names) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   IdentificationOptions options = freeing(names);

@@ -1,4 +1,4 @@
-// Judging on what was not fitted: whole poses, the same folds for the same seed.
+// Judgement by held-out readings: whole poses are held out, with the same folds for the same seed.
 #include "calibration/estimation/held_out.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// Touches of points under three loads, and positions whose postures repeat within the encoders' noise.
+/// Returns touches of points under three loads, and positions at postures that repeat up to the encoders' noise.
 std::vector<Measurement> campaign(std::uint64_t seed) {
   ReadingMaker maker(cobra(), seed, ReadingMaker::Noise::kStated);
   maker.addTouches(8, {0, 20 * kPound, 40 * kPound}, false);
@@ -75,7 +75,7 @@ TEST(HeldOut, FoldsSplitNoGroupAndAreEven) {
   }
 }
 
-/// Positions at postures of their own: so many in set-up A, so many in B.
+/// Returns positions at distinct postures: `a` in set-up A and `b` in set-up B.
 std::vector<Measurement> inTwoSetups(int a, int b) {
   ReadingMaker maker(cobraTwice(), 15, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, a, "A");
@@ -140,8 +140,8 @@ TEST(HeldOut, JudgesByTheErrorsOfTheTruth) {
   EXPECT_EQ(judge(cobra(), {}).readings, 0);
 }
 
-// A number that the readings do not need at all makes the held-out error larger, not smaller, on average; and every
-// reading is judged once, by a fit that has not seen it.
+// Freeing parameters that need no correction increases the held-out error on average. Every reading is judged once, by
+// a fit without that reading.
 TEST(HeldOut, CrossValidationJudgesEveryReadingOnceByAFitWithoutIt) {
   PlacedArm placed = cobra();
   ReadingMaker maker(placed, 12, ReadingMaker::Noise::kStated);
@@ -164,8 +164,8 @@ TEST(HeldOut, CrossValidationJudgesEveryReadingOnceByAFitWithoutIt) {
   EXPECT_GT(cross.rms, judge(applied(placed, unknowns, all.solution.x), maker.readings).rms);
 }
 
-// A step from the fit to all is as good as a fit of its own where the readings are many; a model that is far from one
-// of the folds is not judged by a step.
+// With many readings, one step from the fit of all readings predicts a fold as well as a separate fit. If one fold is
+// far from the model, steps are refused.
 void expectStepsLikeFits(bool with_touches) {
   SCOPED_TRACE(with_touches ? "with touched points, whose places each fold estimates" : "errors to first order");
   PlacedArm placed = cobra();

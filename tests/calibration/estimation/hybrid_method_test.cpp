@@ -1,4 +1,4 @@
-// Two methods in turn: the second only where the first needs it, and never for the worse.
+// Two methods in turn: the second method runs only where the first needs it, and never makes the result worse.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 using Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
 using Status = LeastSquaresStatus;
 
-/// The valley ten thousand times as steep as it is long, in units far too small for its length.
+/// Returns the curved valley, ten thousand times as steep across as along, with a scale far too small for its length.
 LeastSquaresProblem longValley() {
   auto problem = rosenbrock();
   problem.start = Vector2d(-3, 9);
@@ -36,7 +36,7 @@ TEST(HybridMethod, WhatRestsSoonIsLeftToTheFirst) {
   }
 }
 
-/// However many steps are left for the second: what the first has come to is never lost, nor what the second has.
+/// For any number of iterations left to the second method, the better of both methods' results is returned.
 TEST(HybridMethod, EndNoHigherThanEither) {
   constexpr int kFirst = 30;
   const auto problem = longValley();

@@ -1,4 +1,4 @@
-// What readings determine: exactly confounded numbers, numbers that none depends on, the redundancies of geometry.
+// Identifiability from readings: exactly confounded parameters, parameters without influence, redundant geometry.
 #include "calibration/estimation/identifiability.hpp"
 
 #include <gtest/gtest.h>
@@ -56,20 +56,20 @@ Eigen::MatrixXd inTypicalSizes(const Seen& seen) {
   return columns;
 }
 
-/// Rank by singular values, columns over their typical sizes.
+/// Returns the rank from singular values, with columns scaled by the unknowns' typical sizes.
 int rankOf(const Seen& seen) {
   const Eigen::MatrixXd columns = inTypicalSizes(seen);
   const Eigen::VectorXd values = columns.bdcSvd().singularValues();
   return static_cast<int>((values.array() > 1e-8 * values[0]).count());
 }
 
-/// Exact readings of an arm without flexibility, whose noise hides nothing.
+/// Makes the arm rigid and its encoders nearly noise-free, so that noise hides nothing.
 void makePrecise(PlacedArm& placed) {
   placed.arm = deflection::rigidCopy(placed.arm);
   for (auto& row : placed.arm.rows) row.joint.encoder_sigma = 1e-9;
 }
 
-/// Six revolute axes, no two neighbours parallel.
+/// Returns an arm of six revolute axes, of which no two neighbours are parallel.
 PlacedArm sixAxisArm() {
   PlacedArm placed;
   const double alpha[] = {10, -80, 70, -95, 85, -100}, a[] = {0.05, 0.1, 0.5, 0.08, 0.06, 0.03},
@@ -109,7 +109,7 @@ TEST(Identifiability, ConfoundedNumbersAreDeterminedInCombinationAndNameEachOthe
   EXPECT_FALSE(result.numbers[2].note.empty());
 }
 
-// A deflection does not say where the base stands, nor which way it faces; that it leans shows in what hangs down.
+// Deflections do not depend on the base's position or heading; a tilt of the base shows in the sag.
 TEST(Identifiability, WhatNoReadingDependsOnStaysAtItsStartAndSaysSo) {
   PlacedArm placed = cobra();
   placed.base_poses[0].is_known = false;
@@ -131,8 +131,8 @@ TEST(Identifiability, WhatNoReadingDependsOnStaysAtItsStartAndSaysSo) {
   EXPECT_LT(result.fitted.base_poses[0].X_WB.translation().x() - placed.base_poses[0].X_WB.translation().x(), 1e-9);
 }
 
-// Six axes need 4 x 6 numbers and three of the tip beside a base that is free; the last joint and the tip turn
-// together.
+// Beside a free base, the geometry of six axes needs 4 x 6 parameters and three of the tip; the last joint and the tip
+// rotate together.
 TEST(Identifiability, GeometryOfASixAxisArmIsDetermined) {
   PlacedArm placed = sixAxisArm();
   makePrecise(placed);
@@ -189,7 +189,7 @@ TEST(Identifiability, WhatNoiseHidesIsNotIdentifiable) {
   EXPECT_LT(blurred.numbers(), 1);
 }
 
-// What is identifiable must not hang on a start that may be off by a factor.
+// Identifiability must not depend on a start that is wrong by a large factor.
 TEST(Identifiability, AStartFarTooStiffSaysTheSame) {
   auto readings = positions(cobra(), 12);
   for (const double factor : {1 / 3., 1., 3., 1000.}) {
@@ -209,7 +209,7 @@ TEST(Identifiability, AStartFarTooStiffSaysTheSame) {
   }
 }
 
-/// Readings that hardly reach a stiffness: its interval has no upper end, and so it is not identifiable.
+/// If readings hardly determine a stiffness, its interval has no upper end, and the stiffness is not identifiable.
 TEST(Identifiability, AnIntervalWithoutAnEndIsNotYes) {
   auto readings = positions(cobra(), 6);
   for (double sigma = 1e-6; sigma < 1; sigma *= 3) {
@@ -239,7 +239,8 @@ TEST(Identifiability, SingularValuesAreThoseOfTheColumnsInTypicalSizes) {
   EXPECT_GE(result.singular_values[0], result.singular_values[1]);
 }
 
-/// Of two confounded numbers with priors of one and ten the second is known within one: only as well as the first is.
+/// Two confounded parameters with prior sigmas 1 and 10: the second has a sigma of 1, but only through the first's
+/// prior.
 TEST(Identifiability, WhatOnlyThePriorOfAConfoundedNumberDeterminesIsNotYes) {
   std::vector<Unknown> unknowns(3);
   for (auto& unknown : unknowns) unknown.typical = unknown.prior_sigma = 10;

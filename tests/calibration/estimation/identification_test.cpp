@@ -1,4 +1,4 @@
-// Parameters found again from readings of an arm that is known: exactly without noise, safely with gross errors.
+// Parameters of a known arm are recovered from readings: exactly without noise, and reliably with gross errors.
 #include "calibration/estimation/identification.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ double& stiffnessOf(deflection::Arm& arm, const std::string& name) {
 const std::vector<std::string> kSoft{"tool.joint_stiffness.z", "latch-link.beam.Iz",
                                      "mezzanine-platform.joint_stiffness.x"};
 
-/// Every stiffness off by a factor of three, this way or that.
+/// Multiplies each stiffness by 3 or 1/3, as the bits of `ways` say.
 PlacedArm offByThree(PlacedArm placed, const std::vector<std::string>& names, unsigned ways) {
   for (std::size_t k = 0; k < names.size(); ++k) stiffnessOf(placed.arm, names[k]) *= ways >> k & 1U ? 3 : 1 / 3.;
   return placed;
@@ -95,7 +95,7 @@ TEST(Identification, AnAxisTakenAsRigidIsFoundToGive) {
 }
 
 TEST(Identification, TheNumbersOfANoisyFitAreWithinTheirIntervals) {
-  // Twelve intervals of 95 % each: at most two outside unless the chance is below 0.02.
+  // Twelve intervals of 95 %: the probability of more than two misses is below 0.02.
   int outside = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     ReadingMaker maker(cobra(), seed, Noise::kStated);
@@ -156,7 +156,7 @@ TEST(Identification, RefusesWithAReason) {
   EXPECT_EQ(once.reading_problem->reading, 2) << "as it was given, held-out readings counted";
 }
 
-/// A rigid arm, quick to evaluate: what outliers do does not depend on flexibility.
+/// Returns a rigid arm, quick to evaluate: the treatment of outliers does not depend on flexibility.
 PlacedArm rigidCobra() {
   PlacedArm placed = cobra();
   placed.arm = deflection::rigidCopy(placed.arm);
@@ -166,7 +166,7 @@ PlacedArm rigidCobra() {
 
 const std::vector<std::string> kOffsets{"latch-link.joint.offset", "forearm.joint.offset", "tool.joint.offset"};
 
-/// Gross errors on these readings, each in its own direction [m].
+/// Returns the readings with gross errors of `size` [m] added to those listed in `which`, in three directions in turn.
 std::vector<Measurement> spoilt(std::vector<Measurement> readings, const std::vector<std::size_t>& which, double size) {
   const Eigen::Vector3d ways[] = {{1, 0, 0}, {0, 0.6, -0.8}, {-0.6, 0.8, 0}};
   for (std::size_t k = 0; k < which.size(); ++k) *readings[which[k]].p_W += size * ways[k % 3];
@@ -186,7 +186,7 @@ TEST(Outliers, PlantedOnesAreNamedWithTheirSize) {
       std::set<int> named;
       for (const auto& outlier : result.outliers) {
         named.insert(outlier.reading);
-        // Off by the gross error and its own noise, a few thousandths of an inch.
+        // The gross error plus the reading's own noise of a few thousandths of an inch.
         EXPECT_NEAR(outlier.size, 0.1 * kInch, 0.025 * kInch) << seed << " loss " << static_cast<int>(loss);
       }
       EXPECT_EQ(named, (std::set<int>{4, 23})) << seed << " loss " << static_cast<int>(loss);
@@ -208,7 +208,7 @@ TEST(Outliers, CleanReadingsHaveNone) {
   EXPECT_GE(clean, 95);
 }
 
-// Noise stated eight times too small makes every reading as bad as any other.
+// If all noise is understated by a factor of eight, all readings fit equally badly, and none is an outlier.
 TEST(Outliers, AMisfitEverywhereIsNoOutlier) {
   PlacedArm start = rigidCobra();
   for (auto& row : start.arm.rows) row.joint.encoder_sigma /= 8;
@@ -218,12 +218,13 @@ TEST(Outliers, AMisfitEverywhereIsNoOutlier) {
     for (auto& m : maker.readings) m.sigma /= 8;
     const auto result = identify(start, maker.readings, freeing(kOffsets));
     EXPECT_TRUE(result.outliers.empty()) << seed;
-    // Of eight sigmas one is stated: the rest, root of 63 of them, is taken for the model's own error.
+    // One of eight sigmas is stated; the rest, sqrt(63) stated sigmas, is attributed to the model error.
     EXPECT_NEAR(result.model_error / maker.readings.front().sigma, 8 * std::sqrt(63) / 8, 2) << seed;
   }
 }
 
-// Where touches of unknown points are weakened, the error is still from the estimates that the noise alone makes.
+// Even if a robust loss reduces weights of touches of unknown points, the reported error uses points estimated by noise
+// alone.
 TEST(RobustLoss, ReportsTheErrorThatTheFittedArmHas) {
   ReadingMaker maker(cobra(), 5, Noise::kStated);
   maker.addTouches(15, {0, 30 * kPound}, false);
@@ -235,7 +236,7 @@ TEST(RobustLoss, ReportsTheErrorThatTheFittedArmHas) {
   EXPECT_NEAR(judge(result.fitted, maker.readings).rms, result.after.rms, 1e-3 * result.after.rms);
 }
 
-// A loss that weakens every reading a little must not make its chi-square look too good.
+// A loss that reduces the weight of every reading slightly must not make chi-square too small.
 TEST(RobustLoss, LeavesTheLackOfFitComparableWithItsFreedom) {
   for (const auto loss : {RobustLoss::kHuber, RobustLoss::kCauchy}) {
     double each = 0;

@@ -1,4 +1,4 @@
-// Geometry of arms by Denavit and Hartenberg's numbers beside a base that is known: the first axis may be anywhere.
+// Geometry of arms in Denavit-Hartenberg parameters on a known base, where the first axis may have any pose.
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/identification.hpp"
@@ -10,9 +10,9 @@
 namespace tubeplan::calibration {
 namespace {
 
-constexpr double kTrackerSigma = 5e-5;  // m
+constexpr double kTrackerSigma = 5e-5;  // [m]
 
-/// The arm with every frame off its drawing in all six directions, by 2 mm and 4 mrad.
+/// Returns the arm with every frame displaced from the drawing in all six directions, by up to 2 mm and 4 mrad.
 deflection::Arm builtFrom(const PlacedArm& drawn, RandomStream& random) {
   deflection::Arm built = byOrigins(drawn).arm;
   for (auto& row : built.rows) {
@@ -23,7 +23,7 @@ deflection::Arm builtFrom(const PlacedArm& drawn, RandomStream& random) {
   return built;
 }
 
-/// Positions of the tip without noise, all over the joints' ranges.
+/// Returns noise-free tip positions over the joints' whole ranges.
 std::vector<Measurement> exactPositions(const deflection::Arm& arm, RandomStream& random) {
   std::vector<Measurement> readings(120);
   for (Measurement& m : readings) {

@@ -39,8 +39,8 @@ inline LeastSquaresProblem rosenbrock() {
   return problem;
 }
 
-/// Returns the problem log x0 = 0 and x1 = x0, which is undefined for x0 <= 0, where a full Newton step from the start
-/// ends.
+/// Returns the problem log x0 = 0 and x1 = x0. It is undefined for x0 <= 0, where a full Newton step from the start
+/// ends: there the evaluation fails if `say_so`, else its residual is NaN.
 inline LeastSquaresProblem halfPlane(bool say_so) {
   auto problem = problemAt(Eigen::Vector2d(8, 0));
   problem.evaluate = [say_so](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) {
@@ -52,8 +52,8 @@ inline LeastSquaresProblem halfPlane(bool say_so) {
   return problem;
 }
 
-/// Returns A x = b of random numbers, with more rows than columns, within bounds that exclude some of the free
-/// solution. Columns are nearly equal if `own`, the size of their separate part, is small.
+/// Returns a random problem A x = b with more rows than columns, within bounds that exclude parts of the free solution.
+/// The columns are nearly equal if `own`, the weight of their independent parts, is small.
 inline LeastSquaresProblem randomLinear(std::uint64_t seed, double own = 1) {
   constexpr int kRows = 12, kColumns = 5;
   boost::random::mt19937_64 random(seed);

@@ -1,4 +1,4 @@
-// The methods behind every fit, each row of their table alike, on problems with known answers.
+// All least-squares methods of the table, on problems with known solutions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ TEST_P(EveryMethod, FindsTheBottomOfTheValley) {
   EXPECT_DOUBLE_EQ(found.chi2, chi2Of(rosenbrock(), found.x));
 }
 
-// From the start to the end, and watching changes nothing.
+// Iterations are reported from start to end, and a report callback does not change the result.
 TEST_P(EveryMethod, TellsItsIterations) {
   std::vector<LeastSquaresIteration> told;
   LeastSquaresOptions options{std::nullopt, 100000, method()};
@@ -78,8 +78,8 @@ TEST_P(EveryMethod, StaysWithinBounds) {
   EXPECT_EQ(asked.out_of_bounds, 0);
 }
 
-/// At the least of a convex sum within a box the gradient is zero in each free variable and pushes outwards in the
-/// rest.
+/// At the minimum of a convex sum within a box, the gradient is zero for each free variable and points outwards for the
+/// others.
 TEST_P(EveryMethod, LinearProblemsEndWhereNoBoundLetsThemFallFurther) {
   int at_bounds = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -103,7 +103,7 @@ TEST_P(EveryMethod, LinearProblemsEndWhereNoBoundLetsThemFallFurther) {
   EXPECT_LT(at_bounds, 80);
 }
 
-/// With scales that are powers of two the same numbers are computed, to the last bit.
+/// With scales that are powers of two, a problem in other units gives bitwise equal results.
 TEST_P(EveryMethod, WorksInUnitsOfTheScale) {
   const Vector2d scale(0.25, 8);
   auto problem = rosenbrock(), stretched = rosenbrock();
@@ -183,7 +183,7 @@ TEST_P(EveryMethod, TurnsBackWhereTheModelCannotBeEvaluated) {
   }
 }
 
-/// Derivatives end at x0 = 0.5, half way down the valley.
+/// The model has no derivatives beyond x0 = 0.5, half way down the valley.
 TEST_P(EveryMethod, SaysWhenTheModelCannotBeDifferentiated) {
   auto problem = rosenbrock();
   problem.evaluate = [inner = problem.evaluate](const VectorXd& x, VectorXd& r, MatrixXd* J) {
@@ -198,7 +198,7 @@ TEST_P(EveryMethod, SaysWhenTheModelCannotBeDifferentiated) {
 
 TEST_P(EveryMethod, LeavesFixedVariablesWhereTheyAre) {
   auto problem = rosenbrock();
-  problem.lower[0] = problem.upper[0] = 0.3;  // not where it starts
+  problem.lower[0] = problem.upper[0] = 0.3;  // not the start
   Asked asked;
   const auto found = minimize(watched(problem, asked));
   ASSERT_EQ(found.status, Status::kConverged) << found.reason;
@@ -245,7 +245,7 @@ TEST_P(EveryMethod, RestsWhereNothingDependsOnTheVariables) {
   EXPECT_DOUBLE_EQ(found.chi2, 25);
 }
 
-/// In units of the scale and back this bound becomes a number above itself.
+/// Converted to the scale's unit and back, this bound is rounded to a number above itself.
 TEST_P(EveryMethod, BoundsHoldToTheLastBit) {
   auto problem = rosenbrock();
   problem.scale[0] = 0.3;
@@ -269,7 +269,7 @@ TEST_P(EveryMethod, RefusesBoundsTheWrongWayRound) {
   EXPECT_EQ(found.evaluations + found.jacobian_evaluations, 0);
 }
 
-/// A lack of fit that stays hides gradient and chi2 in its rounding: no method may search that for ever, nor give up.
+/// A large residual hides gradient and chi2 in rounding errors: every method must still converge in reasonable time.
 TEST_P(EveryMethod, RestsOnALargeMisfit) {
   auto problem = rosenbrock();
   problem.evaluate = [inner = problem.evaluate](const VectorXd& x, VectorXd& r, MatrixXd* J) {
@@ -281,7 +281,7 @@ TEST_P(EveryMethod, RestsOnALargeMisfit) {
   const auto found = minimizeLeastSquares(problem, {1e-15, 100000, method()});
   ASSERT_EQ(found.status, Status::kConverged) << found.reason;
   EXPECT_LT(found.iterations, 10000);
-  EXPECT_NEAR(found.x[0], 1, 0.05);  // chi2 is 4e10, its rounding 8e-6; this far along the valley it changes by 5e-3
+  EXPECT_NEAR(found.x[0], 1, 0.05);  // chi2 is 4e10 and its rounding 8e-6; a deviation of 0.05 changes chi2 by 5e-3
 }
 
 TEST(LeastSquaresMethods, EachHasItsOwnName) {

@@ -7,8 +7,8 @@ namespace {
 
 using Status = LeastSquaresStatus;
 
-/// Steps that run against bounds one after the other may predict a rise; they are to become shorter, not to be tried
-/// for ever.
+/// Steps that are clipped at one bound after another may predict an increase; the method must shorten such steps, not
+/// repeat them endlessly.
 TEST(LevenbergMarquardt, UnknownsAllButAlikeComeToRestAtTheirBounds) {
   int at_bounds = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {

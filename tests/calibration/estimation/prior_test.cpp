@@ -1,5 +1,5 @@
-// Priors in the fit and in its uncertainty: linear problems with known answers, and drawings that readings do not
-// reach.
+// Priors in the fit and in its covariance: linear problems with known solutions, and drawn values that readings do not
+// determine.
 #include "calibration/estimation/prior.hpp"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ TEST(Prior, TheEffectiveNumberIsTheTraceOfTheHatMatrix) {
   EXPECT_LT(trace, 2.5);
 }
 
-// A compliance in rad/(N m) beside a force in N: their scales must not reach the sigmas.
+// A compliance in rad/(N m) and a force in N have very different scales, which must not affect the sigmas.
 TEST(Prior, CovarianceDoesNotHangOnUnits) {
   ReadingMaker maker(cobra(), 8, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 12);
@@ -113,7 +113,7 @@ TEST(Prior, MovesWithAnUnknownThatIsRebased) {
   EXPECT_NEAR(priorResiduals({moved}, VectorXd::Constant(1, -0.002))[0], 0, 1e-12);
 }
 
-/// Two lengths along parallel axes: readings determine their sum alone.
+/// Returns tip positions of a rigid arm.
 std::vector<Measurement> rigidReadings(const PlacedArm& truth, int count) {
   ReadingMaker maker(truth, 31, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, count);
@@ -127,7 +127,7 @@ TEST(Prior, WhatReadingsDetermineOnlyTogetherIsSharedByThePriors) {
   const auto path = deflection::findParameter(truth.arm, "forearm.dh.d")->path;
   deflection::locate(truth.arm, path) += 0.004;
   FreeChoice choice{{"latch-link.dh.d", "forearm.dh.d", "tool.dh.d"}, false};
-  choice.priors.named["tool.dh.d"] = 0.0025;  // known twice as well: takes a quarter of what the others take
+  choice.priors.named["tool.dh.d"] = 0.0025;  // a sigma half as large: its correction is a quarter of the others'
   auto unknowns = chooseUnknowns(start, choice).list;
   const auto readings = rigidReadings(truth, 20);
   const Fit fit = fitUnknowns(start, unknowns, readings, VectorXd::Zero(3), {});
@@ -139,8 +139,8 @@ TEST(Prior, WhatReadingsDetermineOnlyTogetherIsSharedByThePriors) {
   EXPECT_EQ(fit.degrees_of_freedom, 59);
 }
 
-/// A drawing that is right must not yield to readings that claim a thousand times the accuracy that the model has, over
-/// a small range of its joints.
+/// A correct drawing must prevail over readings in a small joint range that state a noise a thousand times smaller than
+/// the model's error.
 TEST(Prior, HoldsAgainstReadingsThatStateFarTooLittleNoise) {
   PlacedArm start = cobra();
   start.arm = deflection::rigidCopy(start.arm);
@@ -180,7 +180,8 @@ TEST(ModelError, IsFoundBesideTheNoise) {
   }
 }
 
-/// Of distances a reading has one row, whose square is smaller than half its mean most of the time.
+/// A distance reading has one row, whose square is usually less than half its mean; the estimate must not be biased by
+/// this.
 TEST(ModelError, IsFoundOfDistancesToo) {
   constexpr double kSize = 1e-3;
   double mean = 0;

@@ -1,4 +1,4 @@
-// Intervals by profile: where the model is linear they are those by sigma, and else they say what sigma cannot.
+// Profile intervals: equal to those from sigma if the model is linear, and more accurate otherwise.
 #include "calibration/estimation/profile_interval.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ struct Fitted {
   [[nodiscard]] ProfileInterval profile(int k) const {
     return profileInterval(start, unknowns, readings, fit, k, sigmaOf(k));
   }
-  /// What a fit minimises.
+  /// Returns the minimised sum: chi-square plus the squared prior residuals.
   [[nodiscard]] double leastChi2() const {
     return fit.solution.chi2 + priorResiduals(unknowns, fit.solution.x).squaredNorm();
   }
@@ -34,7 +34,7 @@ Fitted fitted(PlacedArm start, const std::vector<Measurement>& readings, const F
   return result;
 }
 
-// The tip's place in the last link is linear in the measured positions of a rigid arm.
+// The tip's position in the last link is linear in the measured positions of a rigid arm.
 TEST(ProfileInterval, EqualsTheNormalOneWhereTheModelIsLinear) {
   PlacedArm placed = cobra();
   placed.arm = deflection::rigidCopy(placed.arm);
@@ -59,7 +59,7 @@ TEST(ProfileInterval, OfASingleUnknownNothingElseIsFittedAgain) {
   EXPECT_NEAR(interval.upper - interval.lower, 2 * 1.959964 * f.sigmaOf(0), 0.01 * f.sigmaOf(0));
 }
 
-// At an interval's end the lack of fit, everything else fitted again, has risen by what 95 % of chi-square allows.
+// At an end of the interval, with all other unknowns refitted, chi-square has increased by its 95 % quantile.
 TEST(ProfileInterval, EndsWhereTheMisfitHasRisenByItsShare) {
   ReadingMaker maker(cobra(), 5, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 8);
@@ -77,7 +77,7 @@ TEST(ProfileInterval, EndsWhereTheMisfitHasRisenByItsShare) {
     const auto solution = minimizeLeastSquares(fitProblem(f.start, fixed, f.readings, f.fit.weights, x), {});
     EXPECT_NEAR(solution.chi2 - f.leastChi2(), 3.841459, 0.02);
   }
-  // A stiffness may be large far more easily than small.
+  // A stiffness can be large much more easily than small, so the interval extends further upwards.
   const auto [least, most] = valuesBetween(f.unknowns[0], interval.lower, interval.upper);
   EXPECT_GT(most - 1 / give, 1 / give - least);
 }

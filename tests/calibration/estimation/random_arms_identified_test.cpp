@@ -1,4 +1,4 @@
-// Stiffnesses of random arms, found again from readings that say so.
+// Stiffnesses of random arms, recovered from readings that determine them.
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/identification.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 using namespace deflection;
 
-/// Positions of the tip under three loads in turn, without noise.
+/// Returns noise-free tip positions under three loads in turn.
 std::vector<Measurement> exactReadings(const Arm& arm, int count) {
   std::vector<Measurement> readings;
   for (int k = 0; k < count; ++k) {
@@ -56,7 +56,7 @@ RC_GTEST_PROP(RandomArms, AreIdentified, ()) {
     RC_ASSERT(!found.reason.empty());
     return;
   }
-  // What the readings cannot tell is left where it was; the readings themselves are met.
+  // Undetermined stiffnesses keep their start values; the readings themselves are reproduced.
   RC_ASSERT(found.after.rms <= 0.02 * 5e-5 + 1e-4 * found.before.rms);
   for (const auto& number : found.numbers) {
     const double value = findParameter(arm, number.unknown.name)->value;

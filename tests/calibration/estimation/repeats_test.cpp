@@ -1,4 +1,5 @@
-// Readings of one posture tell the noise within the factor to which it is known; beyond it they excuse nothing.
+// Repeated readings of one posture determine the noise, up to a largest plausible factor; beyond it they excuse no
+// misfit.
 #include "calibration/estimation/repeats.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +44,7 @@ TEST(Repeats, ExcuseAModelUpToTheirBoundOnly) {
     }
 }
 
-// Two reflectors on the tool, each read twice at every posture: as many groups as there are places on the tool.
+// With two reflectors on the tool, each read twice per posture, repeats are grouped per posture and reflector.
 TEST(Repeats, AreOfOnePlaceOnTheTool) {
   auto readings = makeCampaign(deflection::cobraArm(), 4);
   readings.resize(3);
@@ -59,7 +60,7 @@ TEST(Repeats, AreOfOnePlaceOnTheTool) {
     for (std::size_t b = 0; b < a; ++b) EXPECT_EQ(groups[a] == groups[b], a / 4 == b / 4 && a % 2 == b % 2);
 }
 
-// Two readings of one posture a metre apart, and a model that is right of all others.
+// Two readings of one posture lie a metre apart, while the model fits all other readings.
 TEST(Repeats, AStaleRowIsNotNoise) {
   auto readings = makeCampaign(deflection::cobraArm(), 4);
   readings[20].q = readings[19].q;

@@ -1,4 +1,4 @@
-// What a diagnosis sets aside with an outlier.
+// Readings that a diagnosis sets aside together with an outlier.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace tubeplan::calibration {
 namespace {
 
 TEST(Diagnosis, ATouchLeftAloneByAnOutlierIsSetAsideWithIt) {
-  // Two touches of each point whose place nobody measured: without one of them the other tells nothing.
+  // Two touches of each unmeasured point: if one touch is an outlier, the other gives no information.
   for (const std::uint64_t seed : {1, 2, 3}) {
     ReadingMaker maker(cobra(), seed, ReadingMaker::Noise::kStated);
     maker.addTouches(24, {0, 40 * kPound}, false);

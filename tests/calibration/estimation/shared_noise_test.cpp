@@ -1,4 +1,4 @@
-// Encoders that were read once for several readings: their noise is in all of these.
+// Encoder readings shared by several measurements: their noise is common to these measurements.
 #include "calibration/estimation/shared_noise.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Two stations with three and two shots, one of a single shot, and ways from the first station to all.
+/// Returns stations with three, two and one shots, and relative readings from the first station to the others.
 std::vector<Measurement> severalAtAStation() {
   ReadingMaker maker(cobra(), 21, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 6);
@@ -39,7 +39,7 @@ MatrixXd slopesOf(const Measurement& reading) {
   return predictReading(placed.arm, placed.base_poses.front().X_WB, reading, request).by_joints;
 }
 
-/// By the definition: every station's joints are noise of their own.
+/// Returns the covariance by definition: encoder noise is independent between stations and common within each.
 MatrixXd covarianceOf(const std::vector<Measurement>& readings) {
   const auto arm = cobra().arm;
   const auto n = static_cast<Index>(readings.size()), joints = arm.jointCount();
@@ -87,16 +87,16 @@ void expectWhite(const std::vector<Measurement>& readings, std::size_t shared) {
 }
 
 TEST(SharedNoise, IsWhitenedAsTheWholeCovarianceHasIt) {
-  expectWhite(severalAtAStation(), 3);  // two stations with several shots, and one that is a way's end too
+  expectWhite(severalAtAStation(), 3);  // several shots at two stations; one also ends a relative reading
 }
 
-/// Each way begins where the one before ended: every station is in two ways, and all hang together.
+/// Each relative reading starts where another ends: every station is in two of them, and all are correlated.
 TEST(SharedNoise, OfAChainOfWaysIsWhitenedAsTheWholeCovarianceHasIt) {
   ReadingMaker maker(cobra(), 23, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 12);
   const auto stations = maker.readings;
   std::vector<Measurement> ways;
-  for (const std::size_t k : {3, 0, 7, 10, 1, 5, 2, 8, 4, 9, 6}) {  // from station k to the next, in any order
+  for (const std::size_t k : {3, 0, 7, 10, 1, 5, 2, 8, 4, 9, 6}) {  // from station k to the next, in shuffled order
     Measurement way = stations[k + 1];
     way.kind = MeasurementKind::kRelative;
     way.reference = std::make_shared<const Measurement>(stations[k]);
@@ -124,7 +124,7 @@ TEST(SharedNoise, OfTouchesStaysWithinTheirPoint) {
   EXPECT_EQ(weighReadings(cobra(), maker.readings)->shared.size(), 1u);
 }
 
-/// Three shots at each of forty postures, whose encoders were read once.
+/// Three shots at each of forty postures with one reading of the encoders each.
 TEST(SharedNoise, RepeatedShotsAgreeWithTheStatedNoise) {
   int refused = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -135,7 +135,7 @@ TEST(SharedNoise, RepeatedShotsAgreeWithTheStatedNoise) {
       for (int shot = 0; shot < 3; ++shot) {
         shots.push_back(reading);
         shots.back().id += std::string(1, static_cast<char>('a' + shot));
-        // What the maker added stands for the encoders' part; each shot has noise of its own beside it.
+        // The maker's noise serves as the encoders' part; each shot has independent noise in addition.
         *shots.back().p_W += maker.noise3(reading.sigma);
       }
     const auto weights = weighReadings(cobra(), shots);

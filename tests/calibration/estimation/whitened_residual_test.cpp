@@ -1,4 +1,4 @@
-// The lack of fit of a campaign: its derivatives, and touched points that nobody measured.
+// The whitened residual of a campaign: its derivatives, and touched points with unknown positions.
 #include "calibration/estimation/whitened_residual.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,8 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Stiffnesses, one of a rigid axis, lengths, angles, a weight, a beam and twelve base steps.
+/// Returns unknowns of all scales: stiffnesses, among them one of a rigid axis, lengths, angles, a weight, a beam, and
+/// twelve base steps.
 FreeChoice everyScale() {
   return {{"tool.joint_stiffness.z", "latch-link.beam.Iz", "base-link.joint_stiffness.y", "forearm.dh.a",
            "latch-link.joint.offset", "forearm.weight.end", "tool.tip"},
@@ -32,7 +33,7 @@ VectorXd anyStep(const std::vector<Unknown>& unknowns, ReadingMaker& random) {
   return x;
 }
 
-/// Readings of every kind in two set-ups, and touches of points that nobody measured.
+/// Returns readings of every kind in two set-ups, with touches of unmeasured points.
 ReadingMaker everyKindTwice() {
   ReadingMaker maker(cobraTwice(), 3);
   addEveryKind(maker, 2, "A");
@@ -41,8 +42,8 @@ ReadingMaker everyKindTwice() {
   return maker;
 }
 
-// Slopes by nothing are rows without columns, also where the same state was evaluated without slopes before. The
-// address and undefined-behaviour sanitizers' build holds Eigen to its own bounds here.
+// With no unknowns the Jacobian has rows but no columns, even if the same state was evaluated without a Jacobian
+// before. The sanitizers' build checks Eigen's bounds here.
 TEST(WhitenedResidual, HasSlopesWithoutColumnsWhereNothingIsUnknown) {
   ReadingMaker maker = everyKindTwice();
   const PlacedArm start = cobraTwice();
@@ -59,7 +60,7 @@ TEST(WhitenedResidual, HasSlopesWithoutColumnsWhereNothingIsUnknown) {
   EXPECT_EQ(jacobian.cols(), 0);
 }
 
-// What is kept of a state is what would be found there again, by whatever weights and in whatever order it is asked.
+// Results stored for a state equal those of a new evaluation, for any weights and any order of requests.
 TEST(WhitenedResidual, IsTheSameAtAStateThatIsAskedForAgain) {
   ReadingMaker maker = everyKindTwice();
   PlacedArm start = cobraTwice();
@@ -74,7 +75,7 @@ TEST(WhitenedResidual, IsTheSameAtAStateThatIsAskedForAgain) {
     MatrixXd jacobian;
     ASSERT_TRUE(kept.evaluate(at, r, with_jacobian ? &jacobian : nullptr, &error));
     const auto fresh = whitenedResidual(start, unknowns, maker.readings, weights, at, with_jacobian);
-    // With slopes and without, the shapes may be solved by other kernels: to rounding.
+    // With and without a Jacobian different kernels may solve the shapes, so results agree only to rounding.
     EXPECT_TRUE(r.isApprox(fresh.r, 1e-9));
     EXPECT_TRUE(error.isApprox(fresh.error, 1e-9));
     EXPECT_TRUE(jacobian.isApprox(fresh.jacobian, 1e-9));
@@ -113,7 +114,7 @@ TEST(WhitenedResidual, JacobianMatchesDifferencesFarFromTheStart) {
   }
 }
 
-// A reading that was made from a way to another one keeps its reference: of another kind it is of no matter.
+// A reading converted from a relative one keeps its reference, which does not affect other kinds.
 TEST(WhitenedResidual, AReferenceWeighsOnlyWhereTheKindHasOne) {
   const PlacedArm placed = cobra();
   ReadingMaker maker(placed, 6);
@@ -126,7 +127,7 @@ TEST(WhitenedResidual, AReferenceWeighsOnlyWhereTheKindHasOne) {
   for (std::size_t k = 0; k < alone.size(); ++k) EXPECT_EQ(with->noise[k], without->noise[k]);
 }
 
-// Of a base only some numbers may be free: the others stay, and nothing else takes their slopes.
+// If only some parameters of a base are free, the others stay fixed, and the free ones keep their own Jacobian columns.
 TEST(WhitenedResidual, SomeNumbersOfABaseHaveTheSlopesThatTheyHaveAmongAll) {
   ReadingMaker maker = everyKindTwice();
   PlacedArm start = cobraTwice();
@@ -155,7 +156,7 @@ TEST(WhitenedResidual, SomeNumbersOfABaseHaveTheSlopesThatTheyHaveAmongAll) {
   EXPECT_TRUE(part.jacobian.isApprox(whole.jacobian(Eigen::all, columns), 1e-9));
 }
 
-/// Readings side by side and one by one: an effect of size nothing keeps the kernels off.
+/// Batched and single evaluation agree; an effect of zero size excludes the kernels.
 TEST(WhitenedResidual, IsTheSameSideBySideAndOneByOne) {
   ReadingMaker maker(cobraTwice(), 5, ReadingMaker::Noise::kStated);
   addEveryKind(maker, 3, "A");
@@ -186,7 +187,7 @@ TEST(WhitenedResidual, IsTheSameSideBySideAndOneByOne) {
 }
 
 TEST(WhitenedResidual, DoesNotHangOnHowManyReadingsAreTakenAtOnce) {
-  PlacedArm exact = cobra();  // copies of a reading have no encoders' noise in common
+  PlacedArm exact = cobra();  // without encoder noise, which copies of a reading would share
   for (auto& row : exact.arm.rows) row.joint.encoder_sigma = 0;
   ReadingMaker maker(cobra(), 7, ReadingMaker::Noise::kStated);
   addEveryKind(maker, 2);
@@ -203,7 +204,7 @@ TEST(WhitenedResidual, DoesNotHangOnHowManyReadingsAreTakenAtOnce) {
     EXPECT_EQ(VectorXd(of_all.segment(row, of_few.size())), of_few);
 }
 
-/// The same campaign with its unknown points as three more variables each: predicted less the point, whitened.
+/// The same campaign with each unknown point as three more variables; the residual is predicted minus point, whitened.
 struct ExplicitPoints {
   MatrixXd jacobian;
   VectorXd r;
@@ -216,7 +217,7 @@ ExplicitPoints withExplicitPoints(const PlacedArm& start, const std::vector<Unkn
   plain.points.clear();
   auto measured = readings;
   for (auto& m : measured)
-    if (!m.p_W) m.p_W = Eigen::Vector3d(0.3, 0.2, 0.1);  // where the explicit points start
+    if (!m.p_W) m.p_W = Eigen::Vector3d(0.3, 0.2, 0.1);  // start value of the explicit points
   const auto residual = whitenedResidual(start, unknowns, measured, plain, x, true);
   ExplicitPoints result{MatrixXd::Zero(residual.r.size(), x.size() + 3 * static_cast<Index>(weights.points.size())),
                         residual.r};
@@ -242,7 +243,7 @@ TEST(WhitenedResidual, EliminatedPointsEqualExplicitOnes) {
   EXPECT_EQ(weights->degrees_of_freedom, weights->rows - 24);
   auto eliminated = whitenedResidual(start, unknowns, maker.readings, *weights, x, true);
   auto whole = withExplicitPoints(start, unknowns, maker.readings, *weights, x);
-  for (Index k = 0; k < x.size(); ++k) {  // a compliance and an angle differ by many powers of ten
+  for (Index k = 0; k < x.size(); ++k) {  // scales a compliance and an angle, which differ by many powers of ten
     eliminated.jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
     whole.jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
   }
@@ -267,7 +268,7 @@ TEST(WhitenedResidual, AnUnknownPointIsEstimatedFromItsTouches) {
       const auto row = weights->first_row[static_cast<std::size_t>(k)];
       sum += weights->covariance(static_cast<std::size_t>(k)).inverse() * residual.error.segment(row, 3);
     }
-    // The weighted errors about the estimate balance.
+    // The weighted errors about the estimated point sum to zero.
     EXPECT_LE(sum.norm(), 1e-6 / maker.readings.front().sigma);
   }
   EXPECT_EQ(weights->points.size(), 3u);

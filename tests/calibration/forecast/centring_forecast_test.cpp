@@ -1,4 +1,4 @@
-// The centring error that a fit's own uncertainty leaves, against closed forms of it.
+// The centring error due to the fit's own uncertainty, compared with closed forms.
 #include "calibration/forecast/centring_forecast.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// A fit of nothing but the base, with this covariance.
+/// Returns a fit in which only the base is uncertain, with this covariance.
 Identification baseFit(const Eigen::Matrix<double, 6, 6>& covariance) {
   Identification fit;
   fit.status = IdentificationStatus::kDone;
@@ -35,8 +35,8 @@ std::vector<Eigen::VectorXd> somePostures(int count) {
   return postures;
 }
 
-// A shift alone moves every tip alike: the length of a plane normal vector has the median sigma sqrt(2 ln 2) and the
-// quantiles sigma sqrt(-2 ln(1 - p)).
+// A shift of the base moves all tips equally. The length of a plane normal vector has the median sigma sqrt(2 ln 2) and
+// the quantiles sigma sqrt(-2 ln(1 - p)).
 TEST(CentringForecast, aShiftOfTheBaseIsRayleighAtEveryHole) {
   constexpr double kSigma = 1e-3;
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
@@ -52,7 +52,7 @@ TEST(CentringForecast, aShiftOfTheBaseIsRayleighAtEveryHole) {
   }
 }
 
-// Heights are not sideways.
+// A vertical shift of the base does not move a tip sideways.
 TEST(CentringForecast, aLiftOfTheBaseMovesNoTipSideways) {
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
   covariance(2, 2) = 1e-6;
@@ -60,7 +60,7 @@ TEST(CentringForecast, aLiftOfTheBaseMovesNoTipSideways) {
   EXPECT_LT(forecast.worst.upper, 1e-9);
 }
 
-// A turn about the vertical moves a tip by its distance from the base's axis, the furthest most.
+// A yaw moves a tip in proportion to its distance from the base's axis, so the farthest tip has the largest error.
 TEST(CentringForecast, aYawMovesTheFurthestTipMost) {
   constexpr double kSigma = 1e-3;
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
@@ -76,7 +76,7 @@ TEST(CentringForecast, aYawMovesTheFurthestTipMost) {
   const auto forecast = forecastCentring(fit, postures, options);
   const auto furthest = std::max_element(radii.begin(), radii.end());
   EXPECT_EQ(forecast.worst_posture, furthest - radii.begin());
-  // The median of a normal variable's size.
+  // The median absolute value of a normal variable is 0.6745 sigma.
   EXPECT_NEAR(forecast.worst.value, 0.6745 * kSigma * *furthest, 0.02 * kSigma * *furthest);
 }
 
@@ -99,7 +99,7 @@ TEST(CentringForecast, aLargerCovarianceWidensItAndAKnownBaseMayBringItsOwn) {
   EXPECT_NEAR(forecastCentring(known, postures, options).median.value, plain, 1e-9 * plain);
 }
 
-// One joint that reads with noise alone: its lever arm times its sigma.
+// With noise in one joint only, the error is its lever arm times its sigma.
 TEST(CentringForecast, theEncodersShareIsTheirNoiseThroughTheJacobian) {
   auto fit = baseFit(Eigen::Matrix<double, 6, 6>::Identity() * 1e-8);
   fit.fitted.base_poses.front().X_WB = Eigen::Isometry3d::Identity();

@@ -1,4 +1,4 @@
-// How far the tip may be off where a calibrated arm is sent to.
+// The error of a calibrated arm's tip at commanded postures.
 #include "calibration/forecast/tip_error.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// Postures under other holes than those touched.
+/// Returns postures under holes other than the touched ones.
 std::vector<Eigen::VectorXd> otherPostures() {
   std::vector<Eigen::VectorXd> postures;
   for (const auto& plan : touchedCell({{-20, 20}, {0, 30}, {25, 15}, {-30, 35}}).plans)
@@ -44,7 +44,7 @@ TEST(TipError, IsAsStatedOverArmsWhoseNumbersAreOff) {
   const auto postures = otherPostures();
   const ArmUncertainty uncertainty;
   constexpr int kRuns = 300;
-  std::vector<double> square(postures.size(), 0);  // of the error against its covariance: 2 on the average
+  std::vector<double> square(postures.size(), 0);  // mean squared error relative to its covariance; expected: 2
   for (std::uint64_t seed = 1; seed <= kRuns; ++seed) {
     auto truth = cell;
     truth.arm = drawnArm(cell.arm, uncertainty, seed);
@@ -105,7 +105,7 @@ TEST(TipError, WithFewDegreesOfFreedomHasWiderTails) {
   };
   const double encoders = variance(0, 0);
   EXPECT_NEAR(variance(size, 0) - encoders, 1, 1e-9);
-  // Student's t has the variance n / (n - 2), most of it in tails that eight cases show in part.
+  // Student's t has the variance n / (n - 2); eight discrete cases represent its tails only in part.
   EXPECT_NEAR(variance(size, 10) - encoders, 10 / 8., 0.05);
   EXPECT_NEAR(variance(size, 1000) - encoders, 1000 / 998., 0.01);
   EXPECT_GT(variance(size, 3), 1.5);

@@ -1,5 +1,5 @@
-// Clocks that were set, or read wrong, while readings were taken, are named with the reading and put right; pauses and
-// rows in another order are left alone.
+// Clocks that were set or misread during a campaign are named, with the first affected reading, and corrected; pauses
+// and reordered rows are left unchanged.
 #include "calibration/measurement_checks/clock.hpp"
 
 #include <gtest/gtest.h>
@@ -11,9 +11,9 @@
 namespace tubeplan::calibration {
 namespace {
 
-constexpr double kMinute = 60, kHourLong = 3600;  // s
+constexpr double kMinute = 60, kHourLong = 3600;  // [s]
 
-/// So many readings, a minute or so apart.
+/// Returns `count` readings, about one minute apart.
 CheckedReadings timedReadings(int count, std::uint64_t seed) {
   CheckedReadings checked;
   RandomStream random(seed);
@@ -83,9 +83,9 @@ TEST(Clock, PausesAndOtherOrdersAreLeftAlone) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     auto checked = timedReadings(40, seed);
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;
-    setClock(checked, 20, 2500 + 17 * static_cast<double>(seed));  // coffee
+    setClock(checked, 20, 2500 + 17 * static_cast<double>(seed));  // a coffee break
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;
-    setClock(checked, 12, 14.5 * kHourLong);  // a night
+    setClock(checked, 12, 14.5 * kHourLong);  // a night's pause
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;
     RandomStream(seed).shuffle(checked.readings);
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;

@@ -11,7 +11,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// Checks of 40 readings of the Cobra under such gravity, held against one under gravity downwards.
+/// Returns checks of 40 readings of a Cobra under gravity `gravity_W`; the cell states gravity downwards.
 MeasurementChecks checksUnder(const Eigen::Vector3d& gravity_W, bool is_base_known, std::uint64_t seed = 8) {
   PlacedArm real = cobra();
   real.arm.gravity_W = gravity_W;
@@ -39,7 +39,7 @@ TEST(GravityDirection, IsNamedWithTheKeyOfTheCell) {
   }
 }
 
-/// The direction that a sentence says is to be written in the cell.
+/// Returns the gravity direction that the sentence proposes for the cell; zero if it proposes none.
 Eigen::Vector3d directionIn(const std::string& sentence) {
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   const std::size_t at = sentence.find("gravity: [");
@@ -62,7 +62,7 @@ void expectGravity(const MeasurementCheck* gross, const Eigen::Vector3d& gravity
   EXPECT_LT(gross->error_if_mended, gross->error_as_is / 5);
 }
 
-// A base on a pedestal that leans, or on a wall that is not upright: the direction is found to two degrees.
+// For a base on a tilted pedestal or wall the direction is found within two degrees.
 TEST(GravityDirection, IsFoundWhereItIsOblique) {
   for (const double lean : {50., 75., 120.})
     for (const double azimuth : {0., 35., 200.}) {
@@ -72,7 +72,7 @@ TEST(GravityDirection, IsFoundWhereItIsOblique) {
     }
 }
 
-// Exchanged axes turn a base that is not known, and come within 45 degrees of any direction: gravity fits better.
+// Exchanged axes rotate an unknown base to within 45 degrees of any direction, but the true gravity fits better.
 TEST(GravityDirection, IsFoundWhereItIsObliqueAndTheBaseUnknown) {
   int named = 0;
   for (const double lean : {75., 120.})
@@ -89,7 +89,8 @@ TEST(GravityDirection, IsFoundWhereItIsObliqueAndTheBaseUnknown) {
   EXPECT_GE(named, 5);
 }
 
-// Along an axis both explain all: the base that stays where it was says which it is.
+// Along a coordinate axis exchanged axes and gravity explain the readings equally; an unmoved base decides between
+// them.
 TEST(GravityDirection, IsToldFromExchangedAxesByTheBase) {
   for (const Eigen::Vector3d& gravity_W :
        {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, -1, 0)}) {
@@ -111,7 +112,7 @@ TEST(GravityDirection, IsToldFromExchangedAxesByTheBase) {
   }
 }
 
-// Near 26 degrees the effect gravity-tilt takes over: a lean of 30 may be left to it, and is never taken for another.
+// Below about 26 degrees the effect gravity-tilt applies: a tilt of 30 may be left to it, but is never named otherwise.
 TEST(GravityDirection, IsFoundOrLeftToTheFitWhereItLeansLittle) {
   for (const double azimuth : {0., 35., 200.})
     for (const bool is_base_known : {true, false}) {

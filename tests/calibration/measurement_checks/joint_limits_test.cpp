@@ -24,7 +24,7 @@ deflection::Joint<double> jointBetween(double lower, double upper) {
 
 TEST(JointLimits, AReadingPastThemIsTakenOneTurnBackWhereThatIsWithin) {
   const struct {
-    double lower, upper, read, back;  // deg
+    double lower, upper, read, back;  // [deg]
   } cases[] = {{-180, 180, 212, -148}, {-180, 180, 359.5, -0.5}, {0, 360, -30, 330},   {-90, 200, -150, 210},
                {-360, 360, 400, 40},   {-120, 120, 164, 164},    {-180, 180, 572, 572}};
   for (const auto& c : cases) {
@@ -40,7 +40,7 @@ TEST(JointLimits, AReadingPastThemIsTakenOneTurnBackWhereThatIsWithin) {
 
 TEST(JointLimits, AHairIsAThousandthOfTheRange) {
   const struct {
-    double read;  // deg, between limits of -120 and 80
+    double read;  // [deg], with limits of -120 and 80
     bool is_past;
   } cases[] = {{80.19, false}, {80.21, true}, {-120.19, false}, {-120.21, true}, {std::nan(""), true}};
   for (const auto& c : cases) EXPECT_EQ(isPastLimit(jointBetween(-120, 80), c.read * kDeg), c.is_past) << c.read;
@@ -50,7 +50,7 @@ TEST(JointLimits, AHairIsAThousandthOfTheRange) {
   EXPECT_TRUE(isPastLimit(endless, -120.1 * kDeg));
 }
 
-/// Readings of the bench whose first joint's encoder counts from 0 to 360 deg, as a file.
+/// Returns the changed readings of a set, written to the form of a file and read back.
 app::ReadingsWithChecks readUnwound(SeededSet& set, const std::function<void(std::vector<Measurement>&)>& change) {
   change(set.table.readings);
   return app::parseAndCheck(app::measurementsCsv(set.table.readings, set.cell.arm, set.cell.units), "m.csv", set.cell,
@@ -77,7 +77,7 @@ TEST(JointLimits, ReadingsOfAnEncoderFromZeroToATurnAreTakenBackAndSaidSo) {
   EXPECT_EQ(grossMistake(read.checks), nullptr);
 }
 
-// A hair past is read and said; three times as much is refused with the limits.
+// A reading slightly beyond a limit is accepted with a note; at three times the excess it is refused, with the limits.
 TEST(JointLimits, AReadingAHairPastIsTakenAndSaidSo) {
   const auto raised = [](double hair) {
     return [hair](std::vector<Measurement>& readings) { readings[4].q[1] = (180 + hair) * kDeg; };
@@ -92,7 +92,7 @@ TEST(JointLimits, AReadingAHairPastIsTakenAndSaidSo) {
   EXPECT_THROW((void)readUnwound(*other, raised(0.3)), app::InputError);
 }
 
-// One reading that no turn brings back speaks against the encoder's count.
+// A reading that no full turn brings within the limits contradicts an encoder that counts from 0 to 360 deg.
 TEST(JointLimits, AJointWithAReadingThatNoTurnBringsBackIsRefused) {
   auto set = simulatedSet("bench.yaml", "bench", 30, {}, 3);
   ASSERT_TRUE(set);
@@ -104,7 +104,7 @@ TEST(JointLimits, AJointWithAReadingThatNoTurnBringsBackIsRefused) {
                app::InputError);
 }
 
-// A count from zero and another mistake: the count is settled, and the mistake still named.
+// A count from zero together with another mistake: the count is corrected, and the other mistake is still named.
 TEST(JointLimits, AnotherMistakeBesideTheTurnIsNamed) {
   auto set = simulatedSet("bench.yaml", "bench", 30, {}, 3);
   ASSERT_TRUE(set);

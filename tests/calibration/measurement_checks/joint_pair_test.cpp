@@ -1,5 +1,5 @@
-// Motors of a differential in the columns of two joints: mended, named beside another mistake, and nothing else taken
-// for one.
+// Columns of two joints that contain a differential's motors: corrected, named together with another mistake, and never
+// named wrongly.
 #include "calibration/measurement_checks/joint_pair.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(JointPair, TakesSensesOfMotionThatTheMotorsTell) {
   }
 }
 
-// Each beside another mistake, of a unit, a sign or the coordinates' axes: the readings come back as they were.
+// Combined with a wrong unit, sign or coordinate axis, the correction restores the clean readings.
 TEST(JointPair, IsNamedBesideAnotherMistake) {
   int made = 0, mended = 0;
   std::string found;

@@ -1,5 +1,5 @@
-// Ordinary mistakes with readings are named, none is seen where there is none, and each is mended by what is proposed.
-// The study studies/measurement_checks does the same at length.
+// Common mistakes in readings are named, no mistake is reported in clean readings, and each proposal corrects its
+// mistake. studies/measurement_checks is the same test with many more readings.
 #include "calibration/measurement_checks/measurement_checks.hpp"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ namespace {
 
 class MeasurementChecks : public ::testing::TestWithParam<std::size_t> {};
 
-// Three sets each: a single one may be of the few that priors explain. The last joint's zero is left out: to tips alone
-// it is a tool mounted elsewhere, and nothing that the readings hold could say which.
+// Three sets each, since priors may explain the mistake in a single set. The zero of the last joint is left out: for
+// tip positions it is equivalent to a tool mounted elsewhere.
 TEST_P(MeasurementChecks, NameTheMistake) {
   constexpr int kSets = 3;
   const auto& kind = seededMistakes().at(GetParam());
@@ -40,8 +40,8 @@ TEST_P(MeasurementChecks, NameTheMistake) {
   EXPECT_GE(named, kSets - 1) << found;
 }
 
-/// Chi-square for each degree of freedom of a right model, of readings that are taken as a check offers. Of a zero or a
-/// scale that was found with the drawing's stiffnesses a rest is left, which belongs to the model.
+/// Returns chi-square per degree of freedom of a correct model for readings corrected as a check proposes. A zero or
+/// scale found with the drawing's stiffnesses leaves a residual error, so the model frees these parameters.
 double chi2Mended(SeededSet& set, const std::string& assume) {
   (void)app::takeAssumptions({assume}, set.table, set.cell);
   ComparisonOptions options;
@@ -59,7 +59,8 @@ double chi2Mended(SeededSet& set, const std::string& assume) {
   return comparison.after_refit.chi2 / comparison.after_refit.degrees_of_freedom;
 }
 
-// The noise of what is mended is mended with it: a mend that left it in the wrong unit would be off by hundreds.
+// The correction applies to the noise, too: noise left in the wrong unit would change chi-square by a factor of
+// hundreds.
 TEST_P(MeasurementChecks, AreMendedByWhatTheyOffer) {
   constexpr int kSets = 2;
   const auto& kind = seededMistakes().at(GetParam());
@@ -86,7 +87,7 @@ TEST_P(MeasurementChecks, AreMendedByWhatTheyOffer) {
 
 INSTANTIATE_TEST_SUITE_P(OfEveryKind, MeasurementChecks, ::testing::Range<std::size_t>(0, seededMistakes().size()));
 
-// Few readings are fitted exactly by all that is open, and no fit knows of an error below the noise.
+// Few readings are fitted exactly by all free parameters, but no fit can know of an error below the noise.
 TEST(MeasurementChecksOf, ErrorsAreQuotedNoLowerThanTheNoise) {
   int quoted = 0;
   for (const auto& kind : seededMistakes())
@@ -100,11 +101,11 @@ TEST(MeasurementChecksOf, ErrorsAreQuotedNoLowerThanTheNoise) {
         double noise = std::numeric_limits<double>::infinity();
         for (const auto& m : set->table.readings) noise = std::min(noise, m.sigma);
         for (const auto& check : checksOf(*set).checks) {
-          if (check.name == "hole" || !findMistakeKind(check.name)) continue;  // a hole's error is that of one reading
+          if (check.name == "hole" || !findMistakeKind(check.name)) continue;  // a hole's error belongs to one reading
           for (const double error : {check.error_as_is, check.error_if_mended}) {
             if (!std::isfinite(error)) continue;
             ++quoted;
-            // Of what was written in another unit, the noise too, the smallest unit is a thousandth of the largest.
+            // With a wrong coordinate unit the noise is wrong, too; the smallest unit is a thousandth of the largest.
             EXPECT_GE(error, noise * (check.assume.starts_with("coord") ? 1e-3 : 0.999))
                 << kind.label << ": " << check.sentence;
           }
@@ -133,7 +134,7 @@ TEST(MeasurementChecksOf, PhysicsIsNoMistake) {
   }
 }
 
-// What creeps, and what slips at a time that the readings state, are effects for the diagnosis to find.
+// Drifts, and slips at a time that the readings state, are effects for the diagnosis.
 TEST(MistakesFromAReading, AreNotSeenInWhatCreeps) {
   static constexpr const char* kHidden[] = {"base-drift@base", "thermal-growth@arm", "base-slip@base"};
   for (const char* hidden : kHidden)
@@ -145,7 +146,7 @@ TEST(MistakesFromAReading, AreNotSeenInWhatCreeps) {
     }
 }
 
-/// A zero that creeps as the arm warms up: by as much as a step of twenty times the noise would be.
+/// A zero that drifts as the arm warms up, by as much as a step of twenty times the noise.
 TEST(MistakesFromAReading, AreNotSeenInAZeroThatCreeps) {
   for (const std::uint64_t number : {0, 3, 5, 8})
     for (const double share : {0.1, 0.4, 3.}) {
@@ -161,7 +162,7 @@ TEST(MistakesFromAReading, AreNotSeenInAZeroThatCreeps) {
     }
 }
 
-// Taken as proposed, the readings have no mistake left.
+// Readings corrected as proposed contain no further mistake.
 TEST(MistakesFromAReading, AreGoneOnceMended) {
   int mended = 0;
   for (const char* label : {"counts lost midway", "another target midway", "tracker bumped midway"})
@@ -182,7 +183,7 @@ TEST(MistakesFromAReading, AreGoneOnceMended) {
   EXPECT_GE(mended, 6);
 }
 
-// A mistake of the whole table beside one that begins within it: both are named, in the order in which they are undone.
+// A mistake of the whole table and one that starts within the table: both are named, in the order of their correction.
 TEST(MistakesFromAReading, AreNamedBesideOthers) {
   int made = 0, named = 0;
   std::string found;
@@ -229,8 +230,7 @@ TEST(MeasurementChecksOf, BeamsThatBendTooFarForTheirSegmentsAreNamed) {
   EXPECT_FALSE(has());
 }
 
-// Of every mistake that may meet another some pairs, by their numbers; the study counts five hundred.
-/// An elbow arm of six joints, its numbers as a standard table has them.
+// Returns an elbow arm of six joints with standard Denavit-Hartenberg parameters.
 PlacedArm elbowArm() {
   PlacedArm placed;
   const double alpha[] = {90, 0, -90, 90, -90, 0}, a[] = {0, 0.43, 0.02, 0, 0, 0}, d[] = {0.6, 0.1, 0.15, 0.43, 0, 0.1};
@@ -279,6 +279,7 @@ TEST(MeasurementChecksOf, ATwistWithTheOtherSignIsNamed) {
   EXPECT_LT(gross->error_if_mended, 1e-3);
 }
 
+// The first pairs by number; the study studies/measurement_checks counts five hundred.
 TEST(PairsOfMistakes, AreBothNamed) {
   constexpr int kPairs = 12;
   int made = 0, named = 0;
@@ -297,7 +298,7 @@ TEST(PairsOfMistakes, AreBothNamed) {
   EXPECT_GE(named, 10) << found;
 }
 
-// Of joints that are rounded to steps of their own, each is named with its step.
+// If each joint is rounded to its own step, each is named with its step.
 TEST(MeasurementChecksOf, JointsRoundedEachByItselfAreRemarkedOn) {
   auto set = cleanSet(0);
   ASSERT_TRUE(set);
@@ -313,7 +314,7 @@ TEST(MeasurementChecksOf, JointsRoundedEachByItselfAreRemarkedOn) {
   EXPECT_NE(said->sentence.find("0.005 rad"), std::string::npos) << said->sentence;
 }
 
-// Pulses of several joints have scales that nobody can find together: they are asked for.
+// Scales of several joints in pulses cannot be estimated together, so the user is asked for them.
 TEST(MeasurementChecksOf, PulsesOfSeveralJointsAreAskedFor) {
   auto set = cleanSet(0);
   ASSERT_TRUE(set);
@@ -322,7 +323,7 @@ TEST(MeasurementChecksOf, PulsesOfSeveralJointsAreAskedFor) {
   EXPECT_NE(std::ranges::find(checks, std::string("joint-scale"), &MeasurementCheck::name), checks.end());
 }
 
-/// Joints as a display shows them, of postures that had more digits.
+/// Joint readings rounded as on a display, of postures with more digits.
 TEST(MeasurementChecksOf, RoundedJointsAreRemarkedOn) {
   for (const double degrees : {0., 0.1, 0.5}) {
     auto set = cleanSet(0);
@@ -353,7 +354,7 @@ TEST(MeasurementChecksOf, MissingColumnsSayWhatTheyWouldShow) {
   EXPECT_EQ(columns, (std::vector<std::string>{"<joint>_dir", "temperature", "time"}));
 }
 
-// A tilt has its direction with it, a position its point of the tool, whatever was read at those joints.
+// The direction of a tilt and the tool point of a position move with the measured value, whichever joints the row has.
 TEST(MeasurementChecksOf, ShiftedRowsKeepWholeWhatWasMeasured) {
   std::vector<Measurement> readings(3);
   readings[1].kind = MeasurementKind::kTilt;
@@ -392,7 +393,7 @@ TEST(MeasurementChecksOf, CopiesAreTakenOutWhereNoTwoReadingsWouldBeAlike) {
   EXPECT_EQ(copied.readings.back().id, clean.readings.back().id);
 }
 
-// A dial gauge reads the same number again and again: its readings are repeats, not copies.
+// A dial gauge often shows equal values: such readings are repeats, not copies.
 TEST(MeasurementChecksOf, CoarseReadingsThatAgreeAreNoCopies) {
   auto set = simulatedSet("bench.yaml", "bench", 30, {}, 7);
   ASSERT_TRUE(set);
@@ -425,7 +426,7 @@ TEST(MeasurementChecksOf, ManyReadingsAreThinnedOut) {
   EXPECT_EQ(grossMistake(checks)->name, "joint-sign");
 }
 
-// A touch of a hole that would not be there was left out, and the others fitted the better.
+// A touch of a hole outside the sheet would otherwise be left out, and the fit of the others would improve.
 TEST(MistakeKinds, HolesWereNotCountedSoThatOneIsMissing) {
   const app::Cell cell = shippedCell("mockup.yaml");
   CheckedReadings checked;

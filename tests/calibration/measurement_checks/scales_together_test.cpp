@@ -1,5 +1,5 @@
-// Several joints in pulses of their encoders, each with counts of its own or all with the same, are named with their
-// scales; what is no pulses is left alone.
+// Several joints in encoder pulses, with different or equal counts per degree, are named with their scales; other
+// readings are left unchanged.
 #include "calibration/measurement_checks/scales_together.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// Multiplies readings of these joints by counts [per degree], rounded to whole ones as encoders have them.
+/// Converts readings of the listed joints to whole encoder counts, at `counts` per degree.
 void countPulses(SeededSet& set, const std::vector<int>& joints, const std::vector<double>& counts) {
   constexpr double kDegree = std::numbers::pi / 180;
   for (auto& m : set.table.readings)
@@ -19,7 +19,7 @@ void countPulses(SeededSet& set, const std::vector<int>& joints, const std::vect
       m.q[joints[k]] = std::round(m.q[joints[k]] / kDegree * counts[k]) * kDegree;
 }
 
-// Signs are of what the readings tell: an arm that is read in another sign all over has another base.
+// The readings do not determine a common sign: an arm read with all signs reversed has another base.
 TEST(ScalesTogether, OfSeveralJointsAreNamed) {
   int made = 0, mended = 0;
   std::string found;

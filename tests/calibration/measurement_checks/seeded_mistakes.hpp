@@ -1,4 +1,4 @@
-// Common mistakes made on purpose in clean readings, and the judgement whether the checks name them.
+// Common mistakes introduced on purpose into clean readings, and the judgement of whether the checks name them.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,9 +16,9 @@
 
 namespace tubeplan::calibration {
 
-/// One mistake. `make` applies it and returns its correction; nothing if the set does not allow it.
+/// One mistake. `make` applies it and returns the text of its correction; empty if the set does not allow the mistake.
 struct SeededMistake {
-  const char* name;  ///< name of the check that finds it
+  const char* name;  ///< name of the check that should find the mistake
   const char* label;
   std::optional<std::string> (*make)(SeededSet&, SeededRandom&);
 };
@@ -93,7 +93,7 @@ inline Made coordinateInMillimetres(SeededSet& s, SeededRandom& random) {
   for (auto& m : s.table.readings) (*m.p_W)[axis] *= s.table.units.coordinates.factor / 1e-3;
   return std::string("coordinate-unit=") + "xyz"[axis] + ":mm";
 }
-/// Converts the noise of the readings from `first` on to the actual unit of the coordinates.
+/// Converts the noise from reading `first` on to `unit`, the actual unit of the coordinates.
 inline Made withSigma(SeededSet& set, const std::string& unit, std::size_t first, Made mend) {
   const double factor = set.table.units.coordinates.factor / app::findUnit(app::UnitKind::kLength, unit)->factor;
   for (std::size_t k = first; mend && k < set.table.readings.size(); ++k) set.table.readings[k].sigma *= factor;
@@ -112,7 +112,8 @@ inline Made coordinateInMillimetresWithSigma(SeededSet& s, SeededRandom& random)
   }
   return mend;
 }
-/// Draws a reading from which on a mistake holds, as in a file appended to another.
+/// Draws the first of the readings at the end of the table that have a mistake, as in a file appended to another;
+/// returns its index and the range of ids.
 inline std::pair<std::size_t, std::string> drawnEnd(const SeededSet& set, SeededRandom& random) {
   const auto& readings = set.table.readings;
   const int count = static_cast<int>(readings.size());
@@ -156,7 +157,7 @@ inline Made jointSign(SeededSet& s, SeededRandom& random) {
   for (auto& m : s.table.readings) m.q[joint] *= -1;
   return "joint-sign=" + jointName(s, joint);
 }
-/// Adds another joint's reading to a column: theta3 + theta2 in place of theta3.
+/// Adds another joint's reading to a joint's column or subtracts it, for example theta3 + theta2 in place of theta3.
 inline Made jointCoupling(SeededSet& s, SeededRandom& random) {
   const int joints = static_cast<int>(s.table.joints.size());
   const int joint = drawnJoint(s, random), of = (joint + (joint + 1 < joints ? 1 : -1));
@@ -180,7 +181,7 @@ inline Made jointPair(SeededSet& s, SeededRandom& random) {
   return fmt::format("joint-pair={}:{}:{:g}:{:g}:{:g}:{:g}", jointName(s, a), jointName(s, b), shares(0, 0),
                      shares(0, 1), shares(1, 0), shares(1, 1));
 }
-/// Converts a joint to encoder pulses, some thousands per degree.
+/// Converts the readings of a joint to encoder pulses, at some thousands of pulses per degree.
 inline Made jointInPulses(SeededSet& s, SeededRandom& random) {
   if (!arePlaces(s)) return std::nullopt;
   const int joint = drawnJoint(s, random);
@@ -189,7 +190,7 @@ inline Made jointInPulses(SeededSet& s, SeededRandom& random) {
     m.q[joint] = std::round(m.q[joint] * 180 / std::numbers::pi * factor) * std::numbers::pi / 180;
   return "joint-scale=" + jointName(s, joint);
 }
-/// Reverses the signs of two or three joints.
+/// Reverses the signs of two or three joint columns.
 inline Made severalSigns(SeededSet& s, SeededRandom& random) {
   const int joints = static_cast<int>(s.table.joints.size());
   std::string mend;
@@ -247,7 +248,7 @@ inline Made shiftedRows(SeededSet& s, SeededRandom& random) {
   }
   return "shift=" + std::to_string(by);
 }
-/// Loses or doubles a measured point, which shifts all following ones.
+/// Drops or duplicates a measured point, which shifts all following points by one row.
 inline Made shiftedFromAPoint(SeededSet& s, SeededRandom& random) {
   auto& readings = s.table.readings;
   const int count = static_cast<int>(readings.size());
@@ -265,7 +266,7 @@ inline Made shiftedFromAPoint(SeededSet& s, SeededRandom& random) {
   if (by < 0) readings.pop_back();
   return "shift=" + std::to_string(by) + "@" + readings[static_cast<std::size_t>(first)].id;
 }
-/// Counts holes from another row or column, for a known base; an unknown one would absorb the shift.
+/// Counts holes from another row or column; only for a known base, since an unknown base would absorb the shift.
 inline Made holesOff(SeededSet& s, SeededRandom& random) {
   if (!areHoles(s) || !s.cell.base_known) return std::nullopt;
   const bool of_rows = random() % 2;
@@ -302,7 +303,7 @@ inline Made oneHole(SeededSet& s, SeededRandom& random) {
   return mend;
 }
 /// Displaces a known base by up to 0.15 of the reach and rotates it by 0.05 to 0.4 rad about gravity, so that the arm's
-/// sag is the same.
+/// sag does not change.
 inline Made baseElsewhere(SeededSet& s, SeededRandom& random) {
   if (!s.cell.base_known || !arePlaces(s)) return std::nullopt;
   const double reach = deflection::reachOf(s.cell.arm);
@@ -313,7 +314,7 @@ inline Made baseElsewhere(SeededSet& s, SeededRandom& random) {
     if (m.kind == MeasurementKind::kPosition || m.kind == MeasurementKind::kTouch) *m.p_W = turn * *m.p_W + shift;
   return "base=unknown";
 }
-/// Moves the reflector on the last link for the second of two set-ups, as a rigid shift of the tip.
+/// Moves the reflector on the last link before the second of two set-ups, as a rigid shift of the tip.
 inline Made tipAnew(SeededSet& s, SeededRandom& random) {
   std::vector<std::string> setups;
   for (const auto& m : s.table.readings)
@@ -327,8 +328,8 @@ inline Made tipAnew(SeededSet& s, SeededRandom& random) {
   const PlacedArm placed = app::startOf(s.cell, s.table.readings);
   for (auto& m : s.table.readings) {
     if (m.setup != setups.back() || !m.p_W) continue;
-    // The base is at the cell's place except for small errors of the set-up, so the tool's rotation in the world is
-    // nearly exact.
+    // The base has the cell's pose except for small errors of the set-up, so the tool's rotation in the world is nearly
+    // exact.
     const auto shape =
         deflection::solveFlexibleKinematics(placed.arm, postureOf(m, placed.arm, placed.base_poses.front().X_WB));
     *m.p_W += placed.base_poses.front().X_WB.linear() * shape.X_BD.R * by;
@@ -351,7 +352,7 @@ inline Made duplicate(SeededSet& s, SeededRandom& random) {
   return "without=" + m.id;
 }
 
-/// Takes the joints of the preceding reading, as if logged before the controller had the new ones.
+/// Copies the joints of the preceding reading, as if logged before the controller had updated them.
 inline Made staleJoints(SeededSet& s, SeededRandom& random) {
   auto& readings = s.table.readings;
   if (!arePlaces(s) || areHoles(s) || readings.size() < 12) return std::nullopt;
@@ -366,11 +367,11 @@ inline Made staleJoints(SeededSet& s, SeededRandom& random) {
   return "without=" + readings[k].id;
 }
 
-/// Reading within a table, with the motion of the measured points from there on: from ten times the noise to a tenth of
-/// the reach.
+/// A reading and the displacement of the measured points from this reading on, between ten times the noise and a tenth
+/// of the reach.
 struct SeededStep {
   std::size_t first = 0;
-  double motion = 0;  // [m]
+  double motion = 0;  // displacement of the measured points [m]
   std::string from;
 };
 inline std::optional<SeededStep> drawnStep(const SeededSet& s, SeededRandom& random, double times_noise) {
@@ -379,9 +380,9 @@ inline std::optional<SeededStep> drawnStep(const SeededSet& s, SeededRandom& ran
   const bool are_positions =
       std::ranges::all_of(readings, [](const auto& m) { return m.kind == MeasurementKind::kPosition; });
   if (!are_positions || count < 24) return std::nullopt;
-  // With fewer readings, the thirty numbers that the drawing leaves open absorb most of such a small step.
+  // With fewer readings, the thirty parameters that the drawing leaves uncertain absorb most of such a small step.
   if (times_noise == 10 && count < 40) return std::nullopt;
-  constexpr int kAround = 6;  // readings of the same set-up before and after
+  constexpr int kAround = 6;  // readings of the same set-up required before and after
   const auto first = static_cast<std::size_t>(kAround + drawnBelow(count - 2 * kAround, random));
   for (std::size_t k = first - kAround; k < first + kAround; ++k)
     if (readings[k].setup != readings[first].setup) return std::nullopt;
@@ -389,8 +390,8 @@ inline std::optional<SeededStep> drawnStep(const SeededSet& s, SeededRandom& ran
 }
 inline double drawnTimes(SeededRandom& random) { return 10 * std::pow(10., drawnBetween(0, 2, random)); }
 
-/// Loses encoder counts of a joint from a reading on, so that the tip moves by the drawn mean. For the last joint this
-/// would equal a tool mounted elsewhere.
+/// Loses encoder counts of a joint from a reading on, so that the tip's mean displacement is the drawn one. The last
+/// joint is excluded, since its lost counts would equal a tool mounted elsewhere.
 inline Made zeroFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   const auto step = drawnStep(s, random, times_noise);
   if (!step) return std::nullopt;
@@ -406,7 +407,7 @@ inline Made zeroFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   for (std::size_t k = step->first; k < s.table.readings.size(); ++k) s.table.readings[k].q[joint] -= lost;
   return fmt::format("joint-zero={}:{:.6g}@{}", jointName(s, joint), lost / s.table.units.angles.factor, step->from);
 }
-/// Moves the reflector on the last link from a reading on.
+/// Moves the reflector on the last link for all readings from a randomly drawn one on.
 inline Made tipFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   const auto step = drawnStep(s, random, times_noise);
   if (!step) return std::nullopt;
@@ -423,8 +424,8 @@ inline Made tipFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   by /= s.table.units.coordinates.factor;
   return fmt::format("tip={:.5g}:{:.5g}:{:.5g}@{}", by[0], by[1], by[2], step->from);
 }
-/// Displaces the tracker from a reading on, without times of the readings; with times it would be an effect of the
-/// catalogue.
+/// Displaces the tracker from a reading on, and removes the readings' times; with times the displacement would be an
+/// effect of the catalogue.
 inline Made baseFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   const auto step = drawnStep(s, random, times_noise);
   if (!step) return std::nullopt;
@@ -447,7 +448,7 @@ inline Made tipFromByFar(SeededSet& s, SeededRandom& random) { return tipFrom(s,
 inline Made baseFromBarely(SeededSet& s, SeededRandom& random) { return baseFrom(s, random, 10); }
 inline Made baseFromByFar(SeededSet& s, SeededRandom& random) { return baseFrom(s, random, drawnTimes(random)); }
 
-/// Draws a run of up to a fifth of the readings, logged from something that stood still.
+/// Draws a run of up to a fifth of the readings, to be logged from a device that was frozen.
 inline std::optional<std::pair<std::size_t, std::size_t>> drawnRun(const SeededSet& s, SeededRandom& random) {
   const auto& readings = s.table.readings;
   const int count = static_cast<int>(readings.size());
@@ -532,8 +533,8 @@ inline const std::vector<SeededMistake>& seededMistakes() {
   return kMistakes;
 }
 
-/// Returns true if two texts name a step of the same kind and joint, within a third of its size and within two rows.
-/// For a row that hardly moves the side cannot be decided.
+/// Returns true if two texts name a step of the same kind and joint, with values within 30 % and rows at most two
+/// apart, since near a row that hardly moves the first affected row cannot be determined.
 inline bool isSameStep(const std::string& a, const std::string& b) {
   constexpr double kRows = 2, kShare = 0.3;
   const auto at = [](const std::string& text) { return std::min(text.find('@'), text.size()); };
@@ -566,8 +567,8 @@ inline bool isSameStep(const std::string& a, const std::string& b) {
 
 enum class Naming { kRight, kEqually, kWrong, kMissed };
 
-/// Returns how the checks name the mistake: first, among those that explain the readings as well, another one, or none.
-/// For a zero, whose value is estimated, and for a sigma's unit, only the kind and place count.
+/// Returns how the checks name the mistake: first, among equally good explanations, wrongly, or not at all. For a zero,
+/// whose value is estimated, and for the unit of a sigma, only the kind and the place must agree.
 inline Naming judgeNaming(const SeededMistake& mistake, const std::string& mend, const MeasurementChecks& checks) {
   const auto fits = [&](const std::string& assume) {
     if (mend.find('@') != std::string::npos && !mend.starts_with("shift=")) return isSameStep(assume, mend);

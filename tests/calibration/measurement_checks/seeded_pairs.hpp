@@ -1,4 +1,4 @@
-// Two common mistakes made together on purpose in clean readings, and the judgement whether the checks name both.
+// Two common mistakes introduced together into clean readings, and the judgement of whether the checks name both.
 #pragma once
 
 #include <algorithm>
@@ -16,11 +16,11 @@ namespace tubeplan::calibration {
 struct SeededPair {
   SeededSet set;
   std::vector<Measurement> clean;
-  std::vector<std::string> mends;  ///< corrections in the order in which the mistakes were made
+  std::vector<std::string> mends;  ///< corrections, in the order in which the mistakes were made
   std::string label;
 };
 
-/// Returns the mistakes of a whole table that errors show, any two of which may be combined.
+/// Returns the mistakes that affect a whole table and show in its errors; any two of them may be combined.
 inline const std::vector<std::string>& pairedMistakes() {
   static const std::vector<std::string> kLabels{
       "coordinates in mm",    "coordinates in m",     "radians under deg",   "one joint in radians under deg",
@@ -33,8 +33,8 @@ inline const SeededMistake& seededMistake(const std::string& label) {
   return *std::ranges::find_if(seededMistakes(), [&](const auto& mistake) { return mistake.label == label; });
 }
 
-/// Returns a pair by its number; nothing if the set does not allow it, or if both are the same. Zeros of the last joint
-/// are excluded, since for tips alone they equal a tool mounted elsewhere.
+/// Returns the pair with this number; empty if the set does not allow the pair, or if both mistakes are of one kind.
+/// Zeros of the last joint are excluded, since for tips alone they equal a tool mounted elsewhere.
 inline std::optional<SeededPair> seededPair(std::uint64_t number) {
   SeededRandom random(number * 977 + 11);
   const auto& labels = pairedMistakes();
@@ -57,8 +57,8 @@ inline std::optional<SeededPair> seededPair(std::uint64_t number) {
 enum class PairNaming { kBoth, kAsGood, kOne, kOther, kNone };
 inline constexpr const char* kPairNamings[] = {"both", "as good", "one", "another", "none"};
 
-/// Returns the largest distance of the readings, corrected as a check proposes, from the clean ones: joints [rad,
-/// modulo a turn] and places [m]; infinite if the proposal is not accepted.
+/// Returns the largest difference between the readings corrected as a check proposes and the clean readings: joints
+/// [rad, modulo a turn] and positions [m]; infinite if the proposal is refused.
 inline double distanceMended(const SeededPair& pair, const std::string& assume) {
   app::MeasurementTable table = pair.set.table;
   app::Cell cell = pair.set.cell;
@@ -77,15 +77,15 @@ inline double distanceMended(const SeededPair& pair, const std::string& assume) 
   return largest;
 }
 
-/// Returns the set corrected as a check proposes, like a set without mistakes.
+/// Returns the set with its readings corrected as a check proposes.
 inline SeededSet mendedSet(const SeededPair& pair, const std::string& assume) {
   SeededSet set = pair.set;
   (void)app::takeAssumptions({assume}, set.table, set.cell);
   return set;
 }
 
-/// Returns true if the corrected readings fit as well as the clean ones: the errors with the tip as drawn, and with all
-/// that is open, are less than 1.5 times theirs.
+/// Returns true if the corrected readings fit as well as the clean ones: the errors, both with the tip as drawn and
+/// with all parameters free, are less than 1.5 times as large.
 inline bool fitsAsClean(const SeededPair& pair, const std::string& assume) {
   SeededSet clean = pair.set;
   clean.table.readings = pair.clean;
@@ -101,9 +101,9 @@ inline bool fitsAsClean(const SeededPair& pair, const std::string& assume) {
          with.asIs().open_error < 1.5 * without.asIs().open_error;
 }
 
-/// Judges whether a check names both mistakes: the readings corrected by its proposal, or by an equal one, are the
-/// clean ones up to a few hundredths of a zero. As good: a named mistake corrects the readings to fit as clean ones.
-/// One: a proposal contains one of the two.
+/// Judges whether a check names both mistakes. Both: its proposal, or an equally good one, restores the clean readings
+/// up to a few hundredths of a zero. As good: a named mistake corrects the readings to fit as well as clean ones. One:
+/// a proposal contains one of the two mistakes.
 inline PairNaming judgePair(const SeededPair& pair, const MeasurementChecks& checks) {
   constexpr double kSame = 0.05;
   bool is_one = false, is_any = false;

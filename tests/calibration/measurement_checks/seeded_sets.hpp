@@ -1,4 +1,4 @@
-// Clean readings of arms slightly off their drawing: by a design of a shipped cell, or by number.
+// Clean readings of arms slightly different from their drawing: from a design of a shipped cell, or by set number.
 #pragma once
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@
 
 namespace tubeplan::calibration {
 
-/// Cell with readings in the form of their file.
+/// Cell with readings in the form of a measurement file.
 struct SeededSet {
   std::string name;
   app::Cell cell;
@@ -41,8 +41,8 @@ inline app::Cell shippedCell(const std::string& name) {
   return app::readCell((std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells" / name).string());
 }
 
-/// Returns readings by a design of a shipped cell, with stiffnesses a tenth off, an unknown base displaced, and the
-/// hidden effects. Nothing if the arm does not reach them.
+/// Returns readings from a design of a shipped cell, with stiffnesses wrong by a tenth, a displaced base where it is
+/// unknown, and the hidden effects. Empty if the arm does not reach the readings.
 inline std::optional<SeededSet> simulatedSet(const std::string& cell_name, const std::string& design, int readings,
                                              const std::vector<std::string>& hidden, std::uint64_t seed,
                                              const std::function<void(app::SimulationTask&)>& change = {}) {
@@ -72,7 +72,7 @@ inline MeasurementChecks checksOf(const SeededSet& set) {
   return checkMeasurements(checked);
 }
 
-/// Returns a clean set by its number, with designs, sizes and seeds in turn.
+/// Returns the clean set with this number; designs, sizes and seeds vary with the number.
 inline std::optional<SeededSet> cleanSet(std::uint64_t number) {
   static constexpr int kSizes[] = {30, 60, 120, 45};
   const int size = kSizes[number / 5 % 4];

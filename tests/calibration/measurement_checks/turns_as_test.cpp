@@ -1,5 +1,5 @@
-// Turns under roll, pitch, yaw that were written in another form are named, and mended they are the turns that they
-// were. The forms are written here by other code than reads them.
+// Rotations written in another form under roll, pitch, yaw are named, and their correction restores the rotations. The
+// test writes the forms with code independent of the reader.
 #include "calibration/measurement_checks/turns_as.hpp"
 
 #include <fmt/format.h>
@@ -64,7 +64,7 @@ TEST(TurnsAs, IsNamedAndMendedOfEveryForm) {
     for (const auto kind : {MeasurementKind::kPose, MeasurementKind::kOrientation})
       for (const std::uint64_t seed : {1, 2, 3})
         for (const bool is_base_known : {true, false}) {
-          if (kind == MeasurementKind::kOrientation && !is_base_known) continue;  // turns alone place no base
+          if (kind == MeasurementKind::kOrientation && !is_base_known) continue;  // no base position from rotations
           const auto turned = turnedIn(write, kind, seed == 3 ? 12 : 40, seed, is_base_known);
           const auto checked = checkedTurns(turned);
           const auto checks = checkMeasurements(checked);

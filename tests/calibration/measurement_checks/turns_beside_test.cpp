@@ -1,5 +1,5 @@
-// A mistake of the turns under roll, pitch, yaw beside another of joints or coordinates, and two of the turns: both are
-// named.
+// A mistake of the rotations under roll, pitch, yaw combined with one of joints or coordinates, or two mistakes of the
+// rotations: both are named.
 #include "calibration/measurement_checks/turns_beside.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ const std::vector<MistakeMade>& mistakesOfTurns() {
          m.own = turn.angle() * turn.axis();
        }},
       {"tool-frame=yzx", [](Measurement& m) {
-         Eigen::Matrix3d R_TM;  // the measured x, y, z are the tool's y, z, x
+         Eigen::Matrix3d R_TM;  // the measured x, y, z axes are the tool's y, z, x axes
          R_TM << 0, 0, 1, 1, 0, 0, 0, 1, 0;
          m.own = deflection::fixedAnglesOf(turnIn(m) * R_TM);
        }}};
@@ -61,7 +61,7 @@ TEST(TurnsBeside, AnotherMistakeBothAreNamed) {
   std::string found;
   const auto& others = mistakesOfOthers();
   for (const auto& of_turns : mistakesOfTurns())
-    for (std::size_t k = 0; k < others.size() / 2; ++k) {  // each of the turns beside two, each other beside two
+    for (std::size_t k = 0; k < others.size() / 2; ++k) {  // two others per rotation mistake and vice versa
       const auto& other = others[static_cast<std::size_t>(made) % others.size()];
       const auto checks = checksOfPoses({&of_turns, &other}, static_cast<std::uint64_t>(++made));
       const auto* gross = grossMistake(checks);

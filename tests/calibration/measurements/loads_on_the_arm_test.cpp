@@ -1,5 +1,5 @@
-// Readings under forces and moments on the tip, and of arms with side chains: as exact, identified and covered as those
-// under a hung load alone.
+// Readings under tip forces and moments, and of arms with side chains: as exact, identifiable and well covered as
+// readings under a hung load alone.
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/identification.hpp"
@@ -13,7 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The bench's arm with a second one on its base link, whose weight nobody sees but by what it bends.
+/// Returns the bench's arm with a second arm on its base link, whose weight shows only in the deflection that it
+/// causes.
 deflection::Arm withSideChain() {
   deflection::Arm arm = benchCell().arm;
   deflection::SideChain<double> chain{2, {}};
@@ -31,7 +32,7 @@ deflection::Arm withSideChain() {
 
 PlacedArm placed(const deflection::Arm& arm) { return {arm, {{"", benchCell().X_WB, true}}}; }
 
-/// Shares of the 95 % intervals that miss the truth, over seeds: a fifth of all is many sigmas off.
+/// Counts the 95 % intervals that miss the true value, over seeds.
 struct LoadedCoverage {
   int outside = 0, all = 0;
   void add(const Identification& found, const deflection::Arm& truth) {
@@ -98,7 +99,7 @@ TEST(LoadsOnTheArm, PushesShowWhatGravityCannot) {
     blind_p = std::max(blind_p, identify(known, campaign.readings, freeing(names)).p_value);
   }
   EXPECT_EQ(coverage.all, 120);
-  EXPECT_LE(coverage.outside, 14);  // 6 expected; more by chance below 0.002
+  EXPECT_LE(coverage.outside, 14);  // 6 expected; more than 14 have a probability below 0.002
   EXPECT_LT(blind_p, 1e-6) << "without its column a push is a misfit";
   EXPECT_LT(pushed_width, hung_width) << "what pushes sideways says more of the tool's joint";
 }
@@ -120,7 +121,7 @@ TEST(LoadsOnTheArm, WeightOfASideChainIsFound) {
                          identify(start, campaign.readings, freeing({"mezzanine-platform.joint_stiffness.x"})).p_value);
   }
   EXPECT_EQ(coverage.all, 60);
-  EXPECT_LE(coverage.outside, 9);  // 3 expected; more by chance below 0.002
+  EXPECT_LE(coverage.outside, 9);  // 3 expected; more than 9 have a probability below 0.002
   EXPECT_LT(ignored_p, 1e-6);
 }
 

@@ -1,4 +1,4 @@
-// Laws over the table of kinds.
+// Laws that every row of the table of measurement kinds obeys.
 #include "calibration/measurements/measurement_kinds.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Measurement anyReading(const MeasurementKindRow& row) {
   return m;
 }
 
-/// Of every kind a reading, of the tip and of another point of the tool; of steps also where all went in.
+/// Returns readings of every kind, at the tip and at another point of the tool; for step counts also with all steps in.
 std::vector<Measurement> readingsOfEveryKind() {
   std::vector<Measurement> readings;
   for (const MeasurementKindRow& row : measurementKinds()) {
@@ -81,7 +81,7 @@ TEST(MeasurementKinds, SlopesAreDifferencesOfValues) {
 TEST(MeasurementKinds, WhatIsRecordedWasMeasured) {
   const ToolPose tool = anyTool();
   for (const MeasurementKindRow& row : measurementKinds()) {
-    if (row.is_touch || row.settle) continue;  // measures nothing: where it rests is the touched place
+    if (row.is_touch || row.settle) continue;  // measures no value of its own: the tip's position is the touched place
     Measurement m = anyReading(row);
     row.record(tool, 1, MeasuredValue::Zero(row.rows), m);
     EXPECT_LE((row.measured(m) - row.value(m, tool)).norm(), 1e-12) << row.name;
@@ -97,7 +97,7 @@ TEST(MeasurementKinds, WhatIsRecordedIsAllThatAReadingHasToState) {
     EXPECT_EQ(statesEnough(m), valueColumnsOf(row).least == 0) << row.name;
     if (row.state) row.state(places, m);
     row.record(anyTool(), 1, MeasuredValue::Zero(row.rows), m);
-    if (row.counts_steps) m.own[0] = 3;  // whoever has the tool counts them
+    if (row.counts_steps) m.own[0] = 3;  // counted by whoever has the tool
     m.point = "P1";
     EXPECT_TRUE(statesEnough(m)) << row.name;
     EXPECT_FALSE(row.lack && row.lack(m, row.name)) << row.name;
@@ -107,7 +107,7 @@ TEST(MeasurementKinds, WhatIsRecordedIsAllThatAReadingHasToState) {
   }
 }
 
-// The tilts of a frame are asked again of the frame itself: three sines whose squares add up to one.
+// The tilts are compared with the tool frame itself: three sines whose squares sum to one.
 TEST(MeasurementKinds, TiltsAreTheElevationsOfTheToolsAxes) {
   const ToolPose tool = anyTool();
   Measurement m = anyReading(kindOf(MeasurementKind::kTilt));
@@ -122,10 +122,10 @@ TEST(MeasurementKinds, TiltsAreTheElevationsOfTheToolsAxes) {
   EXPECT_NEAR(sum, 1, 1e-12);
 }
 
-// 200 seeds of each: of 95 % intervals 186 to 194 hold the truth in two cases of three, 180 to 197 in 99.5 of 100.
+// Among 200 intervals of 95 %, 186 to 194 contain the truth with a probability of 2/3, 180 to 197 with 0.995.
 TEST(MeasurementKinds, IntervalsHoldTheTruthAsOftenAsTheySay) {
   for (const MeasurementKindRow& row : measurementKinds()) {
-    if (row.is_touch) continue;  // synthetic touches take an inverse each: the campaigns' tests hold them
+    if (row.is_touch) continue;  // one inverse solution per touch is too slow; the tests of campaigns cover touches
     int holds = 0, count = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
       const PlacedArm truth = cobra();

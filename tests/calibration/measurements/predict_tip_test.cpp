@@ -1,4 +1,4 @@
-// The tip in the world, its derivatives by the base, and the noise that joints bring to it.
+// The tip in the world frame, its derivatives with respect to the base, and its noise due to the joints.
 #include <gtest/gtest.h>
 
 #include "tests/calibration/estimation/cobra_touches.hpp"
@@ -25,7 +25,8 @@ TEST(PredictTip, DerivativesByTheBaseIncludeGravity) {
           (2 * h);
       EXPECT_LE((slope - tip.by_base.col(k)).norm(), 1e-6 * tip.by_base.col(k).norm()) << k;
     }
-    // Left out, gravity's turn would be missed by what the arm sags: more than a thousandth of the lever.
+    // The sag makes the rotation of gravity significant: without it the derivative is wrong by over a thousandth of the
+    // lever.
     const Eigen::Vector3d lever = tip.value - cell.X_WB_true.translation();
     double without_gravity = 0;
     for (int k = 0; k < 3; ++k)

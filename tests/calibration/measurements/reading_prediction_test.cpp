@@ -1,4 +1,4 @@
-// What the model expects of each kind of reading, and how noise reaches it.
+// The predicted value of each kind of reading, and the noise of the prediction.
 #include "calibration/measurements/reading_prediction.hpp"
 
 #include <gtest/gtest.h>
@@ -107,7 +107,7 @@ TEST(ReadingPrediction, DerivativesByTheJointsMatchDifferences) {
   }
 }
 
-// The encoders' noise moves both tips of a deflection together, so hardly any of it is left there.
+// Encoder noise moves both tips of a deflection together, so it almost cancels.
 TEST(ReadingPrediction, CovarianceIsThatOfDrawnReadings) {
   PlacedArm placed = cobra();
   for (auto& row : placed.arm.rows) row.joint.encoder_sigma *= 3;
@@ -133,7 +133,7 @@ TEST(ReadingPrediction, CovarianceIsThatOfDrawnReadings) {
       for (Eigen::Index i = 0; i < error.size(); ++i) error[i] += maker.noise(rowSigmas(m)[i]);
       drawn += error * error.transpose() / kDraws;
     }
-    // Of an entry of a sample covariance sqrt(2 / n) of the variances is one sigma: 0.018.
+    // An entry of a sample covariance has a relative sigma of sqrt(2 / n): 0.018.
     EXPECT_LE((drawn - stated).norm(), 0.08 * stated.norm()) << static_cast<int>(kind);
     const double share = 1 - rowSigmas(m).squaredNorm() / stated.trace();
     if (kind == MeasurementKind::kDeflection)

@@ -1,4 +1,4 @@
-// Readings that determine nothing are refused with a reason.
+// Readings that do not determine the free parameters are refused with a reason.
 #include "calibration/measurements/reading_problems.hpp"
 
 #include <gtest/gtest.h>
@@ -61,12 +61,12 @@ TEST(ReadingProblems, FewerNumbersThanAreFree) {
   ASSERT_EQ(maker.readings.size(), 3u);
   const auto free = unknownsOf({"tool.joint_stiffness.z", "latch-link.beam.Iz", "forearm.joint_stiffness.z",
                                 "mezzanine-beam.beam.Iz", "tool.tip.x"});
-  expectProblem(maker.readings, free, "4 numbers");  // one distance, and six coordinates less the three of the point
+  expectProblem(maker.readings, free, "4 numbers");  // one distance, and six coordinates minus three of the point
   EXPECT_NE(findReadingProblem(maker.readings, free)->what.find("5 free numbers"), std::string::npos);
   EXPECT_FALSE(findReadingProblem(maker.readings, unknownsOf(kTwo)));
 }
 
-// What follows from geometry alone may outnumber the readings: what they tell is kept of it.
+// Parameters of the geometry may outnumber the readings: the combinations that the readings determine are fitted.
 TEST(ReadingProblems, GeometryMayOutnumberTheReadings) {
   ReadingMaker maker(cobra(), 5);
   maker.add(MeasurementKind::kPosition, 3);

@@ -1,4 +1,4 @@
-// Readings of a row's frame: what is predicted of them, how it changes, and how well they tell a stiffness.
+// Readings of a row's frame: their prediction, its derivatives, and how accurately they determine a stiffness.
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/identification.hpp"
@@ -61,7 +61,7 @@ TEST(RowReadings, AreOfTheRowsDeflectedFrame) {
 }
 
 TEST(RowReadings, ThoseOfTheLastRowAreThoseOfTheToolWhereItsMemberIsRigid) {
-  const PlacedArm placed = cobra();  // no beam between its last row and the tip
+  const PlacedArm placed = cobra();  // no beam between the last row and the tip
   const auto& X_WB = placed.base_poses.front().X_WB;
   const int last = static_cast<int>(placed.arm.rows.size()) - 1;
   const auto row = predictReading(placed.arm, X_WB, tiltOf(placed.arm, last)).value;
@@ -77,7 +77,7 @@ TEST(RowReadings, DerivativesMatchDifferences) {
     request.numbers = {deflection::Variable::number(number->path)};
     for (int row = 0; row < static_cast<int>(placed.arm.rows.size()); ++row) {
       Measurement m = tiltOf(placed.arm, row);
-      // As an inclinometer reads it: an axis that stands upright, whose slope is hardly a number, is left out.
+      // The nearly vertical axis, whose slope is ill-conditioned, is left out, as an inclinometer leaves it out.
       kindOf(m).record(*frameAt(placed.arm, X_WB, m), 1, MeasuredValue::Zero(3), m);
       ASSERT_EQ(rowsOf(m), 2);
       const auto exact = predictReading(placed.arm, X_WB, m, request);
@@ -108,7 +108,7 @@ TEST(RowReadings, DerivativesMatchDifferences) {
   }
 }
 
-// Those of the tool are taken side by side, and one by one where others are among them: with the same result.
+// Tool readings are solved in batches, or singly if readings of rows are among them: the results are equal.
 TEST(RowReadings, AmongOthersChangeNothingOfThem) {
   const PlacedArm placed = cobraTwice();
   ReadingMaker maker(placed, 8, ReadingMaker::Noise::kStated);
@@ -135,7 +135,7 @@ struct Stiffness {
   const char* name;
 };
 
-// 200 seeds of each, as the table's own law: 180 to 197 of 95 % intervals hold the truth in 99.5 of 100.
+// Among 200 intervals of 95 %, 180 to 197 contain the truth with a probability of 0.995.
 TEST(RowReadings, IntervalsHoldTheTruthAsOftenAsTheySay) {
   for (const auto kind : kindsOfRows())
     for (const auto& [row, name] :

@@ -1,4 +1,4 @@
-// Planes and spheres that nobody measured: found by the tips that touched them, and taken off what a fit is made of.
+// Planes and spheres of unknown position: estimated from the tips that touched them, and eliminated from the fit.
 #include "calibration/measurements/surfaces.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ std::vector<Measurement> touches(MeasurementKind kind, int count, ReadingMaker::
   return maker.readings;
 }
 
-/// With its radius not stated, of kinds that may state one.
+/// Returns the readings without stated values such as a sphere's radius.
 std::vector<Measurement> withoutGiven(std::vector<Measurement> readings) {
   for (auto& reading : readings) reading.own.setConstant(std::numeric_limits<double>::quiet_NaN());
   return readings;
@@ -43,8 +43,8 @@ TEST(Surfaces, ExactReadingsLieOnThem) {
     }
 }
 
-// What the simulator's own tips say of them, by other means than the fit: the cross product of two ways along a plane,
-// and equal distances from a centre.
+// Independent check with the simulator's own tips: the cross product of two vectors in a plane, and equal distances
+// from a centre.
 TEST(Surfaces, AreThoseThatWereTouched) {
   const PlacedArm placed = cobra();
   const auto tipsOf = [&](const std::vector<Measurement>& readings) {
@@ -91,7 +91,7 @@ TEST(Surfaces, ResidualIsZeroAndItsSlopesAreDifferences) {
   }
 }
 
-// A base that moves takes unknown surfaces with it, and nothing else says where it stands. Gravity turns with a base.
+// Unknown surfaces move with an unknown base, so the readings do not determine its position.
 TEST(Surfaces, DoNotSeeWhereTheBaseIs) {
   for (const auto kind : kindsOfSurfaces()) {
     PlacedArm start = cobra();
@@ -106,7 +106,7 @@ TEST(Surfaces, DoNotSeeWhereTheBaseIs) {
   }
 }
 
-// An arm whose forearm is 2 mm longer than drawn, from the drawing: with surfaces of unknown place as with a tracker.
+// A forearm 2 mm longer than drawn is found from touches of unknown surfaces, as with a tracker.
 TEST(Surfaces, TellALengthOfTheArm) {
   for (const auto kind : kindsOfSurfaces()) {
     const auto readings = touches(kind, 90, ReadingMaker::Noise::kStated, 11);
@@ -138,7 +138,7 @@ TEST(Surfaces, TooFewTouchesOfOneAreRefused) {
   }
 }
 
-// Points on a line say nothing of a plane: readings keep what they have, and count for nothing.
+// Collinear points do not determine a plane: settling the surface fails, and the readings carry no weight.
 TEST(Surfaces, ALineOfPointsIsNoPlane) {
   const auto& plane = kindOf(MeasurementKind::kPlane);
   Eigen::Matrix3Xd points(3, 5);

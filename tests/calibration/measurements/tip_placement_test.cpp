@@ -1,4 +1,4 @@
-// The tip brought to a place from a posture nearby.
+// Placing the tip at a position, starting from a nearby posture.
 #include "calibration/measurements/tip_placement.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ TEST_F(TipPlacementOfTheCobra, StaysWhereTheTipAlreadyIs) {
 TEST_F(TipPlacementOfTheCobra, SaysWhatIsOutOfReachOrStretched) {
   CampaignRandom random(6, CampaignRandom::Stream::kPostures);
   EXPECT_EQ(placeTip(arm, randomPosture(random), Vector3d(9, 0, 1)).status, TipPlacementStatus::kNotConverged);
-  // Elbow and wrist such that upper arm, forearm and the tip lie in one line.
+  // Elbow and wrist are such that the upper arm, the forearm and the tip are collinear.
   deflection::Posture straight{Eigen::Vector4d(0.2, 0.8, 0, -std::atan2(7.8471, 16.2493)), 0, -Vector3d::UnitZ()};
   EXPECT_EQ(placeTip(deflection::rigidCopy(arm), straight, tipOf(deflection::rigidCopy(arm), straight)).status,
             TipPlacementStatus::kStretched);

@@ -1,4 +1,4 @@
-// What a residual follows is found where it was planted, and nowhere else more often than promised.
+// Patterns of the residual are found where they were planted, with no more false findings than promised.
 #include "calibration/patterns/comparison.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,8 @@ Comparison compareCobra(const std::vector<Measurement>& readings,
                  refitOf(free));
 }
 
-/// A linear world: a Jacobian at hand, residuals drawn as noise and what the Jacobian absorbs taken off.
+/// Linear model: a given Jacobian, and random residuals from which the components that the Jacobian absorbs are
+/// removed.
 struct LinearWorld {
   ReadingScene scene;
   ReadingWeights weights;
@@ -58,7 +59,7 @@ struct LinearWorld {
   }
 };
 
-// The length of a way changes along the way, wherever the tip stands.
+// The error of a relative reading's length lies along its vector, for any position of the tip.
 TEST(Comparison, theErrorOfAWayLiesAlongIt) {
   ReadingMaker maker(cobra(), 4, ReadingMaker::Noise::kNone);
   maker.add(MeasurementKind::kRelative, 6);
@@ -138,7 +139,7 @@ TEST(Comparison, plantedHysteresisIsFoundByTheJointsSense) {
     EXPECT_EQ(first.variable, std::string("sense of ") + joint);
     EXPECT_TRUE(first.goes_with.empty());
     ASSERT_EQ(first.trend.size(), 2u);
-    // Both ways together move the tip by two half widths times its lever.
+    // The two approach directions together move the tip by two half widths times the lever.
     const double lever = 2 * 0.03 * kDegree * deflection::reachOf(deflection::cobraArm());
     EXPECT_GT(first.size, 0.1 * lever);
     EXPECT_LT(first.size, lever);
@@ -202,7 +203,8 @@ TEST(Comparison, nothingFreeIsJudgedAsItStands) {
 }
 
 TEST(Comparison, whatOnlyNoiseMovesIsNotAsked) {
-  // Touches of holes on a flat sheet: the predicted height is the sheet's plus the error. Joints that stand still.
+  // For touches of holes in a flat sheet, the predicted height is the sheet's height plus the error. Some joints stand
+  // still.
   auto readings = makeCampaign(deflection::cobraArm(), 21);
   for (auto& reading : readings) {
     const Vector3d tip = *reading.p_W;
@@ -250,7 +252,7 @@ TEST(Comparison, refusesWhatCannotBeFitted) {
 }
 
 TEST(Repeats, closedFormOfPureErrorAndLackOfFit) {
-  // Two readings of one posture, a lone one; stated sigma s, exact encoders. Errors +-d about 0 and 3 s apart.
+  // Two readings of one posture and a single one; stated sigma s, exact encoders. Errors of +-d about 0, and of 3 s.
   auto arm = deflection::cobraArm();
   for (auto& row : arm.rows) row.joint.encoder_sigma = 0;
   auto readings = makeCampaign(arm, 1, {2, 1, 0, kReadingSigma});
@@ -269,7 +271,7 @@ TEST(Repeats, closedFormOfPureErrorAndLackOfFit) {
   EXPECT_NEAR(repeats.noise_ratio, std::sqrt(8. / 3), 1e-9);
   EXPECT_EQ(repeats.lack_freedom, 6);
   EXPECT_NEAR(repeats.lack_of_fit_F, (9. / 6) / (8. / 3), 1e-9);
-  // P(chi-square of 3 > 8) = erfc(2) + 4 exp(-4) / sqrt(pi).
+  // P(chi-square with 3 degrees of freedom > 8) = erfc(2) + 4 exp(-4) / sqrt(pi).
   EXPECT_NEAR(repeats.noise_p_value, 2 * (std::erfc(2.) + 4 * std::exp(-4.) / std::sqrt(EIGEN_PI)), 1e-9);
 }
 
@@ -322,7 +324,7 @@ TEST(JointEquivalents, correctionsTakeThePredictedTipToTheMeasuredOne) {
     const Vector3d left = predictReading(arm, Isometry3d::Identity(), corrected).value - *readings[k].p_W;
     EXPECT_LT(left.norm(), 0.02 * residual.error.segment<3>(3 * static_cast<Eigen::Index>(k)).norm());
   }
-  // Joint 1 alone moves the tip out of the arm's plane; its readings carry the encoder's noise.
+  // Only joint 1 moves the tip out of the arm's plane; its corrections contain the encoder's noise.
   const double noise = joints.sigma[0];
   EXPECT_NEAR(joints.mean[0], 0.1 * kDegree, 4 * noise / std::sqrt(30.));
   EXPECT_NEAR(joints.spread[0], noise, 0.5 * noise);

@@ -1,4 +1,4 @@
-// No verdict contradicts the figures that it comes with, whatever was done to the readings.
+// No verdict contradicts the figures reported with it, whatever was done to the readings.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-constexpr double kSlack = 1.2;  // of an rms by chance
+constexpr double kSlack = 1.2;  // random variation allowed for an rms
 
 class VerdictFigures : public testing::TestWithParam<std::size_t> {
  protected:

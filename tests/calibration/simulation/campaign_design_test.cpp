@@ -1,4 +1,4 @@
-// What a simulated campaign is made of: set-ups, held-out points, the truth drawn, and designs that are refused.
+// Simulated campaigns: set-ups, held-out points, the random true arm, and refused designs.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Campaigns of inclinometers on rows of the arm: how they are simulated, and what hides that they name.
+// Campaigns of inclinometers on rows of the arm: their simulation, and the hidden effects that they reveal.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -39,7 +39,8 @@ TEST(RowCampaigns, ASimulatedPostureIsReadOnEveryRowUnderEveryLoad) {
   EXPECT_EQ(simulate(truth, design, 60).status, CampaignStatus::kRefused);
 }
 
-/// By inclinometers on rows, or on the tool where none is named.
+/// Returns the diagnosis of tilts read on the listed rows, or on the tool if none is listed, for an arm with a hidden
+/// effect.
 Diagnosis diagnosisOfTilts(const deflection::Arm& arm, const std::string& effect, const std::string& at,
                            const std::vector<double>& values, const std::vector<const char*>& rows,
                            std::uint64_t seed) {
@@ -59,7 +60,8 @@ const FoundEffect* findEffect(const Explanation& explanation, const std::string&
   return nullptr;
 }
 
-/// It is in the answer with its size, and the error falls to the noise; how many explanations have nothing else.
+/// Expects that the effect is among the alternatives with its value, and that the error falls to the noise. Returns the
+/// number of alternatives with this effect alone.
 int expectNamed(const Diagnosis& found, const std::string& effect, const std::string& at, double value) {
   bool is_named = false;
   int alone = 0;
@@ -78,8 +80,8 @@ int expectNamed(const Diagnosis& found, const std::string& effect, const std::st
 
 const std::vector<const char*> kFourRows{"base-link", "latch-link", "forearm", "tool"};
 
-// What turns theta2 under load: its joint gives, or the cable that drives it. Whether the joint before it gives as
-// well, about an axis that stands upright, tilts hardly say.
+// Under load theta2 rotates by the compliance of its joint or of its cable. Tilts hardly show a compliance of the
+// preceding joint, whose axis is vertical.
 TEST(RowCampaigns, NameAHiddenCompliance) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const auto found = diagnosisOfTilts(benchCell().arm, "joint-compliance", "latch-link.z", {1e-5}, kFourRows, seed);
@@ -100,7 +102,7 @@ TEST(RowCampaigns, NameAHiddenSagByGravity) {
   EXPECT_GE(alone, 5) << "one in twenty may have something beside it";
 }
 
-// What is to be read next is read on the same rows, and the arm would read it.
+// The next readings are proposed on the same rows, at postures that the arm can reach.
 TEST(RowCampaigns, AreGoneOnWithOnTheSameRows) {
   const auto& cell = benchCell();
   const CampaignDesign design = tiltsOfRows(cell.arm, {"base-link", "forearm"});

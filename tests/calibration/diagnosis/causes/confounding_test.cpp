@@ -1,4 +1,4 @@
-// What the readings can hardly tell apart is found, and only that.
+// Causes that the readings can hardly distinguish are reported as confounded, and no others.
 #include "calibration/diagnosis/causes/confounding.hpp"
 
 #include <gtest/gtest.h>

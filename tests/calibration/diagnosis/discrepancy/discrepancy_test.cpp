@@ -1,4 +1,4 @@
-// The unknown remainder of ways between readings: the difference of what it is at both ends.
+// The unknown discrepancy of relative readings: the difference between its values at both ends.
 #include "calibration/diagnosis/discrepancy/discrepancy.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Three waves to a turn of the third joint: no catalogue has it.
+/// Hidden joint error [rad] with three waves per turn of the third joint; no effect of the catalogue has this form.
 double hiddenAt(const VectorXd& q) { return 0.0012 * std::sin(3 * q[2] + 1); }
 
 void hideInReadings(std::vector<Measurement>& readings) {
@@ -35,13 +35,13 @@ std::vector<Measurement> ways(const PlacedArm& truth, int count, std::uint64_t s
   return std::move(maker.readings);
 }
 
-/// Share of a hidden error's square that the process takes up, known by its noise as the readings are.
+/// Returns the fraction of the squared error that the discrepancy process explains, given the noise of the readings.
 double shareTaken(const PlacedArm& placed, const std::vector<Measurement>& readings) {
   const auto weights = weighReadings(placed, readings);
   const Discrepancy process(placed, readings);
   const MatrixXd columns = process.columnsAt(readings, *weights);
   const VectorXd error = whitenedResidual(placed, {}, readings, *weights, VectorXd(0), false).r;
-  constexpr double kSize = 0.002;  // m, of the process
+  constexpr double kSize = 0.002;  // [m], standard deviation of the process
   const MatrixXd scaled = kSize * columns;
   MatrixXd inner = MatrixXd::Identity(scaled.cols(), scaled.cols());
   inner += scaled.transpose() * scaled;
@@ -55,7 +55,7 @@ TEST(Discrepancy, OfWaysIsTheDifferenceAtBothEnds) {
   EXPECT_GT(shareTaken(placed, readings), 0.99);
 }
 
-// A way from a posture to itself is nothing, whatever errs.
+// A relative reading from a posture to itself is zero, whatever the discrepancy.
 TEST(Discrepancy, OfAWayToWhereItBeganIsNothing) {
   const PlacedArm placed = cobra();
   auto readings = ways(placed, 40, 4, ReadingMaker::Noise::kNone);

@@ -1,5 +1,5 @@
-// Readings proposed for what a diagnosis leaves open tell it: made by the true arm, they get the hidden effect named
-// where as many at random do not.
+// Measurements proposed to discriminate between open explanations: simulated with the true arm, they lead to the hidden
+// effect where the same number of random readings does not.
 #include "calibration/diagnosis/discrimination/discriminating_measurements.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// Readings in a narrow range of the last joint, under one load: what hides there is not told apart.
+/// Readings in a narrow range of the last joint, under two loads, which do not distinguish the possible causes.
 struct Bench {
   app::Cell cell = shippedBench();
   deflection::Arm truth = cell.arm;
@@ -39,7 +39,7 @@ struct Bench {
     }
   }
 
-  /// The true arm's reading there, with noise of coordinates and encoders.
+  /// Adds the true arm's reading at a posture, with noise of coordinates and encoders.
   void take(Measurement reading) {
     reading.id = std::to_string(readings.size() + 1);
     reading.p_W.reset();
@@ -61,7 +61,7 @@ struct Bench {
   boost::random::uniform_real_distribution<double> uniform{-1, 1};
 };
 
-/// The truth leads, and none of those it was to be split from is still beside it.
+/// Returns true if the truth is the first explanation and no other explanation that was open before remains.
 bool isNamed(const Diagnosis& diagnosis, const std::vector<Explanation>& open, const std::string& truth) {
   if (diagnosis.alternatives.empty() || nameOf(diagnosis.alternatives.front()) != truth) return false;
   return std::none_of(diagnosis.alternatives.begin(), diagnosis.alternatives.end(), [&](const Explanation& left) {
@@ -91,7 +91,7 @@ Tally tallyOf(const HiddenOne& hidden, int seeds) {
     Bench bench(hidden.effect, hidden.at, hidden.values, seed);
     const Diagnosis before = bench.diagnosed();
     const auto candidates = candidatesOf(bench, before);
-    DiscriminationOptions few;  // so few that it matters which
+    DiscriminationOptions few;  // so few that the choice of readings matters
     few.count = 2;
     const auto next = proposeDiscriminatingMeasurements(before, bench.readings, candidates, few);
     if (next.status != DiscriminationStatus::kDone) continue;
@@ -143,13 +143,14 @@ TEST(DiscriminatingMeasurements, AreToldWhatTheyWouldDo) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(few.readings[k].candidate, many.readings[k].candidate);
   EXPECT_GT(few.readings.front().separation, 3);
   EXPECT_GT(many.probability, few.probability);
-  // A divergence is never below none, and readings add to it, whichever of two is true.
+  // The divergence between two explanations is never negative and never decreases with more readings, whichever is
+  // true.
   for (const auto& pair : few.pairs) EXPECT_GE(pair.expected, pair.now - 1e-9);
   for (std::size_t k = 0; k < few.pairs.size(); ++k) EXPECT_GE(many.pairs[k].expected, few.pairs[k].expected - 1e-9);
 }
 
 TEST(DiscriminatingMeasurements, OfOnePostureCannotSplitWhatDiffersElsewhere) {
-  // At a joint reading that never changes, every error of that joint's reading is the same.
+  // At a constant joint reading all errors of that joint's reading are indistinguishable.
   Bench bench("encoder-eccentricity", "theta4", {0.0012, 0.0012}, 1);
   const Diagnosis diagnosis = bench.diagnosed();
   auto candidates = candidatesOf(bench, diagnosis);

@@ -1,5 +1,5 @@
-// The evidence, from inner products of columns, against the same of the readings themselves: every covariance written
-// out, every determinant and inverse taken of it.
+// The evidence from inner products of columns, compared with the evidence from the definition, with every covariance
+// written out and every determinant and inverse computed from it.
 #include "calibration/diagnosis/evidence/linear_evidence.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ MatrixXd drawn(std::mt19937_64& random, Index rows, Index columns) {
   return matrix;
 }
 
-/// KnownReadings, columns and priors, and all that the evidence says of them, by the definition.
+/// Readings, columns and priors, and all results of the evidence computed from the definition.
 struct KnownReadings {
   MatrixXd J, S, Z;
   VectorXd y;
@@ -52,7 +52,7 @@ struct KnownReadings {
   }
   [[nodiscard]] LinearEvidence evidence() const { return {gram(), fitted, options}; }
 
-  /// Of the noise and the fitted numbers, and of a discrepancy of this size.
+  /// Returns the covariance of the noise, the fitted parameters, and a discrepancy of the given size.
   [[nodiscard]] MatrixXd covariance(double size) const {
     MatrixXd C = MatrixXd::Identity(y.size(), y.size()) + size * size * Z * Z.transpose();
     for (Index k = 0; k < J.cols(); ++k)
@@ -82,7 +82,7 @@ struct KnownReadings {
     return {of_sizes * columns.transpose() * inverse * missed(), of_sizes.diagonal().cwiseSqrt()};
   }
 
-  /// With a discrepancy of this size and the noise so many times the stated.
+  /// Returns the log evidence for a discrepancy of the given size and noise `scale` times the stated noise.
   [[nodiscard]] double logOf(const std::vector<PriorSize>& causes, double size, double scale) const {
     MatrixXd C = covariance(size);
     for (const auto& cause : causes)
@@ -96,7 +96,7 @@ struct KnownReadings {
       if (causes[k].sign != 0) {
         const auto x = static_cast<long double>(causes[k].sign * sizes.best[static_cast<Index>(k)] /
                                                 sizes.sigma[static_cast<Index>(k)]);
-        log += static_cast<double>(std::log(std::erfc(-x / std::numbers::sqrt2_v<long double>)));  // twice the tail
+        log += static_cast<double>(std::log(std::erfc(-x / std::numbers::sqrt2_v<long double>)));  // two tails
       }
     return log - options.noise_rows * std::log(scale) - std::log(static_cast<double>(options.noise_scales.size()));
   }
@@ -149,19 +149,20 @@ TEST(LinearEvidence, AtOneSizeCountsThatOneAndNoneAlone) {
   }
 }
 
-/// Where nothing is said of a discrepancy or the noise, neither is there.
+/// Without options for a discrepancy and noise scales, the evidence includes neither.
 TEST(LinearEvidence, HasNoDiscrepancyWhereNoSizeIsTried) {
   KnownReadings readings(5);
   readings.options = {};
   const Evidence found = readings.evidence().of(kHypotheses[1]);
   readings.options.noise_scales = {1};
-  EXPECT_NEAR(found.log, readings.logOf(kHypotheses[1], 0, 1) - std::log(0.9), 1e-9);  // all of the prior is none's
+  EXPECT_NEAR(found.log, readings.logOf(kHypotheses[1], 0, 1) - std::log(0.9), 1e-9);  // prior of no discrepancy
   EXPECT_EQ(found.discrepancy_probability, 0);
   EXPECT_EQ(found.discrepancy, 0);
   EXPECT_EQ(found.noise_scale, 1);
 }
 
-/// A sign that the readings speak against by forty sigmas costs what the normal distribution says, underflow or not.
+/// A sign that contradicts the readings by many sigmas costs the normal distribution's tail probability, even when the
+/// probability underflows.
 TEST(LinearEvidence, ASignAgainstAllReadingsCostsItsTail) {
   for (const double far : {5., 20., 29., 31., 60.}) {
     KnownReadings readings(6);
@@ -172,13 +173,13 @@ TEST(LinearEvidence, ASignAgainstAllReadingsCostsItsTail) {
     const double x = readings.sizesOf({any}, 0).best[0] / readings.sizesOf({any}, 0).sigma[0];
     ASSERT_NEAR(x, -far, 1e-3 * far);
     const double tail = std::log(std::numbers::inv_sqrtpi / std::numbers::sqrt2 / far) - x * x / 2 -
-                        std::log1p(1 / (far * far));  // within a part in far^4
+                        std::log1p(1 / (far * far));  // accurate to a relative error of far^-4
     EXPECT_NEAR(readings.evidence().of({plus}).log - readings.evidence().of({any}).log, std::numbers::ln2 + tail,
                 5 / std::pow(far, 2));
   }
 }
 
-/// Prior widths of fitted numbers that nobody knows leave what two hypotheses differ by as it is.
+/// The difference between two hypotheses does not depend on the unknown prior widths of the fitted parameters.
 TEST(LinearEvidence, NeedsNoPriorOfFittedNumbers) {
   KnownReadings flat(7), wide(7);
   for (auto& unknown : flat.fitted)
@@ -213,7 +214,7 @@ TEST(LinearEvidence, TheDiscrepancysErrorsAreItsMostProbable) {
   const KnownReadings readings(9);
   const LinearEvidence evidence = readings.evidence();
   for (const auto& causes : kHypotheses)
-    for (const double size : {0.4, 0.9, 1.7}) {  // 0.9 is not among those tried
+    for (const double size : {0.4, 0.9, 1.7}) {  // 0.9 is not among the tried sizes
       const VectorXd left = readings.missed() - readings.columnsOf(causes) * readings.sizesOf(causes, size).best;
       const VectorXd expected =
           size * size * readings.Z * readings.Z.transpose() * readings.covariance(size).inverse() * left;
@@ -251,12 +252,12 @@ TEST(LinearEvidence, PrincipalTermsAreSquareToOneAnotherAndStandForAll) {
   EXPECT_TRUE(readings.evidence().principalTerms(2).isApprox(terms.leftCols(2), 1e-12));
 }
 
-/// Terms that say the same, or nothing at all, change nothing; and of many, those that are large are kept.
+/// Redundant or zero terms of the discrepancy change nothing; of many terms, the largest are kept.
 TEST(LinearEvidence, TermsOfTheDiscrepancyMayBeAlike) {
   KnownReadings readings(12), alike(12);
   alike.Z.resize(20, 40);
   std::mt19937_64 random(12);
-  // W W^T = I: forty terms with the covariance of four.
+  // W^T W = I: forty terms with the covariance of four.
   const MatrixXd W = Eigen::HouseholderQR<MatrixXd>(drawn(random, 40, 4)).householderQ() * MatrixXd::Identity(40, 4);
   alike.Z = readings.Z * W.transpose();
   EXPECT_EQ(alike.evidence().principalTerms(100).cols(), 4);
@@ -269,7 +270,7 @@ TEST(LinearEvidence, TermsOfTheDiscrepancyMayBeAlike) {
   KnownReadings many(13, 200);
   many.Z = drawn(random, 200, 150);
   EXPECT_EQ(many.evidence().principalTerms(1000).cols(), 120);
-  // What is left out is small: a hundredth part of the variance in the last column is kept, a millionth part is not.
+  // Omitted terms are small: a last column with a hundredth of the variance is kept, one with a millionth is not.
   KnownReadings small(14);
   small.Z.col(3) *= 0.1;
   EXPECT_EQ(small.evidence().principalTerms(100).cols(), 4);
@@ -292,7 +293,7 @@ TEST(LinearEvidence, TermsOfTheDiscrepancyMayHaveAnyUnit) {
 TEST(LinearEvidence, ColumnsTakeWhatTheyHaveOfTheResidualAndNoneTakesNothing) {
   MatrixXd S(4, 2);
   S << 1, 0, 1, 0, 0, 2, 0, 0;
-  const Eigen::Vector4d y(3, 1, 4, 5);  // along the columns 8 and 16 of a chi-square of 51
+  const Eigen::Vector4d y(3, 1, 4, 5);  // the columns explain 8 and 16 of a chi-square of 51
   EvidenceGram gram;
   gram.add(MatrixXd(4, 0), S, MatrixXd(4, 0), y);
   const LinearEvidence evidence(gram, {}, {});

@@ -1,4 +1,4 @@
-// The evidence of one unknown source beside a model, against the normal densities themselves.
+// The evidence of a single unknown source added to a model, compared with the normal densities.
 #include "calibration/diagnosis/evidence/single_source.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Where readings do not say on which side the tip is, an effect's sizes are a set; one camera offset decides.
+// An effect has a set of sizes if the readings do not tell the direction of the tip's offset; one camera offset
+// decides.
 #include "calibration/diagnosis/explanations/size_sets.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// Readings of one kind at holes of the mock-up, whose base slipped half way.
+/// Returns readings of one kind at holes of the mock-up; the base slips midway.
 SeededSet slippedSet(const std::string& slip, MeasurementKind kind, int readings, std::uint64_t seed) {
   const auto set =
       simulatedSet("mockup.yaml", "bowl", readings, {"base-slip@base:" + slip}, seed, [&](app::SimulationTask& task) {
@@ -36,7 +37,7 @@ Diagnosis diagnosisOf(SeededSet set) {
   return diagnose(app::startOf(set.cell, set.table.readings), set.table.readings, options);
 }
 
-/// The slip among the answers; null where it is in none.
+/// Returns the base slip among the explanations; null if no explanation contains one.
 const FoundEffect* slipOf(const Diagnosis& result) {
   for (const auto& explanation : result.alternatives)
     for (const auto& effect : explanation.effects)
@@ -48,7 +49,8 @@ const FoundNumber& numberOf(const FoundEffect& effect, const std::string& name) 
   return *std::ranges::find(effect.numbers, name, &FoundNumber::name);
 }
 
-/// Returns whether a number holds the truth: in its range, or within its doubt; of one that does nothing, in none.
+/// Returns true if a parameter agrees with the truth: within its range, else within 3.5 sigma, else (without sigma)
+/// exactly.
 bool holds(const FoundNumber& number, double truth) {
   if (std::isfinite(number.lower)) return number.lower <= truth && truth <= number.upper;
   return std::isfinite(number.sigma) ? std::abs(number.value - truth) <= 3.5 * number.sigma : number.value == truth;
@@ -62,7 +64,7 @@ TEST(SizeSets, OfStepsHoldTheTruthWhicheverWayTheBaseSlipped) {
     for (const auto& [axis, by] : slip) text += fmt::format("{}={}in,", axis, by);
     const auto result = diagnosisOf(slippedSet(text + "time=60", MeasurementKind::kSteps, 100, 3));
     const FoundEffect* found = slipOf(result);
-    if (!found) continue;  // withheld: nothing false is said
+    if (!found) continue;  // a withheld answer is not wrong
     ++told;
     for (const char* axis : {"x", "y"})
       EXPECT_TRUE(holds(numberOf(*found, axis), slip.contains(axis) ? slip.at(axis) * kInch : 0)) << text << axis;
@@ -70,7 +72,8 @@ TEST(SizeSets, OfStepsHoldTheTruthWhicheverWayTheBaseSlipped) {
   EXPECT_GE(told, 2);
 }
 
-/// Visits whose tip is where the model has it, of which the first half took all steps and the others `steps`.
+/// Returns visits with the tip at its predicted position: in the first half all steps enter, in the second half two of
+/// three.
 std::vector<Measurement> countsAtPredictedTips(const app::Cell& cell, int visits, double beyond, double within) {
   ReadingMaker maker({cell.arm, {{"", cell.X_WB, true}}}, 5, ReadingMaker::Noise::kNone);
   std::vector<Measurement> readings;
@@ -89,8 +92,8 @@ std::vector<Measurement> countsAtPredictedTips(const app::Cell& cell, int visits
   return readings;
 }
 
-// A slip of any size between two tolerances, in any direction across the sheet, leaves the same counts: the answer is
-// all of these, however often they were counted, and one reading of a camera decides.
+// A slip of any size between two tolerances, in any horizontal direction, gives the same step counts. The answer is the
+// set of all these slips, however many visits were counted; one camera reading decides.
 TEST(SizeSets, OfEqualCountsAreARing) {
   app::Cell cell = shippedCell("mockup.yaml");
   cell.base_known = true;
@@ -109,7 +112,7 @@ TEST(SizeSets, OfEqualCountsAreARing) {
   EXPECT_TRUE(std::ranges::count(found->decided_by, MeasurementKind::kOffset));
 }
 
-// Offsets that a camera sees have a sign.
+// Camera offsets have a sign, so the answer is unique.
 TEST(SizeSets, OfOffsetsAreOne) {
   for (const auto* slip : {"x=0.04in,time=60"}) {
     const auto result = diagnosisOf(slippedSet(slip, MeasurementKind::kOffset, 60, 3));

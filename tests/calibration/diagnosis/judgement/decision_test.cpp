@@ -1,4 +1,4 @@
-// From probabilities of causes to the verdict: each case by numbers that are summed by hand.
+// Decision from probabilities of causes to the verdict: each case has probabilities that can be added by hand.
 #include "calibration/diagnosis/judgement/decision.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ using Causes = std::vector<int>;
 
 const CompetingModel kSomeModel{};
 
-/// Of a fitted model; its explanation has the name of its causes.
+/// Returns the class of a fitted model; its explanation names the causes.
 ModelClass classOf(const Causes& causes, double probability, double remainder = 0, double scatter = 0) {
   ModelClass one;
   one.causes = causes;
@@ -35,7 +35,7 @@ Posterior posteriorWith(double nothing, std::vector<ModelClass> classes) {
   return posterior;
 }
 
-/// The verdict by the options that a diagnosis has.
+/// Returns the diagnosis for a posterior with default options.
 Diagnosis decided(const Posterior& posterior) {
   Diagnosis result;
   decide(DiagnosisOptions{}, posterior, result);
@@ -75,7 +75,7 @@ TEST(Decide, NamesNothingUnlessItIsAllButSureThatSomethingIsMissing) {
 }
 
 TEST(Decide, NamesOneCauseThatIsSureOfAllThatIsMissing) {
-  // 0.86 of the 0.95 that something is missing is more than 0.9.
+  // The cause has 0.86 of the total probability of 0.95 that something is missing, which is more than 0.9.
   const Diagnosis one = decided(posteriorWith(0.05, {classOf({1}, 0.86), classOf({2}, 0.09)}));
   EXPECT_EQ(one.verdict, Verdict::kExplained);
   EXPECT_EQ(alternativesOf(one), Names{"1"});
@@ -89,7 +89,7 @@ TEST(Decide, NamesOneCauseThatIsSureOfAllThatIsMissing) {
 }
 
 TEST(Decide, CallsOneCauseOfSeveralDoubtfulWhereMuchIsUnnamed) {
-  const Diagnosis some = decided(posteriorWith(0, {classOf({1}, 0.8)}));  // 0.2 follows nothing that has a name
+  const Diagnosis some = decided(posteriorWith(0, {classOf({1}, 0.8)}));  // the remaining 0.2 belongs to no named cause
   EXPECT_EQ(some.verdict, Verdict::kAmbiguous);
   EXPECT_EQ(alternativesOf(some), Names{"1"});
   EXPECT_EQ(decided(posteriorWith(0, {classOf({1}, 0.69)})).verdict, Verdict::kUnexplained);
@@ -114,16 +114,16 @@ TEST(Decide, CausesBeyondThoseOfAMoreProbableClassCountToIt) {
   const Diagnosis both = decided(posteriorWith(0.05, {classOf({1, 2}, 0.5), classOf({1}, 0.4)}));
   EXPECT_EQ(both.verdict, Verdict::kAmbiguous);
   EXPECT_EQ(alternativesOf(both), (Names{"1+2", "1"}));
-  // What the addition would explain remains to the class without it.
+  // For the class {1}, the part that the added cause 2 or 3 would explain remains unexplained.
   EXPECT_EQ(decided(posteriorWith(0, {classOf({1}, 0.4, 0), classOf({1, 2}, 0.39), classOf({1, 3}, 0.2)})).verdict,
             Verdict::kUnexplained);
   Posterior others = posteriorWith(0, {classOf({1}, 0.5), classOf({2}, 0.25)});
   EXPECT_EQ(decided(others).verdict, Verdict::kAmbiguous);
   others.others = {notFitted({1, 2}, 0.2), notFitted({3}, 0.05)};
-  const Diagnosis with = decided(others);  // 0.95 named, the third cause alone not
+  const Diagnosis with = decided(others);  // 0.95 is named; cause 3 alone has no fitted model
   EXPECT_EQ(with.verdict, Verdict::kAmbiguous);
   EXPECT_EQ(alternativesOf(with), (Names{"1", "2"}));
-  // A class that overtakes by what counts to it comes first.
+  // A class becomes the first one if classes that extend it raise its probability above the others.
   Posterior overtaken = posteriorWith(0, {classOf({1}, 0.45), classOf({2}, 0.3), classOf({2, 3}, 0.25)});
   EXPECT_EQ(alternativesOf(decided(overtaken)), (Names{"2", "1"}));
 }
@@ -133,8 +133,8 @@ TEST(Decide, ListsAlternativesUntilTheyAreCredibleTogether) {
             (Names{"1", "2"}));
   EXPECT_EQ(alternativesOf(decided(posteriorWith(0.05, {classOf({1}, 0.6), classOf({2}, 0.25), classOf({3}, 0.1)}))),
             (Names{"1", "2", "3"}));
-  // 0.7 of 0.752 is not yet credible; what is less than a fiftieth of it is left out, but for the one that stands
-  // beside the most likely: of one alone nothing would be ambiguous.
+  // 0.7 of 0.752 is not yet credible. Classes with less than a fiftieth of 0.7 are left out, except the second most
+  // probable class: with a single class nothing would be ambiguous.
   const auto first_and_four = [](double each) {
     std::vector<ModelClass> classes{classOf({1}, 0.7)};
     for (int k = 2; k < 6; ++k) classes.push_back(classOf({k}, each));

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kReadings = 45;
 
-/// Diagnosed once for all tests.
+/// Cell, readings and their diagnosis, computed once for all tests.
 struct Diagnosed {
   app::Cell cell = shippedBench();
   std::vector<Measurement> readings;
@@ -73,7 +73,7 @@ TEST(DiagnosisViews, anEffectThatIsThereHasSlopeOneAtItsSize) {
   const auto& all = hysteresis();
   ASSERT_EQ(all.result.views.added.size(), 1U);
   const auto& added = all.result.views.added.front();
-  EXPECT_NEAR(added.slope, 1, 0.02);  // the refit turns the signature by what it moves the other numbers
+  EXPECT_NEAR(added.slope, 1, 0.02);  // the refit of the other parameters changes the signature slightly
   EXPECT_GT(added.kept_fraction, 0.3);
   EXPECT_LE(added.kept_fraction, 1 + 1e-12);
   double squares = 0, product = 0;
@@ -83,7 +83,7 @@ TEST(DiagnosisViews, anEffectThatIsThereHasSlopeOneAtItsSize) {
   }
   EXPECT_NEAR(std::sqrt(squares), added.length, 1e-9 * added.length);
   EXPECT_NEAR(product / squares, added.slope, 1e-9);
-  // What the plot's line takes away is what the effect lowers chi-square by.
+  // The squared length explained by the plot's line equals the decrease of chi-square due to the effect.
   const double fall = all.result.chi2 - all.result.alternatives.front().chi2;
   EXPECT_NEAR(added.slope * added.slope * squares, fall, 0.03 * fall);
 }

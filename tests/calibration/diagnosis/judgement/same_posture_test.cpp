@@ -8,14 +8,14 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr int kPostures = 20, kLoads = 3;
-constexpr double kReadingSigma = 1e-4;  // m
+constexpr double kReadingSigma = 1e-4;  // [m]
 
 struct Readings {
   std::vector<Measurement> readings;
   ReadingWeights weights;
 };
 
-/// Each posture under three loads.
+/// Returns readings of every posture under three loads.
 Readings readingsUnderLoads(std::mt19937_64& random) {
   Readings made;
   std::uniform_real_distribution<double> angle(-1, 1);
@@ -36,7 +36,7 @@ Readings readingsUnderLoads(std::mt19937_64& random) {
   return made;
 }
 
-/// Noise, and an error of each posture of its own, both in noise sigmas.
+/// Returns noise plus an error common to the readings of each posture, both in units of the noise sigma.
 Eigen::VectorXd errorsOf(const Readings& made, double of_posture, std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   Eigen::VectorXd errors(made.weights.rows);
