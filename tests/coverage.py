@@ -1,6 +1,6 @@
-"""coverage.py BUILD: what of each folder the tests have run that were built with `-fcoverage-mapping` (the coverage preset)
-and have left their profiles in BUILD/profiles, as a table: lines, branches (either way counts once) and functions. The files with
-the most branches that were never taken are listed under it."""
+"""coverage.py BUILD: prints a table of the lines, branches (each direction counts once) and functions of every folder that
+the tests have executed. The tests must be built with `-fcoverage-mapping` (the coverage preset) and must have written their
+profiles to BUILD/profiles. The files with the most branches never taken are listed below the table."""
 import collections
 import json
 import pathlib
@@ -13,13 +13,13 @@ LISTED = 20
 
 
 def programs(build):
-    """Whatever the tests run: their own executables and the program."""
+    """Returns the executables that the tests run: their own and the program."""
     found = [path for path in (build / "tests").rglob("*_test") if path.is_file()]
     return [str(path) for path in sorted(found) + [build / "tubeplan"] if path.exists()]
 
 
 def summaries(build):
-    """Of every file, llvm-cov's counts."""
+    """Returns llvm-cov's counts for every file."""
     profile = build / "coverage.profdata"
     profiles = sorted(map(str, (build / "profiles").glob("*.profraw")))
     if not profiles:
@@ -32,7 +32,7 @@ def summaries(build):
 
 
 def name_of(filename, root):
-    """A file of the source's name in it, however the compiler was told of it; empty of other files."""
+    """Returns the path of a source file relative to the root, for any path given to the compiler; empty for other files."""
     parts = pathlib.Path(filename).parts
     for first in range(len(parts)):
         if parts[first] in FOLDERS and root.joinpath(*parts[first:]).is_file():

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""every_source.py FOLDER: fails where a C++ source of the tree is named by no CMakeLists.txt, and so compiled by none."""
+"""every_source.py FOLDER: fails if a C++ source of the tree is named in no CMakeLists.txt, so no target compiles it."""
 import re
 import sys
 from pathlib import Path

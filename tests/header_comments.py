@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""header_comments.py FOLDER: fails where Doxygen cannot read a comment of a header of the tree (docs/Doxyfile)."""
+"""header_comments.py FOLDER: fails if Doxygen (docs/Doxyfile) cannot parse a comment in a header of the tree."""
 import pathlib
 import re
 import subprocess
@@ -14,7 +14,7 @@ with tempfile.TemporaryDirectory() as folder:
     if not pathlib.Path(folder, "xml/index.xml").exists():
         sys.exit(run.stderr or "doxygen has written no index")
 
-# Inline functions are read once for each file that includes them: each fault is said once.
+# Doxygen reads an inline function once per file that includes it: each warning is printed once.
 for line in sorted(set(run.stderr.splitlines())):
     print(re.sub(r"^" + re.escape(f"{ROOT.resolve()}/"), "", line))
 sys.exit(run.returncode)

@@ -1,8 +1,8 @@
-"""No include points back between folders. python3 tests/include_arrows.py [TREE]
+"""Fails if an include between folders has no arrow in ARROWS. python3 tests/include_arrows.py [TREE]
 
-ARROWS is the one place that states which folder may include which. A file belongs to the longest entry that its path
-begins with; an arrow to a folder allows whatever that folder has no entry of its own for. Files of one entry may
-include one another."""
+ARROWS alone states which folder may include which. A file belongs to the longest entry that its path begins with. An
+arrow to a folder allows all files of the folder that have no entry of their own. Files of one entry may include one
+another."""
 import pathlib
 import re
 import sys
@@ -12,7 +12,7 @@ ARROWS = {
     'tubesheets': '',
     'deflection': '',
     'deflection/inverse': 'deflection',
-    # What calibration has in common stands on top of its folders: measurement, placed_arm, hooks, statistics.
+    # The files directly in calibration are used by all of its folders: measurement, placed_arm, hooks, statistics.
     'calibration': 'deflection deflection/inverse tubesheets',
     'calibration/measurements': 'calibration',
     'calibration/simulation': 'calibration calibration/measurements',
@@ -21,7 +21,7 @@ ARROWS = {
     'calibration/forecast': 'calibration calibration/measurements calibration/estimation',
     'calibration/measurement_checks': 'calibration calibration/measurements calibration/estimation',
     'calibration/patterns': 'calibration calibration/measurements calibration/estimation',
-    # The stages of a diagnosis, each upon those before it; its verb stands on top (docs/design.md).
+    # The stages of a diagnosis; each uses earlier stages, and the function `diagnose` uses all of them (docs/design.md).
     'calibration/diagnosis/causes': 'calibration calibration/measurements calibration/estimation',
     'calibration/diagnosis/discrepancy': 'calibration calibration/measurements calibration/estimation',
     'calibration/diagnosis/evidence': 'calibration calibration/estimation',
@@ -38,7 +38,7 @@ ARROWS = {
     'calibration/diagnosis': 'calibration calibration/measurements calibration/estimation '
                              'calibration/diagnosis/explanations calibration/diagnosis/model_selection '
                              'calibration/diagnosis/judgement',
-    # A plan of visits stands on top of planner's folders, the cell that they all look at beneath most of them.
+    # The files directly in planner use all of its folders; most of the folders use the work cell.
     'planner/scene': 'deflection tubesheets',
     'planner/workcell': 'planner/scene',
     'planner/visit_conditions': '',
@@ -67,7 +67,7 @@ ARROWS = {
     'app/main.cpp': 'app/commands app/cli app/formats app/storage STUDIES',
 }
 ANYWHERE = {'app/version.hpp'}  # generated
-# Headers of others that have their places.
+# External headers, and the folders that may include them.
 FOREIGN = {
     'nlohmann/': ['app/'], 'yaml-cpp/': ['app/formats/'], 'CLI/': ['app/cli/', 'app/commands/'],
     'httplib.h': ['app/workbench/'], 'ompl/': ['planner/motion/'], 'fcl/': ['planner/'], 'mpi.h': ['app/studies/monte_carlo/'],
@@ -76,7 +76,7 @@ NOT_IN_STUDIES = ['nlohmann/', 'yaml-cpp/', 'app/storage/input_error.hpp']
 
 
 def allowed(entry):
-    """Entries that one may include, itself among them."""
+    """Returns the entries that an entry may include, with the entry itself."""
     names = {entry}
     for name in ARROWS[entry].split():
         if name == 'LIBRARIES':
@@ -115,7 +115,7 @@ def problems_of(path, included):
 
 
 def circle_in_arrows():
-    """An entry from which the arrows lead back to it, or nothing."""
+    """Returns an entry that a chain of arrows leads back to; None if there is no such circle."""
     def reaches(entry, seen):
         for name in allowed(entry) - {entry}:
             if name == start:

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""messages.py ROOT [--write]: compares the error messages of the C++ sources with tests/messages.txt, where they are
-reviewed as a user of the program reads them. `--write` renews the file.
+"""messages.py ROOT [--write]: compares the error messages of the C++ sources with tests/messages.txt, where they can be
+reviewed in the form that a user reads. `--write` renews the file.
 
 Every construction of InputError, of a class derived from it, and InputError::saying is one line, as it would be
-printed, below the path of its file. Literals stand as they are, and other expressions as `<expression>`. Constants and
-local variables with a text are replaced by it. Both sides of a choice `a ? b : c` have lines of their own. Functions
-that are handed the words, as YamlNode::fail, have a line for each call, below the path of the caller.
+printed, below the path of its file. Literals are copied, and other expressions are shown as `<expression>`. Constants
+and local variables that hold a text are replaced by the text. Both sides of a choice `a ? b : c` have separate lines.
+Functions that receive the text as an argument, such as YamlNode::fail, have a line for each call, below the path of the
+caller.
 """
 import bisect
 import difflib
@@ -15,10 +16,10 @@ import sys
 from pathlib import Path
 
 FOLDERS = ['app', 'calibration', 'deflection', 'planner', 'studies', 'tubesheets']
-FEWEST = 400  # fewer messages mean that their form has changed
-LONGEST = 48  # longer expressions are cut
-MOST_CHOICES = 8  # lines of one message; beyond it only the last side of the longest choice is shown
-DEEPEST = 6  # nested names and calls
+FEWEST = 400  # fewer messages mean that the form of errors in the sources has changed
+LONGEST = 48  # characters; longer expressions are cut
+MOST_CHOICES = 8  # lines of one message; beyond this number only the last side of the longest choice is shown
+DEEPEST = 6  # levels of nested names and calls
 
 STRING = r'R"(?P<raw>\w*)\(.*?\)(?P=raw)"|"(?:\\.|[^"\\])*"|(?<!\w)\'(?:\\.|[^\'\\])\''
 COMMENT = re.compile(r'(?P<comment>//[^\n]*|/\*.*?\*/)|' + STRING, re.DOTALL)
@@ -30,18 +31,18 @@ NAME = re.compile(r'[A-Za-z_]\w*')
 FIELD = re.compile(r'\{\{|\}\}|\{(\d*)(?::(?:[^{}]|\{\d*\})*)?\}')
 ESCAPE = re.compile(r'\\(.)', re.DOTALL)
 CONSTANT = re.compile(r'\b(?:char\s*\*\s*(?:const\s+)?|std::string(?:_view)?\s+|char\s+)(k[A-Z]\w*)(?:\[\])?\s*(=|\{)')
-# A parameter with its type, as no expression is; and one of a text.
+# A parameter with its type, which no expression matches; and a parameter of a text type.
 PARAMETER = re.compile(r'(?:const )?[\w:]+(?:<.*>)?(?: ?[&*]+ ?| )(\w+)(?: = .*)?', re.DOTALL)
 OF_TEXT = re.compile(r'(?:const )?(?:std::string(?:_view)?|char) ?[&*]* ?(\w+)(?: = .*)?')
 STATEMENTS = {'if', 'for', 'while', 'switch', 'catch', 'return'}
 OPENING, CLOSING = '([{', ')]}'
-# Calls whose text is that of their argument, and what stands around it.
+# Calls whose text is the text of their argument, and the characters that they add around it.
 TRANSPARENT = {'std::string': '{}', 'std::string_view': '{}', 'std::move': '{}', 'fmt::runtime': '{}', 'fmt::join': '{}',
                'std::to_string': '{}', 'nameInLine': '{}', 'inQuotes': "'{}'"}
 
 
 def end_of(text, start):
-    """The index after the bracket that closes the one at `start`."""
+    """Returns the index after the bracket that closes the bracket at `start`."""
     depth = 0
     for token in BRACKET.finditer(text, start):
         depth += (token[0] in OPENING) - (token[0] in CLOSING)
@@ -51,7 +52,7 @@ def end_of(text, start):
 
 
 def split(text, marks):
-    """The pairs (mark before, part) of a text at those marks outside brackets and literals; `++` is no `+`."""
+    """Splits a text at `marks` outside brackets and literals into pairs (mark before, part); `++` does not count as `+`."""
     depth, begin, mark, parts = 0, 0, '', []
     for token in re.finditer(f'{STRING}|::|\\+\\+|[()\\[\\]{{}}{marks}]', text, re.DOTALL):
         sign = token[0]
@@ -64,7 +65,7 @@ def split(text, marks):
 
 
 def arguments(text, opening):
-    """The arguments between the bracket at `opening` and its end."""
+    """Returns the arguments between the bracket at `opening` and its closing bracket."""
     inside = text[opening + 1:end_of(text, opening) - 1]
     return [part for _, part in split(inside, ',')] if inside.strip() else []
 
@@ -75,7 +76,7 @@ def literal(text):
 
 
 def sides_of(text):
-    """The sides of `a ? b : c`; None for another expression."""
+    """Returns the sides of `a ? b : c`; None for another expression."""
     parts, depth = split(text, '?:'), 0
     for k, (mark, _) in enumerate(parts):
         depth += (mark == '?') - (mark == ':')
@@ -85,14 +86,14 @@ def sides_of(text):
 
 
 def call_of(text):
-    """The name and arguments of an expression that is one call; None for another."""
+    """Returns the name and arguments of an expression that is a single call; None for another expression."""
     found = re.match(r'([A-Za-z_][\w:]*)\s*\(', text)
     whole = found and end_of(text, found.end() - 1) == len(text)
     return (found[1], arguments(text, found.end() - 1)) if whole else None
 
 
 def sample(text):
-    """An expression in one line, without casts and conversions."""
+    """Returns an expression on one line, without casts and conversions."""
     text = re.sub(r'static_cast<[\w: ]+>', '', re.sub(r'\s+', ' ', text))
     text = re.sub(r'\.(string|c_str|str)\(\)|\bstd::|\bfmt::|^\*', '', text)
     text = re.sub(r'^\((\w+)\)$', r'\1', text)
@@ -104,13 +105,13 @@ def is_sample(text):
 
 
 def constants_of(text):
-    """The constants with a text, by their names."""
+    """Returns the constants that hold a text, keyed by name."""
     return {found[1]: split(text[found.end():end_of(text, found.end() - 1) - 1], ';')[0][1] if found[2] == '{'
             else split(text[found.end():found.end() + 4000], ';')[0][1] for found in CONSTANT.finditer(text)}
 
 
 class Function:
-    """A function: its name, parameters as they are declared, and file."""
+    """A function: its name, its parameters as declared, and its file."""
 
     def __init__(self, name, parameters, path):
         found = [PARAMETER.fullmatch(parameter) for parameter in parameters]
@@ -124,7 +125,7 @@ class Function:
 
 
 class Source:
-    """A file without its comments."""
+    """A source file without comments."""
 
     def __init__(self, path):
         self.path = path
@@ -134,7 +135,7 @@ class Source:
         self.blocks = None
 
     def functions_at(self, place):
-        """The function around a place, and the lambda in it that has a name, the innermost first."""
+        """Returns the function around a place, and named lambdas around the place, innermost first."""
         if self.blocks is None:
             self.blocks, opened, partner = [], [], {}
             for token in BRACKET.finditer(self.text):
@@ -148,7 +149,7 @@ class Source:
         return [function for start, end, function in sorted(self.blocks, reverse=True) if start < place < end]
 
     def function_before(self, brace, partner):
-        """The function whose body begins at a brace; None for another block."""
+        """Returns the function whose body begins at a brace; None for another block."""
         head = re.sub(r'\s*(const|noexcept|override|mutable|-> ?[\w:<>&]+)?\s*$', '', self.text[:brace][-400:])
         end = brace - len(self.text[:brace][-400:]) + len(head) - 1
         if not head.endswith(')') or end not in partner:
@@ -160,7 +161,7 @@ class Source:
         return Function(found[1], arguments(self.text, partner[end]), self.path)
 
     def value_of(self, name, place, constants):
-        """The expression that a constant or a local variable stands for at a place; None if it is unknown."""
+        """Returns the value of a constant or local variable, as an expression, at a place; None if the value is unknown."""
         if re.match(r'k[A-Z]', name):
             return self.constants.get(name, constants.get(name))
         function = max(self.text.rfind('\n}', 0, place), 0)
@@ -175,13 +176,13 @@ class Source:
 
 class Error:
     """An error: its parts, as written at the innermost of its places. Each further place calls the function around the
-    one before it, with bindings of the parameters."""
+    previous place; `bindings` maps the parameters of that function to the arguments."""
 
     def __init__(self, parts, is_sentence, places, bindings):
         self.parts, self.is_sentence, self.places, self.bindings = parts, is_sentence, places, bindings
 
     def origin_of(self, expression, level=0):
-        """The expression at the outermost place for which a name stands by bindings alone; None for another."""
+        """Returns the outermost expression that an expression stands for if bindings alone replace it; otherwise None."""
         if level == len(self.bindings):
             return expression
         bound = self.bindings[level].get(expression)
@@ -201,7 +202,7 @@ class Sources:
                 self.constants |= source.constants
 
     def included_by(self, path):
-        """The files that a file includes, and those that they include."""
+        """Returns a file and all files that it includes directly or indirectly."""
         if path not in self.closures:
             self.closures[path] = found = {path}
             for name in self.all[path].included if path in self.all else []:
@@ -209,7 +210,7 @@ class Sources:
         return self.closures[path]
 
     def declarations(self, name):
-        """The functions of that name: of each the declaration in a header, or the definition of a source's own."""
+        """Returns the functions of a name: the declaration in a header, or the definition if no header declares it."""
         if name not in self.declared:
             of_name = re.compile(rf'\b(?:auto {name} = \[[^\[\]]*\]|{name})\s*\(')
             found = [Function(name, parameters, path)
@@ -223,7 +224,7 @@ class Sources:
         return self.declared[name]
 
     def is_meant(self, function, path, count):
-        """True if a call of that name in a file is one of the function: of those that the file knows, the nearest."""
+        """Returns True if a call of the function's name in a file means this function: the nearest one visible in the file."""
         known = self.included_by(path)
         able = [other for other in self.declarations(function.name)
                 if other.takes(count) and (other.path == path or other.path.suffix == '.hpp' and other.path in known)]
@@ -239,7 +240,7 @@ class Sources:
             given = arguments(source.text, found.end() - 1)
             if len(given) > 1 and not all(map(PARAMETER.fullmatch, given)):
                 yield Error(given, bool(found[2]), [(source, found.start())], [])
-        # Functions that return an error by its parts in braces.
+        # Functions that return an error as a braced list of its parts.
         for found in re.finditer(rf'^({names}) \w+\(', source.text, re.MULTILINE):
             end = end_of(source.text, found.end() - 1)
             if body := re.compile(r'\s*\{').match(source.text, end):
@@ -248,7 +249,7 @@ class Sources:
                     yield Error(given, False, [(source, returned.start())], [])
 
     def calls(self, error):
-        """The errors of the calls of the function around an error, if that is handed words of it; else the error."""
+        """Returns an error per call of the function around an error if the text is a parameter of it; else the error."""
         source, place = error.places[-1]
         origins = {error.origin_of(part) for part in error.parts[1:]}
         for function in source.functions_at(place):
@@ -271,7 +272,7 @@ class Sources:
         return [error]
 
     def words(self, error, expression, level=0, depth=0):
-        """The texts that an expression at one of the places of an error may have."""
+        """Returns the possible texts of an expression at one of the places of an error."""
         text, shown = expression.strip(), [sample(expression.strip())]
         if LITERALS.fullmatch(text):
             return [literal(text)]
@@ -283,7 +284,7 @@ class Sources:
         if sides := sides_of(text):
             texts = [text for side in sides for text in inner(side)]
             if all(len(text) < 5 for text in texts):
-                return texts[-1:]  # the end of a plural, say
+                return texts[-1:]  # for example the ending of a plural
             return shown if all(map(is_sample, texts)) else texts
         if text.startswith('(') and end_of(text, 0) == len(text):
             return inner(text[1:-1])
@@ -307,7 +308,7 @@ class Sources:
         return shown
 
     def formatted(self, forms, samples):
-        """The texts of fmt::format."""
+        """Returns the possible results of fmt::format."""
         texts = []
         for form, *chosen in itertools.product(forms, *samples):
             following = itertools.count()
@@ -320,7 +321,7 @@ class Sources:
         return texts
 
     def messages(self, error):
-        """The lines of an error, as InputError writes them."""
+        """Yields the lines of an error as InputError prints them."""
         texts = [self.words(error, part) for part in error.parts]
         while len(list(itertools.product(*texts))) > MOST_CHOICES:
             longest = max(texts, key=len)
@@ -331,7 +332,7 @@ class Sources:
             yield '; '.join(part for part in (core, *rest) if part)
 
     def listing(self):
-        """The lines of tests/messages.txt and the number of messages."""
+        """Returns the lines of tests/messages.txt and the number of messages."""
         of_files, count = {}, 0
         for source in self.all.values():
             for made in self.constructions(source):

@@ -1,12 +1,12 @@
-"""No page names an effect: names, words and what their laws hang on come with the documents, from deflection/effects.
-None makes markup of text either: what a file says stays text.
+"""Fails if a page's source names an effect: names, descriptions and variables of effects come from deflection/effects
+with the documents. Fails also if a page converts text to markup: text from files must stay text.
 python3 tests/page_words.py [TREE]"""
 import pathlib
 import re
 import sys
 
 tree = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else '.')
-# A user's formula is what pages have a box for; that it is a row of the table too is no matter of theirs.
+# Pages have a box for a user's formula, so they may name it although the table of effects has a row for it.
 OF_PAGES = {'formula'}
 
 headers = sorted((tree / 'deflection/effects').glob('*.hpp'))

@@ -2,10 +2,11 @@
 """prose.py TREE [--table | --comments | --phrases]: measures the documents, and fails above the limits stated here.
 
 A sentence has at most 40 words, and the median of a document is at most 18. A code span counts as one word. Table cells
-are measured too, a part between semicolons as a sentence, without their code spans. `--table` prints every document.
+are measured too, without their code spans; each part between semicolons counts as a sentence. `--table` prints every document.
 `--comments` lists comments whose first sentence is a clause about the name below. `--phrases` fails on phrases of
-tests/phrases.txt and on doubled words. It uses Debian's diction, the one packaged linter whose list is a plain file of
-our own: proselint has a fixed list of literary style, vale is not packaged, those of npm need a configuration in code.
+tests/phrases.txt and on doubled words. It uses Debian's diction, the only packaged linter whose list of
+phrases is a plain text file: proselint has a fixed list of literary style, vale is not packaged, and npm linters need a
+configuration in code.
 """
 import collections
 import re
@@ -28,14 +29,14 @@ def documents(tree):
 
 
 def bare(text, code="§"):
-    """The text without the marks of Markdown; a code span becomes `code`."""
+    """Returns the text without Markdown marks; a code span becomes the argument `code`."""
     text = re.sub(r"``.+?``|`[^`]+`", code, text)
     text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
     return re.sub(r"\*\*|(?<!\w)[*_](?=\w)|(?<=\w)[*_](?!\w)", "", text)
 
 
 def blocks(text):
-    """Yields (line, is_cell, words) of every paragraph, list item and table cell; code and headings are left out."""
+    """Yields (line, is_cell, text) of every paragraph, list item and table cell, without code blocks and headings."""
     paragraph, begin, fenced = [], 0, False
     for number, line in enumerate([*text.splitlines(), ""], 1):
         fence = line.lstrip().startswith("```")
@@ -54,7 +55,7 @@ def blocks(text):
 
 
 def sentences(text):
-    """Yields (line, number of words, sentence) of a document; those of one or two words in cells are no sentences."""
+    """Yields (line, number of words, sentence) of a document; parts of table cells with at most five words are left out."""
     for line, is_cell, block in blocks(text):
         prose = ABBREVIATION.sub(lambda found: found[0].replace(".", ""), bare(block))
         for sentence in END.split(prose):
@@ -79,12 +80,12 @@ def first_lines(tree):
 
 
 def phrases(tree):
-    """Prints the phrases that diction finds, and doubled words, by the lines of the documents; returns their number."""
+    """Prints the phrases that diction finds, and doubled words, with their document and line; returns the number of both."""
     text, found = "", []
     for path in documents(tree):
         for line, _, block in blocks(path.read_text()):
             prose, place = bare(block, "x1").strip(), f"{path.relative_to(tree)}:{line}"
-            text += f'#line {line} "{path.relative_to(tree)}"\n{prose[:1].upper()}{prose[1:]}.\n\n'  # else diction skips it
+            text += f'#line {line} "{path.relative_to(tree)}"\n{prose[:1].upper()}{prose[1:]}.\n\n'  # else diction skips the sentence
             found += [f"{place}: {twice[0]}" for twice in re.finditer(r"\b([a-z]+) \1\b", prose)]
     said = subprocess.run(["diction", "-d", "-n", "-s", "-f", str(tree / "tests/phrases.txt")], input=text,
                           capture_output=True, text=True, check=True).stdout
@@ -94,7 +95,7 @@ def phrases(tree):
 
 
 def comments(tree):
-    """Prints the comments that begin as a clause, and how many of all they are."""
+    """Prints the comments that begin as a clause, and their number among all comments."""
     lines = list(first_lines(tree))
     found = [(place, words) for place, words in lines if CLAUSE.match(words)]
     openings = collections.Counter(CLAUSE.match(words)[0] for _, words in found)
@@ -118,7 +119,7 @@ def table(tree):
 
 
 def lengths(tree):
-    """Prints what is above the limits; returns how many are."""
+    """Prints sentences and documents above the limits; returns their number."""
     above = 0
     for name, median, long, _ in measured(tree):
         if median > MEDIAN:

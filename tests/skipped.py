@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""skipped.py BUILD: the tests that the last run of ctest skipped, each reason with how many it kept from running."""
+"""skipped.py BUILD: prints why the last run of ctest skipped tests, with the number of tests for each reason."""
 import collections
 import pathlib
 import re
@@ -7,7 +7,7 @@ import sys
 
 
 def reasons(log):
-    """Of every test that was skipped, what it said of why."""
+    """Yields the name of every skipped test and the reason that it printed."""
     for part in re.split(r"(?m)^\d+/\d+ Test(?:ing)?: ", log)[1:]:
         if "Test Skipped" not in part and "Skipped" not in part.split("Test time")[-1] and "[  SKIPPED ]" not in part:
             continue

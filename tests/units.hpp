@@ -1,4 +1,4 @@
-// Units of files and of the thesis, in internal units.
+// Units of the input files and of the thesis, expressed in internal units.
 #pragma once
 
 #include <numbers>
