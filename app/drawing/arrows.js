@@ -1,12 +1,12 @@
-// Arrows of errors: their corners in pixels, and the scale at which a field of them is drawn.
+// Error arrows: their corners in pixels, and the error size that sets their scale.
 import {isNumber} from "./numbers.js";
 
-/** Shorter than this, in pixels, an arrow is its place alone. */
+/** Length [px] below which no arrow is drawn. */
 const SHORTEST = 0.7;
 
 /**
- * The neck, where the shaft ends, and the two corners of the head, which never exceeds 0.8 of the arrow; null of what
- * is too short to be one.
+ * Returns the end of the shaft and the two rear corners of the head, or null if the arrow is too short to be drawn. The
+ * head takes at most 0.8 of the arrow's length.
  * @param {number} x @param {number} y @param {number} dx @param {number} dy @param {number} head
  * @returns {[number, number, number, number, number, number] | null}
  */
@@ -23,10 +23,10 @@ export function arrowCorners(x, y, dx, dy, head = 6) {
 }
 
 /**
- * Draws a shaft and a head on a canvas: thousands are drawn at once. They have the context's own stroke and fill.
+ * Draws an arrow on a canvas in the context's current stroke and fill styles.
  * @param {CanvasRenderingContext2D} context
  * @param {number} x @param {number} y @param {number} dx @param {number} dy
- * @param {boolean} [isHollow] of the head @param {number} [head]
+ * @param {boolean} [isHollow] outlines the head instead of filling it @param {number} [head] length of the head [px]
  */
 export function drawArrow(context, x, y, dx, dy, isHollow = false, head) {
   const corners = arrowCorners(x, y, dx, dy, head);
@@ -46,7 +46,7 @@ export function drawArrow(context, x, y, dx, dy, isHollow = false, head) {
 }
 
 /**
- * The size that a share of 98 % is not beyond, so that one wild reading does not make all others small.
+ * Returns the 98 % quantile of the sizes, so that a single outlier does not shrink all other arrows; 0 if empty.
  * @param {readonly unknown[]} sizes
  */
 export function usualLargest(sizes) {

@@ -1,13 +1,13 @@
-// Residuals summed up along a variable: means of bins with their standard errors, and the law of a cause as what it does
-// on average there, with its spread.
+// Residuals binned along a variable: bin means with standard errors, and the law of a cause as the mean and standard
+// deviation of the cause's contribution in each bin.
 import {groupsOf, knownPairs} from "./groups.js";
 
-/** `error`: of the mean; `spread`: of the values about it.
+/** `error`: standard error of the mean; `spread`: standard deviation of the values in the bin.
  *  @typedef {{x: number, from: number, to: number, mean: number, error: number, spread: number, count: number}} Bin */
 
 const MEANS = 10;
 const MOST_LAW_STEPS = 40;
-/** So many readings of a step, that what other variables do there averages out. */
+/** Readings in each step of a law, enough to average out the influence of other variables. */
 const OF_A_STEP = 6;
 
 /** @param {[number, number][]} group @returns {Bin} */
@@ -28,7 +28,7 @@ function binOf(group) {
 }
 
 /**
- * Bins of one reading say nothing of their scatter: they are left out.
+ * Returns the bin means of the values along `xs`, without bins of a single reading, whose scatter is unknown.
  * @param {readonly (number | undefined)[]} xs @param {readonly (number | null)[]} values
  */
 export function binnedMeans(xs, values) {
@@ -37,7 +37,10 @@ export function binnedMeans(xs, values) {
     .filter((bin) => bin.count > 1);
 }
 
-/** @param {readonly (number | undefined)[]} xs @param {readonly (number | null)[]} done */
+/**
+ * Returns the law of a cause along `xs` as bins of its contributions `done` to the error.
+ * @param {readonly (number | undefined)[]} xs @param {readonly (number | null)[]} done
+ */
 export function lawAlong(xs, done) {
   const rows = knownPairs(xs, done);
   return groupsOf(rows, Math.min(MOST_LAW_STEPS, Math.max(MEANS, Math.ceil(rows.length / OF_A_STEP)))).map(binOf);

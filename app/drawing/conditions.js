@@ -1,4 +1,4 @@
-// Conditions of a reading, and proposed readings, in words and figures.
+// Conditions of a reading, and proposed readings, as text and numbers.
 import {exact, fixed, isNumber, jointDecimals, probability, short} from "./numbers.js";
 
 /**
@@ -7,13 +7,14 @@ import {exact, fixed, isNumber, jointDecimals, probability, short} from "./numbe
  */
 /** @typedef {{name: string, unit?: string}} JointName */
 
-/** The sense in which a joint arrived, or must. @param {unknown} sense */
+/** Returns an arrow for the sign of a joint's last motion; empty if unknown or 0. @param {unknown} sense */
 export function senseArrow(sense) {
   return !isNumber(sense) || sense === 0 ? "" : sense > 0 ? "\u2191" : "\u2193";
 }
 
 /**
- * Joints, load and force of a reading: what each is called, its figure, its unit, the sense of the joint's last motion.
+ * Returns the joints, load and force of a reading, each with name, value and unit. A joint also has the direction of its
+ * last motion.
  * @param {Conditions} reading @param {readonly JointName[]} joints @param {{force?: string}} units
  */
 export function conditionsOf(reading, joints, units) {
@@ -30,7 +31,8 @@ export function conditionsOf(reading, joints, units) {
 }
 
 /**
- * Further readings, each with how far it sets explanations apart and its share of the largest such distance.
+ * Returns the proposed readings, each with the separation of explanations that it achieves [sigmas] and `share`, that
+ * separation relative to the largest.
  * @template {{separation_sigmas?: number | null}} T @param {readonly T[]} readings
  */
 export function separations(readings) {
@@ -46,6 +48,7 @@ export function separations(readings) {
 export const PAIR_HEADS = ["if it is", "rather than", "BIC apart now", "expected then", "chance to be named"];
 
 /**
+ * Returns one row of the table of explanation pairs, in the order of PAIR_HEADS.
  * @param {{if_true?: unknown, against?: unknown, criterion_gap_now?: unknown, criterion_gap_expected?: unknown,
  *    probability_distinguished?: unknown}} pair
  */

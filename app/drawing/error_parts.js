@@ -1,18 +1,19 @@
-// Parts of an error at the tip: its size, along axes of the world, of the base or of the tool, or as the error of one
-// joint that it would be.
+// Components of a tip error: its magnitude, its projections on axes of the world, the base or the tool, and the
+// equivalent error of a single joint.
 
 /** @typedef {[number, number, number]} Vector3 */
-/** `name` as a list says it, `title` as an axis does; `of`: of an error at the reading of that place in the list, null
- *  where it says nothing there.
+/** `name` is the label in a list, `title` the label of a plot axis. `of` returns the component of an error at the
+ *  reading with that index, or null if the component is undefined at that reading.
  *  @typedef {{key: string, name: string, title: string, unit: string, isSigned: boolean,
  *    of: (error: Vector3, index: number) => number | null}} Part */
-/** How far joints and axes take the tip at each reading, three numbers for each name; where base and tool stand.
+/** `readings`: tip displacement per unit motion of each joint or axis, keyed by reading id, three values for each entry
+ *  of `names`. `base`: origin of the base; `up`: axis of the base; `tool`: axes of the tool, keyed by reading id.
  *  @typedef {{units: string[], names: string[], base: Vector3, up: Vector3, tool: Record<string, number[]>,
  *    readings: Record<string, number[]>}} Leverage */
 /** @typedef {{ids: string[], places: (Vector3 | null)[], unit: {length: string, angle: string},
  *    leverage: Leverage | null}} PartSource */
 
-/** A joint through whose axis the tip nearly lies moves it too little to be asked: as a share of the longest lever. */
+/** Shortest lever for which a joint's equivalent error is defined, as a fraction of the joint's longest lever. */
 const LEAST_LEVER = 0.05;
 
 /** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
@@ -31,7 +32,8 @@ function scaledVector(a, by) {
 }
 
 /**
- * Away from the base's axis, around it, up.
+ * Returns the unit vectors at a tip position away from the base axis, around the base axis, and along it; null if the
+ * position lies on the axis.
  * @param {Vector3} place @param {Vector3} base @param {Vector3} up @returns {Vector3[] | null}
  */
 function radialAxes(place, base, up) {
@@ -46,7 +48,8 @@ function radialAxes(place, base, up) {
   return [radial, crossProduct(up, radial), up];
 }
 
-/** @param {PartSource} source @returns {Part[]} */
+/** Returns all components that can be computed; magnitude and world axes only without leverage.
+ *  @param {PartSource} source @returns {Part[]} */
 export function partsOf(source) {
   const {length} = source.unit;
   /**
@@ -101,7 +104,7 @@ export function jointKey(name) {
 }
 
 /**
- * The error as that of one joint: what it would have to be off by, in least squares.
+ * Returns the equivalent error of a joint: the joint error that explains the tip error best in least squares.
  * @param {string} name @param {number} k @param {PartSource} source @param {Leverage} leverage @returns {Part}
  */
 function jointPart(name, k, source, leverage) {
@@ -123,7 +126,7 @@ function jointPart(name, k, source, leverage) {
 }
 
 /**
- * The part that a pattern of the comparison speaks of: its frame and component.
+ * Returns the component that a pattern of the comparison refers to by frame and name; null if there is none.
  * @param {string | undefined} frame @param {string | undefined} component @param {readonly Part[]} parts
  */
 export function findPart(frame, component, parts) {

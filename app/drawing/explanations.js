@@ -1,4 +1,4 @@
-// Effects and explanations of a diagnosis in words. What an effect is stands beside its name in the documents.
+// Effects and explanations of a diagnosis as text. The documents contain the description of each effect.
 import {inverseUnit, isNumber, percent} from "./numbers.js";
 import {valueAndSigma, withSigma} from "./sigma_text.js";
 
@@ -8,17 +8,23 @@ import {valueAndSigma, withSigma} from "./sigma_text.js";
 /** @typedef {{effects: FoundEffect[], enough?: boolean}} BareExplanation */
 /** @typedef {{name: string, value: number, sigma?: number | null, unit?: string}} NamedNumber */
 
-/** An effect at its place. @param {{effect: string, at?: string}} effect */
+/** Returns an effect's name and location. @param {{effect: string, at?: string}} effect */
 export function effectTitle({effect, at}) {
   return `${effect}${at ? ` at ${at}` : ""}`;
 }
 
-/** Effects at their places, those of one kind together. @param {{effects: readonly {effect: string, at?: string}[]}} explanation */
+/**
+ * Returns the names and locations of an explanation's effects, grouped by kind of effect.
+ * @param {{effects: readonly {effect: string, at?: string}[]}} explanation
+ */
 export function explanationTitle({effects}) {
   return titleOf(effects, Infinity);
 }
 
-/** The same for a button: more than two places of one effect are counted. @param {{effects: readonly {effect: string, at?: string}[]}} explanation */
+/**
+ * Returns the title of an explanation for a button, where more than two locations of an effect are only counted.
+ * @param {{effects: readonly {effect: string, at?: string}[]}} explanation
+ */
 export function briefTitle({effects}) {
   return titleOf(effects, 2);
 }
@@ -33,7 +39,7 @@ function titleOf(effects, most) {
     .join(" and ");
 }
 
-/** Returns the fitted sizes by effect, with places if there are several. @param {BareExplanation} explanation */
+/** Returns the fitted size of each effect, with the location if there are several. @param {BareExplanation} explanation */
 export function sizesOf({effects}) {
   return effects.flatMap((effect) => {
     const text = sizeText(effect);
@@ -41,13 +47,13 @@ export function sizesOf({effects}) {
   });
 }
 
-/** "half_width" for a reader. @param {unknown} name */
+/** Returns "half width" for the name "half_width". @param {unknown} name */
 export function plainName(name) {
   return String(name ?? "").replaceAll("_", " ");
 }
 
 /**
- * An effect's numbers that say something: those that were fitted, or where none was those that are not zero.
+ * Returns an effect's fitted parameters; if none was fitted, its parameters other than zero.
  * @param {FoundEffect} effect @returns {NamedNumber[]}
  */
 function tellingNumbers({parameters}) {
@@ -59,7 +65,8 @@ function tellingNumbers({parameters}) {
 }
 
 /**
- * A sine and a cosine, as what one sees of them: sine sin(q) + cosine cos(q) = amplitude sin(q + phase).
+ * Replaces a sine and a cosine coefficient by amplitude and phase: sine sin(q) + cosine cos(q) equals
+ * amplitude sin(q + phase). Other parameters are kept.
  * @param {NamedNumber[]} numbers @returns {NamedNumber[]}
  */
 function asWave(numbers) {
@@ -85,7 +92,7 @@ function asWave(numbers) {
   ];
 }
 
-/** "half width 0.0586 +- 0.0010 deg". @param {FoundEffect} effect */
+/** Returns an effect's parameters, such as "half width 0.0586 +- 0.0010 deg". @param {FoundEffect} effect */
 export function sizeText(effect) {
   return tellingNumbers(effect)
     .map((number) => `${number.name} ${withSigma(number.value, number.sigma, number.unit)}${stiffnessText(number)}`)
@@ -98,7 +105,8 @@ function stiffnessOf(compliance, sigma) {
 }
 
 /**
- * Drawings and data sheets have the stiffness, not its inverse: said where the compliance is known well enough.
+ * Returns the stiffness, which drawings and data sheets state instead of the compliance, as text to append. Empty if the
+ * parameter is no compliance or has a sigma above 30 %.
  * @param {NamedNumber} number
  */
 function stiffnessText({name, value, sigma, unit}) {
@@ -106,19 +114,19 @@ function stiffnessText({name, value, sigma, unit}) {
   return isKnown && unit ? `, stiffness ${stiffnessOf(value, sigma)} ${inverseUnit(unit)}` : "";
 }
 
-/** Returns words on the share of an effect that readings show; empty if unknown. @param {unknown} fraction */
+/** Returns text on the fraction of an effect that the readings can show; empty if unknown. @param {unknown} fraction */
 export function keptText(fraction) {
   if (!isNumber(fraction)) return "";
   if (fraction > 0.98) return "all of it is observable";
   return `${percent(fraction, fraction < 0.1 ? 1 : 0)} of it is observable; the rest is absorbed by the fitted numbers`;
 }
 
-/** Returns true if the explanation needs nothing else beside it. @param {{enough?: boolean}} explanation */
+/** Returns true if the explanation's effects account for the whole error. @param {{enough?: boolean}} explanation */
 export function isEnough(explanation) {
   return explanation.enough !== false;
 }
 
-/** Returns words for the explanation's effects, or that they do not suffice. @param {BareExplanation} explanation */
+/** Returns text on the explanation's effects, or that they do not suffice. @param {BareExplanation} explanation */
 export function explanationWords(explanation) {
   if (!isEnough(explanation)) return "the closest of the known effects, but not enough";
   const words = new Set(explanation.effects.map((effect) => effect.words ?? ""));
@@ -126,7 +134,7 @@ export function explanationWords(explanation) {
 }
 
 /**
- * Every explanation: those with figures first, best first, then further alternatives by name and size alone.
+ * Returns every explanation: first the judged explanations, best first, then alternatives known only by name and size.
  * @template {FoundEffect} E @template {{effects: E[], enough?: boolean}} T
  * @param {{explanations?: T[] | null, alternatives?: E[][] | null}} document
  * @returns {(T | {effects: E[], enough?: boolean})[]}
@@ -138,13 +146,13 @@ export function explanationsOf(document) {
   return [...drawn, ...others.filter((other) => !titles.has(explanationTitle(other)))];
 }
 
-/** Names of the errors refitted without the explanation, and with it. */
+/** Name of the errors of the model refitted without the explanation. */
 export const WITHOUT_IT = "refitted without it";
-/** @param {BareExplanation} explanation */
+/** Returns the name of the errors of the model refitted with the explanation. @param {BareExplanation} explanation */
 export function withIt(explanation) {
   return `with ${isEnough(explanation) ? "" : "the closest, "}${briefTitle(explanation)}`;
 }
 
-/** Names of the errors of a model as it stands, and refitted. */
+/** Names of the errors of a model as given, and of the refitted model. */
 export const AS_IT_STANDS = "as it stands";
 export const REFITTED = "refitted";

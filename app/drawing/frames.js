@@ -1,6 +1,6 @@
-// From lengths in a plane to pixels: a camera, an extent that it is to show, and the margins around it.
+// Conversion between lengths in a plane and pixels, with a camera fitted to an extent and margins.
 
-/** Middle of the picture, u to the right and v upwards, and pixels per unit of length.
+/** `u` (to the right) and `v` (upwards): centre of the picture; `scale`: pixels per unit of length.
  *  @typedef {{u: number, v: number, scale: number}} Camera */
 /** @typedef {{width: number, height: number}} Size */
 /** @typedef {{left: number, right: number, bottom: number, top: number}} Extent */
@@ -18,7 +18,7 @@ export function extentOf(places) {
 }
 
 /**
- * The camera that shows an extent as large as the margins, in pixels, leave room.
+ * Returns the camera that shows an extent as large as possible within the margins [px].
  * @param {Extent} extent @param {Size} size @param {Extent} margin @returns {Camera}
  */
 export function fit(extent, size, margin) {
@@ -43,7 +43,7 @@ export function fromPixel(camera, size, x, y) {
 }
 
 /**
- * The entry whose place in pixels is nearest, or -1 where none is within reach.
+ * Returns the index of the entry of `places` [px] nearest to (x, y), or -1 if none is closer than `reach`.
  * @param {readonly (ArrayLike<number> | null)[]} places @param {number} x @param {number} y @param {number} reach
  */
 export function nearestPlace(places, x, y, reach) {

@@ -1,9 +1,10 @@
-// Readings grouped along a variable: levels, bins, and how much of the values follows it.
+// Readings grouped along a variable, by level or in bins, and the fraction of the values' variance that it explains.
 
 const BINS = 12;
 
 /**
- * Levels where there are few, else bins of about as many readings each; a level is never cut.
+ * Groups rows [x, value] by level of x if there are at most `bins` levels, else in bins of about equally many rows.
+ * Rows of one level are never split between bins.
  * @param {readonly [number, number][]} rows
  */
 export function groupsOf(rows, bins = BINS) {
@@ -22,7 +23,7 @@ export function groupsOf(rows, bins = BINS) {
 }
 
 /**
- * Pairs of which both are known.
+ * Returns the pairs [x, value] in which both entries are known.
  * @param {readonly (number | undefined)[]} xs @param {readonly (number | null)[]} values
  * @returns {[number, number][]}
  */
@@ -35,7 +36,8 @@ export function knownPairs(xs, values) {
 }
 
 /**
- * The share of the values' variance that lies between levels of x, or between bins of as many readings each.
+ * Returns the fraction of the values' variance explained by x, adjusted for degrees of freedom: 1 minus the variance
+ * within groups of x over the total variance.
  * @param {readonly (number | undefined)[]} xs @param {readonly (number | null)[]} values
  */
 export function followedShare(xs, values) {

@@ -1,5 +1,5 @@
-// The errors as those of each joint against its angle, its direction, its moment and the load, each with the p-value
-// that the program's pattern search gave that variable: which panels there are, and which is the loudest.
+// Small panels of each joint's equivalent error against the joint's angle, direction of motion, moment, and the load.
+// Each panel has the p-value of its variable in the pattern search; the most significant panel is determined.
 import {binnedMeans} from "./binned.js";
 import {jointKey} from "./error_parts.js";
 import {followedShare} from "./groups.js";
@@ -13,18 +13,18 @@ import {besideLevel, findVariable} from "./variables.js";
 /** @typedef {import("./reading_errors.js").ErrorPair} ErrorPair */
 /** @typedef {import("./variables.js").Variable} Variable */
 /** @typedef {"angle" | "direction" | "moment" | "load"} ColumnName */
-/** `p`: over all tests of the search, null where it was not tested; `share`: of this joint's error, that follows the
- *  variable.
+/** `p`: smallest p-value of the variable in the pattern search, null if not tested; `share`: fraction of the variance
+ *  of this joint's equivalent error that the variable explains.
  *  @typedef {{joint: string, column: ColumnName, variable: Variable, part: Part, p: number | null,
  *    share: number}} Multiple */
-/** `rowOf`: of each joint, the name of the row that it turns.
+/** `rowOf` returns the name of the row that a joint turns.
  *  @typedef {{errors: ErrorPair, variables: readonly Variable[], parts: readonly Part[],
  *    tested: readonly {variable: string, p_value: number | null}[], rowOf: (joint: string) => string}} MultiplesSource */
 
 /** @type {readonly ColumnName[]} */
 export const MULTIPLE_COLUMNS = ["angle", "direction", "moment", "load"];
 
-/** Less than this is no finding: as the program's own search has it. */
+/** p-value below which a pattern counts as found, as in the program's pattern search. */
 const FOUND = 0.01;
 
 /** @param {MultiplesSource} source @returns {Multiple[]} */
@@ -64,7 +64,8 @@ function multipleOf({errors, tested}, of, name) {
 }
 
 /**
- * The least p-value; of those alike, as the load's are, where the joint's own error follows most. Null: none is found.
+ * Returns the panel with the smallest p-value, or null if no pattern was found. Between equal p-values, such as those
+ * of the load, the panel whose variable explains the largest fraction of the joint's error is chosen.
  * @param {readonly Multiple[]} multiples
  */
 export function loudest(multiples) {
@@ -79,7 +80,7 @@ export function loudest(multiples) {
 }
 
 /**
- * One scale for all, so that sizes compare: of the judged errors, but for the wildest.
+ * Returns the common scale of all panels: the 97 % quantile of the judged errors' absolute values.
  * @param {readonly Multiple[]} multiples @param {ErrorPair | null} errors
  */
 export function multiplesScale(multiples, errors) {
@@ -92,8 +93,8 @@ export function multiplesScale(multiples, errors) {
 }
 
 /**
- * A panel's places in a box of this size: of every series' points, [x, y, series], and of the line of means.
- * @param {Multiple} multiple @param {ErrorPair} errors @param {number} most the end of the scale
+ * Returns the positions within a panel of this size [px]: the points of every series, the bin means, and the zero line.
+ * @param {Multiple} multiple @param {ErrorPair} errors @param {number} most value at the end of the scale
  * @param {number} width @param {number} height
  */
 export function panelPlaces({variable, part}, errors, most, width, height) {
@@ -111,7 +112,7 @@ export function panelPlaces({variable, part}, errors, most, width, height) {
       const x = xs[i],
         value = column[i];
       if (!isNumber(x) || !isNumber(value) || !isInShare(i, column.length, MOST_POINTS)) continue;
-      // Levels are spread a little, so that their points are seen.
+      // Points at a discrete level are spread slightly, so that they do not cover one another.
       const beside = variable.kind === "sense" ? besideLevel(i) * 0.2 * inner : 0;
       places.push([across(x) + (x > (low + high) / 2 ? -Math.abs(beside) : Math.abs(beside)), up(value)]);
     }

@@ -1,18 +1,18 @@
-// Shape and colour of what is marked, by its kind. Words are no part of it: they come with the documents, from the
-// tables that the kinds are rows of. Colours are names of the style sheets' variables.
+// Shapes and colours of marks, keyed by kind. The text for each kind comes with the documents. Colours are names of
+// variables of the style sheets.
 
 /** @typedef {import("./shapes.js").Shape} Shape */
 /** @typedef {"ink"|"muted"|"accent"|"hole"|"faint"|"rose"|"violet"|"case0"|"case1"|"case2"|"case3"} MarkColour */
 /** @typedef {{shape: Shape, colour: MarkColour}} Mark */
 
-/** Tubes that cannot be visited, that were not scored, that nobody asked for. @type {Mark} */
+/** Mark of tubes that cannot be visited. @type {Mark} */
 export const UNREACHABLE = {shape: "hatched", colour: "rose"};
-/** @type {Mark} */
+/** Mark of tubes that were not scored. @type {Mark} */
 export const UNSCORED = {shape: "diamond", colour: "muted"};
-/** @type {Mark} */
+/** Mark of tubes that are not on the work list. @type {Mark} */
 export const NOT_PLANNED = {shape: "dot", colour: "faint"};
 
-/** @type {Record<string, Mark>} */
+/** Marks of tube states. @type {Record<string, Mark>} */
 const STATES = {
   open: {shape: "ring", colour: "hole"},
   plugged: {shape: "disc", colour: "ink"},
@@ -22,7 +22,7 @@ const STATES = {
   inaccessible: {shape: "bar", colour: "ink"},
   unresolved: {shape: "target", colour: "violet"},
 };
-/** @type {Record<string, Mark>} */
+/** Marks of diagnosis and comparison verdicts. @type {Record<string, Mark>} */
 const VERDICTS = {
   adequate: {shape: "disc", colour: "case3"},
   explained: {shape: "square", colour: "accent"},
@@ -32,10 +32,10 @@ const VERDICTS = {
   inconclusive: {shape: "ring", colour: "muted"},
   "falls-short": {shape: "triangle", colour: "case0"},
 };
-/** Mark of a kind that is not in its table. @type {Mark} */
+/** Mark of a tube state without an entry in STATES. @type {Mark} */
 const OTHER = {shape: "diamond", colour: "violet"};
 
-/** The state of a hole's tube. @param {string} name @returns {Mark} */
+/** Returns the mark of a tube's state. @param {string} name @returns {Mark} */
 export function stateMark(name) {
   return Object.hasOwn(STATES, name) ? STATES[name] : OTHER;
 }
@@ -45,7 +45,7 @@ export function verdictMark(name) {
   return Object.hasOwn(VERDICTS, name) ? VERDICTS[name] : {shape: "diamond", colour: "muted"};
 }
 
-/** Errors before, hollow, and after, full: told apart without colour. @type {Mark} */
+/** Mark of errors before a change; its shape differs from AFTER, so that colour is not needed. @type {Mark} */
 export const BEFORE = {shape: "triangle", colour: "case0"};
-/** @type {Mark} */
+/** Mark of errors after a change. @type {Mark} */
 export const AFTER = {shape: "disc", colour: "accent"};

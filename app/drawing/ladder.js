@@ -1,9 +1,9 @@
-// The ladder of errors: each model's, fitted and held out, over the noise floor.
+// Error ladder: the fitted and held-out errors of each model, relative to the noise floor.
 import {fixed, isNumber, short} from "./numbers.js";
 
 /** @typedef {{name: string, fitted: number | null, heldout: number | null}} ComparedModel */
 
-/** Words for the two kinds of bars and the line. */
+/** Legend of the two kinds of bars and of the line. */
 export const LADDER_WORDS = {
   fitted: "fitted: on the readings that the fit used",
   heldout: "held out: on readings that the fit did not use",
@@ -11,7 +11,7 @@ export const LADDER_WORDS = {
 };
 
 /**
- * Model names as files are long: their last part tells them apart, else they stay whole.
+ * Shortens file paths to file names without extension; returns them in full if the short names would not be distinct.
  * @param {readonly string[]} names
  */
 export function modelNames(names) {
@@ -19,11 +19,11 @@ export function modelNames(names) {
   return new Set(brief).size === new Set(names).size ? brief : [...names];
 }
 
-/** The largest error may be so many times the next before its bar is cut. */
+/** Ratio of the first model's error to the largest other error above which its bar is cut off. */
 const MOST_TIMES = 12;
 
 /**
- * Returns the end of the axis: the largest error, unless that would squeeze the others at the left.
+ * Returns the end of the axis: slightly above the largest error, unless the other bars would become too short to read.
  * @param {readonly ComparedModel[]} models @param {number | null} floor
  */
 export function axisEnd(models, floor) {
@@ -33,7 +33,7 @@ export function axisEnd(models, floor) {
   return errors.length > 1 && others > 0 && largest > MOST_TIMES * others ? 1.7 * others : 1.06 * largest;
 }
 
-/** "1.04 x floor"; empty without a floor. @param {number} value @param {number | null} floor */
+/** Returns, for example, "1.04 x floor"; empty without a floor. @param {number} value @param {number | null} floor */
 export function timesFloor(value, floor) {
   return floor ? `${fixed(value / floor, value / floor < 10 ? 2 : 0)} \u00d7 floor` : "";
 }
@@ -43,13 +43,16 @@ export function floorText(floor, unit) {
   return `noise floor ${short(floor)} ${unit}`;
 }
 
-/** A bar's length as a share of the axis, and whether it is cut there. @param {number} value @param {number} end */
+/**
+ * Returns a bar's length as a fraction of the axis, and whether the bar is cut off at the end of the axis.
+ * @param {number} value @param {number} end
+ */
 export function barOf(value, end) {
   return {share: Math.min(1, value / end), isCut: value > end * 1.001};
 }
 
 /**
- * The models of a list as documents have it: bare errors, or inside {rms}.
+ * Returns the models of a document's list, whose errors are plain numbers or objects {rms}.
  * @param {readonly any[]} entries @returns {ComparedModel[]}
  */
 export function comparedModels(entries) {
@@ -63,7 +66,10 @@ export function comparedModels(entries) {
     .filter((model) => model.fitted !== null || model.heldout !== null);
 }
 
-/** A root mean square, given bare or inside {rms}. @param {any} value @returns {number | null} */
+/**
+ * Returns a root mean square given as a number or as {rms}; null if absent.
+ * @param {any} value @returns {number | null}
+ */
 export function errorOf(value) {
   const bare = value !== null && typeof value === "object" ? value.rms : value;
   return isNumber(bare) ? bare : null;

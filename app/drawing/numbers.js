@@ -1,5 +1,5 @@
-// Writing figures: real minus signs, about three digits. ASCII only, as all of this folder: reports carry these files as
-// they are.
+// Number formatting with typographic minus signs and about three significant digits. All files of this folder are ASCII
+// only, because reports embed them unchanged.
 
 export const MISSING = "\u2013";
 
@@ -15,7 +15,7 @@ export function fixed(value, digits) {
   return /[1-9]/.test(text) ? text.replace("-", "\u2212") : text.replace("-", "");
 }
 
-/** About three figures: 0.0302, 12.4, 4,674, 3.1e-8. @param {unknown} value */
+/** Returns a number to about three significant digits: 0.0302, 12.4, 4,674, 3.1e-8. @param {unknown} value */
 export function short(value) {
   if (!isNumber(value)) return MISSING;
   const size = Math.abs(value);
@@ -29,14 +29,14 @@ export function short(value) {
   return fixed(value, digits);
 }
 
-/** Returns a number to six significant figures: 0.089, 20. @param {unknown} value */
+/** Returns a number to at most six significant digits: 0.089, 20. @param {unknown} value */
 export function exact(value) {
   return isNumber(value) ? value.toLocaleString("en", {maximumSignificantDigits: 6}).replace("-", "\u2212") : MISSING;
 }
 
 /**
- * Ticks of one axis, all to the decimals that their step needs: 0.05, 0.10. @param {readonly number[]} values
- * @returns {string[]}
+ * Returns the tick labels of one axis, all with as many decimals as the tick spacing needs: 0.05, 0.10.
+ * @param {readonly number[]} values @returns {string[]}
  */
 export function tickTexts(values) {
   const steps = values.slice(1).map((value, k) => Math.abs(value - values[k]));
@@ -58,7 +58,8 @@ export function percent(fraction, digits = 0) {
   return isNumber(fraction) ? `${fixed(100 * fraction, digits)}\u00a0%` : MISSING;
 }
 
-/** Certainty is said only where it is certain. @param {unknown} value */
+/** Returns a probability in percent; 0 % and 100 % appear only if exact, else "< 0.1 %" and "> 99.9 %".
+ *  @param {unknown} value */
 export function probability(value) {
   if (!isNumber(value)) return MISSING;
   if (value > 0 && value < 0.001) return "<\u00a00.1\u00a0%";
@@ -66,21 +67,21 @@ export function probability(value) {
   return percent(value, 1);
 }
 
-/** A p-value for a table: 0.032, 6e-173. @param {unknown} p */
+/** Returns a p-value for a table: 0.032, 6e-173. @param {unknown} p */
 export function pValue(p) {
   if (!isNumber(p)) return MISSING;
   if (p < 1e-300) return "<\u00a01e\u2212300";
   return p < 0.001 ? p.toExponential(0).replace("e-", "e\u2212") : fixed(p, p < 0.095 ? 3 : 2);
 }
 
-/** A p-value in a sentence: p = 0.032. @param {unknown} p */
+/** Returns a p-value for a sentence: p = 0.032, or "not tested". @param {unknown} p */
 export function chance(p) {
   if (!isNumber(p)) return "not tested";
   const text = pValue(p);
   return text.startsWith("<") ? `p ${text}` : `p = ${text}`;
 }
 
-/** 75 s, 12 min 05 s, 1 h 20 min. @param {unknown} seconds */
+/** Returns a duration, such as 75 s, 12 min 05 s or 1 h 20 min. @param {unknown} seconds */
 export function duration(seconds) {
   if (!isNumber(seconds)) return MISSING;
   if (seconds < 120) return `${fixed(seconds, seconds < 10 ? 1 : 0)} s`;
@@ -95,7 +96,7 @@ function twoDigits(value) {
   return String(value).padStart(2, "0");
 }
 
-/** A clock of fixed width: 03:07.5. @param {number} seconds */
+/** Returns a time as minutes and seconds of fixed width: 03:07.5. @param {number} seconds */
 export function clock(seconds) {
   const minutes = Math.floor(seconds / 60);
   return `${twoDigits(minutes)}:${(seconds - 60 * minutes).toFixed(1).padStart(4, "0")}`;
@@ -106,14 +107,14 @@ export function plural(count, one, many = `${one}s`) {
   return `${whole(count)} ${count === 1 ? one : many}`;
 }
 
-/** A unit behind a figure; none where it is 1. @param {unknown} unit */
+/** Returns a unit with a leading space, to follow a number; empty if dimensionless. @param {unknown} unit */
 export function unitText(unit) {
   return typeof unit !== "string" || unit === "" || unit === "1" ? "" : `\u00a0${plainUnit(unit)}`;
 }
 
 const POWERS = {"^2": "\u00b2", "^3": "\u00b3", "^4": "\u2074"};
 
-/** Returns a unit as drawings write it: deg/(lbf\u00b7in) for deg/(lbf*in). @param {string} unit */
+/** Returns a unit as engineering drawings write it: deg/(lbf\u00b7in) for deg/(lbf*in). @param {string} unit */
 export function plainUnit(unit) {
   return unit
     .replace("degree", "deg")
@@ -121,16 +122,19 @@ export function plainUnit(unit) {
     .replaceAll("*", "\u00b7");
 }
 
-/** Returns the unit of a figure's inverse: lbf\u00b7in/deg for deg/(lbf*in). @param {string} unit */
+/** Returns the unit of a quantity's inverse: lbf\u00b7in/deg for deg/(lbf*in). @param {string} unit */
 export function inverseUnit(unit) {
   const [over, under = "1"] = unit.replace(/[()]/g, "").split("/");
   return plainUnit(`${under}${over === "1" ? "" : `/${over}`}`);
 }
 
-/** Number of decimals of a length beyond those of one in inches. @type {Record<string, number>} */
+/** Additional decimals of a length in each unit, relative to inches. @type {Record<string, number>} */
 const DECIMALS = {in: 0, mm: -1, cm: 0, m: 2, ft: 1};
 
-/** A length to so many decimals of an inch, or as fine in another unit. @param {unknown} value @param {string} unit */
+/**
+ * Returns a length with the given number of decimals in inches, or equivalent precision in another unit.
+ * @param {unknown} value @param {string} unit of `value`
+ */
 export function lengthFigure(value, unit, decimals = 3) {
   return fixed(value, Math.max(0, decimals + (DECIMALS[unit] ?? 0)));
 }
@@ -140,7 +144,7 @@ export function lengthAndUnit(value, unit, decimals = 3) {
   return isNumber(value) ? `${lengthFigure(value, unit, decimals)} ${unit}` : MISSING;
 }
 
-/** Decimals of a joint's reading, by its unit. @param {string} unit */
+/** Returns the number of decimals of a joint's encoder reading in this unit. @param {string} unit */
 export function jointDecimals(unit) {
   return unit === "deg" || unit === "" ? 2 : unit === "rad" ? 4 : 3 + (DECIMALS[unit] ?? 0);
 }

@@ -1,5 +1,5 @@
-// View of a cause: the variable of its law, and the part of the error that shows it. Of the variables that the law
-// may depend on, it is the one that the effect at these readings follows most.
+// View of a cause: a variable of its law, and the component of the error that shows the law best. The view uses the
+// variable that explains the largest fraction of the cause's contribution to the readings.
 import {jointKey} from "./error_parts.js";
 import {followedShare} from "./groups.js";
 
@@ -8,11 +8,12 @@ import {followedShare} from "./groups.js";
 /** @typedef {import("./variables.js").Variable} Variable */
 /** @typedef {import("./variables.js").VariedReading} VariedReading */
 /** @typedef {{effect: string, at: string, varies_with?: readonly string[]}} Cause */
-/** `score`: the share of what the cause does there that follows the variable.
+/** `score`: fraction of the cause's contribution to the error that the variable explains in this component.
  *  @typedef {{variable: Variable, part: Part, score?: number}} View */
 
 /**
- * Returns the view of the cause that shows best: an earlier one unless another is clearly better.
+ * Returns the view with the highest score among the causes, or null without causes. A later cause replaces an earlier
+ * cause only with a clearly higher score. `done`: contribution of all causes to the error at each reading.
  * @param {readonly Cause[]} causes @param {readonly (Vector3 | null)[]} done @param {readonly VariedReading[]} readings
  * @param {readonly Variable[]} variables @param {readonly Part[]} parts @returns {View | null}
  */
@@ -26,13 +27,17 @@ export function viewOfCauses(causes, done, readings, variables, parts) {
   return best;
 }
 
-/** The joint or axis that an effect turns: "theta3" of "theta3<-theta2", "forearm.z". @param {{at: string}} effect */
+/**
+ * Returns the joint or axis whose error the effect is: "theta3" for "theta3<-theta2", "forearm.z" for "forearm.z".
+ * @param {{at: string}} effect
+ */
 export function turnedBy({at}) {
   return at.split("<-")[0];
 }
 
 /**
- * Moments at the effect's own place: about its axis, "forearm.z", or any of its member's, "forearm".
+ * Returns the moments at the effect's location: about an axis such as "forearm.z", or about all axes of a link such as
+ * "forearm".
  * @param {Cause} cause @param {readonly Variable[]} variables
  */
 function ownMoments({at}, variables) {
@@ -40,13 +45,14 @@ function ownMoments({at}, variables) {
   return variables.filter((variable) => variable.key === key || new RegExp(`^${key}_[xyz]$`).test(variable.key));
 }
 
-/** A user's own law stands in the place of its place: "theta2 += c*sin(theta1)". @param {Cause} cause */
+/** Returns true if `at` holds a user-defined law, such as "theta2 += c*sin(theta1)". @param {Cause} cause */
 function isLaw({at}) {
   return at.includes("+=");
 }
 
 /**
- * The variables that a cause's law may hang on, the named ones of a formula or a coupling first.
+ * Returns the variables that a cause's law may depend on: those named in a formula or a coupling, else the variables of
+ * the kinds in `varies_with`.
  * @param {Cause} cause @param {readonly Variable[]} variables @returns {readonly Variable[]}
  */
 function variablesOfLaw(cause, variables) {
@@ -64,18 +70,19 @@ function variablesOfLaw(cause, variables) {
   return kinds.flatMap((kind) => variables.filter((variable) => variable.kind === kind));
 }
 
-/** The mean square of the values that are there. @param {readonly (number | null)[]} values */
+/** Returns the mean square of the known values; 0 if none is known. @param {readonly (number | null)[]} values */
 function meanSquare(values) {
   const known = values.flatMap((value) => (value === null ? [] : [value]));
   return known.length > 0 ? known.reduce((sum, value) => sum + value * value, 0) / known.length : 0;
 }
 
-/** A view must be better by so much to be taken instead of an earlier one. */
+/** Least gain in score for which a view replaces an earlier view. */
 const CLEARLY = 0.02;
 
 /**
- * Returns the best view of a cause; `done` is its part of the error at each reading. It is the error of the joint or
- * axis that the cause turns, if it turns one; else the part along the axis that has most of it and follows its variable.
+ * Returns the best view of a cause, where `done` is the cause's contribution to the error at each reading. If the cause
+ * turns a joint or axis, the view shows that joint's equivalent error. Otherwise, it shows the component with the
+ * highest score: its fraction of the contribution's mean square times the fraction that the variable explains.
  * @param {Cause} cause @param {readonly (Vector3 | null)[]} done @param {readonly VariedReading[]} readings
  * @param {readonly Variable[]} variables @param {readonly Part[]} parts @returns {View | null}
  */

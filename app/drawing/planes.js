@@ -1,4 +1,4 @@
-// The planes in which places and errors are seen: two of the world's axes, the first to the right, the second upwards.
+// Viewing planes of positions and errors: two world axes, the first to the right and the second upwards.
 
 /** @typedef {{key: string, axes: [number, number], words: string}} Plane */
 

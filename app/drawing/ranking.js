@@ -1,19 +1,19 @@
-// The ranking of effects as rows: figures as text, and shares for bars.
+// Ranking of effects as table rows: values as text, and lengths of bars.
 import {effectTitle, keptText, plainName} from "./explanations.js";
 import {isNumber, MISSING, percent, plural, probability, short} from "./numbers.js";
 import {withSigma} from "./sigma_text.js";
 
-/** So many are shown; the others fold away. */
+/** Number of ranked effects shown; further rows are folded. */
 export const MOST_RANKED = 12;
 
 /** @typedef {{name: string, value: number, sigma: number | null, unit: string}} RankedSize */
 /** @typedef {{effect: string, at: string, words?: string, probability?: number | null, chi2_fall?: number | null,
  *    kept_fraction?: number | null, size?: RankedSize | null}} Ranked */
 
-/** Heading of a ranked effect's probability, which is that of all explanations with the effect. */
+/** Heading of a ranked effect's probability: the sum over all explanations that contain the effect. */
 export const IS_THERE = "probability that it is there";
 
-/** A figure behind a bar. @typedef {{share: number, text: string}} Barred */
+/** Text with a bar, whose length is the fraction `share`. @typedef {{share: number, text: string}} Barred */
 
 /** @param {unknown} value @param {number} most @param {string} text @returns {Barred} */
 export function barred(value, most, text) {
@@ -39,7 +39,8 @@ export function rankingRows(ranking) {
 }
 
 /**
- * Returns notes on the number of effects tried, their probabilities, and other probable explanations.
+ * Returns text on the number of causes tried and, if available, on the probabilities that nothing is missing and that
+ * no known effect is involved.
  * @param {{ranking: readonly unknown[], probability?: any, probability_words?: unknown}} document
  */
 export function triedText({ranking, probability: chances, probability_words: meaning}) {

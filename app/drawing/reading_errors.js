@@ -1,4 +1,4 @@
-// The readings' errors in two series, before and after: what the plots of page and reports are made of.
+// Errors of the readings in two series, before and after a change, for the plots of the page and the reports.
 import {AS_IT_STANDS, isEnough, REFITTED, withIt, WITHOUT_IT} from "./explanations.js";
 import {AFTER, BEFORE} from "./kinds.js";
 import {binnedMeans, lawAlong} from "./binned.js";
@@ -17,16 +17,16 @@ import {besideLevel, findVariable} from "./variables.js";
 /** @typedef {import("./variables.js").VariedReading} VariedReading */
 /** @typedef {{name: string, mark: Mark, errors: (Vector3 | null)[]}} ErrorSeries */
 /**
- * `series`: before, then after; one alone where there is no after. `judged`: the series that means and shares are about,
- * what the causes take away from; of a refit, what it leaves. `tested`: the series that the pattern search's tests are
- * about. `causes`: what is between before and after, first the one that is looked at; none for a mere refit.
+ * `series`: errors before, then after the change; only one entry if there is no change. `judged`: index of the series
+ * from which means and explained fractions are computed: before for a diagnosis, after for a refit. `tested`: index of
+ * the series that the pattern search tested. `causes`: causes added by the change; empty for a refit.
  * @template {VariedReading} [R=VariedReading]
  * @typedef {{readings: R[], places: (Vector3 | null)[], series: ErrorSeries[], joints: string[], judged: number,
  *    tested: number, causes: Cause[]}} ErrorPair
  */
 
 /**
- * Returns the errors of a diagnosis: of the model without one of its explanations, and with it.
+ * Returns the errors of a diagnosis: those of the model refitted without the explanation `index`, and with it.
  * @template {VariedReading & {before: Vector3, explained: (Vector3 | null)[], position: Vector3 | null}} R
  * @param {{readings: R[], joints: {name: string}[],
  *    explanations: {effects: Cause[], enough?: boolean}[]}} document
@@ -59,10 +59,10 @@ export function errorsOfExplanation({readings, joints, explanations}, index) {
 }
 
 /**
- * Returns the errors of a comparison, measured minus predicted: of the model as given, and refitted.
+ * Returns the errors (measured minus predicted) of a comparison: those of the model as given, and after the refit.
  * @template {VariedReading} R
  * @param {R[]} readings @param {(Vector3 | null)[]} places @param {string[]} joints
- * @param {(Vector3 | null)[]} before @param {(Vector3 | null)[]} after @param {string} when after the names
+ * @param {(Vector3 | null)[]} before @param {(Vector3 | null)[]} after @param {string} when suffix of both series' names
  * @returns {ErrorPair<R>}
  */
 export function errorsOfRefit(readings, places, joints, before, after, when = "") {
@@ -80,7 +80,10 @@ export function errorsOfRefit(readings, places, joints, before, after, when = ""
   };
 }
 
-/** Returns the error that causes remove at each reading. @param {ErrorPair} pair @returns {(Vector3 | null)[]} */
+/**
+ * Returns the error before minus the error after the change at each reading; null where either is missing.
+ * @param {ErrorPair} pair @returns {(Vector3 | null)[]}
+ */
 export function doneBy({series: [before, after]}) {
   return before.errors.map((from, i) => {
     const to = after?.errors[i];
@@ -93,7 +96,7 @@ export function partsAlong(errors, part) {
   return errors.map((error, i) => (error ? part.of(error, i) : null));
 }
 
-// ---- where to look
+// ---- choice of the view
 
 /** @param {ErrorPair} pair @param {readonly Variable[]} variables @param {readonly Part[]} parts */
 export function viewOfPair(pair, variables, parts) {
@@ -101,7 +104,7 @@ export function viewOfPair(pair, variables, parts) {
 }
 
 /**
- * The part of the judged errors that follows a variable most.
+ * Returns the component of the judged errors of which a variable explains the largest fraction.
  * @param {Variable} variable @param {ErrorPair} pair @param {readonly Part[]} parts
  */
 export function partFollowing(variable, pair, parts) {
@@ -116,7 +119,7 @@ export function partFollowing(variable, pair, parts) {
 }
 
 /**
- * Returns the view of the unexplained remainder: the variable that it follows most.
+ * Returns the view of the unexplained residual against the variable that explains most of it; null if there is none.
  * @param {{remainder?: {follows?: {variable: string}[]} | null} | null | undefined} diagnosis
  * @param {ErrorPair} pair @param {readonly Variable[]} variables @param {readonly Part[]} parts
  * @returns {View | null}
@@ -127,7 +130,8 @@ export function viewOfRemainder(diagnosis, pair, variables, parts) {
 }
 
 /**
- * Returns the view of a found pattern. A point is a name, not a measure, so that other findings come first.
+ * Returns the view of the first pattern found; null if there is none. Patterns over the touched point come last,
+ * because a point is a label, not a quantity.
  * @param {readonly {variable: string, frame?: string, component?: string}[]} patterns
  * @param {readonly Variable[]} variables @param {readonly Part[]} parts @returns {View | null}
  */
@@ -139,11 +143,11 @@ export function viewOfPatterns(patterns, variables, parts) {
   return found.find((view) => view.variable.kind !== "point") ?? found[0] ?? null;
 }
 
-// ---- what a plot shows
+// ---- content of a plot
 
 /**
- * A view's figures: each reading's variable, the series' parts, means of bins of the judged series, and the law of the
- * causes as what they do; the last two of signed parts alone.
+ * Returns the data of a view: the variable at each reading, the component in each series, the bin means of the judged
+ * series, and the binned contribution of the causes. The last two are empty for an unsigned component.
  * @param {ErrorPair} pair @param {View} view
  */
 export function plotted(pair, {variable, part}) {
@@ -161,7 +165,7 @@ export function plotted(pair, {variable, part}) {
 }
 
 /**
- * Points of one level are spread a little, so that all of them are seen.
+ * Returns the plotted position of a value. At a discrete level, points are spread slightly, so that all are visible.
  * @param {boolean} isLevel @param {number} value @param {number} index
  */
 export function spreadAtLevel(isLevel, value, index) {
@@ -179,7 +183,7 @@ export function levelRange({levels}) {
 }
 
 /**
- * The largest error of several plots, where all are drawn as the same part: one scale. Null where they are not.
+ * Returns the largest absolute error in several plots, as their common scale; null if they show different components.
  * @param {[ErrorPair, View][]} plots
  */
 export function commonMost(...plots) {
@@ -192,19 +196,20 @@ export function commonMost(...plots) {
 }
 
 /**
- * The scale of errors of one part: about zero where it has a sign, else from zero; to `most` where that is shared.
+ * Returns the axis range of a component: symmetric about zero if signed, else from zero. `most`: largest value of a
+ * common scale, or null if the axis has its own scale.
  * @param {Part} part @param {number} low @param {number} high @param {number | null} most @returns {[number, number]}
  */
 export function partRange({isSigned}, low, high, most) {
   return isSigned ? symmetric(most === null ? low : -most, most ?? high) : [0, 1.08 * (most ?? high) || 1];
 }
 
-/** "A", "B", ... as explanations are called. @param {number} index */
+/** Returns the letter that names an explanation: "A" for index 0. @param {number} index */
 export function letterOf(index) {
   return String.fromCharCode(65 + index);
 }
 
-/** The parts that are errors of a joint. @param {ErrorPair} pair @param {readonly Part[]} parts */
+/** Returns the components that are equivalent joint errors. @param {ErrorPair} pair @param {readonly Part[]} parts */
 export function jointParts({joints}, parts) {
   return parts.filter((part) => joints.some((name) => part.key === jointKey(name)));
 }

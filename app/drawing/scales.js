@@ -1,13 +1,13 @@
 // Round lengths and ticks of axes.
 
-/** The 1, 2 or 5 times a power of ten at or below a positive value. @param {number} value */
+/** Returns the largest 1, 2 or 5 times a power of ten not above a positive value. @param {number} value */
 export function roundDown125(value) {
   const power = 10 ** Math.floor(Math.log10(value) + 1e-9);
   const step = [5, 2, 1].find((factor) => factor * power <= value * (1 + 1e-9)) ?? 1;
   return Number((step * power).toPrecision(1));
 }
 
-/** The same at or above it. @param {number} value */
+/** Returns the smallest 1, 2 or 5 times a power of ten not below a positive value. @param {number} value */
 export function roundUp125(value) {
   const below = roundDown125(value);
   if (below >= value * (1 - 1e-9)) return below;
@@ -16,7 +16,7 @@ export function roundUp125(value) {
 }
 
 /**
- * Round values from `low` to `high`, `count` of them or fewer.
+ * Returns about `count` round values between `low` and `high`, evenly spaced.
  * @param {number} low @param {number} high @param {number} count
  */
 export function roundTicks(low, high, count) {
@@ -31,7 +31,7 @@ export function roundTicks(low, high, count) {
 const ROOT_VALUES = [0, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 
 /**
- * Ticks of an axis from 0 whose scale is a square root: close together near zero, where clearance matters.
+ * Returns the ticks of a square-root axis from 0 to `high`, which shows small clearances enlarged.
  * @param {number} high
  */
 export function rootTicks(high) {
@@ -45,7 +45,7 @@ export function rootTicks(high) {
 }
 
 /**
- * From the least to the largest with a little room.
+ * Returns an interval extended by 4 % at both ends.
  * @param {number} low @param {number} high @returns {[number, number]}
  */
 export function widened(low, high) {
@@ -54,7 +54,7 @@ export function widened(low, high) {
 }
 
 /**
- * Returns limits at both sides of zero by the largest size, with a little room.
+ * Returns an interval symmetric about zero that contains `low` and `high` with a margin of 8 %.
  * @param {number} low @param {number} high @returns {[number, number]}
  */
 export function symmetric(low, high) {
@@ -62,7 +62,7 @@ export function symmetric(low, high) {
   return [-most, most];
 }
 
-/** @param {Iterable<number>} values @returns {[number, number]} the least and the largest, also of very many */
+/** @param {Iterable<number>} values any number @returns {[number, number]} minimum and maximum */
 export function rangeOf(values) {
   let low = Infinity,
     high = -Infinity;

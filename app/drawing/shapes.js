@@ -1,5 +1,5 @@
-// The outlines of marks as SVG paths: an SVG takes them as they are, a canvas through Path2D. Shape alone tells marks
-// apart, so that they serve in print and for every eye.
+// Outlines of marks as SVG paths, which a canvas draws through Path2D. The shapes are distinct without colour, so that
+// they also work in monochrome print and for colour-blind readers.
 
 /**
  * @typedef {"ring" | "double-ring" | "target" | "dot" | "disc" | "half" | "square" | "diamond" | "triangle" | "cross" |
@@ -7,7 +7,7 @@
  *    "crossed-square" | "crossed-diamond" | "crossed-ring" | "none"} Shape
  */
 
-/** Filled part and line of a shape about (x, y) with radius r; `width` is the line's, as a share of r.
+/** Paths of the filled area and of the stroke of a shape; `width`: stroke width as a fraction of the shape's radius.
  *  @typedef {{fill: string, line: string, width: number}} Outline */
 
 /** @param {number} x @param {number} y @param {number} r */
@@ -71,14 +71,15 @@ const SHAPES = {
   hatched: {line: (x, y, r) => circlePath(x, y, 0.92 * r) + hatches(x, y, 0.92 * r), width: 0.18},
 };
 
-/** @param {Shape} shape @param {number} x @param {number} y @param {number} r @returns {Outline} */
+/** Returns the paths of a shape of radius r centred at (x, y).
+ *  @param {Shape} shape @param {number} x @param {number} y @param {number} r @returns {Outline} */
 export function outlineOf(shape, x, y, r) {
   const {fill, line, width = 0} = SHAPES[shape];
   return {fill: fill ? fill(x, y, r) : "", line: line ? line(x, y, r) : "", width};
 }
 
 /**
- * The outline of a shape drawn hollow: what it would fill is a line.
+ * Returns the path of a shape drawn hollow, in which the filled area is stroked instead.
  * @param {Shape} shape @param {number} x @param {number} y @param {number} r
  */
 export function hollowPath(shape, x, y, r) {

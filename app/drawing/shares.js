@@ -1,8 +1,9 @@
-// Choice of the readings that are drawn out of thousands: more marks would hide one another. It depends on the places
-// in the list, so that before and after show the same ones. It is not every n-th reading, which may all have one load.
+// Choice of the readings to draw out of thousands, whose marks would hide one another. The choice depends on the index
+// only, so that the plots before and after a change show the same readings. Every n-th reading is no suitable choice,
+// because all of these may have the same load.
 import {whole} from "./numbers.js";
 
-/** So many arrows, or marks, a picture shows one by one, and so many points a joint's small panel. */
+/** Largest numbers of readings drawn individually: arrows or marks in a picture, points in a joint's small panel. */
 export const MOST_ARROWS = 400;
 export const MOST_MARKS = 1000;
 export const MOST_POINTS = 300;
@@ -10,15 +11,15 @@ export const MOST_POINTS = 300;
 const GOLDEN = 0.6180339887498949;
 
 /**
- * Returns true if a reading is drawn: multiples of the golden ratio lie evenly within a turn.
- * @param {number} index @param {number} count of readings @param {number} most that are drawn, about
+ * Returns true if a reading is drawn. Fractional parts of multiples of the golden ratio are evenly distributed.
+ * @param {number} index @param {number} count number of readings @param {number} most approximate number drawn
  */
 export function isInShare(index, count, most) {
   return count <= most || (index * GOLDEN) % 1 < most / count;
 }
 
 /**
- * Returns words for the legend on the number drawn; empty if all are.
+ * Returns the legend's text on the number of readings drawn; empty if all are drawn.
  * @param {number} count @param {number} most
  */
 export function shareText(count, most) {

@@ -1,4 +1,4 @@
-// Ground under the holes of a sheet, painted on a canvas: the plate with the divider, and the manway's direction.
+// Background of a tube sheet on a canvas: the plate, the divider, and the direction of the manway.
 import {toPixel} from "./frames.js";
 
 /** @typedef {import("./sheet_model.js").SheetModel} SheetModel */
@@ -53,7 +53,7 @@ function drawDivider(context, sheet, camera, size, colours) {
 }
 
 /**
- * The manway lies in the bowl under the plate: a door at the rim in its direction.
+ * Draws the manway, which lies in the bowl below the plate, as a door at the rim of the plate.
  * @param {CanvasRenderingContext2D} context @param {SheetModel} sheet @param {Camera} camera @param {Size} size
  * @param {GroundColours} colours
  */

@@ -1,13 +1,13 @@
-// A tube sheet as flat arrays, as it is drawn: u to the right and v upwards, so that seen from below u is -x. With its
-// plate's outline, the hole nearest to a place, and the places of its rows and columns.
+// Tube sheet as flat arrays for drawing: u to the right and v upwards, so that u is -x in the view from below. It also
+// has the outline of the plate, a search for the hole nearest to a point, and the positions of rows and columns.
 import {extentOf} from "./frames.js";
 
 /** @typedef {import("./frames.js").Extent} Extent */
 /** @typedef {{value: number, place: number}} Tick */
-/** The holes one by one in each array; `state` counts in `states`, whose words for a reader are `state_words`.
+/** Arrays with one entry per hole. `state` holds indices into `states` and into `state_words`, the readers' text.
  *  @typedef {{row: number[], column: number[], u: number[], v: number[], x: number[], y: number[], z: number[],
  *    state: number[], states: string[], state_words: string[]}} HoleArrays */
-/** In the direction (u, v) from the middle; where it stands in the world, where that is known.
+/** (u, v): direction of the manway from the centre of the sheet; `center`: position in the world frame, if known.
  *  @typedef {{u: number, v: number, center?: [number, number, number], diameter?: number}} Manway */
 /** @typedef {{name: string, pitch: number, hole_diameter: number, leg: string, leg_words: string, viewing_side: string,
  *    view_words: string, manway: Manway | null, holes: HoleArrays}} SheetSource */
@@ -55,7 +55,8 @@ export function makeSheetModel(source) {
 }
 
 /**
- * A disc, or of a sheet of one leg the half of it on the leg's side of the divider plate.
+ * Returns the outline of the plate: a disc or, for a sheet of a single leg, the half disc on that leg's side of the
+ * divider.
  * @param {Extent} extent @param {number} radius
  */
 function plateOf(extent, radius) {
@@ -77,7 +78,8 @@ function plateOf(extent, radius) {
 }
 
 /**
- * Every number with its place; none where one number is not one place (tubes numbered within each row).
+ * Returns each row or column number with its position; empty if a number has several positions, as when tubes are
+ * numbered within each row.
  * @param {ArrayLike<number>} numbers @param {ArrayLike<number>} places @param {number} pitch @returns {Tick[]}
  */
 export function ticksOf(numbers, places, pitch) {
@@ -92,8 +94,8 @@ export function ticksOf(numbers, places, pitch) {
 }
 
 /**
- * One, five, ten or more apart, so that labels have about 34 pixels each.
- * @param {readonly Tick[]} ticks @param {number} scale
+ * Returns the ticks at every 1, 2, 5, 10, ..., so that labels are at least 34 pixels apart.
+ * @param {readonly Tick[]} ticks @param {number} scale pixels per unit of length
  */
 export function spacedTicks(ticks, scale) {
   if (ticks.length < 2) return [...ticks];
@@ -105,7 +107,8 @@ export function spacedTicks(ticks, scale) {
 }
 
 /**
- * Buckets of two pitches: a look into nine of them finds the nearest hole; -1 where none is within reach.
+ * Returns a function that finds the index of the hole nearest to a point, or -1 if none is within `reach` (at most two
+ * pitches). Holes are stored in a grid of cells two pitches wide, nine of which are searched.
  * @param {Float64Array} u @param {Float64Array} v @param {number} pitch @param {Extent} extent
  */
 function finderOf(u, v, pitch, extent) {
@@ -136,18 +139,21 @@ function finderOf(u, v, pitch, extent) {
   };
 }
 
-/** Holes by row and column; -1 for one that is not there. @param {{row: number[], column: number[]}} holes */
+/**
+ * Returns a function from row and column to the index of the hole, or -1 if there is none.
+ * @param {{row: number[], column: number[]}} holes
+ */
 function namesOf({row, column}) {
   const byName = new Map(row.map((value, i) => [value * 4096 + column[i], i]));
   return (/** @type {number} */ r, /** @type {number} */ c) => byName.get(r * 4096 + c) ?? -1;
 }
 
-/** "R12 C7", as technicians say it. @param {unknown} row @param {unknown} column */
+/** Returns a tube's name in technicians' notation, such as "R12 C7". @param {unknown} row @param {unknown} column */
 export function tubeTitle(row, column) {
   return `R${row}\u00a0C${column}`;
 }
 
-/** "hot leg, seen from below". @param {{legWords: string, viewWords: string}} sheet */
+/** Returns leg and view, such as "hot leg, seen from below". @param {{legWords: string, viewWords: string}} sheet */
 export function sheetWords({legWords, viewWords}) {
   return [legWords, viewWords].filter((text) => text).join(", ");
 }

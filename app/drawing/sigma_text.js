@@ -1,8 +1,8 @@
-// A value beside its sigma: with as many digits as that warrants, sigma with two.
+// A value with its sigma, where sigma has two significant digits and the value as many decimals as sigma.
 import {fixed, isNumber, MISSING, short, unitText} from "./numbers.js";
 
 /**
- * 0.1101 +- 0.0007 deg, (9.93 +- 0.07)e6 lbf/in^2.
+ * Returns, for example, "0.11010 +- 0.00070 deg" or "(9.930 +- 0.070)e6 lbf/in^2"; the value alone if sigma is unknown.
  * @param {unknown} value @param {unknown} sigma @param {unknown} [unit]
  */
 export function withSigma(value, sigma, unit) {
@@ -12,14 +12,17 @@ export function withSigma(value, sigma, unit) {
   return `${power === "" ? pair : `(${pair})${power}`}${unitText(unit)}`;
 }
 
-/** The two by themselves, for a table. @param {unknown} value @param {unknown} sigma @returns {[string, string]} */
+/**
+ * Returns value and sigma as separate texts, for a table.
+ * @param {unknown} value @param {unknown} sigma @returns {[string, string]}
+ */
 export function valueAndSigma(value, sigma) {
   if (!isNumber(value) || !isNumber(sigma) || sigma <= 0) return [short(value), MISSING];
   const {value: shown, sigma: about, power} = pairOf(value, sigma);
   return [shown + power, about + power];
 }
 
-// Figures beyond these are written with a power of ten.
+// Numbers outside this range are written with a power of ten.
 const LARGEST_PLAIN = 1e5;
 const SMALLEST_PLAIN = 1e-3;
 
@@ -40,15 +43,15 @@ function pairOf(value, sigma) {
   };
 }
 
-/** From so many sigmas on an error is marked: of a few touches, and of readings, of which there may be thousands. */
+/** Number of sigmas above which the error of a touch is marked; for readings, which may be thousands, it is higher. */
 export const TOUCH_SIGMAS = 3;
 export const READING_SIGMAS = 5;
 
-/** The sign before a figure that is marked: the colour alone says it to few. */
+/** Sign before a marked number, because not every reader sees the colour. */
 export const MARKED = "\u25b2 ";
 
 /**
- * Returns an error in sigmas, marked if it is above the limit.
+ * Returns an error in sigmas as text, and whether it exceeds the limit and is marked.
  * @param {unknown} times @param {number} limit
  */
 export function sigmasText(times, limit) {

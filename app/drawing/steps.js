@@ -1,21 +1,22 @@
-// The steps of a document's tool: how many there are, what each number of inserted steps is called, and its mark. A tool
-// has as many steps as its cell says, and the document carries them.
+// Steps of a document's stepped tool: their number, and the name and mark of each number of inserted steps. The
+// document states the number of steps, which the tool's cell file defines.
 import {plural} from "./numbers.js";
 
 /** @typedef {import("./kinds.js").Mark} Mark */
-/** @typedef {{name: string, mark: Mark}} StepKind What a number of inserted steps is called, and how it is drawn. */
+/** @typedef {{name: string, mark: Mark}} StepKind Name and mark of a number of inserted steps. */
 /**
- * Document that states the steps: by their words, the tool itself, tubes counted by steps, or a tube's probabilities.
+ * Document that states the number of steps through the steps' names, the tool, the counts of tubes per number of steps,
+ * or the probabilities of a tube.
  * @typedef {{step_words?: unknown, steps?: unknown, counts?: unknown, tubes?: unknown,
  *    base?: unknown}} SteppedDocument
  */
 
 /**
- * Marks of no step, of all, and from the first to the last but one; the latter repeat beyond the eighth.
+ * Marks of no inserted step (`none`), of all steps (`all`), and of 1, 2, ... steps (`some`, repeated cyclically).
  * @typedef {{none: Mark, all: Mark, some: Mark[]}} StepMarks
  */
 
-/** @type {StepMarks} */
+/** Marks of steps inserted from a calibrated base. @type {StepMarks} */
 const PLACED = {
   none: {shape: "cross", colour: "case0"},
   all: {shape: "disc", colour: "case3"},
@@ -33,7 +34,7 @@ const PLACED = {
 /** @param {import("./shapes.js").Shape} shape @returns {Mark} */
 const nominal = (shape) => ({shape, colour: "accent"});
 
-/** Marks for a nominal base, which hold if it stands exactly where it should. @type {StepMarks} */
+/** Marks of steps inserted if the base stands exactly at its nominal pose. @type {StepMarks} */
 const NOMINAL = {
   none: nominal("plus"),
   all: nominal("crossed-ring"),
@@ -49,7 +50,8 @@ const NOMINAL = {
 };
 
 /**
- * The mark of so many inserted steps of a tool that has `count`, by the base that a document says they are of.
+ * Returns the mark of a number of inserted steps of a tool with `count` steps, which differs between a calibrated and a
+ * nominal base (placed: false).
  * @param {number} inserted @param {number} count @param {{placed?: unknown} | null} [base]
  */
 export function stepMark(inserted, count, base) {
@@ -58,7 +60,7 @@ export function stepMark(inserted, count, base) {
   return inserted >= count ? all : some[(inserted - 1) % some.length];
 }
 
-/** Returns the number of steps of a document's tool; 0 if it is not stated. @param {SteppedDocument} document */
+/** Returns the number of steps of a document's tool; 0 if not stated. @param {SteppedDocument} document */
 export function stepCountOf({step_words: words, steps, counts, tubes}) {
   if (Array.isArray(words) && words.length > 0) return words.length - 1;
   if (Array.isArray(steps) && steps.length > 0) return steps.length;
@@ -68,7 +70,7 @@ export function stepCountOf({step_words: words, steps, counts, tubes}) {
 }
 
 /**
- * Returns names and marks of 0, 1, ..., all inserted steps.
+ * Returns the names and marks of all numbers of inserted steps, from none to all; the index is the number of steps.
  * @param {SteppedDocument} document @returns {StepKind[]}
  */
 export function stepKinds(document) {
@@ -80,14 +82,17 @@ export function stepKinds(document) {
   }));
 }
 
-/** Returns words on the steps that enter, the document's if it has some. @param {unknown} words @param {number} steps */
+/**
+ * Returns the name of a number of inserted steps, if possible from the document's `step_words`.
+ * @param {unknown} words @param {number} steps
+ */
 export function stepText(words, steps) {
   const own = Array.isArray(words) ? words[steps] : undefined;
   return typeof own === "string" && own !== "" ? own : plural(steps, "step");
 }
 
 /**
- * The number of steps of the tool that enter at a centring error, by the tolerances of all of them.
+ * Returns the number of steps that enter the tube at a centring error, given the centring tolerances of all steps.
  * @param {number} error @param {readonly number[]} tolerances
  */
 export function stepsAtError(error, tolerances) {

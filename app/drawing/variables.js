@@ -1,27 +1,27 @@
-// Variables that an error may be drawn against: anything that differs between the readings, by its name in formulas and
-// in the program's findings.
+// Variables that an error may be plotted against: every quantity that differs between readings, under its name in
+// formulas and in the pattern search.
 import {isNumber, plainUnit} from "./numbers.js";
 import {rangeOf} from "./scales.js";
 
 /** @typedef {"joint" | "sense" | "load" | "moment" | "position" | "set-up" | "point" |
  *    "order" | ConditionName} VariableKind */
-/** A condition that readings state under its name, as the program serves it with its unit.
+/** Name of a condition, such as a temperature, that the readings state in a column of their own.
  *  @typedef {string & {}} ConditionName */
 /** @typedef {{name: ConditionName, unit: string}} ConditionColumn */
-/** Units of lengths, angles and forces, and the conditions there are.
+/** Units of lengths, angles and forces, and the conditions that the readings state.
  *  @typedef {{length?: string, angle?: string, force?: string, conditions?: readonly ConditionColumn[]}} VariableUnits */
-/** Conditions are among the numbers of a reading: `conditionOf`.
+/** A reading; its conditions are further properties, which conditionOf() returns.
  *  @typedef {{id: string, joints?: number[], senses?: number[], load?: number, setup?: string, point?: string}}
  *    VariedReading */
-/** `levels` are names where values are only that: 0 for the first.
+/** `levels`: names of the values of a categorical variable, whose value is an index into `levels`.
  *  @typedef {{key: string, name: string, unit: string, kind: VariableKind, levels?: string[],
  *    of: (reading: VariedReading, index: number) => number | undefined}} Variable */
 /** @typedef {{readings: readonly VariedReading[], joints: readonly {name: string, unit?: string}[],
  *    places: readonly (ArrayLike<number> | null)[]}} VariableSource */
-/** Moments about the arm's rows by the id of the reading.
+/** Moments about the axes of the arm's rows, keyed by reading id, one value per entry of `names`.
  *  @typedef {{unit: string, names: string[], readings: Record<string, number[]>}} Moments */
 
-/** A moment that differs by less, as a share of the largest, is what rounding leaves of none. */
+/** Least range of a moment, as a fraction of the largest range; a smaller range is rounding error. */
 const LEAST_MOMENT = 1e-6;
 
 /**
@@ -48,7 +48,7 @@ function momentVariables(source, found) {
   );
 }
 
-/** "moment about base link y" of the symbol that formulas have for it. @param {string} symbol */
+/** Returns the name of a moment, such as "moment about base link y" for moment_base_link_y. @param {string} symbol */
 function momentName(symbol) {
   return symbol.replace(/^moment_/, "moment about ").replaceAll("_", " ");
 }
@@ -62,7 +62,8 @@ function variable(kind, key, name, unit, of, levels) {
 }
 
 /**
- * Names as levels, where some but not all readings share one.
+ * Returns a categorical variable with the set-ups or points as levels; empty if there are fewer than two levels or on
+ * average fewer than two readings per level.
  * @param {VariableSource} source @param {"set-up" | "point"} kind
  * @param {(reading: VariedReading) => string | undefined} of
  */
@@ -80,7 +81,7 @@ function conditionOf(reading, name) {
 }
 
 /**
- * Only what differs between the readings.
+ * Returns the variables that differ between the readings.
  * @param {VariableSource} source @param {VariableUnits} unit @param {Moments | null} [found]
  * @returns {Variable[]}
  */
@@ -108,13 +109,14 @@ export function variablesOf(source, unit, found = null) {
   return all.filter(({of}) => new Set(source.readings.map(of).filter(isNumber)).size > 1);
 }
 
-/** "load, lbf" of an axis. @param {Variable} variable */
+/** Returns the title of a plot axis, such as "load, lbf". @param {Variable} variable */
 export function variableTitle({name, unit}) {
   return `${name}${unit ? `, ${plainUnit(unit)}` : ""}`;
 }
 
 /**
- * By the program's own names: "moment forearm.z", "sense of theta4", "direction of theta4", "cycles of theta1", "theta1 and theta2".
+ * Returns the variable with a name used by the program, or null: "moment forearm.z", "sense of theta4",
+ * "direction of theta4", "cycles of theta1", "theta1 and theta2" (the first of the two).
  * @param {string | undefined} name @param {readonly Variable[]} variables @returns {Variable | null}
  */
 export function findVariable(name, variables) {
@@ -126,7 +128,7 @@ export function findVariable(name, variables) {
 }
 
 /**
- * Beside its level, so that all readings at one are seen: from -0.5 to 0.5 by the reading's index.
+ * Returns an offset from -0.5 to 0.5 that depends on the reading's index, so that all points of one level are visible.
  * @param {number} index
  */
 export function besideLevel(index) {

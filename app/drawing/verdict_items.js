@@ -1,7 +1,8 @@
-// Verdict of a diagnosis or a comparison, sentence by sentence, in the words of its document.
+// Verdict of a diagnosis or a comparison as the list of sentences that the document contains.
 
 /**
- * The advice on further readings comes last. An earlier program wrote one text with the advice in it: that stays whole.
+ * Returns the sentences of the verdict, with the advice on further readings last. Documents of earlier versions contain
+ * one text that includes the advice; it is returned unchanged.
  * @param {{sentence?: string, sentences?: string[], splitting?: {advice?: string} | null}} document @returns {string[]}
  */
 export function verdictItems({sentence, sentences, splitting}) {

@@ -1,4 +1,4 @@
-// Visits of a plan in words, and what it keeps clear.
+// Text on the visits of a plan and on its required clearance.
 import {exact} from "./numbers.js";
 
 /** @param {number} index from 0 @param {number} count */
