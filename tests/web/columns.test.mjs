@@ -8,7 +8,7 @@ import {ask, launch, makeFolder, openTab, serve, simulate, stateOf} from "./work
 
 let made, browser, points, log;
 
-/** Writes the simulated readings in the form of a tracker and a controller. */
+/** Writes the simulated readings in the file formats of a tracker and of a robot controller. */
 function writeForeign() {
   const [head, ...rows] = readFileSync(path.join(made.folder, "readings.csv"), "utf8").trim().split("\n");
   const at = (name) => head.split(",").indexOf(name);

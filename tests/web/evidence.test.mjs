@@ -1,5 +1,5 @@
-// Tests of the evidence: the plot opens on the variable of the found cause, shows before and after together, and every
-// reading can be queried, shown and set aside.
+// Tests of the plots of errors: the plot opens on the variable of the found cause and shows the errors before and after
+// the change together. Every reading can be queried, shown and set aside.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import path from "node:path";
@@ -16,7 +16,7 @@ async function compared(name, hide, more = {}) {
   simulate(made.folder, name, {hide, seed: 7, ...more});
   const server = await serve(made.folder, "bench.yaml", [path.join(made.folder, `${name}.csv`)]);
   const tab = await openTab(browser, `${server.address}#error`);
-  await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {timeout: 60000}); // compared by itself
+  await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {timeout: 60000}); // the comparison starts automatically
   await tab.waitForSelector(".ladder-row >> text=as given, rigid"); // the ladder, not the earlier bars of the comparison
   await tab.waitForFunction(() => !document.querySelector(".job"));
   // Moments and leverages arrive later and redraw the plot, which would cancel a lasso.
@@ -37,7 +37,7 @@ async function diagnosed(tab) {
 
 const variable = (tab) => tab.locator("select[aria-label='Variable']").inputValue();
 const part = (tab) => tab.locator("select[aria-label='Part of the error']").inputValue();
-/** Waits until the plot shows that variable. */
+/** Waits until the plot shows the variable `wanted`. */
 const opensOn = (tab, wanted) =>
   tab.waitForFunction((key) => document.querySelector("select[aria-label='Variable']")?.value === key, wanted, {
     timeout: 10000,
@@ -53,7 +53,7 @@ describe("the plot of the errors", () => {
   for (const [hide, wanted, wantedPart] of FOUND) {
     it(`opens on ${wanted} for ${hide}, before and after on one scale`, async () => {
       const {tab, close} = await compared(hide.replace(/\W/g, "_"), hide);
-      await opensOn(tab, wanted); // by the pattern search alone
+      await opensOn(tab, wanted); // before any diagnosis, from the pattern search alone
       await diagnosed(tab);
       await opensOn(tab, wanted);
       if (wantedPart) assert.equal(await part(tab), wantedPart);
@@ -169,7 +169,7 @@ describe("a reading", () => {
     await close();
   });
 
-  /** Draws a lasso about a part of a picture; corners are shares of its width and height. */
+  /** Draws a lasso on a picture; corners are fractions of the picture's width and height. */
   async function lasso(tab, selector, corners) {
     const box = await tab.locator(selector).boundingBox();
     const [first, ...others] = corners.map(([x, y]) => [box.x + x * box.width, box.y + y * box.height]);
@@ -232,7 +232,7 @@ describe("a reading", () => {
     await tab.waitForFunction(
       (wanted) =>
         performance.getEntriesByType("resource").filter(({name}) => name.endsWith("/compare")).length >= wanted,
-      3, // the first automatic one, its result, and the new one
+      3, // requests: the automatic comparison, its result, and the new result
     );
     assert.ok(revision > 1);
     assert.equal(await tab.innerText(".selection-bar b"), picked);
@@ -284,7 +284,7 @@ describe("a reading", () => {
     await tab.focus(".reading-rows");
     await tab.keyboard.press("Control+a");
     await tab.waitForSelector(`.selection-bar >> text=${left} readings selected`);
-    await tab.keyboard.press("?"); // Esc closes only the topmost
+    await tab.keyboard.press("?"); // Esc closes only the topmost dialog
     await tab.waitForSelector("dialog[open] kbd");
     await tab.keyboard.press("Escape");
     await tab.waitForSelector("dialog[open]", {state: "detached"});

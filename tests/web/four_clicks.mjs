@@ -1,7 +1,7 @@
-// Tests every effect of the catalogue in four clicks. Readings that hide it are opened with `tubeplan serve CELL
-// READINGS`, and the page is clicked until the error has fallen. The output is a table: the effect found, the variable
-// on which the plot opened, the promised error and the remaining one. Exits with 1 if one does not end within 5 % of the
-// promised error.
+// Tests that four clicks suffice to find every effect of the catalogue. Readings that hide an effect are opened with
+// `tubeplan serve CELL READINGS`, and the page is clicked until the error has fallen. The output is a table: the effect
+// found, the variable on which the plot opened, the promised error and the remaining error. Exits with 1 if a remaining
+// error is not within 5 % of the promised error.
 //   node tests/web/four_clicks.mjs [EFFECT ...]
 import path from "node:path";
 import {readFileSync} from "node:fs";
@@ -16,7 +16,7 @@ const asked = process.argv.slice(2);
 const idle = (tab) => tab.waitForFunction(() => !document.querySelector(".job"), null, LIMIT);
 const variable = (tab) => tab.locator("select[aria-label='Variable']").inputValue();
 
-/** Returns the card of the hidden effect, else the first. */
+/** Returns the card of the hidden effect; the first card if the effect has none. */
 async function cardOf(tab, name) {
   const titles = await tab.locator(".explanation-words > b").allInnerTexts();
   const words = name.replace("@", " at ");

@@ -1,6 +1,6 @@
-// Kills the program at random instants of its work, as in a power cut, and starts it again. Everything that it had
-// answered must be present, and a saved project must be complete. `node tests/web/kills.mjs [KILLS] [SEED]`; exits with
-// 1 if anything is lost.
+// Kills the program at random instants of its work, as in a power cut, and starts it again. Every change that the
+// program had confirmed must be present, and a saved project must be complete. `node tests/web/kills.mjs [KILLS]
+// [SEED]`; exits with 1 if anything is lost.
 import {spawnSync} from "node:child_process";
 import {existsSync} from "node:fs";
 import path from "node:path";
@@ -9,7 +9,7 @@ import {ask, makeFolder, program, serve, simulate, stateOf} from "./workbench.mj
 const kills = Number(process.argv[2] ?? 50);
 let seed = Number(process.argv[3] ?? 1);
 
-/** Returns a number of Park and Miller's generator, so that a seed repeats its instants. */
+/** Returns the next number of Park and Miller's generator, so that a seed reproduces the instants of the kills. */
 function random() {
   seed = (48271 * seed) % 2147483647;
   return seed / 2147483647;
@@ -27,7 +27,7 @@ let lost = 0,
 
 const numberOf = (name) => [...marks[name].values()].filter(Boolean).length;
 
-/** Sends one request; its change is expected after the answer, and possible without one. */
+/** Sends one request. Once answered, its change must persist; without an answer, the change may have been made. */
 async function work(server) {
   ++orders;
   const kind = below(6);
@@ -58,7 +58,7 @@ async function workUntil(server, instant) {
     try {
       await work(server);
     } catch {
-      break; // the answer that the kill cut off
+      break; // the kill interrupted this answer
     }
   await killed;
 }

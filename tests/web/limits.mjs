@@ -1,11 +1,11 @@
-// Limits that end a file of tests in any case: one for each test, and one for processes that still run after the last
-// test.
+// Time limits that end a test file in any case: a limit for each test, and a limit for processes that still run after
+// the last test.
 import {after, it as test} from "node:test";
 
 const TEST_LIMIT = 180_000;
 const LEFT_OVER_LIMIT = 10_000;
 
-/** Defines a test that fails, by its name, if it does not end in time. */
+/** Defines a test that fails, with its name in the message, if it does not end in time. */
 export function it(name, body) {
   return test(name, {timeout: TEST_LIMIT}, body);
 }

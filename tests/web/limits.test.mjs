@@ -1,4 +1,5 @@
-// Tests that the tests themselves end within seconds and with a message, whatever does not start or fails.
+// Tests that the test files themselves end within seconds and with a message if the program or the browser fails or
+// does not start.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {spawn} from "node:child_process";
@@ -21,7 +22,7 @@ function write(name, text) {
   return file;
 }
 
-/** Runs a file of tests with a dummy program in place of tubeplan or the browser. */
+/** Runs a test file with a dummy program in place of tubeplan or the browser. */
 function runTests(name, body, environment) {
   const file = write(
     `${name}.test.mjs`,
@@ -30,7 +31,7 @@ function runTests(name, body, environment) {
      ${body}`,
   );
   const env = {...process.env, ...environment};
-  delete env.NODE_TEST_CONTEXT; // a separate run, not a part of this one
+  delete env.NODE_TEST_CONTEXT; // a separate test run, not a subtest of the current run
   return new Promise((resolve) => {
     const start = Date.now();
     const child = spawn(process.execPath, ["--test", file], {env});
@@ -44,7 +45,7 @@ function runTests(name, body, environment) {
   });
 }
 
-/** Returns true if a process runs; an ended one may remain as a zombie. */
+/** Returns true if a process runs; a zombie, which has ended, does not count. */
 function isRunning(pid) {
   const file = `/proc/${pid}/stat`;
   return existsSync(file) && !/\) [ZX] /.test(readFileSync(file, "utf8"));

@@ -1,5 +1,5 @@
-// Tests of a running arm: the read-out follows its encoders, by POST and by a watched file, and its readings join the
-// others.
+// Tests with a running arm: the read-out follows the arm's encoders, received by POST or from a watched file, and the
+// arm's readings are added to the loaded readings.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {appendFileSync, readFileSync, writeFileSync} from "node:fs";
@@ -29,7 +29,7 @@ const watchReadOut = (tab) =>
 
 const changes = (tab) => tab.evaluate(() => window.changes.length);
 
-/** Waits until the read-out is that of a posture; returns its deflected tip. */
+/** Waits until the read-out shows a posture; returns the deflected tip in this posture. */
 async function shows(tab, server, joints, load) {
   const pose = (await ask(server, "pose", {joints, load})).body;
   const x = pose.flexible.position[0].toFixed(3).replace("-", "−");

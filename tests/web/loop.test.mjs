@@ -1,5 +1,5 @@
-// Tests of the loop, from data to an error at the noise floor in four clicks, and of undo, reload, two browsers, wrong
-// and hostile files.
+// Tests of the improvement loop, from data to an error at the noise floor in four clicks, and of undo, reload, two
+// browsers, and invalid and malicious files.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {readFileSync} from "node:fs";
@@ -24,7 +24,7 @@ after(async () => {
   made?.remove();
 });
 
-/** Returns the held-out error over the noise floor of the last model, as the page shows it. */
+/** Returns the ratio of the last model's held-out error to the noise floor, as the page shows it. */
 async function timesFloor(tab) {
   const text = await tab.locator(".ladder-row.now .bar-text").last().innerText();
   return Number(/([\d.]+) × floor/.exec(text)[1]);
@@ -232,7 +232,7 @@ describe("the catalogue", () => {
     await tab.focus(".effect-list [aria-selected=true]");
     await tab.keyboard.press("ArrowDown");
     await tab.waitForSelector(".effects-view h2 >> text=tool-weight");
-    // Effects of one number each are confounded in both directions.
+    // Confounding of effects with a single parameter each is mutual.
     const {causes} = (await ask(server, "confounding")).body;
     const confoundingOf = (effect, at) => causes.find((cause) => cause.effect === effect && cause.at === at).confounded;
     const has = (list, effect, at) => list.some((other) => other.effect === effect && other.at === at);
@@ -281,7 +281,7 @@ describe("by keys alone", () => {
     await tab.waitForSelector("dialog[open] .file");
     const isOpen = await tab.evaluate(async () => {
       document.querySelector("dialog[open] button[title^='Close']").click();
-      for (let k = 0; k < 20; ++k) await Promise.resolve(); // the page has drawn, the browser's event is still to come
+      for (let k = 0; k < 20; ++k) await Promise.resolve(); // the page has drawn, but the browser has not yet sent its event
       document.body.dispatchEvent(new KeyboardEvent("keydown", {key: "o", bubbles: true}));
       await new Promise((resolve) => setTimeout(resolve, 300));
       return document.querySelector("dialog[open]") !== null;

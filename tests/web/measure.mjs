@@ -1,6 +1,6 @@
-// Measures the page: frames per second with 15,529 holes, time to the first picture, slider latency, weight; with
-// --pictures DIR it also takes the screenshots, with --live SECONDS it sends twenty encoder readings a second. It
-// prints figures and asserts nothing, because machines differ.
+// Measures the page's performance: frame rate with 15,529 holes, time to the first picture, slider latency, and size of
+// the page. With --pictures DIR it also takes screenshots; with --live SECONDS it sends twenty encoder readings per
+// second. It prints the results and asserts nothing, because machines differ.
 import {mkdirSync, readdirSync, readFileSync, statSync} from "node:fs";
 import path from "node:path";
 import {gzipSync} from "node:zlib";
@@ -30,7 +30,7 @@ function weigh() {
   );
 }
 
-/** Measures from the request to the first drawing of all holes. */
+/** Measures the time from the request to the first drawing of all holes. */
 async function firstPicture(browser, address) {
   const times = [];
   for (let i = 0; i < 3; ++i) {
@@ -66,7 +66,7 @@ async function framesPerSecond(browser, address) {
     };
     requestAnimationFrame(tick);
   });
-  // The sheet is moved from inside the page, once per frame, so that the test's messages are not measured.
+  // The sheet is moved by a script in the page, once per frame, so that messages to the browser are not measured.
   await tab.evaluate(
     () =>
       new Promise((resolve) => {
@@ -102,7 +102,7 @@ async function framesPerSecond(browser, address) {
   await tab.context().close();
 }
 
-/** Measures from a slider's input event to the read-out with the program's answer. */
+/** Measures the time from a slider's input event until the read-out shows the program's answer. */
 async function sliderLatency(browser, address) {
   const tab = await openTab(browser, `${address}#arm`);
   await tab.waitForSelector(".slider input[type=range]");
@@ -155,7 +155,7 @@ async function settled(tab) {
   await tab.waitForTimeout(500);
 }
 
-/** Measures from *Set aside*, after a lasso in the plot, to the new ladder, and to the new comparison. */
+/** Measures the times from a click on *Set aside*, after a lasso in the plot, to the new ladder and comparison. */
 async function newLadder(tab, what) {
   const box = await tab.locator(".residual-plot .u-over").boundingBox();
   await tab.mouse.move(box.x + 0.6 * box.width, box.y + 2);
@@ -188,8 +188,8 @@ async function newLadder(tab, what) {
 }
 
 /**
- * Measures from a pointer's motion over the plot of 10,000 readings to the page's next frame, and from a click to a new
- * ladder.
+ * Measures the time from a pointer motion over the plot of 10,000 readings to the page's next frame, and the time from
+ * a click to a new ladder.
  */
 async function hoverLatency(browser, folder) {
   const file = simulate(folder, "many", {hide: "hysteresis@theta4:0.06deg", readings: 10000});
@@ -331,7 +331,7 @@ async function pictures(browser, folder, into) {
           ),
         null,
         {timeout: 10000},
-      ); // drawn sharply
+      ); // until the picture is drawn at full resolution
       await tab.waitForTimeout(800);
       await shoot(tab, `${view}-${name}`);
     }

@@ -66,7 +66,7 @@ describe("the mock-up", () => {
 
   it("is calibrated by three simulated touches", async () => {
     await tab.click(".rail-entry >> text=Calibrate");
-    // The hole picked before has its own row.
+    // The hole picked before has a separate row.
     const own = await tab.innerText(".touch-row:not(.done) > span >> nth=0");
     await tab.click(".calibrate-view >> text=Suggest");
     await tab.waitForFunction(

@@ -1,4 +1,4 @@
-// Tests of saving the work: it is saved, exported, restored after the program was killed, and never dropped without
+// Tests of saving the work: it is saved, exported, restored after the program was killed, and never discarded without
 // confirmation.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
@@ -83,7 +83,7 @@ describe("the work", () => {
     let server = await serve(made.folder, "bench.yaml", readings(), state);
     await makeWork(server);
     await server.kill();
-    server = await serve(made.folder, "bench.yaml", [], state); // the readings were kept too
+    server = await serve(made.folder, "bench.yaml", [], state); // without readings, which the session restores
     const tab = await openTab(browser, `${server.address}#error`);
     await tab.waitForSelector(".models >> text=hysteresis@theta4");
     await tab.waitForFunction(() => document.querySelectorAll(".ladder-row").length >= 3);
@@ -131,7 +131,7 @@ describe("the work", () => {
       await dying;
       const next = await serve(made.folder, "bench.yaml", [], state);
       const now = await stateOf(next);
-      // One change may have been made whose answer did not arrive.
+      // The program may have made one change without its answer arriving.
       const more = now.revision - answered.revision;
       assert.ok(more === 0 || more === 1, `revision ${now.revision} after ${answered.revision} was answered`);
       assert.equal(now.models.length, answered.models.length);
@@ -168,7 +168,7 @@ describe("the report of a project", () => {
     assert.equal(made_.status, 0, made_.said);
     const report = JSON.parse(made_.out);
 
-    // The hashes prove that the inputs are those of the files.
+    // The hashes prove that the inputs are identical to the files.
     assert.deepEqual(report.set_aside, ["4"]);
     assert.equal(report.inputs.length, 3);
     for (const input of report.inputs) {
@@ -181,7 +181,7 @@ describe("the report of a project", () => {
     assert.match(facts.get("Report made"), /^\d{4}-\d\d-\d\d \d\d:\d\d UTC$/);
     assert.equal(facts.get("Readings in use"), "59");
 
-    // Each command line is checked word by word, with the figures that it gives.
+    // Each command line is checked argument by argument, together with the results that it reproduces.
     const told = report.commands.map((line) => line.split(" "));
     assert.equal(told[0][1], "report");
     const figures = told.slice(1).map((words) => {

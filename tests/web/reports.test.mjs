@@ -1,5 +1,5 @@
-// Tests of reports in a real browser, from the files that the program writes: every part is drawn, nothing is requested
-// from the network, and figures have words.
+// Tests of reports, written by the program and opened in a real browser: every section is drawn, nothing is requested
+// from the network, and pictures have text alternatives.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {execFileSync} from "node:child_process";
@@ -21,7 +21,7 @@ after(async () => {
   made?.remove();
 });
 
-/** Runs the program with these words, in the folder; exit codes 0 and 1 are both accepted. */
+/** Runs the program with these arguments in the test folder; exit codes 0 and 1 are both accepted. */
 function run(...words) {
   try {
     execFileSync(program, words, {cwd: made.folder, stdio: "pipe", timeout: 240000});
@@ -30,7 +30,7 @@ function run(...words) {
   }
 }
 
-/** Opens a report with all of its parts, of which only those named may be reported missing. */
+/** Opens a report; only the sections named in `unrecorded` may be reported as not recorded. */
 async function opened(name, unrecorded = []) {
   const asked = [];
   const tab = await openTab(browser, "about:blank");

@@ -1,8 +1,8 @@
 #!/bin/sh
-# Tests of the page end to end in a real browser. Exits with 77, naming the missing item, if this machine lacks one.
+# End-to-end tests of the page in a real browser. Exits with 77, naming the missing software, if this machine lacks any.
 # Environment: TUBEPLAN (the program), TUBEPLAN_WEB (a folder with the page's packages), TUBEPLAN_PAGE (a built page to
-# show instead of the program's own), TUBEPLAN_CHROMIUM; TUBEPLAN_SLOWNESS=N runs the page N times slower, TUBEPLAN_JITTER=MS
-# delays each request and answer by up to MS milliseconds.
+# show instead of the program's embedded page), TUBEPLAN_CHROMIUM (the browser). TUBEPLAN_SLOWNESS=N runs the page N
+# times slower; TUBEPLAN_JITTER=MS delays each request and answer by up to MS milliseconds.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 skip() { echo "skipped: $1"; exit 77; }

@@ -1,5 +1,6 @@
-// Tests of actions on the results: any step of the models is restored; effects and fitted numbers are switched off and
-// on. The run sheet is ticked off and dropped back; the posterior changes with it; explanations are shown side by side.
+// Tests of actions on the results: any earlier model is restored, and effects and fitted parameters are switched off
+// and on. The run sheet is ticked off and dropped back on the page, after which the posterior changes. Explanations are
+// shown side by side.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {readFileSync, writeFileSync} from "node:fs";
@@ -55,7 +56,7 @@ describe("the models as steps", () => {
     await tab.waitForFunction(() => document.querySelectorAll(".model-panel ol button").length === 5, null, LIMIT);
     await idle(tab);
     assert.equal(await tab.locator(".model-panel input:checked").count(), fitted);
-    // Esc closes only the topmost.
+    // Esc closes only the topmost panel.
     await tab.focus(".model-panel input >> nth=0");
     await tab.keyboard.press("Escape");
     await tab.waitForSelector(".model-panel", {state: "hidden"});
@@ -98,13 +99,13 @@ describe("several explanations", () => {
     assert.equal(lines.length, count);
     const columns = header.split(",");
     const at = (prefix) => columns.findIndex((name) => name.startsWith(prefix));
-    /** Returns the model's place of the tip as a measured one. */
+    /** Returns the tip position that the model predicts, to be entered as a measured position. */
     const place = async (line) => {
       const fields = line.split(",");
       const joints = [1, 2, 3, 4].map((k) => Number(fields[columns.indexOf(`theta${k}_deg`)]));
       return (await ask(server, "pose", {joints, load: Number(fields[at("load")])})).body.tip.flexible;
     };
-    // By hand, the coordinates of the first reading are typed.
+    // The coordinates of the first reading are typed by hand.
     const first = await place(lines[0]);
     const id = lines[0].split(",")[0];
     for (const [k, axis] of ["x_in", "y_in", "z_in"].entries())
@@ -120,7 +121,7 @@ describe("several explanations", () => {
     assert.equal((await stateOf(server)).measurements.readings, 91);
     await tab.waitForSelector(".posterior svg", LIMIT);
 
-    // In the file, the second reading is filled in and the others are still empty.
+    // In the file, the second reading is filled in, and all further readings are still empty.
     const second = lines[1].split(",");
     (await place(lines[1])).forEach((value, k) => (second[at(["x_", "y_", "z_"][k])] = value.toFixed(4)));
     await drop(tab, "run-sheet.csv", [header, lines[0], second.join(","), ...lines.slice(2), ""].join("\n"));
@@ -190,7 +191,7 @@ describe("readings that look wrong", () => {
     const wrong = path.join(made.folder, "slow-millimetres.csv");
     writeFileSync(wrong, text.replace("x_in,y_in,z_in", "x_mm,y_mm,z_mm"));
     const server = await serve(made.folder, "bench.yaml", [wrong]);
-    // Automatic requests of the page reach the program after the click.
+    // The page's automatic requests are delayed until after the click.
     const tab = await openTab(browser, server.address, {
       prepare: (page) =>
         page.route("**/api/compare", async (route) => {
@@ -208,7 +209,7 @@ describe("readings that look wrong", () => {
     await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", LIMIT);
     assert.deepEqual(await tab.locator(".notice").allInnerTexts(), []);
 
-    // Two tables of the program's own, opened together, are one set; a cell is refused.
+    // Two tables in the program's format, opened together, form one set of readings; a cell file is refused.
     const [header, ...lines] = text.trim().split("\n");
     const half = (part, mark) => [header, ...part.map((line) => `${mark}${line}`), ""].join("\n");
     await drop(tab, [
@@ -270,13 +271,13 @@ describe("readings that look wrong", () => {
 
 describe("the arm's picture", () => {
   it("is framed in any unit of length, and its read-out has the decimals of the unit", async () => {
-    const server = await serve(made.folder, "puma.yaml"); // in metres
+    const server = await serve(made.folder, "puma.yaml"); // this cell's lengths are in metres
     const tab = await openTab(browser, `${server.address}#arm`, {colorScheme: "light"});
     await tab.waitForFunction(() => /\d\.\d{5}$/.test(document.querySelector(".readout .figure b")?.textContent));
     await tab.waitForFunction(() => /m$/.test(document.querySelector(".clearance-figure")?.textContent));
     const picture = await tab.locator(".arm-picture canvas").screenshot();
     const other = await tab.context().newPage();
-    // Arm and line of clearance cover a part of the picture only; a drawing in inches would fill it.
+    // The arm and the line of clearance cover only a part of the picture; scaled for inches, they would fill it.
     const share = await other.evaluate(async (base64) => {
       const image = new Image();
       image.src = `data:image/png;base64,${base64}`;

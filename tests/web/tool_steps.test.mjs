@@ -1,5 +1,5 @@
-// Tests with tools of one to eight steps from outside: the report of a plan shows the counts, names and probabilities
-// of its plan.json.
+// Tests of plan reports for tools with one to eight steps: a report shows the counts, names and probabilities in the
+// plan's plan.json.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {execFileSync} from "node:child_process";
@@ -23,7 +23,7 @@ after(async () => {
   made?.remove();
 });
 
-/** Writes both mock-ups with a tool of n steps, each thicker and less tolerant than the one before. */
+/** Writes both mock-up cells with a tool of n steps, each thicker and with less tolerance than the step before. */
 function writeTool(n) {
   const steps = Array.from({length: n}, (_, k) => {
     const diameter = 0.58 + (0.16 * k) / Math.max(1, n - 1);

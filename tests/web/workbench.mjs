@@ -1,4 +1,4 @@
-// Common parts of the tests and of the measuring script: the real server with the built page, and a browser.
+// Functions shared by the tests and the measuring script: the real server with the built page, and a browser.
 import assert from "node:assert/strict";
 import {spawn, execFileSync} from "node:child_process";
 import {cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
@@ -13,11 +13,11 @@ const web = process.env.TUBEPLAN_WEB ?? path.join(source, "app/web");
 const {chromium} = createRequire(path.join(web, "package.json"))("playwright-core");
 
 export const program = process.env.TUBEPLAN ?? path.join(source, "build/tubeplan");
-/** Folder of the built page; if empty the server shows the page that it was built with. */
+/** Folder of the built page; if empty, the server shows its embedded page. */
 export const page = process.env.TUBEPLAN_PAGE ?? "";
 /** Factor by which the page is slowed down, so that tests are also tried as on a busy machine. */
 const slowness = Number(process.env.TUBEPLAN_SLOWNESS ?? 1);
-/** Maximum delay of each request, and each answer [ms], so that events overtake them. */
+/** Maximum delay of each request and each answer [ms], so that events overtake requests and answers. */
 const jitter = Number(process.env.TUBEPLAN_JITTER ?? 0);
 // Limits [ms], short enough that a failed start is reported within seconds.
 const SIMULATE_LIMIT = 120_000;
@@ -28,7 +28,7 @@ const STOP_LIMIT = 3000;
 
 const browserPath = process.env.TUBEPLAN_CHROMIUM ?? "/usr/bin/chromium";
 
-/** Makes a folder with the shipped cells, removed at the end. */
+/** Makes a folder with the shipped cells, which is removed at the end of the tests. */
 export function makeFolder() {
   const folder = mkdtempSync(path.join(tmpdir(), "tubeplan-web-"));
   cpSync(path.join(source, "app/cells"), folder, {recursive: true});
@@ -38,14 +38,14 @@ export function makeFolder() {
   };
 }
 
-/** Writes a design file: readings of that kind anywhere in the room. */
+/** Writes a design file with readings of the given kind anywhere in the room. */
 export function writeDesign(folder, kind) {
   const file = path.join(folder, `design-${kind}.yaml`);
   writeFileSync(file, `kind: ${kind}\nat: anywhere\nloads: [0, 20, 40]\n`);
   return file;
 }
 
-/** Simulates practice readings with the program, as NAME.csv in the folder. */
+/** Simulates practice readings with the program and writes them to NAME.csv in the folder. */
 export function simulate(folder, name, options) {
   const out = path.join(folder, `${name}-made`);
   execFileSync(
@@ -73,7 +73,7 @@ export function simulate(folder, name, options) {
   return file;
 }
 
-/** Writes the cell with an arm whose file states no weights, as NAME-weightless.yaml. */
+/** Writes a copy of the cell, NAME-weightless.yaml, with an arm file that states no weights. */
 export function writeWeightless(folder, cell) {
   const text = readFileSync(path.join(folder, `${cell}.yaml`), "utf8"),
     arm = /^arm: (\S+)/m.exec(text)[1];
@@ -83,7 +83,7 @@ export function writeWeightless(folder, cell) {
   return `${cell}-weightless`;
 }
 
-/** Writes the mock-up with another sheet: a full disc of 15,529 holes. */
+/** Writes the mock-up cell with a different tube sheet: a full disc of 15,529 holes. */
 export function writeDisc(folder) {
   const text = readFileSync(path.join(folder, "mockup.yaml"), "utf8")
     .replace(/layout: \{[^}]*\}/, "layout: {type: disc, pitch: 0.875, radius: 57.25}")
@@ -147,7 +147,7 @@ function end(child, signal, said) {
   });
 }
 
-/** Starts tubeplan serve on a free port, its session kept in `state`; resolves once it has printed its address. */
+/** Starts `tubeplan serve` on a free port with its session saved in `state`; resolves once the address is printed. */
 export async function serve(
   folder,
   cell,
@@ -179,7 +179,7 @@ export async function serve(
   };
 }
 
-/** Returns a document of the server, or its answer to a request; fails if the server does not answer. */
+/** Gets a document `name` from the server or, with a body, posts a request; fails if the server does not answer. */
 export async function ask({address}, name, body) {
   const signal = AbortSignal.timeout(ANSWER_LIMIT);
   const order = {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body)};
@@ -189,7 +189,7 @@ export async function ask({address}, name, body) {
 
 export const stateOf = async (server) => (await ask(server, "state")).body;
 
-/** Returns the outcome of a job, by its number. */
+/** Waits until the job `id` has ended and returns its status. */
 export async function ended(server, id, limit = JOB_LIMIT) {
   for (const start = Date.now(); Date.now() - start < limit;) {
     const job = (await stateOf(server)).jobs.find((entry) => entry.id === id);
@@ -199,7 +199,7 @@ export async function ended(server, id, limit = JOB_LIMIT) {
   throw new Error(`job ${id} was not done within ${limit / 1000} s`);
 }
 
-/** Starts Chromium; without this limit Playwright reports a failed start only half a minute after its own. */
+/** Starts Chromium, with a time limit shorter than Playwright's default of half a minute. */
 export function launch(limit = START_LIMIT) {
   const launched = chromium.launch({
     executablePath: browserPath,
@@ -216,7 +216,7 @@ export function launch(limit = START_LIMIT) {
 
 const heldUp = () => new Promise((resolve) => setTimeout(resolve, Math.random() * jitter));
 
-/** Delays requests and answers by different times; events are not delayed. */
+/** Delays requests and answers by random times; events are not delayed. */
 async function holdUp(route) {
   await heldUp();
   try {
@@ -229,8 +229,8 @@ async function holdUp(route) {
 }
 
 /**
- * Opens a tab whose console errors are kept: a test ends by asserting that there are none. `prepare` is called with it
- * before it opens the address.
+ * Opens a tab whose console errors are recorded, so that a test can assert that there are none. `prepare` is called
+ * with the tab before the address is opened.
  */
 export async function openTab(browser, address, {prepare = async () => {}, ...options} = {}) {
   const context = await browser.newContext({
@@ -259,7 +259,7 @@ export async function openTab(browser, address, {prepare = async () => {}, ...op
   return tab;
 }
 
-/** Returns the words of the controls that a telephone's window cuts off, except in rows that scroll sideways. */
+/** Returns the labels of the controls that a telephone's window cuts off, except in rows that scroll sideways. */
 export async function controlsCutOff(tab) {
   const before = tab.viewportSize();
   await tab.setViewportSize({width: 400, height: 800});
@@ -280,12 +280,12 @@ export async function controlsCutOff(tab) {
   return cut;
 }
 
-/** Returns the tab's errors, except that a result was gone before it was fetched, which the browser logs by itself. */
+/** Returns the tab's errors, except those that the browser logs for results that were gone before they were fetched. */
 export function errorsOf(tab) {
   return tab.errors.filter((text) => !/status of 404/.test(text));
 }
 
-/** Drops a file, or a list of names and texts, on the page. */
+/** Drops a file, or a list of files given by names and contents, on the page. */
 export async function drop(tab, name, text) {
   const data = await tab.evaluateHandle(
     (files) => {
@@ -298,7 +298,7 @@ export async function drop(tab, name, text) {
   await tab.dispatchEvent("main", "drop", {dataTransfer: data});
 }
 
-/** Prepares a file of tests: a folder with the shipped cells, and a browser. */
+/** Prepares a test file: a folder with the shipped cells, and a browser. */
 export async function begin() {
   return {made: makeFolder(), browser: await launch()};
 }
@@ -308,7 +308,7 @@ export async function finish({made, browser}) {
   made?.remove();
 }
 
-/** Returns a tab and its server with a function that closes both and asserts that the page reported no error. */
+/** Returns the tab and the server with a function that closes both and asserts that the page reported no error. */
 export function closable(tab, server) {
   const close = async () => {
     assert.deepEqual(tab.errors, []);
