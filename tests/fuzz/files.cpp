@@ -1,4 +1,4 @@
-// Every reader of files that come from elsewhere, for libFuzzer: what it is given is read or refused, and nothing else.
+// Fuzz targets (libFuzzer) of all readers of external files: each must accept the input or refuse it with an error.
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -53,7 +53,7 @@ void readForeignText(const std::string& text) {
                                ""};
   (void)parseMeasurementTable(readForeign(request, bench().arm).text, "readings", bench().arm);
 }
-/// And puts the arm back, with its first joint and the tool elsewhere.
+/// Reads a URDF and writes the arm back into it with a changed first joint offset and tool position.
 void readUrdfText(const std::string& text) {
   deflection::Arm arm = parseUrdf(text, "robot").arm;
   arm.rows.front().joint.offset += 0.1;
@@ -64,7 +64,8 @@ void readHoleMapText(const std::string& text) { (void)tubesheets::parseHoleMap(t
 void readWorkListText(const std::string& text) {
   (void)tubesheets::selectTubes(*mockup().sheet, tubesheets::parseWorkListCsv(text));
 }
-/// Of a corner of the sheet: what is asked of each hole is the same, and a few hundred take a hundredth of the time.
+/// Reads a selection on a corner of the sheet. Every hole is treated alike, and a few hundred holes take a hundredth of
+/// the time.
 void readSelectionText(const std::string& text) {
   static const tubesheets::Sheet kCorner = [] {
     tubesheets::Sheet sheet = *mockup().sheet;
@@ -81,7 +82,7 @@ void readObjText(const std::string& text) { (void)readMeshFile(fileOf(text, "mes
 void readPlyText(const std::string& text) { (void)readMeshFile(fileOf(text, "mesh.ply")); }
 void readStlText(const std::string& text) { (void)readMeshFile(fileOf(text, "mesh.stl")); }
 void readCacheText(const std::string& text) { (void)cacheFrom(nlohmann::json::parse(text)); }
-/// plan.json, and from the first line that begins so path.csv.
+/// Writes the input as a plan: plan.json, followed by path.csv from the first "time_s," on.
 void writePlanText(const std::string& text) {
   const auto path = std::min(text.find("time_s,"), text.size());
   fileOf(text.substr(0, path), "plan.json");
@@ -102,7 +103,7 @@ void verifyPlanText(const std::string& text) {
   (void)planner::checkPlan(work, files.plan, options);
 }
 
-/// A tally's content under a first line that fits it, or a whole file that may not.
+/// Reads the input as a complete tally file if it begins like one, else as content below a valid first line.
 void readTallyText(const std::string& text) {
   static const PlanKey kQuestion{{"seed", "1"}};
   fileOf(text.starts_with("{\"format") ? text : checkpointText(kTallyFormat, kQuestion, text), kTallyFile);

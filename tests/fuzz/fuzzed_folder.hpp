@@ -1,4 +1,4 @@
-// Folder in memory with the shipped files, so that references of a fuzzed text exist.
+// Folder in memory with the shipped files, so that files referenced by a fuzzed input exist.
 #pragma once
 
 #include <unistd.h>
@@ -22,7 +22,7 @@ inline const std::string& fuzzedFolder() {
   return kFolder;
 }
 
-/// Writes the text into a file of this name, for readers of files, and returns its path.
+/// Writes the text to a file `name` in the folder and returns the path, for readers that take a path.
 inline std::string fileOf(const std::string& text, const std::string& name) {
   const std::string path = fuzzedFolder() + "/" + name;
   std::ofstream(path, std::ios::binary) << text;

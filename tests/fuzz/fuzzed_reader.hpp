@@ -1,4 +1,4 @@
-// Readers for libFuzzer: TUBEPLAN_READER names one of those in the program. See run.sh.
+// Fuzz targets for libFuzzer; the environment variable TUBEPLAN_READER selects a target of the program (see run.sh).
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace tubeplan::app {
 struct FuzzedReader {
   const char* name;
   void (*read)(const std::string& text);
-  bool is_text = true;  ///< true: checked as in readTextFile() before it is read
+  bool is_text = true;  ///< if true, the input is validated as in readTextFile() before it is read
 };
 
-/// Returns the readers of this program.
+/// Returns all fuzz targets of this program.
 const std::vector<FuzzedReader>& fuzzedReaders();
 
 }  // namespace tubeplan::app

@@ -1,7 +1,7 @@
 #!/bin/sh
-# libraries.sh FOLDER: the libraries that readers hand text to, of Debian's source with its patches, built for the fuzzer
-# into FOLDER/installed: run.sh has the programs load them instead of Debian's own, whose faults would pass unseen and whose
-# branches guide nothing. Needs a network for Debian's sources.
+# libraries.sh FOLDER: builds the parser libraries of the readers from Debian's patched sources, instrumented for the
+# fuzzer, into FOLDER/installed. run.sh loads these libraries instead of Debian's binaries, whose faults would not be
+# detected and whose branches would not guide the fuzzer. Needs network access to Debian's sources.
 set -eu
 mkdir -p "$1/lists/partial" && cd "$1"
 printf 'deb-src http://deb.debian.org/debian%s main\n' ' bookworm' '-security bookworm-security' > sources.list
@@ -10,7 +10,7 @@ apt_here update
 flags="-O2 -g1 -fsanitize=address,fuzzer-no-link -fno-sanitize-coverage=trace-cmp -fno-omit-frame-pointer"
 mkdir -p installed
 
-# NAME OPTION...: a source package, all of whose libraries are wanted.
+# library NAME OPTION...: builds all libraries of a source package.
 library() {
   name=$1
   shift
@@ -31,4 +31,4 @@ library yaml-cpp -DYAML_CPP_BUILD_TESTS=OFF -DYAML_CPP_BUILD_TOOLS=OFF -DYAML_BU
 library tinyxml2
 library muparser -DENABLE_SAMPLES=OFF -DENABLE_OPENMP=OFF
 library cpp-httplib -DHTTPLIB_COMPILE=ON
-for file in installed/libhttplib.so.*; do ln -sf "${file##*/}" "$(echo "$file" | sed 's/libhttplib/libcpp-httplib/')"; done # as Debian names it
+for file in installed/libhttplib.so.*; do ln -sf "${file##*/}" "$(echo "$file" | sed 's/libhttplib/libcpp-httplib/')"; done # file name used by Debian

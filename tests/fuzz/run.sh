@@ -1,8 +1,9 @@
 #!/bin/sh
-# Gives every reader damaged text for so many seconds each, begun from the shipped files, small ones of the tests and what
-# earlier runs have found (corpus/ in the build folder). `tests/fuzz/run.sh SECONDS [READER...]`, with RUNS=10000000 before it for
-# no more than so many texts each; a find ends it with its input in finds/. `cmake --preset fuzz && cmake --build build-fuzz`
-# before it, and `tests/fuzz/libraries.sh build-fuzz/libraries` for libraries that are watched too.
+# Fuzzes every reader for SECONDS: `tests/fuzz/run.sh SECONDS [READER...]`. Inputs are mutated from the shipped files,
+# small test files and the inputs of earlier runs (corpus/ in the build folder). RUNS=10000000 in the environment limits
+# the number of inputs per reader. A failure ends the reader's run, with the failing input in finds/. Build first with
+# `cmake --preset fuzz && cmake --build build-fuzz`; `tests/fuzz/libraries.sh build-fuzz/libraries` also instruments the
+# libraries.
 set -eu
 cd "$(dirname "$0")/../.."
 seconds=${1:?seconds for each reader}
@@ -20,7 +21,7 @@ for reader in $readers; do
     hole-map) cp app/cells/sheets/*.csv "$corpus" 2> /dev/null || true ;;
     verify) cp tests/fuzz/corpus/plan/* "$corpus" ;;
   esac
-  # Many in one file, lines of "==" between them; HTTP ends its lines with carriage returns.
+  # These corpus files hold many inputs, separated by lines "=="; lines of HTTP requests end with CR LF.
   case $reader in
     call) awk -v to="$corpus" 'BEGIN { RS = "==\n"; ORS = "" } { print > (to "/call-" NR) }' tests/fuzz/corpus/call/calls.txt ;;
     door) awk -v to="$corpus" 'BEGIN { RS = "==\n"; ORS = "" } { gsub("\n", "\r\n"); print > (to "/request-" NR) }' tests/fuzz/corpus/door/requests.txt ;;
@@ -28,19 +29,19 @@ for reader in $readers; do
   esac
   leaks=1
   case $reader in
-    call | door | lines) leaks=0 ;; # threads of the server hold memory between texts, and each look for leaks finds none
+    call | door | lines) leaks=0 ;; # server threads hold memory between inputs, so that every leak check is in vain
   esac
   program=files
   case $reader in call | door | lines | project) program=workbench ;; esac
-  # To keep how often each part of the source was reached (entropic) takes half of the fastest readers' time; of the slow
-  # ones it prefers texts that take little of it.
+  # Entropic scheduling counts how often each code branch is reached, which takes half of the fastest readers' time. For
+  # slow readers, it prefers inputs that run quickly.
   entropic=0
   case $reader in cell | selection | verify | call | door | lines) entropic=1 ;; esac
   length=4096
-  [ $reader != lines ] || length=128 # one or a few: hundreds of lines in a text are answered one by one
+  [ $reader != lines ] || length=128 # a few lines only, because the lines of an input are answered one by one
   echo "== $reader"
-  # Frames that are gone are not watched, which is a third faster; the tests under the sanitizers watch them. To keep where each
-  # block of memory was asked for takes half of the cell's time: a find that needs it is run once more without these options.
+  # Use after return is not detected here, which is a third faster; the tests under the sanitizers detect it. Allocation
+  # stacks would take half of the cell reader's time; to see them, repeat a failing input without these options.
   ASAN_OPTIONS=detect_leaks=$leaks:detect_stack_use_after_return=0:malloc_context_size=0 TUBEPLAN_READER=$reader LD_LIBRARY_PATH=$out/libraries/installed $out/tests/fuzz/fuzz_$program "$corpus" -detect_leaks=$leaks -max_total_time="$seconds" -runs="${RUNS:--1}" -timeout=20 -rss_limit_mb=4096 \
     -max_len=$length -entropic=$entropic -entropic_scale_per_exec_time=$entropic -print_final_stats=1 -verbosity=0 -artifact_prefix=$out/finds/$reader- 2>&1 | grep -E "ERROR|SUMMARY|stat::number_of|runtime error|Test unit" || true
   rm -rf /dev/shm/tubeplan-fuzz-$$

@@ -1,4 +1,4 @@
-// The workbench, fuzzed from four sides: its routes, its HTTP door, its lines of text, its projects.
+// Fuzz targets of the workbench: its routes, its HTTP server, its line server, and its project files.
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -11,14 +11,14 @@
 #include "tests/fuzz/fuzzed_folder.hpp"
 #include "tests/fuzz/fuzzed_reader.hpp"
 
-// After Eigen, whose parameters have names that the resolver's headers define.
+// Included after Eigen, whose parameter names would clash with macros of the resolver's headers.
 #include <httplib.h>
 
 namespace tubeplan::app {
 
 namespace {
 
-/// Never ended, like the servers of it: the fuzzer leaves without a word.
+/// Returns the workbench, which is never destroyed, like the servers below, because the fuzzer exits abruptly.
 Workbench& workbench() {
   static Workbench& workbench = *new Workbench([] {
     WorkbenchOptions options;
@@ -28,7 +28,7 @@ Workbench& workbench() {
   return workbench;
 }
 
-/// A job that the input began belongs to it: it has a moment, then it is stopped and waited for.
+/// Waits 2 ms for the jobs started by the input, then cancels them and waits until they end.
 void endJobs() {
   const auto patience = std::chrono::steady_clock::now() + std::chrono::milliseconds(2);
   while (workbench().jobs().isBusy()) {
@@ -38,8 +38,8 @@ void endJobs() {
   }
 }
 
-/// The routes alone. "POST pose" or "GET leverage?at=theta3" in the first line, the body after it: JSON where that
-/// begins with a brace, else CSV.
+/// Calls a route without a server. The first line of the text is method and route, such as "POST pose" or
+/// "GET leverage?at=theta3". The rest is the body: JSON if it begins with a brace, else CSV.
 void callWorkbench(const std::string& text) {
   const auto line = std::min(text.find('\n'), text.size());
   const auto blank = std::min(text.find(' '), line);
@@ -58,7 +58,7 @@ void callWorkbench(const std::string& text) {
   endJobs();
 }
 
-/// Bytes sent to a running server; "PORT" in them stands for its port.
+/// Sends bytes to a running HTTP server, with "PORT" replaced by the server's port.
 void knockAtDoor(const std::string& text) {
   static HttpServer& server = *new HttpServer(workbench(), {"127.0.0.1", 0, ""}, "");
   static std::thread& serving = *new std::thread([] { server.run(); });
@@ -70,7 +70,7 @@ void knockAtDoor(const std::string& text) {
   endJobs();
 }
 
-/// Bytes sent to where controllers send lines.
+/// Sends bytes to the line server, which receives lines of text from robot controllers.
 void sendLines(const std::string& text) {
   static LineServer& server = *new LineServer(workbench(), 0);
   (void)saidTo(server.port(), text);
