@@ -1,4 +1,4 @@
-"""The commands that write files, each as a run in a folder of its own."""
+"""Commands that write files, each run in a separate folder."""
 import dataclasses
 import pathlib
 import shutil
@@ -13,7 +13,7 @@ OLD = b"arm: new-arm.yaml  # an old file, which a cell may replace\n"
 
 
 class Inputs:
-    """What the commands read, made once."""
+    """Input files of all commands, generated once."""
 
     def __init__(self, tubeplan, cells, folder):
         self.tubeplan, self.cells, self.folder = tubeplan, cells, folder
@@ -40,10 +40,10 @@ class Case:
     name: str
     words: list
     outputs: list
-    together: bool = False  # all outputs belong together
+    together: bool = False  # all outputs must be old or all must be new
     groups: list = dataclasses.field(default_factory=list)
-    code: int = 0  # of a run without a fault
-    keeps: list = dataclasses.field(default_factory=list)  # what a run that failed may leave to go on from
+    code: int = 0  # exit code of a run without a fault
+    keeps: list = dataclasses.field(default_factory=list)  # files that a failed run may leave, to resume from
 
     def __post_init__(self):
         if self.together:

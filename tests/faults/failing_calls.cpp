@@ -1,11 +1,13 @@
-// Preloaded into a program, fails one of its calls as a bad disk or a full memory would, and notes those on files.
+// Library preloaded into a program: makes one of the program's system calls or allocations fail, as with a bad disk or
+// full memory, and logs the calls on files.
 //
-// FAULT_KIND     write, short-write, rename, fsync, close, open, mkdir (EIO, ENOSPC or EACCES, as usual), memory
-// FAULT_AT       which of them, counted from 1 as main begins; 0 or nothing: none
-// FAULT_FROM_ON  1: all from that one on, as on a disk that stays full
-// FAULT_THREADS  1: only calls of threads other than the first
-// FAULT_TALLY    a file: how many there were, written as the program ends
-// FAULT_NOTES    a file: "open FD PATH", "write FD", "fsync FD", "close FD", "rename FROM TO", as they come
+// FAULT_KIND     kind of call: write, short-write, rename, fsync, close, open, mkdir (failing with EIO, ENOSPC or
+//                EACCES as usual) or memory
+// FAULT_AT       number of the call that fails, counted from 1 at the start of main; no call fails if 0 or unset
+// FAULT_FROM_ON  1: all calls from FAULT_AT on fail, as on a disk that stays full
+// FAULT_THREADS  1: only calls of threads other than the main thread count
+// FAULT_TALLY    file to which the number of calls is appended when the program ends
+// FAULT_NOTES    file to which calls are logged: "open FD PATH", "write FD", "fsync FD", "close FD", "rename FROM TO"
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -37,7 +39,7 @@ const char *kind = "", *notes = nullptr, *tally = nullptr;
 constexpr int kMostFiles = 1024;
 std::atomic<bool> is_written[kMostFiles];  // descriptors that were opened for writing
 
-/// Counts a call; whether it is to fail.
+/// Counts a call of kind `of` and returns true if the call must fail.
 bool fails(const char* of) {
   if (!is_begun || std::strcmp(kind, of) != 0) return false;
   if (fails_in_threads && syscall(SYS_gettid) == syscall(SYS_getpid)) return false;
@@ -70,7 +72,7 @@ void writeTally() {
   if (tally) append(tally, text, static_cast<size_t>(std::snprintf(text, sizeof text, "%ld\n", calls.load())));
 }
 
-/// As real calls do it: -1 with an error number.
+/// Sets errno and returns -1, as a failing system call does.
 long failure(int error) {
   errno = error;
   return -1;
@@ -112,7 +114,7 @@ __attribute__((constructor)) void readEnvironment() {
   fails_in_threads = word("FAULT_THREADS") != nullptr;
   notes = word("FAULT_NOTES");
   tally = word("FAULT_TALLY");
-  ::unsetenv("LD_PRELOAD");  // not for programs that this one starts
+  ::unsetenv("LD_PRELOAD");  // child processes run without faults
   std::atexit(writeTally);
 }
 

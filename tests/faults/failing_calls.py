@@ -19,13 +19,13 @@ import tempfile
 import cases
 
 DISK = ["open", "write", "short-write", "fsync", "close", "rename", "mkdir"]
-FAILED = {2, 3}  # bad input, which a place that cannot be written is; the program failed (memory)
+FAILED = {2, 3}  # exit codes: 2 for bad input, including a path that cannot be written; 3 for failures such as memory
 MADE_AT = re.compile(rb"\d{4}-\d\d-\d\d \d\d:\d\d UTC")
-SECONDS = 20  # after which a run hangs; none takes one
+SECONDS = 20  # time after which a run counts as hung; a normal run takes less than one second
 
 
 class Run:
-    """One run of a case in a folder of its own, over old files or none."""
+    """One run of a case in a separate folder, with or without old output files."""
 
     def __init__(self, options, case, inputs, over_old, environment=()):
         with tempfile.TemporaryDirectory(prefix="tubeplan-faults-") as name:
@@ -51,7 +51,7 @@ class Run:
 
     @staticmethod
     def outcome(words, folder, variables):
-        """Exit code and standard error; the code is None where it hung."""
+        """Returns the exit code (None if the run hung) and standard error."""
         try:
             done = subprocess.run(words, cwd=folder, capture_output=True, timeout=SECONDS,
                                   env={"PATH": "/usr/bin:/bin", "HOME": str(folder), "LC_ALL": "C", **variables})
@@ -65,7 +65,7 @@ class Run:
 
 
 class Check:
-    """Holds runs of a case that had a fault against one that had none."""
+    """Checks runs of a case with a fault against a reference run without faults."""
 
     def __init__(self, options, case, inputs, over_old):
         self.options, self.case, self.inputs, self.over_old = options, case, inputs, over_old
@@ -98,14 +98,14 @@ class Check:
         return found
 
     def state(self, output, content):
-        """True: new; False: old, or none where there was none; None: neither."""
+        """Returns True for new content, False for old content or a file still absent, None for other content."""
         if content == self.reference.outputs[output]:
             return True
         return False if content == (cases.OLD if self.over_old else None) else None
 
 
 def places(total, most, seed):
-    """Which calls fail: all, or so many of them, half among the first and half anywhere."""
+    """Returns the numbers of the calls that fail: all, or at most `most`, half among the first and half anywhere."""
     if most == 0 or total <= most:
         return range(1, total + 1)
     rng = random.Random(seed)
@@ -114,7 +114,7 @@ def places(total, most, seed):
 
 
 def disk_faults(check, kind, from_on, options):
-    """The first call, the second, until there are no more of them; or --most of them and one that is not there."""
+    """Fails each call in turn until there are no more, or --most of the calls and one beyond the last."""
     calls = check.run(FAULT_KIND=kind).calls
     for at in [*places(calls, options.most, options.seed), calls + 1]:
         variables = {"FAULT_KIND": kind, "FAULT_AT": str(at), **({"FAULT_FROM_ON": "1"} if from_on else {})}
@@ -130,12 +130,12 @@ def memory_faults(check, most, seed, **where):
     for at in places(total, most, seed):
         run = check.run(FAULT_KIND="memory", FAULT_AT=str(at), **where)
         if where:
-            run.left = []  # a thread that cannot begin ends the program there and then: the next run removes what it left
+            run.left = []  # a thread that cannot start ends the program at once; the next run removes the files left behind
         yield f"memory {at} of {total}{' in threads' if where else ''}", check.problems(run)
 
 
 def order_faults(check):
-    """Every rename is of a file that was brought to the disk after its last write, and its folder is after it."""
+    """Checks that every renamed file is synchronised to disk after its last write, and its folder after the rename."""
     run = check.run(FAULT_KIND="order")
     paths, dirty, to_sync, found, renames = {}, set(), set(), [], 0
     for line in run.notes:

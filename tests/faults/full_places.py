@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""full_places.py TUBEPLAN CELLS-FOLDER: commands that write to a full disk, a folder that may not be written, a full
-standard output and a pipe that nobody reads: a word why, a documented exit code, nothing half written.
+"""full_places.py TUBEPLAN CELLS-FOLDER: runs commands that write to a full disk, a read-only folder, a full standard
+output and a pipe without a reader. Each must print a reason, return a documented exit code and leave no partial file.
 
-The full disk is a small one in memory, mounted where nobody else sees it: 77, with a word, where that is not allowed.
+The full disk is a small file system in memory, mounted in a private namespace. If mounting is not permitted, the script
+says so and exits with 77.
 """
 import os
 import pathlib
@@ -36,7 +37,7 @@ def with_outputs_in(case, place):
 
 
 def on_full_disk(program, folder, place):
-    """Every case onto a disk that has room for nothing."""
+    """Runs every case on a full disk."""
     found = []
     for case in cases.CASES:
         if case.name not in ("show",):
@@ -48,7 +49,7 @@ def on_full_disk(program, folder, place):
 
 
 def in_locked_folder(program, folder, place):
-    """As nobody, for whom the folder is read-only."""
+    """Runs the cases as user nobody, for whom the folder is read-only."""
     found = []
     for case in cases.CASES:
         done = subprocess.run([program, *with_outputs_in(case, place)], cwd=folder, capture_output=True, user=65534,
@@ -72,7 +73,7 @@ def to_bad_output(program, folder):
 
 
 def mounted(name):
-    """This script again, in a namespace of mounts of its own."""
+    """Runs this script again in a separate mount namespace."""
     if os.environ.get("FULL_PLACES_MOUNTED") or os.geteuid() != 0:
         return bool(os.environ.get("FULL_PLACES_MOUNTED"))
     if subprocess.run(["unshare", "-m", "true"], capture_output=True).returncode != 0:
@@ -98,7 +99,7 @@ def main():
                 try:
                     (folder / place / "filler").write_bytes(bytes(1 << 20))
                 except OSError:
-                    pass  # as far as it went
+                    pass  # the disk is full now
             found += check(program, folder, folder / place)
         subprocess.run(["umount", str(folder / "disk")], check=True)
     print("\n".join(found) or "all refused as they should be")

@@ -15,7 +15,7 @@ import tempfile
 import time
 
 OLD = "arm: new-arm.yaml  # an old file, which a cell may replace\n"
-TELLS_SO_FAR = {"score"}  # figures of the runs that were made, with status stopped
+TELLS_SO_FAR = {"score"}  # commands that print the results of the completed runs, with status stopped
 KEPT = {"new/progress.json", "new/tally.json"}
 BENCH = "cells/bench.yaml made/measurements.csv"
 COMMANDS = {
@@ -42,7 +42,7 @@ def outputs(folder):
 
 
 def interrupted(program, words, inputs, after, kind):
-    """(exit code, seconds from the signal to the end, problems)"""
+    """Returns the exit code, the time from the signal to the end [s], and a list of problems."""
     with tempfile.TemporaryDirectory(prefix="tubeplan-stop-") as name:
         folder = pathlib.Path(name)
         for name in ("cells", "made", "planned"):
@@ -68,8 +68,8 @@ def interrupted(program, words, inputs, after, kind):
         if process.returncode in (130, -kind) and words[0] not in TELLS_SO_FAR:
             problems += [f"{name} is another" for name in before if (folder / name).read_text() != OLD]
         if process.returncode in (0, 1):
-            return process.returncode, 0, []  # it was done already
-        # Before a command begins its work the signal ends it as it does any program.
+            return process.returncode, 0, []  # had ended before the signal
+        # Before a command starts its work, the signal's default action ends the process.
         if process.returncode not in {130, -kind}:
             problems.append(f"exit code {process.returncode}: {said.decode(errors='replace')[-300:].strip()}")
         return process.returncode, took, problems
