@@ -1,8 +1,9 @@
 #!/bin/sh
-# clean_root.sh PACKAGE.deb ROOT [SECONDS]: the package as a stranger gets it, in a Debian bookworm root of its own (ROOT is
-# made by debootstrap where it is not there yet; as root, with a network for Debian's packages). Installed by apt, the demo
-# planned, its report and a served page opened, the documents' Python and the notebook run, the C++ example linked. Prints
-# how long it took from `apt install` to the first picture, and fails above SECONDS (60).
+# clean_root.sh PACKAGE.deb ROOT [SECONDS]: tests the package in a clean Debian bookworm root, as a new user would
+# install it. ROOT is created with debootstrap if absent; the script needs root rights and network access to Debian's
+# packages. It installs the package with apt, plans the demo, opens the report and a served page, runs the Python
+# examples and the notebook, and links the C++ example. Prints the time from `apt install` to the first picture; fails
+# above SECONDS (60).
 set -eu
 package=$(realpath "$1") root=$2 limit=${3:-60}
 source=$(realpath "$(dirname "$0")/../..")
@@ -54,7 +55,7 @@ inside python3 /root/tubeplan/tests/python/module_test.py /usr/bin/tubeplan /roo
 grep -E "^(Ran|OK)" "$root/root/python.log"
 
 echo "== linked from C++"
-# What the development files of the libraries need stands in packages.txt; no compiler comes with the package.
+# The package does not depend on a compiler. packages.txt lists the dependencies of the libraries' development files.
 inside apt-get install -qq -y --no-install-recommends g++ cmake make pkg-config libeigen3-dev libfmt-dev libtbb-dev libompl-dev \
   libfcl-dev coinor-libipopt-dev libmuparser-dev libboost-serialization-dev libboost-filesystem-dev libboost-system-dev > /dev/null 2>&1
 inside cmake -S /root/tubeplan/tests/package/example -B /root/example -D CMAKE_BUILD_TYPE=Release > /dev/null

@@ -1,4 +1,5 @@
-# Installs BUILD below WORK, builds EXAMPLE against it and runs what it makes.
+# Installs the build folder BUILD below WORK, builds the project EXAMPLE with the installed libraries, and runs the
+# example program.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE failed OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(failed)
@@ -12,7 +13,7 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
 run(${CMAKE_COMMAND} -S ${EXAMPLE} -B ${WORK}/build -D CMAKE_PREFIX_PATH=${WORK}/installed -D CMAKE_BUILD_TYPE=Release)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/sag)
-# The moment is the load times the turned lever: phi = M / k with M = 50 * 2 * cos(phi).
+# Expected rotation: phi = M / k, with the moment of the load on the rotated lever, M = 50 N * 2 m * cos(phi).
 string(STRIP "${output}" sag)
 if(NOT sag STREQUAL "-0.002000")
   message(FATAL_ERROR "a sag of ${sag} m, expected -0.002000")

@@ -1,6 +1,7 @@
 #!/bin/sh
-# two_folders.sh FOLDER [TARGET]: the package of the last commit, built from nothing in two folders below FOLDER whose names
-# differ in length: the same bytes? With TARGET only that library is built and compared, which is much quicker.
+# two_folders.sh FOLDER [TARGET]: checks that the package is reproducible. The last commit is built from scratch in two
+# folders below FOLDER with names of different lengths, and the packages must be identical. With TARGET, only the
+# library TARGET is built and compared, which is much quicker.
 set -eu
 source=$(realpath "$(dirname "$0")/../..")
 mkdir -p "$1"
