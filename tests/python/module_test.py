@@ -1,4 +1,4 @@
-"""The Python module beside the program: the same tips, the same figures, errors that Python knows."""
+"""Tests that the Python module agrees with the program in tips and results, and raises Python exceptions."""
 import importlib.util
 import json
 import os
@@ -114,7 +114,7 @@ class Plans(unittest.TestCase):
 
 
 class Document(unittest.TestCase):
-    """What docs/python.md shows runs, block after block."""
+    """Runs the code blocks of docs/python.md one after another."""
 
     def test_examples_run(self):
         with open(os.path.join(SOURCE, 'docs/python.md')) as file:
@@ -129,7 +129,7 @@ class Document(unittest.TestCase):
 
 
 class Notebook(unittest.TestCase):
-    """What docs/missing_effect.ipynb does runs, cell after cell; what it draws, where matplotlib is."""
+    """Runs the cells of docs/missing_effect.ipynb one after another, with the plots if matplotlib is installed."""
 
     def test_cells_run(self):
         with open(os.path.join(SOURCE, 'docs/missing_effect.ipynb')) as file:
