@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Runs every benchmark, then whole commands, and writes what came out: a table and the raw figures.
 
-Ratios are of medians of one run; a peer's time stands beside ours in the same process. Times are of one core unless the
-row says otherwise.
+Ratios compare medians of one run, in which reference libraries are timed in the same process. Times are for one core
+unless the row says otherwise.
 """
 import argparse
 import json
@@ -22,7 +22,7 @@ from table import table
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LIBRARIES = ['kinematics', 'identification', 'diagnosis', 'clearance', 'sheet', 'order']
-POSTURES_PER_ROUND = 64  # of kernel_instructions
+POSTURES_PER_ROUND = 64  # postures solved by kernel_instructions per round
 
 
 def machine():
@@ -31,7 +31,7 @@ def machine():
 
 
 def run_library(folder, name, repetitions):
-    """Medians by the benchmark's name: {'name': {'time': seconds of CPU (wall on all cores), counters...}}."""
+    """Returns the medians keyed by benchmark: {'name': {'time': CPU time [s] (wall time if parallel), counters...}}."""
     with tempfile.NamedTemporaryFile(suffix='.json') as out:
         subprocess.run([folder / f'{name}_benchmark', f'--benchmark_repetitions={repetitions}',
                         '--benchmark_enable_random_interleaving=true', '--benchmark_report_aggregates_only=true',
@@ -40,7 +40,7 @@ def run_library(folder, name, repetitions):
     unit = {'ns': 1e-9, 'us': 1e-6, 'ms': 1e-3, 's': 1}
     known = {'cpu_time', 'real_time', 'name', 'run_name', 'run_type', 'family_index', 'per_family_instance_index',
              'repetitions', 'threads', 'aggregate_name', 'aggregate_unit', 'time_unit', 'iterations'}
-    wall = '/real_time'  # what takes all cores is timed so
+    wall = '/real_time'  # suffix of benchmarks that use all cores
 
     def figures(row):
         time_of = 'real_time' if row['run_name'].endswith(wall) else 'cpu_time'
@@ -51,7 +51,7 @@ def run_library(folder, name, repetitions):
 
 
 def run_command(command, repetitions):
-    """Medians of wall and CPU seconds; each time into a fresh folder, where the command names one."""
+    """Returns the median wall and CPU times [s]; the folder named by --out, if any, is removed before each run."""
     walls, processors = [], []
     for _ in range(repetitions):
         if '--out' in command:
@@ -67,7 +67,8 @@ def run_command(command, repetitions):
 
 
 def instructions(folder, jacobian):
-    """Of one posture, by callgrind: what more rounds cost, over the postures in them. None without valgrind."""
+    """Returns the instructions per posture counted by callgrind: the cost of additional rounds divided by the number of
+    postures in them. None without valgrind."""
     if not shutil.which('valgrind'):
         return None
 
@@ -87,7 +88,7 @@ def plans(folder):
 
 
 def commands(program, runs):
-    """Whole commands on the shipped cell, one after the other: two at once would share the machine's cores."""
+    """Times whole commands on the shipped cell one after another, because concurrent commands would share the cores."""
     cell = ROOT / 'app/cells/mockup.yaml'
     with tempfile.TemporaryDirectory() as scratch:
         out = pathlib.Path(scratch)

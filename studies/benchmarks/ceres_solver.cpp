@@ -10,7 +10,7 @@ using calibration::LeastSquaresProblem, calibration::LeastSquaresResult, calibra
 using Eigen::MatrixXd, Eigen::VectorXd;
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// All residuals as one cost function of one block of variables, in units of their scale.
+/// All residuals as one cost function of a single block of variables, each in units of its scale.
 class WholeResidual : public ceres::CostFunction {
  public:
   WholeResidual(const LeastSquaresProblem& problem, int residuals) : problem_(problem) {
@@ -49,7 +49,7 @@ ceres::Solver::Options solverOptions() {
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = 200;
-  // Final gradient of the interior-point method of `calibration`.
+  // Gradient at which the interior-point method of `calibration` also stops.
   options.gradient_tolerance = 1e-10;
   options.function_tolerance = 1e-13;
   options.parameter_tolerance = 1e-13;

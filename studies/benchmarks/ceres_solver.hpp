@@ -1,4 +1,4 @@
-// Levenberg-Marquardt method of Ceres on the program's own least-squares problems, as a reference for the methods of
+// Levenberg-Marquardt method of Ceres for the program's least-squares problems, as a reference for the methods of
 // `calibration`.
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace tubeplan::benchmarks {
 
-/// Minimises the same problem with the scale, bounds and evaluations of minimizeLeastSquares(), by one thread with
-/// dense QR.
+/// Minimises a least-squares problem with Ceres (one thread, dense QR), with the same variable scales, bounds and
+/// evaluations as minimizeLeastSquares().
 [[nodiscard]] calibration::LeastSquaresResult minimizeByCeres(const calibration::LeastSquaresProblem& problem);
 
 }  // namespace tubeplan::benchmarks

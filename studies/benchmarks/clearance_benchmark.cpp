@@ -1,6 +1,6 @@
-// Benchmark of the clearance of a posture and of a move in the mock-up cell, by own distances and by the distance
-// library (FCL) in the same run. The shape of the bent arm is timed separately, since every posture needs it with
-// either.
+// Benchmark of the clearance of a posture and of a move in the mock-up cell, computed by the program's distance queries
+// and by the library FCL in the same run. The deflected shape of the arm, which both need at every posture, is timed
+// separately.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ struct Move {
   VectorXd from, to;
 };
 
-/// Cell, with moves between the standoffs of neighbouring tubes of the same branch, all over the sheet.
+/// Cell, with moves all over the sheet between the standoff postures of neighbouring tubes in the same branch.
 struct Bench {
   const Workcell cell = app::workcellOf(app::readCell(TUBEPLAN_SOURCE_DIR "/app/cells/mockup.yaml"), "time clearance");
   const ArmClearance clearance{cell};
@@ -48,7 +48,7 @@ struct Bench {
     }
   }
 
-  /// Returns the standoffs, their number a multiple of the lanes.
+  /// Returns the standoff postures; their number is a multiple of the number of kernel lanes.
   [[nodiscard]] PostureColumns standoffs() const {
     PostureColumns q(moves.front().from.size(), 64);
     for (Eigen::Index k = 0; k < q.cols(); ++k) q.col(k) = moves[static_cast<std::size_t>(k) % moves.size()].from;
@@ -61,7 +61,7 @@ const Bench& bench() {
   return made;
 }
 
-/// Returns the least margin, with every solid pair computed by the library.
+/// Returns the smallest margin [m], with the distance of every pair of solids computed by FCL.
 double marginByLibrary(const Scene& scene, const std::vector<Isometry3d>& X_WL) {
   double least = std::numeric_limits<double>::infinity();
   const auto solidOf = [](const ShapePointer& shape) { return dynamic_cast<const Solid*>(shape.get()); };
@@ -99,7 +99,7 @@ void distancesByLibrary(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(marginByLibrary(bench().cell.scene, frames[k++ % frames.size()]));
 }
 
-/// Measures distances at the same postures, one at a time or in all lanes.
+/// Measures the distance queries at the standoff postures, one posture at a time or one per kernel lane.
 void distances(benchmark::State& state, bool side_by_side) {
   static const NearestPairs pairs(bench().cell.scene);
   const PostureColumns q = bench().standoffs();
@@ -116,7 +116,7 @@ void distances(benchmark::State& state, bool side_by_side) {
   }
 }
 
-/// Measures shape and distances together.
+/// Measures the deflected shape together with the distance queries.
 template <class ClearanceAt>
 void postures(benchmark::State& state, const ClearanceAt& clearance_at) {
   std::size_t k = 0;
@@ -129,7 +129,7 @@ void posturesSideBySide(benchmark::State& state) {
     benchmark::DoNotOptimize(bench().clearance.together(q, ContactRule::kApproach));
 }
 
-/// Measures proofs of moves, with the median over the moves beside the mean.
+/// Measures proofs that moves are free, and reports mean and median over the moves.
 void proveMoves(benchmark::State& state, const PostureClearance& clearance_of) {
   const auto& moves = bench().moves;
   std::vector<double> seconds, checks;

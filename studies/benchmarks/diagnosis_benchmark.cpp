@@ -1,5 +1,6 @@
-// Benchmark of a diagnosis with the whole catalogue on one core: the ranking (every effect at every place linearised
-// and scored about a fit) and the verdict (the fit, the ranking, detectable sizes, the leaders fitted and judged).
+// Benchmark of a diagnosis with the whole catalogue on one core. The ranking linearises every effect at every location
+// about a fit and scores it. The verdict includes the fit, the ranking, the detectable sizes, and the fits of the
+// leading candidates.
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 

@@ -1,6 +1,7 @@
 // Pattern search (Hooke and Jeeves 1961; section 5.3.3 of the thesis), which uses values only, no derivatives.
-// Exploratory moves try each variable a step up and down. While they lower chi2, pattern moves repeat the last gain as
-// a whole and explore around it, so that the stride grows. If nothing is lower, the step shrinks.
+// Exploratory moves change each variable by one step up or down. While chi2 falls, pattern moves repeat the last
+// successful displacement and explore around the new point, so that the stride grows. If no move lowers chi2, the step
+// is reduced.
 #include <algorithm>
 #include <cmath>
 
@@ -38,7 +39,8 @@ TriedPlace explore(ScaledProblem& problem, TriedPlace place, double step) {
   return place;
 }
 
-/// Makes pattern moves from `base` over `found` until one gains nothing, and returns the last gain.
+/// Makes pattern moves in the direction from `base` to `found` until a move does not lower chi2, and returns the best
+/// point.
 TriedPlace followPattern(ScaledProblem& problem, TriedPlace base, TriedPlace found, double step, int& iterations) {
   while (found.chi2 < base.chi2 && iterations < kMostIterations) {
     ++iterations;

@@ -1,5 +1,6 @@
-// Benchmark of the least-squares methods on the thesis's identification, by time and final error: the thesis's own two
-// (Hooke and Jeeves, steepest descent), the program's, and Ceres as a reference; same residuals, same run.
+// Benchmark of least-squares methods on the thesis's identification problem, with time and final error: the two methods
+// of the thesis (Hooke and Jeeves, steepest descent), the program's methods, and Ceres as a reference. All methods
+// minimise the same residuals in one run.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -18,9 +19,8 @@ using calibration::LeastSquaresProblem, calibration::LeastSquaresResult, calibra
 using MakeCampaign = Campaign (*)();
 using Minimize = std::function<LeastSquaresResult(const LeastSquaresProblem&)>;
 
-/// Measures one row of the table: calls for values alone and for the Jacobian, chi2 at the end, and the largest error
-/// of a parameter. The error that remains with the best methods is the readings' noise. The label states why the method
-/// stopped.
+/// Measures one method: evaluations of the residuals and of the Jacobian, final chi2, and the largest relative error of
+/// a stiffness. Measurement noise limits the error of the best methods. The label states why the method stopped.
 void minimize(benchmark::State& state, MakeCampaign make, const Minimize& minimize) {
   const Campaign campaign = make();
   LeastSquaresResult found;
@@ -42,7 +42,7 @@ void evaluate(benchmark::State& state, MakeCampaign make, bool jacobian) {
   }
 }
 
-/// Measures the program's complete identification: determined numbers, weights, the fit, intervals.
+/// Measures the program's complete identification: identifiability analysis, weights, fit, and intervals.
 void identify(benchmark::State& state) {
   const auto session = touchSession();
   calibration::IdentificationOptions options;

@@ -1,5 +1,5 @@
-// Program that only solves a number of postures of the Cobra arm, for an instruction counter. The difference between
-// two numbers of rounds, divided by the postures between them, is the cost of one posture; `bench.py` computes it.
+// Program that only solves postures of the Cobra arm in rounds, to be run under an instruction counter. The difference
+// in instructions between two runs, divided by the difference in postures, is the cost of one posture (see bench.py).
 #include <CLI/CLI.hpp>
 #include <random>
 

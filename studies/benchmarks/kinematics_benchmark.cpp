@@ -1,6 +1,7 @@
-// Benchmark of the flexible arm beside a rigid one: the converged deflected shape of the Cobra arm, its Jacobian by the
-// joints and by every number of the arm, one posture or many at a time. The reference is Orocos KDL's rigid kinematics
-// of the same chain in the same run. The inverse is measured for a tube (all branches) and for a via point.
+// Benchmark of flexible kinematics relative to rigid kinematics: the converged deflected shape of the Cobra arm and its
+// Jacobians with respect to the joints and to all arm parameters, for single postures and batches. The reference is
+// Orocos KDL's rigid kinematics of the same chain in the same run. Inverse kinematics is measured for a tube (all
+// branches) and for a via point.
 #include <benchmark/benchmark.h>
 
 #include <kdl/chain.hpp>
@@ -25,7 +26,8 @@ KDL::Chain rigidChain(const Arm& arm) {
   for (const auto& row : arm.rows) {
     const auto& dh = std::get<DenavitHartenberg<double>>(row.placement);
     const bool moves = row.joint.type != JointType::kPassive;
-    // Craig's numbers precede their joint, so only at the base is the frame up to the joint a separate fixed segment.
+    // In Craig's convention, a and alpha precede the joint. Only at the base, KDL needs a separate fixed segment up to
+    // the joint.
     const auto before = KDL::Frame::DH_Craig1989(dh.a, dh.alpha, dh.d, dh.theta + row.joint.offset);
     if (!moves) {
       chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), before));
@@ -39,7 +41,7 @@ KDL::Chain rigidChain(const Arm& arm) {
   return chain;
 }
 
-/// Postures that all benchmarks share.
+/// Random postures used by all benchmarks.
 struct Postures {
   Arm arm = cobraArm();
   std::vector<Posture> list;
@@ -94,7 +96,7 @@ void flexiblePose(benchmark::State& state) {
   }
 }
 
-/// Measures single postures without stored data between them, with all outputs of the shape.
+/// Measures the deflected shape of single postures with all outputs; no data is reused between postures.
 void singleShape(benchmark::State& state) {
   Postures postures;
   for (auto _ : state) benchmark::DoNotOptimize(solveFlexibleKinematics(postures.arm, postures.next()));
@@ -130,7 +132,7 @@ void stiffnessJacobian(benchmark::State& state) {
 
 constexpr int kSideBySide = 64;
 
-/// Measures the same postures as a batch; an iteration is one posture.
+/// Measures the deflected shapes of a batch of postures, with Jacobians if `derive`; one iteration is one posture.
 void batch(benchmark::State& state, bool derive) {
   Postures postures;
   Kinematics kinematics(postures.arm);
@@ -157,7 +159,7 @@ void batch(benchmark::State& state, bool derive) {
 void batchedPose(benchmark::State& state) { batch(state, false); }
 void batchedJacobian(benchmark::State& state) { batch(state, true); }
 
-/// Goals that postures meet under the full load, with starts about an inch away.
+/// Goals that are reachable under the full load, with start postures whose tip is about one inch from the goal.
 struct InverseProblems {
   Arm arm = cobraArm();
   std::vector<ToolGoal> goals;
@@ -211,7 +213,7 @@ BENCHMARK(flexibleJacobian)->Name("flexible/pose and Jacobian by joints");
 BENCHMARK(stiffnessJacobian)->Name("flexible/pose and Jacobian by stiffnesses, base and joints");
 BENCHMARK(numbersJacobian)->Name("flexible/pose and Jacobian by all numbers");
 
-/// Prints the usual table, then the medians as multiples of the rigid arm's.
+/// Prints the usual table, then the medians as multiples of the rigid arm's median.
 class RatioReporter : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override {

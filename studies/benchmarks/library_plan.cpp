@@ -24,9 +24,10 @@ namespace og = ompl::geometric;
 using namespace planner;
 using Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
 
-constexpr double kSolveSeconds = 5;  // [s] for one travel; RRTConnect usually needs a thousandth of it
+constexpr double kSolveSeconds = 5;  // time limit of one travel [s]; RRTConnect usually needs a thousandth of this time
 
-/// Solid in FCL, grown by `padding`; a capsule grows in all directions, others by their flat faces.
+/// Solid in FCL, enlarged by `padding`. A capsule is enlarged in all directions, other solids are enlarged by moving
+/// their flat faces outwards.
 struct LibraryBody {
   std::shared_ptr<fcl::CollisionGeometryd> geometry;
   Isometry3d X_FC;
@@ -44,7 +45,7 @@ LibraryBody libraryBody(const Solid& solid, double padding) {
   return {std::make_shared<fcl::Cylinderd>(cylinder.radius + padding, cylinder.lz + 2 * padding), core.X_FC};
 }
 
-/// Checks of postures by FCL.
+/// Collision checks of postures by FCL.
 class LibraryChecker {
  public:
   LibraryChecker(const Workcell& cell, double padding) : cell_(cell), padding_(padding) {
@@ -59,7 +60,8 @@ class LibraryChecker {
     }
   }
 
-  /// Returns true if the posture is free. With `may_enter` the tool may touch what the scene allows, as on an approach.
+  /// Returns true if the posture is collision-free. With `may_enter`, the contacts that the scene allows during an
+  /// approach are permitted.
   [[nodiscard]] bool isFree(const VectorXd& q, bool may_enter) const {
     ++checks;
     const auto X_WL = bodyFrames(cell_, q, nullptr);
@@ -105,7 +107,7 @@ class LibraryChecker {
   std::vector<LibraryBody> padded_, plain_, obstacles_;
 };
 
-/// Returns the standoffs of the first free posture of each tube.
+/// Returns the standoff posture of the first collision-free posture of each tube.
 Waypoints libraryStandoffs(const Workcell& cell, const std::vector<int>& tubes, const LibraryChecker& checker) {
   Waypoints standoffs;
   for (const int tube : tubes)

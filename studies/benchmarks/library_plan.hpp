@@ -1,9 +1,10 @@
 // Plan of tube visits with OMPL and FCL alone.
 //
-// It uses the first free posture of the flexible inverse kinematics, and nearest neighbours by the time of the straight
-// joint move. Each travel is by OMPL's RRTConnect with default settings and OMPL's own simplification, with postures
-// checked by FCL at OMPL's default resolution. The costly parts are provided: the bent bodies, padded by the required
-// clearance and their greatest bow, and the bowl and the planes in closed form, for which FCL has no fast shapes.
+// For each tube, the plan uses the first collision-free posture of the flexible inverse kinematics. The tubes are
+// visited in nearest-neighbour order by the time of straight joint moves. Each travel is planned by OMPL's RRTConnect
+// with default settings and OMPL's path simplification; FCL checks the postures at OMPL's default resolution. The
+// program provides the costly parts: the deflected bodies, padded by the required clearance and their greatest bow, and
+// closed-form distances to the bowl and the planes, for which FCL has no fast shapes.
 #pragma once
 
 #include <chrono>
@@ -18,7 +19,7 @@ namespace tubeplan::benchmarks {
 
 using Waypoints = std::vector<Eigen::VectorXd>;
 
-/// Wall and processor time since construction [s].
+/// Stopwatch of the wall and processor times since construction [s].
 class Watch {
  public:
   [[nodiscard]] double wall() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -30,12 +31,12 @@ class Watch {
   std::clock_t ticks_ = std::clock();
 };
 
-/// Result of either way of planning.
+/// Result of planning with the libraries or with this planner.
 struct Outcome {
   std::string name;
   int visits = 0, asked = 0, detours = 0, failed = 0;
-  double wall = 0, processor = 0;  ///< [s]
-  long checks = 0;                 ///< checks of postures by the library
+  double wall = 0, processor = 0;  ///< times [s]
+  long checks = 0;                 ///< number of postures checked by FCL
   std::vector<Waypoints> travels;
 };
 

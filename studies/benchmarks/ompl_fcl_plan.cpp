@@ -1,5 +1,5 @@
-// Benchmark of the same tubes planned with OMPL and FCL alone (library_plan.hpp) and by this planner, in one run. Both
-// paths are then examined in small steps by the same distances.
+// Benchmark of plans for the same tubes by OMPL and FCL alone (library_plan.hpp) and by this planner, in one run. Both
+// paths are then examined in small steps with the program's distance queries.
 #include <fmt/format.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
@@ -41,13 +41,13 @@ Outcome planByOwn(const Workcell& cell, const std::vector<int>& tubes, std::uint
   return outcome;
 }
 
-/// Figures of the travels of an outcome, examined in small steps.
+/// Times and clearances of all travels of a plan, examined in small steps.
 struct Look {
   double time = 0;           ///< time with a stop at every waypoint [s]
-  double straight_time = 0;  ///< time with straight moves only, by the order and the postures alone [s]
+  double straight_time = 0;  ///< time of straight joint moves between the same postures in the same order [s]
   double flowing_time = 0;   ///< least time, without intermediate stops [s]
   double least_clearance = std::numeric_limits<double>::infinity();  ///< [m]
-  int below_clearance = 0, colliding = 0;                            ///< numbers of travels
+  int below_clearance = 0, colliding = 0;                            ///< numbers of such travels
 };
 
 double flowingTime(const Waypoints& travel, const JointSpeeds& speeds) {

@@ -1,5 +1,5 @@
-// Benchmark of the order of visits on all cores, with its bound: the time, and the greatest distance from the optimum,
-// for lists of the mock-up's tubes and the whole sheet, straight moves.
+// Benchmark of the visit order and its lower bound on all cores: computing time and largest gap to the optimum, for
+// work lists of the mock-up and for the whole sheet, with straight joint moves.
 #include <benchmark/benchmark.h>
 
 #include "app/formats/cell/workcell.hpp"

@@ -1,11 +1,11 @@
-// Main part of the benchmark programs that register their own rows.
+// Common main function of the benchmark programs that register benchmarks at run time.
 #pragma once
 
 #include <benchmark/benchmark.h>
 
 namespace tubeplan::benchmarks {
 
-/// Runs the registered benchmarks by the command line and returns the program's exit code.
+/// Runs the registered benchmarks with the options of the command line and returns the program's exit code.
 inline int runBenchmarks(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -1,5 +1,5 @@
-// Benchmark of the mock-up's whole sheet on one core: postures at every hole, the way up to each, the additional
-// collision checks, and the score of one visit to each.
+// Benchmark of the mock-up's whole sheet on one core. For every hole it measures the postures, the approach into the
+// hole, the additional collision checks, and the score of a visit.
 #include <benchmark/benchmark.h>
 
 #include "app/formats/cell/workcell.hpp"
@@ -16,7 +16,7 @@ struct Sheet {
   const Workcell cell = app::workcellOf(app::readCell(TUBEPLAN_SOURCE_DIR "/app/cells/mockup.yaml"), "time the sheet");
   const ArmClearance clearance{cell};
   std::vector<Eigen::Vector3d> holes_W;
-  std::vector<TubeBranch> visits;  ///< one for each of `holes_W`
+  std::vector<TubeBranch> visits;  ///< visited branch of each hole, in the order of `holes_W`
 
   Sheet() {
     for (const auto& tube : cell.sheet.tubes)

@@ -1,7 +1,7 @@
-// Steepest descent with a line search (section 5.3.3 of the thesis), with its path bent along the bounds (Bertsekas
-// 1976). The first trial of each search is slightly before the lowest point down the gradient for linear residuals
-// (Cauchy's step, which zigzags at full length: Raydan and Svaiter 2002). It is reduced by the golden ratio until chi2
-// meets Armijo's condition.
+// Steepest descent with a line search (section 5.3.3 of the thesis), projected onto the bounds (Bertsekas 1976). The
+// first trial step of each search is slightly shorter than the Cauchy step, which minimises chi2 along the gradient for
+// linear residuals but zigzags at full length (Raydan and Svaiter 2002). The step is reduced by the golden ratio until
+// chi2 meets Armijo's condition.
 #include <cmath>
 #include <numbers>
 
@@ -16,10 +16,10 @@ using calibration::LeastSquaresProblem, calibration::LeastSquaresResult, calibra
 using Eigen::MatrixXd, Eigen::VectorXd;
 constexpr double kShareOfCauchyStep = 0.8;
 constexpr double kArmijo = 1e-4;
-constexpr int kMaxTrials = 80;  // golden cuts down to 1e-17 of Cauchy's step
+constexpr int kMaxTrials = 80;  // reductions by the golden ratio, down to 1e-17 of the Cauchy step
 constexpr double kLeastGradient = 1e-6;
 constexpr int kMostIterations = 1000;
-constexpr double kHiddenByRounding = 1e-9;  // share of chi2 that rounding in the model may conceal
+constexpr double kHiddenByRounding = 1e-9;  // relative change of chi2 that rounding errors of the model may conceal
 
 struct SlopedPlace {
   VectorXd x, r;
@@ -28,7 +28,7 @@ struct SlopedPlace {
   VectorXd gradient() const { return jacobian.transpose() * r; }
 };
 
-/// Returns the direction against the gradient, without components into a bound that x is at.
+/// Returns the negative gradient, without the components that point out of an active bound.
 VectorXd downhill(const ScaledProblem& problem, const SlopedPlace& place) {
   VectorXd direction = -place.gradient();
   for (Eigen::Index k = 0; k < direction.size(); ++k)
@@ -38,7 +38,7 @@ VectorXd downhill(const ScaledProblem& problem, const SlopedPlace& place) {
   return direction;
 }
 
-/// Moves `x` to a sufficiently lower point and returns true; false if there is none in this direction.
+/// Moves `x` to a point of sufficiently lower chi2 and returns true; false if none is found along the direction.
 bool searchLine(ScaledProblem& problem, const SlopedPlace& from, const VectorXd& direction, double stride,
                 VectorXd& x) {
   const VectorXd gradient = from.gradient();

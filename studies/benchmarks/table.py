@@ -1,11 +1,11 @@
-"""The table of what the benchmarks found, beside the goals. What was not measured is said to be missing."""
+"""Table of benchmark results and goals. Values that were not measured are marked as missing."""
 from dataclasses import dataclass
 
 
 @dataclass
 class Row:
     what: str
-    figure: str | None  # as it is read; None: not measured
+    figure: str | None  # formatted value; None: not measured
     goal: str = ''
     met: bool | None = None  # None: there is no goal
 
@@ -18,14 +18,14 @@ def scaled(seconds):
 
 
 def at_most(what, value, text, goal, show):
-    """`show` makes text of the goal; without a goal the row only tells."""
+    """Returns a row whose value must not exceed the goal, which `show` formats; without a goal, nothing is judged."""
     if value is None:
         return Row(what, None)
     return Row(what, text) if goal is None else Row(what, text, f'≤ {show(goal)}', value <= goal)
 
 
 class Rows:
-    """Makes rows of the raw figures."""
+    """Makes table rows from the raw results."""
 
     def __init__(self, raw):
         self.raw = raw

@@ -22,7 +22,7 @@ constexpr double kTorquePerAngle = kPound * kInch / kDegree, kPressure = kPound 
 constexpr double kInchToTheFourth = kInch * kInch * kInch * kInch;
 
 constexpr int kPostures = 31;
-constexpr double kLoads[] = {20, 30, 40};  // [lb]
+constexpr double kLoads[] = {20, 30, 40};  // loads on the tip [lb]
 constexpr double kSigma = 0.02 * kInch;
 constexpr double kStartFactor = 3, kBoundFactor = 1000;
 constexpr const char* kUnknowns[] = {
@@ -54,7 +54,7 @@ deflection::Beam<double> beamOf(double Iz) {
   return beam;
 }
 
-/// Returns the arm of tables 5.2 and 5.4, with the four values of app/cells/cobra-arm.yaml that the thesis's own
+/// Returns the arm of the thesis's tables 5.2 and 5.4, with four values from app/cells/cobra-arm.yaml that the thesis's
 /// examples require.
 Arm cobraArm() {
   Arm arm;
@@ -79,7 +79,7 @@ struct Reading {
   Vector3d p_BT;
 };
 
-/// Returns readings of the true arm: postures spread evenly over the joint limits, each under each load.
+/// Returns readings of the true arm: postures spread evenly over the joint ranges, each measured under every load.
 std::vector<Reading> measure(const Arm& arm) {
   boost::random::mt19937_64 random(1994);
   boost::random::normal_distribution<double> noise(0, kSigma);
@@ -94,7 +94,7 @@ std::vector<Reading> measure(const Arm& arm) {
   return readings;
 }
 
-/// Residuals of all readings as a function of the unknowns.
+/// Residuals of all readings as a function of the unknown stiffnesses' logarithms.
 class Misfit {
  public:
   explicit Misfit(const Arm& truth) : truth_(truth), readings_(measure(truth)) {
@@ -111,7 +111,7 @@ class Misfit {
 
   bool operator()(const VectorXd& x, VectorXd& r, MatrixXd* jacobian) const {
     Arm arm = truth_;
-    VectorXd values(kCount);  // factors of derivatives by the logarithm
+    VectorXd values(kCount);  // factors that convert derivatives to those with respect to the logarithm
     for (Eigen::Index u = 0; u < kCount; ++u)
       values[u] = deflection::locate(arm, paths_[static_cast<std::size_t>(u)]) *= std::exp(x[u]);
     deflection::Kinematics kinematics(arm);
@@ -155,7 +155,7 @@ Campaign thesisCampaign() {
 
 namespace {
 
-/// One of the thesis's eleven stiffnesses, in its units.
+/// One of the thesis's eleven stiffnesses, in the thesis's units.
 struct TrueStiffness {
   const char* name;
   double value, unit;
@@ -187,8 +187,8 @@ Arm touchingArm() {
   return arm;
 }
 
-/// Returns the touches of one point: the tool is moved back to it under each load, at the same tilt. Empty if it cannot
-/// be reached.
+/// Returns the touches of one point: under each load, the tool is moved back to the point at the same tilt. Empty if
+/// the point cannot be reached.
 std::vector<calibration::Measurement> touchPoint(const Arm& arm, const VectorXd& q, int point,
                                                  boost::random::mt19937_64& random) {
   boost::random::normal_distribution<double> noise(0, kTouchSigma);

@@ -1,4 +1,4 @@
-// Both minimisation methods of the thesis (section 5.3.3), for comparison with the program's own.
+// The two minimisation methods of the thesis (section 5.3.3), for comparison with the program's method.
 #pragma once
 
 #include "calibration/estimation/least_squares.hpp"
