@@ -1,11 +1,11 @@
-"""One set put to the program: the truth, the answer, and one word that judges the answer."""
+"""One data set diagnosed by the program: the truth, the answer, and a one-word judgement of the answer."""
 from dataclasses import dataclass
 import json
 import subprocess
 import time
 
 QUIET = ("adequate", "inconclusive")
-REFUSALS = ("unexplained", "partly-explained")  # something is left that no known effect explains
+REFUSALS = ("unexplained", "partly-explained")  # verdicts with a residual that no known effect explains
 WEAK_D, REFUSABLE_D = 8., 12.
 
 
@@ -34,7 +34,7 @@ class Case:
 
     @property
     def alternatives(self):
-        """Each as a set of (effect, place); a cause that has the truth among its other names goes by the truth's."""
+        """Alternatives as sets of (effect, place); a cause equivalent to a true effect has the true effect's name."""
         return [{self.name_of(part) for part in alternative} for alternative in self.answer.get("alternatives") or []]
 
     def name_of(self, part):
@@ -55,16 +55,16 @@ class Case:
 
     @property
     def within(self):
-        """The truth, whole, is among what was answered."""
+        """True if the complete truth is among the alternatives of the answer."""
         return self.wanted in self.alternatives
 
     def likeness(self, rival="twin"):
-        """Correlation of the truth with the rival most like it, of any kind or (`peer`) with no more parameters."""
+        """Correlation of the truth with the most similar rival; a `peer` is a rival without more parameters."""
         return self.truth.get(rival, {}).get("correlation", 0.)
 
     @property
     def word(self):
-        """One word for the answer."""
+        """One-word judgement of the answer."""
         if self.failed:
             return "failed"
         if self.kind == "null":
@@ -86,7 +86,7 @@ class Case:
 
 
 def ask(program, cells, folder, timeout):
-    """The Case of one set; a crash, a hang or no JSON is an answer too: a failed one."""
+    """Returns the Case of one set; a crash, a hang or invalid JSON counts as a failed answer."""
     truth = json.loads((folder / "truth.json").read_text())
     cell = cells / ("bowl.yaml" if truth["design"] == "bowl" else "bench.yaml")
     start = time.time()

@@ -1,8 +1,8 @@
-"""The nominal arm as arrays, read from an arm file (YAML, see the cells beside the program).
+"""The nominal arm as arrays, read from an arm file (YAML, see the cells shipped with the program).
 
-Only what the Cobra's file uses is understood: Denavit-Hartenberg rows (modified, Craig), revolute joints, axis
-stiffnesses, one beam per row, distributed and end weights. Units from here on in this folder, which must share nothing
-with the program: inch, pound-force, radian; temperatures degF, times minutes.
+Only the features of the Cobra's file are supported: Denavit-Hartenberg rows (modified, Craig), revolute joints, axis
+stiffnesses, one beam per row, distributed and end weights. This folder must share no code with the program. All its
+modules use these units: inch, pound-force, radian, degF for temperatures, minutes for times.
 """
 from dataclasses import dataclass
 import pathlib
@@ -16,31 +16,31 @@ AXES = "xyz"
 
 @dataclass(frozen=True)
 class Arm:
-    """L links (rows), J joints. Compliances are zero where the axis is rigid."""
+    """Arm with L links (rows) and J joints. Compliances are zero about rigid axes."""
     links: tuple                # L names
     joints: tuple               # J names
-    joint_rows: np.ndarray      # (J,) the row each joint turns
-    limits: np.ndarray          # (J, 2) rad
-    encoder_sigma: float        # rad, of every joint reading
+    joint_rows: np.ndarray      # (J,) row that each joint rotates
+    limits: np.ndarray          # (J, 2) lower and upper joint limits [rad]
+    encoder_sigma: float        # standard deviation of every joint reading [rad]
     alpha: np.ndarray           # (L,) rad: twist from the previous frame to this one
     a: np.ndarray               # (L,) in: distance from the previous frame to this one
-    d: np.ndarray               # (L,) in
-    theta: np.ndarray           # (L,) rad: the angle, or a joint's offset
-    tip: np.ndarray             # (3,) in, in the last frame
-    spring: np.ndarray          # (L, 3) rad per in lbf, about the frame's own axes
-    rod: np.ndarray             # (L, 3) 1 / (in^2 lbf): twist about x, bending about y, bending about z
+    d: np.ndarray               # (L,) in: offset along z
+    theta: np.ndarray           # (L,) rad: fixed angle, or offset of the joint angle
+    tip: np.ndarray             # (3,) in: tip in the last frame
+    spring: np.ndarray          # (L, 3) rad/(in lbf): compliance about the axes of the frame
+    rod: np.ndarray             # (L, 3) 1/(in^2 lbf): compliance in torsion about x, in bending about y and z
     distributed: np.ndarray     # (L,) lbf/in from this frame to the next
     end_weight: np.ndarray      # (L,) lbf at the next frame (the last link: at the tip)
     gravity: np.ndarray         # (3,) unit vector, world frame
-    modulus: float              # lbf/in^2, of the beams
+    modulus: float              # lbf/in^2: elastic modulus of the beams
 
     def row(self, name):
-        """The index of a link or of a joint's row."""
+        """Returns the row index of a link or of a joint."""
         return self.links.index(name) if name in self.links else int(self.joint_rows[self.joints.index(name)])
 
 
 def read_arm(path=CELLS / "cobra-arm.yaml"):
-    """The arm in a YAML file as an Arm."""
+    """Returns the arm described by a YAML file."""
     content = yaml.safe_load(pathlib.Path(path).read_text())
     rows = content["links"]
     dh = {key: np.array([row["dh"].get(key, 0.) for row in rows], float) for key in ("alpha", "a", "d", "theta")}
@@ -68,5 +68,5 @@ def _spring(row):
 
 def _rod(row):
     beam = row.get("beam", {})
-    modulus = float(beam.get("E", 0.))      # YAML 1.1 takes 1.0121e7 for a word
+    modulus = float(beam.get("E", 0.))      # YAML 1.1 reads 1.0121e7 as a string
     return [0.] + [1. / (modulus * beam[name]) if name in beam else 0. for name in ("Iy", "Iz")]

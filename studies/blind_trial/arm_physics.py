@@ -1,13 +1,14 @@
 """Static equilibrium of the arm: joints, springs and geometrically exact rods under dead loads, many postures at once.
 
-A rod is inextensible and unshearable. Its curvature in its own turned section frame is the section's compliance times
-the moment there (Kirchhoff); the moment is that of every load beyond the section on the *deformed* arm. Section frames
-follow by composing the exact rotations of the pieces (fourth-order exponent), positions by integrating the tangent. A
-spring turns its frame about the frame's own axes by compliance times moment, plus a soft part that stops at a knee,
-plus a given turn.
+A rod is inextensible and unshearable. Its curvature in the rotated section frame is the section's compliance times the
+moment at the section (Kirchhoff), where the moment is that of all loads beyond the section on the *deformed* arm.
+Section frames are products of the exact rotations of the rod's pieces (fourth-order exponent); positions are integrals
+of the tangent. A spring rotates its frame about the frame's axes by three terms: compliance times moment, a soft part
+that is limited at a knee moment, and a prescribed rotation.
 
-The outer loop is a fixed point: moments of the last shape give turns and curvatures, these give the next shape. A sweep
-shrinks the error by about the ratio of load times lever to stiffness; the Cobra takes some ten.
+The outer loop is a fixed-point iteration: the moments on the last shape give rotations and curvatures, which give the
+next shape. An iteration (sweep) reduces the error by about the ratio of load times lever to stiffness; the Cobra needs
+about ten iterations.
 
 Symbols: R_W*, p_W*: pose of a frame in the world; N postures; L links; K pieces of a rod. Units as in arm_description.
 """
@@ -19,34 +20,34 @@ import numpy as np
 from rotations import cross, exponential, link_rotation, turned, turned_back
 
 PIECES = 32
-TOLERANCE = 1e-10       # in, the tip's movement in the last sweep
+TOLERANCE = 1e-10       # in: largest movement of the tip in the last sweep
 
 
 @dataclass
 class Numbers:
-    """Everything that may differ from posture to posture; effects change these. All arrays have N as first axis."""
+    """Parameters that may differ between postures and that effects change; the first axis of all arrays is N."""
     q: np.ndarray                 # (N, J) true joint angles
-    load: np.ndarray              # (N,) hung at the tip
+    load: np.ndarray              # (N,) weight suspended at the tip
     a: np.ndarray                 # (N, L)
     alpha: np.ndarray             # (N, L)
     tip: np.ndarray               # (N, 3)
     spring: np.ndarray            # (N, L, 3) compliance
     soft: np.ndarray              # (N, L, 3) extra compliance up to the knee moment
     knee: np.ndarray              # (N, L, 3) lbf in
-    turn: np.ndarray              # (N, L, 3) given rotation of the frame
+    turn: np.ndarray              # (N, L, 3) prescribed rotation of the frame
     rod: np.ndarray               # (N, L, 3) compliance per length
     distributed: np.ndarray       # (N, L)
     end_weight: np.ndarray        # (N, L)
-    end_force: np.ndarray         # (N, L, 3) at the link's end, world axes
-    payload_offset: np.ndarray    # (N, 3) of the hung load from the tip, in the tool's frame
-    gravity_tilt: np.ndarray      # (N, 2) lean of gravity about world x and y
+    end_force: np.ndarray         # (N, L, 3) force at the link's end, world axes
+    payload_offset: np.ndarray    # (N, 3) offset of the suspended load from the tip, in the tool's frame
+    gravity_tilt: np.ndarray      # (N, 2) tilt of gravity about world x and y
     base_position: np.ndarray     # (N, 3)
     base_turn: np.ndarray         # (N, 3) rotation vector of the base in the world
-    stretch: np.ndarray           # (N, 1) measured coordinates are times 1 + stretch
+    stretch: np.ndarray           # (N, 1) scale error: measured coordinates are multiplied by 1 + stretch
 
     @staticmethod
     def nominal(arm, q, load):
-        """The arm as drawn, base at the world's origin."""
+        """Returns the parameters of the nominal arm with the base at the world's origin."""
         count = len(q)
         def each(value): return np.repeat(np.asarray(value, float)[None], count, axis=0)
         def zero(*shape): return np.zeros((count,) + shape)
@@ -60,7 +61,7 @@ class Numbers:
             payload_offset=zero(3), gravity_tilt=zero(2), base_position=zero(3), base_turn=zero(3), stretch=zero(1))
 
     def tiled(self, times):
-        """The same postures again and again, times copies in a row."""
+        """Returns the postures repeated `times` times."""
         return Numbers(**{f.name: np.concatenate([getattr(self, f.name)] * times) for f in fields(self)})
 
 
@@ -68,7 +69,7 @@ class Numbers:
 class Equilibrium:
     tip: np.ndarray               # (N, 3) in, world frame
     R_tip: np.ndarray             # (N, 3, 3)
-    moments: np.ndarray           # (N, L, 3) lbf in, at each frame in its own axes
+    moments: np.ndarray           # (N, L, 3) lbf in: moment at each frame, in the axes of that frame
     curvature: dict               # link -> (N, K + 1, 3) 1/in
     R_W: list = None              # per link (N, 3, 3)
     p_W: list = None              # per link (N, 3)
@@ -76,14 +77,15 @@ class Equilibrium:
     converged: bool = False
 
     def tiled(self, times):
-        """A start for Numbers.tiled."""
+        """Returns the equilibrium repeated `times` times, as a start for Numbers.tiled."""
         def again(array): return np.concatenate([array] * times)
         return Equilibrium(again(self.tip), again(self.R_tip), again(self.moments),
                            {link: again(kappa) for link, kappa in self.curvature.items()})
 
 
 def solve(arm, numbers, pieces=PIECES, start=None, tolerance=TOLERANCE, most_sweeps=80):
-    """The Equilibrium of every posture; start (an Equilibrium of like postures with the same pieces) saves sweeps."""
+    """Returns the Equilibrium of every posture; `start` (an Equilibrium of similar postures with equally many rod
+    pieces) saves sweeps."""
     count, links = numbers.a.shape
     rods = [link for link in range(links) if np.any(numbers.rod[:, link])]
     state = start or Equilibrium(np.full((count, 3), np.inf), None, np.zeros((count, links, 3)), {})
@@ -93,7 +95,7 @@ def solve(arm, numbers, pieces=PIECES, start=None, tolerance=TOLERANCE, most_swe
     for sweep in range(1, most_sweeps + 1):
         shape = _shape(arm, numbers, moments, curvature, pieces)
         moved = np.abs(shape.p_WTip - tip).max()
-        tip, converged = shape.p_WTip, sweep > 1 and bool(moved <= tolerance)      # the first sweep has a start's loads
+        tip, converged = shape.p_WTip, sweep > 1 and bool(moved <= tolerance)      # the first sweep still has the loads of `start`
         if converged:
             break
         moments, curvature = _loads(numbers, arm, shape, pieces)
@@ -101,27 +103,27 @@ def solve(arm, numbers, pieces=PIECES, start=None, tolerance=TOLERANCE, most_swe
 
 
 def measured(numbers, equilibrium):
-    """The tip as the measuring instrument gives it, (N, 3)."""
+    """Returns the tip position as the measuring instrument reports it, (N, 3)."""
     return (1. + numbers.stretch) * equilibrium.tip
 
 
 @dataclass
 class _Shape:
-    R_W: list        # per link (N, 3, 3), springs turned
+    R_W: list        # per link (N, 3, 3), after the rotation of the spring
     p_W: list        # per link (N, 3)
-    end: list        # per link, the point where it ends
-    rods: dict       # link -> (length, Q, rho): section frames (N, K+1, 3, 3) and points (N, K+1, 3) in it
+    end: list        # per link, end point of the link
+    rods: dict       # link -> (length, Q, rho): section frames (N, K+1, 3, 3), points (N, K+1, 3), in the link's frame
     R_WTip: np.ndarray = None
     p_WTip: np.ndarray = None
 
 
 def spring_turn(numbers, moments):
-    """Rotation of each frame about its own axes under these moments, (N, L, 3)."""
+    """Returns the rotation of each frame about the axes of that frame under the given moments, (N, L, 3)."""
     return numbers.turn + numbers.spring * moments + numbers.soft * np.clip(moments, -numbers.knee, numbers.knee)
 
 
 def _chords(arm, numbers):
-    """From each frame to where its link ends, in that frame: (N, L, 3)."""
+    """Returns the vector from each frame to the end of its link, in that frame, (N, L, 3)."""
     to_next = np.stack([numbers.a, -np.sin(numbers.alpha) * arm.d, np.cos(numbers.alpha) * arm.d], axis=-1)
     return to_next[:, 0], np.concatenate([to_next[:, 1:], numbers.tip[:, None]], axis=1)
 
@@ -150,7 +152,8 @@ def _shape(arm, numbers, moments, curvature, pieces):
 
 
 def _bent(chord, kappa, pieces):
-    """A rod of the chord's length and first direction with curvature kappa at its nodes, as in _Shape.rods."""
+    """Returns a rod as in _Shape.rods, with the length and initial direction of the chord and curvature kappa at the
+    nodes."""
     length = np.sqrt((chord * chord).sum(-1))
     steps, cumulative = _quadrature(pieces)
     step = (length / pieces)[:, None, None]
@@ -164,7 +167,7 @@ def _bent(chord, kappa, pieces):
 
 
 def _loads(numbers, arm, shape, pieces):
-    """Moments at every frame and the rods' curvatures, from the loads on this shape."""
+    """Returns the moments at every frame and the curvatures of the rods under the loads on a shape."""
     links = len(arm.links)
     lean = np.concatenate([numbers.gravity_tilt, np.zeros((len(numbers.q), 1))], axis=1)
     down = turned(exponential(lean), np.broadcast_to(arm.gravity, lean.shape))
@@ -188,9 +191,10 @@ def _loads(numbers, arm, shape, pieces):
 
 
 def _rod_moments(rod, F, M, weight, pieces):
-    """Moments at the rod's nodes, (N, K + 1, 3), under end force, end moment and weight per length; link's frame."""
+    """Returns the moments at the rod's nodes, (N, K + 1, 3), in the link's frame, under end force, end moment and
+    weight per length."""
     length, _, rho = rod
-    gathered = np.matmul(_quadrature(pieces)[1], rho) * length[:, None, None]     # the points' integral up to each node
+    gathered = np.matmul(_quadrature(pieces)[1], rho) * length[:, None, None]     # integral of the points up to each node
     left = length[:, None, None] * np.linspace(1., 0., pieces + 1)[:, None]
     beyond = gathered[:, -1:] - gathered - left * rho
     return M[:, None] + cross(rho[:, -1:] - rho, F[:, None]) + cross(beyond, weight[:, None])
@@ -198,9 +202,10 @@ def _rod_moments(rod, F, M, weight, pieces):
 
 @functools.lru_cache
 def _quadrature(pieces):
-    """Integrals of a function known at the nodes of [0, 1] in equal pieces, exact for cubics.
+    """Quadrature on [0, 1] from values at the nodes of K equal pieces, exact for cubics.
 
-    Returns the matrices (K, K + 1) to the integral over each piece and (K + 1, K + 1) to that up to each node.
+    Returns two matrices to multiply by the values: (K, K + 1) gives the integral over each piece, (K + 1, K + 1) the
+    integral from 0 up to each node.
     """
     steps = np.zeros((pieces, pieces + 1))
     for k in range(pieces):

@@ -31,8 +31,8 @@ from rotations import exponential
 from session import draw_session
 from step_chances import CANDIDATES, CELL, WITHIN, draw_holes, plan, steps_by, to_base, touches_csv
 
-LIMIT = 12.592          # chi-square of six degrees of freedom that 95 % are below
-R_SN = exponential(np.array([0., 0., -90. * DEG]))      # the nominal base's axes in the sheet's
+LIMIT = 12.592          # 95 % quantile of chi-square with six degrees of freedom
+R_SN = exponential(np.array([0., 0., -90. * DEG]))      # axes of the nominal base in the sheet's frame
 WORLDS = {
     "exact": {"stiffness": 0., "weight": 0., "zero": 0., "axis": 0., "length": 0., "tip": 0.},
     "stiffness": {"stiffness": .1, "weight": 0., "zero": 0., "axis": 0., "length": 0., "tip": 0.},
@@ -41,19 +41,19 @@ WORLDS = {
 
 
 def true_arm(drawn, world, rng):
-    """The drawn arm with its numbers off as the world has them."""
+    """Returns the nominal arm with random parameter errors of the given world."""
     spring, rod = drawn.spring.copy(), drawn.rod.copy()
     for name, link, axis in identified(drawn):
         (spring if name == "spring" else rod)[link, axis] *= np.exp(world["stiffness"] * rng.normal())
     theta, a = drawn.theta.copy(), drawn.a.copy()
     theta[drawn.joint_rows] += world["zero"] * DEG * rng.normal(size=len(drawn.joint_rows))
-    moving = drawn.joint_rows[1:]       # beyond the first joint: what stands before it only moves the base
+    moving = drawn.joint_rows[1:]       # beyond the first joint; errors before the first joint only move the base
     a[moving] += world["length"] * rng.normal(size=len(moving))
     return replace(drawn, spring=spring, rod=rod, theta=theta, a=a, tip=drawn.tip + world["tip"] * rng.normal(size=3))
 
 
 def draw_spread_holes(holes, asked, rng):
-    """As draw_holes, the touched ones well off a line."""
+    """Returns holes from draw_holes whose touched holes are far from collinear."""
     while True:
         chosen = draw_holes(holes, asked.touches + asked.holes, asked.touches, rng)
         places = np.array([hole["hole"] for hole in chosen[:asked.touches]])
@@ -63,13 +63,13 @@ def draw_spread_holes(holes, asked, rng):
 
 
 def cell_text(world):
-    """The mock-up, stating that spread where there is one."""
+    """Returns the text of the mock-up cell, with the uncertainty `world` if given."""
     text = CELL.read_text().replace("arm: cobra-arm.yaml", f"arm: {CELL.parent / 'cobra-arm.yaml'}")
     return text if world is None else text + f"uncertainty: {json.dumps(world)}\n"
 
 
 def base_error(found, position, turn):
-    """Step of the found base from the true one, shift then rotation vector, in the sheet's axes: in, deg."""
+    """Returns displacement [in] and rotation vector [deg] of the base found from the true base, in the sheet's axes."""
     nominal = np.array(yaml.safe_load(CELL.read_text())["base"]["position"])
     shift = np.array(found["position"]) - (nominal + R_SN @ position)
     roll, pitch, yaw = np.radians(found["rpy"])
@@ -79,7 +79,8 @@ def base_error(found, position, turn):
 
 
 def trial(program, holes, asked, seed):
-    """(exit code, chi-square of the base's error, predicted, happened); None where the true arm cannot touch."""
+    """Returns (exit code, chi-square of the base's error, predicted steps, observed steps), or None if the true arm
+    cannot make the touches."""
     rng = np.random.default_rng([asked.seed, seed])
     drawn, world = read_arm(), WORLDS[asked.world]
     arm, tool = true_arm(drawn, world, rng), yaml.safe_load(CELL.read_text())["calibration_tool"]
@@ -112,7 +113,7 @@ def trial(program, holes, asked, seed):
 
 
 def share(held):
-    """'95.0 +- 1.3 % of 300'."""
+    """Returns a fraction with its standard error, such as '95.0 +- 1.3 % of 300'."""
     held = np.asarray(held)
     if len(held) == 0:
         return "none"

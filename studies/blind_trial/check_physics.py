@@ -20,7 +20,7 @@ SHARED = pathlib.Path(__file__).resolve().parents[3] / "shared"
 
 
 def cantilever(length, modulus_inertia, weight=0., isotropic=False):
-    """One rod along world x, clamped at the origin, gravity along -y."""
+    """Returns an arm that is one rod along world x, clamped at the origin, with gravity along -y."""
     compliance = 1. / modulus_inertia
     nought = np.zeros(1)
     return Arm(links=("rod",), joints=("clamp",), joint_rows=np.array([0]), limits=np.array([[-1., 1.]]),
@@ -34,17 +34,17 @@ def tip_of(arm, load, pieces=32):
 
 
 def small_deflection_error():
-    """Relative error against F L^3 / 3EI + w L^4 / 8EI, at a deflection so small that beam theory is exact."""
+    """Returns the relative error from F L^3 / 3EI + w L^4 / 8EI at a deflection so small that beam theory is exact."""
     length, stiffness, load, weight = 26.406, 4e6, 1e-3, 1e-4
     want = -(load * length ** 3 / 3. + weight * length ** 4 / 8.) / stiffness
     return abs(tip_of(cantilever(length, stiffness, weight), load).tip[0, 1] / want - 1.)
 
 
 def elastica_error(pieces):
-    """Tip error (per length) against the elastica with F L^2 / EI = 1: a tip slope of 26 deg.
+    """Returns the tip error relative to the length, against the elastica with F L^2 / EI = 1 (tip slope 26 deg).
 
-    With k^2 = (1 + sin slope) / 2 and sin phi = 1 / (k sqrt 2): sqrt(F L^2 / EI) = K(k) - F(phi, k); the drop follows
-    by one quadrature.
+    With k^2 = (1 + sin slope) / 2 and sin phi = 1 / (k sqrt 2): sqrt(F L^2 / EI) = K(k) - F(phi, k). One quadrature
+    gives the deflection of the tip.
     """
     def root_load(slope):
         m = .5 * (1. + np.sin(slope))
@@ -54,7 +54,7 @@ def elastica_error(pieces):
         middle = .5 * (low + high)
         low, high = (middle, high) if root_load(middle) < 1. else (low, middle)
     slope = .5 * (low + high)
-    # ds = d(theta) / sqrt(2 (sin slope - sin theta)); theta = slope - u^2 takes the end's singularity away
+    # ds = d(theta) / sqrt(2 (sin slope - sin theta)); theta = slope - u^2 removes the singularity at the end
     def drop(u):
         theta = slope - u * u
         gap = np.sin(slope) - np.sin(theta)
@@ -65,12 +65,13 @@ def elastica_error(pieces):
 
 
 def pure_couple_error():
-    """A rod alike about all axes under an end couple M turns by exactly exp(L M / EI): bending and twist together."""
+    """Checks combined bending and torsion: the end of a rod with equal stiffness about all axes rotates under an end
+    couple M by exactly exp(L M / EI)."""
     length, stiffness = 10., 100.
     arm = cantilever(length, stiffness, isotropic=True)
     numbers = Numbers.nominal(arm, np.zeros((1, 1)), [1.])
     numbers.payload_offset[:] = [4., 1., 5.]
-    numbers.end_force[:, 0] = [0., 1., 0.]              # takes the load away and leaves its couple
+    numbers.end_force[:, 0] = [0., 1., 0.]              # cancels the load, so that only its couple remains
     state = solve(arm, numbers, most_sweeps=400)
     couple = cross(turned(state.R_tip, numbers.payload_offset), np.array([[0., -1., 0.]]))
     fine = np.linspace(0., 1., 20001)
@@ -81,7 +82,7 @@ def pure_couple_error():
 
 
 def poses_error(path):
-    """Largest distance, in, from the 200 independent poses, and the largest turn between the tip's frames, rad."""
+    """Returns the largest tip distance [in] and the largest tip rotation [rad] from the 200 independent poses."""
     arm, poses = read_arm(), np.genfromtxt(path, delimiter=",", names=True)
     def columns(*names): return np.stack([poses[name] for name in names], axis=1)
     q = np.radians(columns(*(f"{joint}_deg" for joint in arm.joints)))
@@ -94,7 +95,7 @@ def poses_error(path):
 
 
 def pieces_error():
-    """Largest tip difference, in, between rods in 4 and in 64 pieces over random postures under 40 lbf."""
+    """Returns the largest tip difference [in] between rods of 4 and of 64 pieces over random postures under 40 lbf."""
     arm, rng = read_arm(), np.random.default_rng(1)
     q = rng.uniform(arm.limits[:, 0], arm.limits[:, 1], (100, len(arm.joints)))
     numbers = Numbers.nominal(arm, q, np.full(100, 40.))

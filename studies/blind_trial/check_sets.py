@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""check_sets.py: holds the generator to what it says of its own sets. Exit 0 where all hold.
+"""check_sets.py: checks that the generator's sets agree with their stated truth. Exit code 0 if all checks hold.
 
-With the truth known and the fitted parameters fitted, the squared whitened residuals must add up to their degrees of
-freedom; with the truth left out they must be larger by d^2. Both are told over many sets, for each design. A generator
-that states a wrong d, noise or effect fails.
+With the true effects in the model and the fitted parameters fitted, the squared whitened residuals must add up to their
+degrees of freedom; without the true effects, the sum must be larger by d^2. Both are tested over many sets of each
+design. A generator that states a wrong d, noise or effect fails.
 """
 import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -23,11 +23,11 @@ from signatures import COARSE
 from truths import draw_truth, joint_change
 
 SETS, LENGTHS = 105, (5., 8., 12.)
-DEVIATIONS = 4.         # how far, in standard deviations of a fair draw, a sum may lie
+DEVIATIONS = 4.         # largest accepted deviation of a sum from its expectation, in standard deviations
 
 
 def residual(truth, readings, points, with_truth):
-    """Squared length of the whitened residual beyond the fitted parameters, and its degrees of freedom."""
+    """Returns the squared norm of the whitened residual after fitting the parameters, and its degrees of freedom."""
     design, scene = truth.design, truth.scene
     session = replace(design.session, q=readings)
     numbers = design.numbers(session)

@@ -1,7 +1,7 @@
-"""Three ways to take readings: the arm on a bench of known place, known holes from an unknown base, unknown points.
+"""Three measurement designs: the arm on a bench of known position, known holes from an unknown base, unknown points.
 
-Postures are those of work: the tool about level, so that its tip points up into a hole. A design knows nothing of
-effects; `reach` drives an arm with effects until the tip is where it should be.
+Postures are those of normal work, with the tool about level, so that its tip points up into a hole. A design does not
+depend on effects; `reach` moves an arm with effects until the tip is at the target.
 """
 from dataclasses import dataclass, replace
 
@@ -12,29 +12,29 @@ from effect_shapes import DEG, row_and_axis
 from rotations import cross
 from session import Session, draw_session
 
-# `identify` of the bench's and the bowl's cell
+# stiffnesses in the `identify` list of the bench cell and of the bowl cell
 IDENTIFIED = (("spring", "tool.z"), ("spring", "forearm.z"), ("rod", "latch-link.z"), ("rod", "mezzanine-beam.z"),
               ("spring", "mezzanine-beam.z"), ("spring", "mezzanine-platform.x"))
-FACE = 47.              # in, height of the holes' face above the base
+FACE = 47.              # in: height of the tube sheet's face above the base
 PITCH = 1.0625          # in
 SIGMA = {"bench": .003, "bowl": .005, "touch": .005}      # in
 STRETCHED = 15. * DEG
-ROUGHLY, NEARLY, EXACTLY = 1e-2, 1e-5, 1e-8      # in, how close `reach` brings the tip
+ROUGHLY, NEARLY, EXACTLY = 1e-2, 1e-5, 1e-8      # in: tolerances for the distance of the tip from a target in `reach`
 
 
 @dataclass
 class Design:
     kind: str                   # bench, bowl, touch
-    arm: object                 # with the true stiffnesses
-    session: Session            # at nominal readings
-    targets: np.ndarray         # (N, 3) in, world; None on the bench
-    tilt: np.ndarray            # (N,) rad, theta2 + theta3 + theta4 of the readings
+    arm: object                 # arm with the true stiffnesses
+    session: Session            # session at the nominal readings
+    targets: np.ndarray         # (N, 3) in, world frame; None on the bench
+    tilt: np.ndarray            # (N,) rad: theta2 + theta3 + theta4 of the readings
     point: np.ndarray           # (N,) index of the posture, hole or point
-    base_position: np.ndarray   # (3,) the true base in the cell's nominal one
-    base_turn: np.ndarray       # (3,)
+    base_position: np.ndarray   # (3,) position of the true base in the cell's nominal base frame
+    base_turn: np.ndarray       # (3,) rotation vector of the true base
 
     def numbers(self, session):
-        """The true arm without effects at a session's readings."""
+        """Returns the parameters of the true arm without effects at a session's readings."""
         numbers = Numbers.nominal(self.arm, session.q, session.load)
         numbers.base_position += self.base_position
         numbers.base_turn += self.base_turn
@@ -42,12 +42,12 @@ class Design:
 
 
 def identified(arm):
-    """The stiffnesses a fit frees, as (field, link, axis)."""
+    """Returns the stiffnesses that a fit frees, as (field, link, axis)."""
     return [(name, *row_and_axis(arm, place)) for name, place in IDENTIFIED]
 
 
 def true_arm(arm, rng, spread=.1):
-    """The arm with every identified stiffness off by up to a tenth."""
+    """Returns the arm with random errors of up to 10 % in every identified stiffness."""
     spring, rod = arm.spring.copy(), arm.rod.copy()
     for name, link, axis in identified(arm):
         (spring if name == "spring" else rod)[link, axis] /= 1. + spread * rng.uniform(-1., 1.)
@@ -55,13 +55,14 @@ def true_arm(arm, rng, spread=.1):
 
 
 def draw_design(kind, drawn, rng):
-    """A Design of a kind for the arm as drawn."""
+    """Returns a random Design of the given kind for the nominal arm."""
     arm = true_arm(drawn, rng)
     return {"bench": _bench, "bowl": _bowl, "touch": _touch}[kind](arm, rng)
 
 
 def _work_postures(arm, rng, count, tilt_spread):
-    """(count, 4) readings and tilts: tool about level, tip above the base's height and between 20 and 95 in away."""
+    """Returns joint readings, (count, 4), with the tool about level and the tip above the base at a distance between 20
+    and 95 in."""
     postures = np.empty((0, len(arm.joints)))
     while len(postures) < count:
         q = rng.uniform([-80., 30., -125., 0.], [80., 140., -20., 0.], (8 * count, 4)) * DEG
@@ -74,17 +75,18 @@ def _work_postures(arm, rng, count, tilt_spread):
 
 
 def within_limits(arm, q, margin=3. * DEG):
-    """(N,) whether every joint of a posture is inside its limits."""
+    """Returns for each posture whether all joints are within their limits by the margin, (N,)."""
     return np.all((q > arm.limits[:, 0] + margin) & (q < arm.limits[:, 1] - margin), axis=1)
 
 
 def _workable(arm, q):
-    """Within the limits and the elbow clearly bent: a stretched arm cannot be driven onto a point under every load."""
+    """Returns for each posture whether it is within the limits and has a clearly bent elbow, because a stretched arm
+    cannot reach a point under every load."""
     return within_limits(arm, q) & (np.abs(q[:, 2]) > STRETCHED)
 
 
 def _bench(arm, rng, postures=40, loads=(0., 20., 40.)):
-    tilt_spread = rng.choice([8., 30.], p=[.75, .25])      # deg: a bench leaves the tool free to lean
+    tilt_spread = rng.choice([8., 30.], p=[.75, .25])      # deg: on a bench the tool may tilt freely
     q = _work_postures(arm, rng, postures, tilt_spread).repeat(len(loads), axis=0)
     session = draw_session(q, np.tile(loads, postures), rng)
     point = np.arange(postures).repeat(len(loads))
@@ -112,7 +114,8 @@ def _bowl(arm, rng, holes=45, loads=(0., 30.)):
 
 
 def _touch(arm, rng, points=31):
-    """Each point under no load and under one or two others; every second from another elbow side or tilt as well."""
+    """Returns a design that touches each point without load and under one or two loads; every second point is also
+    touched with another elbow side or tilt."""
     first = _work_postures(arm, rng, 2 * points, 8.)
     tip = solve(arm, Numbers.nominal(arm, first, np.zeros(len(first))), 4).tip
     tilt = first[:, 1:].sum(1)
@@ -140,7 +143,8 @@ def _touch(arm, rng, points=31):
 
 
 def guess(arm, targets, tilt, elbow=-1.):
-    """Readings that bring the rigid tip near the targets, (N, 4); nan where out of reach. elbow: sign of theta3."""
+    """Returns readings that bring the rigid arm's tip near the targets, (N, 4); NaN where out of reach. `elbow` is the
+    sign of theta3."""
     ahead = targets[:, 0] - arm.a[1]
     radius, height = np.hypot(ahead, targets[:, 1]) - arm.a[3], targets[:, 2] - arm.d[2]
     wrist_r = radius - arm.tip[0] * np.cos(tilt) + arm.tip[1] * np.sin(tilt)
@@ -153,10 +157,10 @@ def guess(arm, targets, tilt, elbow=-1.):
 
 
 def reach(design, effects, targets=None, closeness=NEARLY, pieces=4, most=40):
-    """Readings (N, 4) that bring the measured tip of the arm with effects onto the targets at the design's tilts.
+    """Returns readings (N, 4) that bring the measured tip of the arm with effects to the targets at the design's tilts.
 
-    effects: [(effect, place, shape, size)]; closeness in in. Newton with the geometric Jacobian of the deflected arm,
-    from the session's readings. Rows that do not settle are nan.
+    effects: [(effect, place, shape, size)]; closeness: tolerance [in]. Newton's method with the geometric Jacobian of
+    the deflected arm, starting from the session's readings. Rows that do not converge are NaN.
     """
     targets = design.targets if targets is None else targets
     session, state = replace(design.session, q=design.session.q.copy()), None
@@ -176,7 +180,7 @@ def reach(design, effects, targets=None, closeness=NEARLY, pieces=4, most=40):
 
 
 def _joint_columns(arm, state):
-    """(N, 4, 4): the tip's and the tilt's change with each joint, deflections held."""
+    """Returns the derivatives of tip and tilt with respect to each joint at constant deflections, (N, 4, 4)."""
     columns = np.zeros((len(state.tip), 4, 4))
     for joint, row in enumerate(arm.joint_rows):
         columns[:, :3, joint] = cross(state.R_W[row][..., 2], state.tip - state.p_W[row])

@@ -1,8 +1,8 @@
-"""What each effect of the catalogue does to the arm's numbers, as `law(numbers, arm, session, place, shape, size)`.
+"""Laws of the catalogue's effects: `law(numbers, arm, session, place, shape, size)` changes the arm's parameters.
 
-Written from the catalogue's public description alone. Every law is linear in `size`. Conventions: true joint angle =
-reading + error; a force is in world axes, an offset in the tool's frame; a link's length and twist are those of the way
-to the next row's frame.
+The laws are written from the catalogue's public description alone. Every law is linear in `size`. Conventions: the true
+joint angle is reading + error; forces are in world axes, offsets in the tool's frame; the length and twist of a link
+are those from the link's frame to the next row's frame.
 """
 import numpy as np
 
@@ -10,7 +10,7 @@ from effect_shapes import DEG, row_and_axis
 from rotations import cross
 
 REFERENCE_TEMPERATURE = 68.     # degF
-SEATING_MOMENT = 5.             # lbf in: within it a clearance is being crossed
+SEATING_MOMENT = 5.             # lbf in: moment below which a joint with clearance is not seated on a side
 
 
 def joint_index(arm, place):
@@ -18,7 +18,7 @@ def joint_index(arm, place):
 
 
 def reading_error(error):
-    """The law that adds size times error(q of the joint, its sense of motion, shape), in rad, to a reading."""
+    """Returns the law that adds size times error(q, direction of motion, shape) [rad] to the angle of a joint."""
     def law(numbers, arm, session, place, shape, size):
         joint = joint_index(arm, place)
         numbers.q[:, joint] += size * error(session.q[:, joint], session.direction[:, joint], shape)
@@ -46,7 +46,8 @@ def twist(numbers, arm, session, place, shape, size):
 
 
 def lean(numbers, arm, session, place, shape, size):
-    """Turn the next frame about its own y before its joint turns it; its origin stays, so it must have no d."""
+    """Rotates the next frame about the frame's y axis before the joint rotation. The row must have d = 0, because the
+    origin is not moved."""
     row = arm.row(place) + 1
     theta = arm.theta[row] + numbers.q[:, list(arm.joint_rows).index(row)]
     numbers.turn[:, row, 0] += size * shape * DEG * np.sin(theta)
@@ -82,38 +83,38 @@ def press(numbers, arm, session, place, shape, size):
 
 
 def give(numbers, arm, session, place, shape, size):
-    """size: deg per 1,000 lbf in."""
+    """Adds compliance to an axis; size in deg per 1,000 lbf in."""
     row, axis = row_and_axis(arm, place)
     numbers.spring[:, row, axis] += size * 1e-3 * DEG
 
 
 def bend(numbers, arm, session, place, shape, size):
-    """size: 1 / in^4, with the arm file's modulus."""
+    """Adds bending compliance to a rod; size is 1 / I in 1/in^4, with the modulus of the arm file."""
     row, axis = row_and_axis(arm, place)
     numbers.rod[:, row, axis] += size / arm.modulus
 
 
 def twist_rod(numbers, arm, session, place, shape, size):
-    """size: 1e-6 / (lbf in^2)."""
+    """Adds torsional compliance to a rod; size in 1e-6 / (lbf in^2)."""
     numbers.rod[:, arm.row(place), 0] += size * 1e-6
 
 
 def soften(numbers, arm, session, place, shape, size):
-    """Below the knee (shape, lbf in) the axis is softer by size: K1 = K2 / (1 + size)."""
+    """Makes an axis softer below the knee moment `shape` [lbf in]: K1 = K2 / (1 + size)."""
     row, axis = row_and_axis(arm, place)
     numbers.soft[:, row, axis] = size * arm.spring[row, axis]
     numbers.knee[:, row, axis] = shape
 
 
 def loosen(numbers, arm, session, place, shape, size):
-    """A gap of size deg, half of it crossed to each side."""
+    """Adds a clearance of `size` deg to an axis, half of it to each side."""
     row, axis = row_and_axis(arm, place)
     numbers.soft[:, row, axis] = .5 * size * DEG / SEATING_MOMENT
     numbers.knee[:, row, axis] = SEATING_MOMENT
 
 
 def grow(numbers, arm, session, place, shape, size):
-    """The moving links' lengths, each standing in the row after its own, and the tool grow; size: 1e-6 per degF."""
+    """Expands the tool and the moving links, whose lengths are in the row after the link; size in 1e-6 per degF."""
     growth = size * 1e-6 * (session.temperature - REFERENCE_TEMPERATURE)[:, None]
     numbers.a[:, arm.joint_rows[0] + 1:] *= 1. + growth
     numbers.tip *= 1. + growth

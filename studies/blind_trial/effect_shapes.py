@@ -1,7 +1,7 @@
-"""Where effects can sit on an arm, and their shapes: all about an effect but its size.
+"""Places of effects on an arm, and their shapes: everything that defines an effect except its size.
 
 A drawing function takes (rng, arm, place, scene), a grouping function (arm, place, scene); scene is a signatures.Scene.
-A group lists shapes whose signatures together span one rival; several groups stand for a shape that must be searched.
+A group lists shapes whose signatures together span one rival. Several groups mean that the shape must be searched for.
 """
 import numpy as np
 
@@ -26,7 +26,8 @@ def all_joints(arm):
 
 
 def couplings(arm):
-    """A proximal drive's motion leaks into a distal one: cables and shafts run that way."""
+    """Returns the couplings of each joint to all joints nearer the base, whose motion affects it through cables and
+    shafts."""
     return [f"{arm.joints[i]}<-{arm.joints[j]}" for i in range(len(arm.joints)) for j in range(i)]
 
 
@@ -42,7 +43,7 @@ def clearances(arm):
     return springs(arm) + ["latch-link.z", "base-link.z", "base-link.y", "forearm.y"]
 
 
-# Shapes drawn
+# Drawing functions of random shapes
 
 def sign(rng, *_):
     return float(rng.choice([-1., 1.]))
@@ -57,7 +58,7 @@ def positive(*_):
 
 
 def direction(size):
-    """A drawing function of unit vectors."""
+    """Returns a drawing function of random unit vectors with `size` components."""
     def draw(rng, *_):
         vector = rng.normal(size=size)
         return vector / np.linalg.norm(vector)
@@ -69,12 +70,13 @@ def phase(rng, *_):
 
 
 def knee(rng, arm, place, scene):
-    """A moment, lbf in, that 15 to 70 % of the readings stay below."""
+    """Returns a knee moment [lbf in] that is not exceeded in 15 to 70 % of the readings."""
     return float(np.quantile(_moment_sizes(arm, place, scene), rng.uniform(.15, .7)))
 
 
 def slip(rng, *_):
-    """Share of the session at which the base steps, way, and yaw (rad) per inch; half the slips stay level."""
+    """Returns a base slip: the fraction of the session at which it occurs, its direction, and its yaw [rad/in]. Half of
+    the slips are horizontal."""
     shift = direction(3)(rng) * [1., 1., rng.choice([0., 1.])]
     return {"at": rng.uniform(.2, .8), "shift": shift, "yaw": rng.uniform(-.3, .3) * DEG}
 
@@ -84,7 +86,7 @@ def _moment_sizes(arm, place, scene):
     return np.abs(scene.moments[:, row, axis])
 
 
-# Shapes that span a rival
+# Grouping functions: shapes that span a rival
 
 def single(*_):
     return [[1.]]

@@ -1,7 +1,7 @@
-"""The catalogue of hidden effects: for each its places on the Cobra, its physical sizes, its law and its shape.
+"""Catalogue of hidden effects: places on the Cobra, physical sizes, law and shapes of each effect.
 
-An effect acts through `apply(numbers, arm, session, place, shape, size)`; size lies in [low, high] of `unit`. The size
-of a compliance is its inverse stiffness, so that a size of nought is always no effect.
+An effect acts through `apply(numbers, arm, session, place, shape, size)`, with size in [low, high] in the unit `unit`.
+The size of a compliance is the inverse of the stiffness, so that size 0 always means no effect.
 """
 from dataclasses import dataclass
 from typing import Callable
@@ -16,11 +16,11 @@ EVERYWHERE, ABSOLUTE = ("bench", "bowl", "touch"), ("bench", "bowl")      # desi
 @dataclass(frozen=True)
 class Effect:
     name: str
-    places: Callable            # arm -> places on it
+    places: Callable            # arm -> possible places of the effect
     low: float
     high: float
     unit: str
-    apply: Callable             # changes the numbers it is given
+    apply: Callable             # law: changes the arm's parameters in place
     parameters: Callable        # (arm, place, shape, size) -> names and values for the truth file
     shapes: Callable            # (rng, arm, place, scene) -> a random shape
     groups: Callable = None     # (arm, place, scene) -> groups of shapes, each spanning one rival
@@ -60,9 +60,9 @@ LEANING = at("latch-link", "forearm")
 BENT = at("mezzanine-beam.y", "base-link.y", "base-link.z", "latch-link.y", "forearm.y", "forearm.z", "tool.z")
 HARMONIC, SHARE, VECTOR = (_harmonic, phase, two_phases), (_signed("share"), sign, single), (direction(3), span(3))
 
-# Sizes: angles off by a few to a hundred times a reading's noise; lengths 0.1 to 2 mm; weights and pulls of a hose or a
-# fitting; K 1,500 to 300,000 lbf in/deg; I 0.1 to 10 in^4; GJ 2e5 to 4e7 lbf in^2; stiffening K2/K1 - 1, 0.6 for a
-# harmonic drive, more for a worn one; growth from a fifth of aluminium's to twice it.
+# Sizes: angle errors of a few to a hundred times the noise of a reading; lengths 0.1 to 2 mm; weights and forces of a
+# hose or a fitting; K 1,500 to 300,000 lbf in/deg; I 0.1 to 10 in^4; GJ 2e5 to 4e7 lbf in^2; stiffening K2/K1 - 1 of
+# 0.6 for a harmonic drive, more for a worn drive; thermal expansion of 0.2 to 2 times that of aluminium.
 CATALOGUE = (
     Effect("joint-offset", all_joints, .01, .3, "deg", laws.offset, _signed("offset_deg"), sign, single),
     Effect("joint-scale", all_joints, 2e-4, 5e-3, "1", laws.scale, *SHARE),

@@ -5,7 +5,7 @@ SPEC is a list such as null=24,null-outliers=4,null-heavy-tails=4,single=60,pair
 what `tubeplan diagnose` gets, DIR/NAME/truth.json what it must not see. The same seed gives the same sets.
 """
 import os
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")      # small matrices: threads only get in each other's way
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")      # matrices are small, so that threads only slow each other down
 
 import argparse
 import collections
@@ -25,7 +25,7 @@ from effects import CATALOGUE
 from odd_effects import ODD
 from truths import NoPlace, draw_truth, joint_change, lengths_beside, rivals_of, twins
 
-SINGLE_D = (5., 8., 12., 20., None)      # None: a physical size as it comes
+SINGLE_D = (5., 8., 12., 20., None)      # wanted d; None: physical size, whatever d results
 ODD_D = (8., 12., 20., None)
 PAIR_D = (8., 12., 20.)
 TRIPLE_D = (12., 20.)
@@ -34,7 +34,7 @@ HEADER = ("id,kind,point,load_lbf,{joints},x_in,y_in,z_in,sigma_in,{directions},
 
 
 def recipes(spec, rng):
-    """[(stratum, effects, wanted lengths d)] in random order; effects and strata take turns, so that all occur."""
+    """Returns [(stratum, effects, wanted lengths d)] in random order, in which all effects and strata occur."""
     made = []
     for kind, count in spec.items():
         for k in range(count):
@@ -58,7 +58,8 @@ def _stratum(kind, d):
 
 
 def noise(rng, count, stratum):
-    """(count, 3) unit noise of the measured tip: Gaussian, with 10-sigma outliers, or Student's t of unit variance."""
+    """Returns noise of unit variance for the measured tip, (count, 3): Gaussian, Gaussian with 10-sigma outliers, or
+    Student's t."""
     if stratum == "null-heavy-tails":
         return rng.standard_t(TAIL_FREEDOM, (count, 3)) / np.sqrt(TAIL_FREEDOM / (TAIL_FREEDOM - 2.))
     unit = rng.normal(size=(count, 3))
@@ -70,7 +71,8 @@ def noise(rng, count, stratum):
 
 
 def measure(truth, rng):
-    """(recorded readings (N, J), recorded points (N, 3) or None), by the fine rods; None where the arm cannot do it."""
+    """Returns recorded readings (N, J) and recorded points (N, 3) or None, computed with fine rods; None alone if the
+    arm cannot reach the targets."""
     design, session = truth.design, truth.design.session
     parts = [part.parts for part in truth.hidden]
     disturbance = SIGMA[design.kind] * noise(rng, len(session.q), truth.stratum)
@@ -92,7 +94,7 @@ def measure(truth, rng):
 
 
 def truth_content(truth, seed, arm):
-    """What truth.json holds."""
+    """Returns the content of truth.json."""
     design, hidden = truth.design, truth.hidden
     change = joint_change(truth) if hidden else np.zeros((len(design.session.q), 3))
     content = {
@@ -112,7 +114,7 @@ def truth_content(truth, seed, arm):
 
 
 def write_set(folder, truth, readings, points, content):
-    """The two files of a set, in the practice sets' format."""
+    """Writes the two files of a set in the format of the practice sets."""
     design, session, arm = truth.design, truth.design.session, truth.design.arm
     kind, prefix = ("position", "P") if design.kind == "bench" else ("touch", "H")
     joints, directions = (",".join(f"{name}_{what}" for name in arm.joints) for what in ("deg", "dir"))
@@ -129,7 +131,7 @@ def write_set(folder, truth, readings, points, content):
 
 
 def make_set(out, index, recipe, seed, arm):
-    """One set; returns its truth file's content."""
+    """Generates one set and returns the content of its truth file."""
     stratum, effects, wanted = recipe
     rng = np.random.default_rng([seed, index])
     while True:

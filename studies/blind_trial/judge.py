@@ -21,14 +21,14 @@ SEPARABLE, STRANGE = .99, .9
 
 
 def share(part, whole):
-    """`18/20 90 %`, or a dash where there is nothing to count."""
+    """Returns a count such as `18/20 90 %`, or a dash if there are no cases."""
     whole = list(whole)
     count = sum(1 for case in whole if part(case))
     return f"{count}/{len(whole)} {100. * count / len(whole):.0f} %" if whole else "-"
 
 
 def held_out_ratio(case):
-    """Held-out error after the answer over the noise floor, or None."""
+    """Returns the ratio of the held-out error after the answer to the noise floor, or None if unknown."""
     rms = case.answer.get("rms") or {}
     floor, after = rms.get("noise_floor"), rms.get("heldout_after")
     return after / floor if floor and after else None
@@ -40,7 +40,7 @@ def median(values):
 
 
 def stratum_row(stratum, cases):
-    """The figures of one stratum as a list of words."""
+    """Returns the results of one stratum as a list of texts."""
     null, odd = cases[0].kind == "null", cases[0].kind == "odd"
     pair, known = cases[0].kind == "pair", cases[0].kind in ("single", "pair")
     def only(when, part, whole=cases): return share(part, whole) if when else ""
@@ -64,7 +64,7 @@ def print_table(rows):
 
 
 def covered(case):
-    """For each number of the true effect as the answer fitted it: whether its 95 % interval holds the true one."""
+    """Returns for each fitted parameter of the true effect whether the 95 % interval contains the true value."""
     if case.kind != "single":
         return []
     hidden = case.truth["hidden"][0]
@@ -78,9 +78,10 @@ def covered(case):
 
 
 def calibration(cases, bins=10, draws=400):
-    """The expected calibration error of the first candidate's probability: is it the truth as often as it says?
+    """Returns the expected calibration error of the first candidate's probability, and a reference value.
 
-    Beside it what exact probabilities would show over so few sets: truths drawn by those that were stated.
+    The reference is the calibration error of exact probabilities for the same number of sets, simulated with truths
+    drawn from the stated probabilities.
     """
     stated = []
     for case in cases:
@@ -104,7 +105,7 @@ def calibration(cases, bins=10, draws=400):
 
 
 def said(case):
-    """The answer as one label."""
+    """Returns the answer as a single label."""
     if case.verdict == "ambiguous":
         return "A or B, truth among" if case.within else "A or B, truth not among"
     if not case.named:
@@ -115,7 +116,7 @@ def said(case):
 
 
 def print_confusion(cases):
-    """Truth, then the answers given to it, most frequent first."""
+    """Returns the answers given to each truth, most frequent first."""
     table = collections.defaultdict(collections.Counter)
     for case in cases:
         truth = " + ".join(sorted(effect for effect, _ in case.wanted)) if case.kind != "pair" else "(pairs)"

@@ -18,7 +18,8 @@ from arm_description import CELLS
 
 
 def improved(program, cells, folder, timeout):
-    """(hidden, added, other names of those) as sets of `effect@place`; added is None where the program failed."""
+    """Returns (hidden effects, added effects, other names of the added effects) as sets of `effect@place`; the added
+    effects are None if the program failed."""
     truth = json.loads((folder / "truth.json").read_text())
     hidden = {f"{part['effect']}@{part['at']}" for part in truth["hidden"]}
     cell = cells / ("bowl.yaml" if truth["design"] == "bowl" else "bench.yaml")

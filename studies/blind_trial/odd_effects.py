@@ -1,4 +1,4 @@
-"""Effects that the catalogue does not hold. Same interface as effects.Effect, without groups: nobody fits these."""
+"""Effects outside the catalogue, with the interface of effects.Effect but no groups, because no model fits them."""
 import numpy as np
 
 from effect_laws import REFERENCE_TEMPERATURE, joint_index
@@ -38,14 +38,14 @@ def _tip_wave(rng, *_):
 # Laws
 
 def _bump(numbers, arm, session, place, shape, size):
-    """A worn tooth: the reading is off near one angle only."""
+    """Worn tooth: error of the reading near one angle only."""
     joint = joint_index(arm, place)
     away = (session.q[:, joint] / DEG - shape["centre_deg"]) / shape["width_deg"]
     numbers.q[:, joint] += size * DEG * shape["sign"] * np.exp(-.5 * away ** 2)
 
 
 def _product(numbers, arm, session, place, shape, size):
-    """A reading's error that goes with the product of two joints (60 deg each gives the size)."""
+    """Error of a reading proportional to the product of two joint angles (equal to size at 60 deg each)."""
     to, source = (joint_index(arm, name) for name in place.split("*"))
     numbers.q[:, to] += size * DEG * shape * session.q[:, to] * session.q[:, source] / (60. * DEG) ** 2
 
@@ -56,50 +56,50 @@ def _third_harmonic(numbers, arm, session, place, shape, size):
 
 
 def _azimuth_stiffness(numbers, arm, session, place, shape, size):
-    """A mount that is softer towards one azimuth of the arm, once or twice per turn."""
+    """Mount whose compliance varies with the azimuth of the arm, once or twice per turn."""
     row, axis = row_and_axis(arm, place)
     numbers.spring[:, row, axis] *= 1. + size * np.cos(shape["cycles"] * session.q[:, 0] - shape["phase"])
 
 
 def _memory(numbers, arm, session, place, shape, size):
-    """The joint keeps something of where it was: an error that saturates with the reading's last change."""
+    """Memory of a joint: an error that saturates with the last change of the reading."""
     joint = joint_index(arm, place)
     before = np.concatenate([session.q[:1, joint], session.q[:-1, joint]])
     numbers.q[:, joint] += size * DEG * shape * np.tanh((before - session.q[:, joint]) / (20. * DEG))
 
 
 def _load_squared(numbers, arm, session, place, shape, size):
-    """An axis that turns with the square of the hung load (40 lbf gives the size)."""
+    """Rotation of an axis with the square of the suspended load (equal to size at 40 lbf)."""
     row, axis = row_and_axis(arm, place)
     numbers.turn[:, row, axis] += size * DEG * shape * (session.load / 40.) ** 2
 
 
 def _wandering_tip(numbers, arm, session, place, shape, size):
-    """The tool's place in its holder depends on how the forearm stands."""
+    """Displacement of the tool in its holder that depends on the angle of the forearm."""
     numbers.tip += size * np.sin(3. * session.q[:, 2] + shape["phase"])[:, None] * shape["direction"]
 
 
 def _sway(numbers, arm, session, place, shape, size):
-    """The base sways slowly."""
+    """Slow oscillation of the base."""
     wave = np.sin(TWO_PI * shape["cycles"] * session.elapsed + shape["phase"])
     numbers.base_position += size * wave[:, None] * shape["direction"]
 
 
 def _warm_softening(numbers, arm, session, place, shape, size):
-    """An axis that grows softer with temperature (10 degF gives the size)."""
+    """Axis whose compliance increases with temperature (by size at 10 degF)."""
     row, axis = row_and_axis(arm, place)
     numbers.spring[:, row, axis] *= 1. + size * (session.temperature - REFERENCE_TEMPERATURE) / 10.
 
 
 def _lens(numbers, arm, session, place, shape, size):
-    """The measuring instrument's scale depends on the reach, up and down again every 30 in."""
+    """Scale error of the measuring instrument that varies periodically with the reach, with a period of 30 in."""
     elbow, wrist = session.q[:, 1], session.q[:, 1] + session.q[:, 2]
     reach = arm.a[3] + arm.a[4] * np.cos(elbow) + arm.a[5] * np.cos(wrist) + arm.tip[0]
     numbers.stretch += (size * shape * np.sin(TWO_PI * reach / 30.))[:, None]
 
 
 def _half_range_hysteresis(numbers, arm, session, place, shape, size):
-    """An error by the sense of motion that only the far half of a joint's range shows."""
+    """Error depending on the direction of motion, in only one half of a joint's range."""
     joint = joint_index(arm, place)
     far = session.q[:, joint] > shape["beyond_deg"] * DEG
     numbers.q[:, joint] += size * DEG * session.direction[:, joint] * far

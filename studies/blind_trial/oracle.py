@@ -21,11 +21,11 @@ import sys
 from arm_description import CELLS
 from true_numbers import true_numbers
 
-CLOSE = 1.   # of log weight: fits end so near each other
+CLOSE = 1.   # difference in log weight below which two fits have reached the same optimum
 
 
 def hidden_texts(truth):
-    """As `true_evidence` wants them: with the sizes that have a name in the program."""
+    """Yields the hidden effects in the input format of `true_evidence`, with the sizes that the program can name."""
     for part in truth["hidden"]:
         numbers = true_numbers(part["effect"], part["parameters"])
         sizes = ",".join(f"{name}={value!r}" for name, value in numbers.items())
@@ -42,13 +42,13 @@ def ask(program, cells, folder):
 
 
 def holds(wanted, model):
-    """Whether a model has the wanted effects and no others, by any of their names."""
+    """Returns True if a model has exactly the wanted effects, under any of their equivalent names."""
     return len(model["effects"]) == len(wanted) and all(any(name in names for names in model["effects"])
                                                          for name in wanted)
 
 
 def cause_of_loss(wanted, answer):
-    """(one word, log weight of the truth less that of the best model that was found)."""
+    """Returns a one-word judgement and the log weight of the true model minus that of the best model found."""
     best = answer["found"][0]
     ahead = answer["truth"][0]["log_weight"] - best["log_weight"] if answer["truth"][0]["effects"] else float("-inf")
     if any(holds(wanted, alternative) for alternative in answer["alternatives"]):

@@ -1,9 +1,9 @@
-"""Rotations of stacks: any number of leading axes, the last one or two hold the vector or the matrix."""
+"""Rotations of stacked arrays: any number of leading axes; the last axis or two are those of the vector or matrix."""
 import numpy as np
 
 
 def cross(u, v):
-    """u x v, broadcast over the leading axes."""
+    """Returns u x v, broadcast over the leading axes."""
     u, v = np.broadcast_arrays(u, v)
     out = np.empty(u.shape)
     out[..., 0] = u[..., 1] * v[..., 2] - u[..., 2] * v[..., 1]
@@ -13,17 +13,17 @@ def cross(u, v):
 
 
 def turned(R, v):
-    """R v."""
+    """Returns R v."""
     return np.matmul(R, v[..., None])[..., 0]
 
 
 def turned_back(R, v):
-    """Transpose of R, times v."""
+    """Returns R^T v."""
     return np.matmul(v[..., None, :], R)[..., 0, :]
 
 
 def exponential(phi):
-    """The rotation about phi by |phi| rad (Rodrigues), (..., 3) -> (..., 3, 3)."""
+    """Returns the rotation matrix about phi by |phi| rad (Rodrigues), (..., 3) -> (..., 3, 3)."""
     angle = np.sqrt((phi * phi).sum(-1))
     sine = np.sinc(angle / np.pi)                       # sin(angle) / angle
     versed = .5 * np.sinc(angle / (2. * np.pi)) ** 2    # (1 - cos(angle)) / angle^2
@@ -39,7 +39,7 @@ def exponential(phi):
 
 
 def link_rotation(alpha, theta):
-    """Turn by alpha about x, then by theta about the new z: (N,), (N,) -> (N, 3, 3)."""
+    """Returns the rotation by alpha about x, then by theta about the new z: (N,), (N,) -> (N, 3, 3)."""
     ca, sa, ct, st = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
     R = np.empty(alpha.shape + (3, 3))
     R[..., 0, 0], R[..., 0, 1], R[..., 0, 2] = ct, -st, 0.

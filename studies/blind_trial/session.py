@@ -1,4 +1,4 @@
-"""One measuring session: the readings in the order taken and what was known of each."""
+"""One measuring session: the readings in the order taken, with the recorded conditions of each."""
 from dataclasses import dataclass
 
 import numpy as np
@@ -6,21 +6,22 @@ import numpy as np
 
 @dataclass
 class Session:
-    """N readings. q is what the encoders say; the true angles are q plus whatever an effect adds."""
+    """N readings. q holds the encoder angles; the true angles are q plus the errors that effects add."""
     q: np.ndarray             # (N, J) rad
     load: np.ndarray          # (N,) lbf
-    direction: np.ndarray     # (N, J) -1 or +1: sense of each joint's last motion
+    direction: np.ndarray     # (N, J) -1 or +1: direction of each joint's last motion
     temperature: np.ndarray   # (N,) degF
     time: np.ndarray          # (N,) minutes
 
     @property
     def elapsed(self):
-        """Share of the session that has passed at each reading, 0 to 1."""
+        """Fraction of the session elapsed at each reading, 0 to 1."""
         return self.time / self.time[-1]
 
 
 def draw_session(q, load, rng):
-    """Readings some two minutes apart in a hall that warms or cools by 8 to 28 degF; random senses of motion."""
+    """Returns readings about two minutes apart in a hall that warms or cools by 8 to 28 degF, with random directions of
+    motion."""
     count = len(q)
     time = np.concatenate([[0.], np.cumsum(rng.uniform(1., 3., count - 1))]).round(1)
     phase, swing = rng.uniform(-.5, .3) * np.pi, rng.uniform(.6, 1.2) * np.pi

@@ -1,8 +1,9 @@
-"""What an effect leaves in the readings once the fitted parameters have absorbed what they can.
+"""Signatures: the part of an effect in the readings that the fitted parameters cannot absorb.
 
-A Scene is one session on one arm: the tip at every reading, its noise, and how it moves with every number of the arm
-(differences of the rod model, in one batch). From it come the fitted parameters' columns, the length d of a signature
-beyond them in noise sigmas, and its likeness to the signatures of rivals.
+A Scene is one session on one arm: the tip at every reading, the noise, and the derivatives of the tip with respect to
+every parameter of the arm (finite differences of the rod model, in one batch). It yields the Jacobian columns of the
+fitted parameters, the length d of a signature orthogonal to these columns in noise sigmas, and the correlation of the
+signature with the signatures of rivals.
 """
 from dataclasses import dataclass, fields
 
@@ -11,17 +12,17 @@ import numpy as np
 from arm_physics import Numbers, measured, solve, spring_turn
 from rotations import turned
 
-COARSE = 4              # pieces of a rod here: within 1e-6 in of the fine rod
-SPARE_RODS = ((2, 0), (2, 1), (2, 2), (4, 0), (4, 1), (4, 2), (5, 2))     # (row, axis) that only effects bend
+COARSE = 4              # pieces of a rod in this module: the tip is within 1e-6 in of that with fine rods
+SPARE_RODS = ((2, 0), (2, 1), (2, 2), (4, 0), (4, 1), (4, 2), (5, 2))     # (row, axis) of rods that only effects make compliant
 USUAL_RODS = ((0, 0), (0, 1), (0, 2), (3, 0), (3, 1), (3, 2))
 STEP = {"q": 1e-4, "turn": 1e-4, "alpha": 1e-4, "base_turn": 1e-4, "gravity_tilt": 1e-3, "a": 1e-3, "tip": 1e-3,
         "base_position": 1e-3, "rod": 1e-9, "distributed": 1e-2, "end_weight": 1e-1, "end_force": 1e-1,
         "payload_offset": 1e-2, "stretch": 1e-5}
-STEP_TOLERANCE = 1e-7   # in, where a step moves the tip by some 1e-2
+STEP_TOLERANCE = 1e-7   # in: tolerance of the equilibrium; a difference step moves the tip by about 1e-2 in
 
 
 def _primitives(arm):
-    """The numbers that effects or fits may change, as (field, index)."""
+    """Returns the parameters that effects or fits may change, as (field, index)."""
     joints, links = len(arm.joints), len(arm.links)
     plain = [("q", (j,)) for j in range(joints)] + [("gravity_tilt", (k,)) for k in range(2)] + [("stretch", (0,))]
     plain += [(name, (k,)) for name in ("tip", "payload_offset", "base_position", "base_turn") for k in range(3)]
@@ -34,24 +35,24 @@ def _primitives(arm):
 
 @dataclass
 class Scene:
-    arm: object                  # with its true stiffnesses
+    arm: object                  # arm with the true stiffnesses
     session: object
-    point: np.ndarray            # (N,) index of the touched point, or None where the tip is measured or the point known
+    point: np.ndarray            # (N,) index of the touched point; None if the tip is measured or the points are known
     base_fitted: bool
-    numbers: Numbers             # without effects
-    rest: object                 # Equilibrium of these numbers
-    tip: np.ndarray              # (N, 3) as measured
-    slopes: dict                 # (field, index) -> (N, 3)
-    whitening: np.ndarray        # (N, 3, 3)
-    fitted: np.ndarray           # (3N, p) orthonormal columns of what is fitted
+    numbers: Numbers             # parameters without effects
+    rest: object                 # Equilibrium without effects
+    tip: np.ndarray              # (N, 3) measured tip without effects
+    slopes: dict                 # (field, index) -> derivative of the tip, (N, 3)
+    whitening: np.ndarray        # (N, 3, 3) inverse Cholesky factor of each reading's covariance
+    fitted: np.ndarray           # (3N, p) orthonormal basis of the fitted parameters' whitened columns
 
     @property
     def moments(self):
-        """(N, L, 3) lbf in, without effects."""
+        """Moments without effects, (N, L, 3) [lbf in]."""
         return self.rest.moments
 
     def difference(self, changed):
-        """The tip's movement when the arm's numbers change from `numbers` to `changed`, to first order, (N, 3)."""
+        """Returns the first-order tip movement when the parameters change from `numbers` to `changed`, (N, 3)."""
         moved = np.zeros_like(self.tip)
         for name, change in self._changes(changed).items():
             for index in zip(*np.nonzero(np.any(change, axis=0))):
@@ -65,18 +66,18 @@ class Scene:
         return changes
 
     def beyond(self, tip_change):
-        """The whitened signature (3N,) without what the fitted parameters absorb; its length is d."""
+        """Returns the whitened signature (3N,) without the part that the fitted parameters absorb; its norm is d."""
         whitened = turned(self.whitening, tip_change).ravel()
         return whitened - self.fitted @ (self.fitted.T @ whitened)
 
     def exact_change(self, numbers):
-        """The tip's movement by solving the changed arm, (N, 3), or None where no equilibrium was found."""
+        """Returns the exact tip movement of the changed arm, (N, 3), or None if no equilibrium was found."""
         solution = solve(self.arm, numbers, COARSE, self.rest, tolerance=1e-7)
         return measured(numbers, solution) - self.tip if solution.converged else None
 
 
 def linearise(arm, session, numbers, sigma, joint_sigma, identified, point=None, base_fitted=False):
-    """The Scene of a session; identified: (field, link, axis) of the stiffnesses that a fit frees."""
+    """Returns the Scene of a session; identified: (field, link, axis) of the stiffnesses that a fit frees."""
     base = solve(arm, numbers, COARSE)
     slopes = _slopes(arm, numbers, base, _primitives(arm))
     slopes |= _slopes(arm, numbers, base, [("rod", index) for index in SPARE_RODS])
@@ -120,7 +121,8 @@ def _point_columns(whitening, point):
 
 
 def orthonormal(columns, floor=1e-9):
-    """An orthonormal base of the columns' span; columns are scaled first, directions weaker than floor are left out."""
+    """Returns an orthonormal basis of the span of the normalised columns, without directions whose singular value
+    relative to the largest is below `floor`."""
     lengths = np.linalg.norm(columns, axis=0)
     columns = columns[:, lengths > 0.] / lengths[lengths > 0.]
     left, values, _ = np.linalg.svd(columns, full_matrices=False)
@@ -128,22 +130,22 @@ def orthonormal(columns, floor=1e-9):
 
 
 def effect_change(scene, effect, place, shape, size):
-    """First-order tip movement of an effect, (N, 3)."""
+    """Returns the first-order tip movement of an effect, (N, 3)."""
     return scene.difference(with_effect(scene, effect, place, shape, size))
 
 
 def with_effect(scene, effect, place, shape, size):
-    """The scene's numbers with an effect in them."""
+    """Returns the scene's parameters with an effect applied."""
     numbers = scene.numbers.tiled(1)
     effect.apply(numbers, scene.arm, scene.session, place, shape, size)
     return numbers
 
 
 def rival_bases(scene, catalogue, kept=1e-4):
-    """Every catalogue effect at every place as (effect, place, orthonormal columns beyond the fitted ones).
+    """Yields every catalogue effect at every place as (effect, place, orthonormal columns beyond the fitted columns).
 
-    Several where its shape must be searched. A direction of which the fitted parameters leave less than `kept` is no
-    rival: nothing of it could be seen.
+    An effect whose shape must be searched for yields several entries. Directions of which the fitted parameters leave
+    a fraction below `kept` are omitted, because they are not observable.
     """
     for effect in catalogue:
         for place in effect.places(scene.arm):
@@ -157,9 +159,9 @@ def rival_bases(scene, catalogue, kept=1e-4):
 
 
 def closest_rival(signature, rivals, without=(), most_columns=np.inf):
-    """The rival most like this projected signature, among those with few enough columns.
+    """Returns the rival with the highest correlation to a projected signature, among rivals with few enough columns.
 
-    `without` lists (effect name, place) to leave out.
+    `without` lists the (effect name, place) to omit.
     """
     best = {"effect": "", "at": "", "correlation": 0., "columns": 0}
     for effect, place, columns in rivals:

@@ -32,13 +32,13 @@ from signatures import linearise
 
 CELL = CELLS / "mockup.yaml"
 WITHIN = .03
-CANDIDATES = 150        # spread holes to draw from
-UNSEEN = ("thermal-growth", "base-slip", "base-drift", "scale-error")      # of time, or of an instrument that is not used
+CANDIDATES = 150        # number of spread holes from which holes are drawn
+UNSEEN = ("thermal-growth", "base-slip", "base-drift", "scale-error")      # effects of time or of an unused instrument
 KINDS = {"mixed": (0, 2), "effects": (1, 2), "odd": (1, 1), "stiffnesses": (0, 0)}
 
 
 def to_base(places):
-    """Sheet coordinates, in, as seen from the nominal base, which is turned by -90 deg about z."""
+    """Converts sheet coordinates [in] to the nominal base frame, which is rotated by -90 deg about z."""
     x, y, z = (np.asarray(places) - yaml.safe_load(CELL.read_text())["base"]["position"]).T
     return np.stack([-y, x, z], axis=1)
 
@@ -46,11 +46,11 @@ def to_base(places):
 def plan(program, words, folder, cell=CELL):
     done = subprocess.run([program, "plan", str(cell)] + words + ["--out", "plan"], cwd=folder, capture_output=True, text=True)
     path = pathlib.Path(folder) / "plan/plan.json"
-    return json.loads(path.read_text()) if path.exists() else None      # such touches are refused
+    return json.loads(path.read_text()) if path.exists() else None      # None: the program refused the touches
 
 
 def draw_effects(scene, arm, rng, hidden):
-    """[(effect, place, shape, size)] at work that needs neither clock nor thermometer."""
+    """Returns random hidden effects [(effect, place, shape, size)] that depend on neither time nor temperature."""
     fewest, most = KINDS[hidden]
     usual = [effect for effect in CATALOGUE if effect.name not in UNSEEN]
     found = []
@@ -64,7 +64,7 @@ def draw_effects(scene, arm, rng, hidden):
 
 
 def draw_holes(holes, count, touches, rng):
-    """Indices of holes, the touched ones first and at least 20 in apart."""
+    """Returns random hole indices, first those of the touched holes, which are at least 20 in apart."""
     while True:
         chosen = rng.permutation(len(holes))[:count]
         places = np.array([holes[k]["hole"] for k in chosen[:touches]])
@@ -82,7 +82,7 @@ def touches_csv(chosen, session, sigma):
 
 
 def steps_inserted(tool, offset, lean):
-    """How many steps of the tool go in: the offset within each step's tolerance at its top and at its bottom."""
+    """Returns the number of steps that enter the hole: the offset at both ends of each step is within tolerance."""
     below = entered = 0
     for step, length in zip(tool["steps"], tool["lengths"]):
         for depth in (below, below + length):
@@ -93,7 +93,7 @@ def steps_inserted(tool, offset, lean):
 
 
 def trial(program, holes, asked, seed):
-    """Sums over the visited holes: predicted and happened by number of steps; None where nothing was calibrated."""
+    """Returns the predicted and observed numbers of visited holes per number of steps; None if calibration failed."""
     rng = np.random.default_rng([asked.seed, seed])
     drawn_arm = read_arm()
     arm, tool = true_arm(drawn_arm, rng), yaml.safe_load(CELL.read_text())["calibration_tool"]
@@ -119,7 +119,7 @@ def trial(program, holes, asked, seed):
 
 
 def steps_by(design, hidden, visits, tool, rng):
-    """How many of the planned visits the true arm of a design makes with 0, 1, ... steps inserted."""
+    """Returns the numbers of planned visits at which the design's true arm inserts 0, 1, ... steps."""
     q = np.radians([tube["joints"] for tube in visits])
     q = q + rng.normal(0., design.arm.encoder_sigma, q.shape)
     at_work = draw_session(q, np.zeros(len(q)), rng)
@@ -136,7 +136,7 @@ def steps_by(design, hidden, visits, tool, rng):
 
 
 def tool_axis(arm):
-    """The calibration tool's axis in the last frame: square to the tool link, as the tip stands on it."""
+    """Returns the calibration tool's axis in the last frame, perpendicular to the tool link towards the tip."""
     return np.array([0., 1., 0.]) * np.sign(arm.tip[1])
 
 

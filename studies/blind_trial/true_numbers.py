@@ -1,11 +1,13 @@
-"""The numbers of a hidden effect as the program names them, in the units it answers in (inch, degree, pound-force, degF)."""
+"""Parameters of a hidden effect under the program's names, in the units of the program's answers (inch, degree,
+pound-force, degF)."""
 import math
 
 from arm_description import read_arm
 
 
 def true_numbers(effect, of):
-    """Numbers that have a counterpart, by the program's names; those of vectors in frames of the generator's own have none."""
+    """Returns the parameters that have a counterpart in the program, keyed by the program's names. Components of
+    vectors in the generator's frames have no counterpart."""
     if effect in ("encoder-eccentricity", "transmission-error"):
         phase = math.radians(of["phase_deg"])
         return {"sine": of["amplitude_deg"] * math.cos(phase), "cosine": of["amplitude_deg"] * math.sin(phase)}

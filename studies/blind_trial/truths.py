@@ -1,4 +1,4 @@
-"""What is hidden in a set: effects with a place, a shape and a size that gives their signature a wanted length d."""
+"""The hidden truth of a set: effects with place, shape, and a size at which the signature has a wanted length d."""
 from dataclasses import dataclass
 import itertools
 
@@ -9,15 +9,15 @@ from effects import CATALOGUE
 from signatures import closest_rival, linearise, orthonormal, rival_bases, with_effect
 
 DESIGN_SHARES = {"bench": .45, "bowl": .35, "touch": .2}
-SMALLEST = .05              # times an effect's low size: how far scaling may go down
-LEAST_PHYSICAL_D = 2.       # an effect of physical size that leaves less is drawn again: nothing could be said of it
-D_AIM, D_CLOSENESS = 1.005, .004        # a little above the wanted d, so that a set of d 8 is not one below 8
-PAIR_LIKENESS = .9          # two hidden effects more alike than this are drawn again
+SMALLEST = .05              # smallest size after scaling, as a fraction of the effect's low size
+LEAST_PHYSICAL_D = 2.       # an effect of physical size with a smaller d is not observable and is drawn again
+D_AIM, D_CLOSENESS = 1.005, .004        # target and tolerance, as factors of the wanted d, so that d is not below it
+PAIR_LIKENESS = .9          # two hidden effects with a higher correlation are drawn again
 PLACES_TRIED, DESIGNS_TRIED = 5, 12
 
 
 class NoPlace(RuntimeError):
-    """No design and place shows these effects together as long as wanted."""
+    """Raised if no design and place gives the effects the wanted lengths d."""
 
 
 @dataclass
@@ -26,17 +26,17 @@ class Hidden:
     place: str
     shape: object
     size: float
-    scale: float                # size over the size first drawn
-    signature: np.ndarray       # (3N,) whitened, beyond what is fitted
+    scale: float                # ratio of the size to the size drawn first
+    signature: np.ndarray       # (3N,) whitened signature, orthogonal to the fitted parameters
     d: float
 
     @property
     def parts(self):
-        """As `apply` wants them."""
+        """Returns (effect, place, shape, size), the arguments of `apply`."""
         return self.effect, self.place, self.shape, self.size
 
     def entry(self, arm):
-        """As the truth file has it."""
+        """Returns the effect in the format of the truth file."""
         parameters = self.effect.parameters(arm, self.place, self.shape, self.size)
         return {"effect": self.effect.name, "at": self.place, "parameters": parameters}
 
@@ -50,7 +50,7 @@ class Truth:
 
 
 def draw_scene(drawn_arm, designs, rng):
-    """A random design among those named, and its Scene."""
+    """Returns a random design of one of the given kinds, and its Scene."""
     shares = np.array([DESIGN_SHARES[kind] for kind in designs])
     kind = str(rng.choice(designs, p=shares / shares.sum()))
     design = draw_design(kind, drawn_arm, rng)
@@ -61,9 +61,9 @@ def draw_scene(drawn_arm, designs, rng):
 
 
 def draw_truth(drawn_arm, effects, wanted, stratum, rng):
-    """Effects (0 to 3 of them) hidden in a design; wanted: their lengths d, None for a size as it comes.
+    """Returns a truth with 0 to 3 effects hidden in a design; wanted: their lengths d, or None for a physical size.
 
-    Where no design and place lets the size reach d, the set falls back to physical size, and its stratum says so.
+    If no design and place allows the wanted d, physical sizes are used instead, and the stratum of the set states this.
     """
     designs = [kind for kind in DESIGN_SHARES if all(kind in effect.designs for effect in effects)]
     for attempt in range(2 * DESIGNS_TRIED):
@@ -86,7 +86,7 @@ def _hide(scene, effect, wanted, rng):
 
 
 def _sized(scene, effect, place, wanted, rng):
-    """Hidden with d as wanted, or None where no size in the effect's range does."""
+    """Returns a Hidden with the wanted d, or None if no size in the effect's range gives that d."""
     shape = effect.shapes(rng, scene.arm, place, scene)
     size = drawn = float(np.exp(rng.uniform(np.log(effect.low), np.log(effect.high))))
     for _ in range(8):
@@ -109,7 +109,7 @@ def _distinct(hidden):
 
 
 def joint_change(truth):
-    """The tip's movement by all hidden effects at the nominal readings, (N, 3)."""
+    """Returns the tip movement due to all hidden effects at the nominal readings, (N, 3)."""
     scene, numbers = truth.scene, truth.scene.numbers.tiled(1)
     for part in truth.hidden:
         part.effect.apply(numbers, scene.arm, scene.session, part.place, part.shape, part.size)
@@ -117,12 +117,12 @@ def joint_change(truth):
 
 
 def rivals_of(truth):
-    """What `lengths_beside` and `twins` compare with: rival_bases of the whole catalogue."""
+    """Returns the rival_bases of the whole catalogue, for `lengths_beside` and `twins`."""
     return list(rival_bases(truth.scene, CATALOGUE))
 
 
 def lengths_beside(truth, rivals):
-    """Of each hidden effect, two or more, the length d that the others leave of it, all their parameters free."""
+    """Returns for each of two or more hidden effects the length d that remains if the other effects are fitted."""
     lengths = []
     for part in truth.hidden:
         others = {(other.effect.name, other.place) for other in truth.hidden if other is not part}
@@ -134,10 +134,11 @@ def lengths_beside(truth, rivals):
 
 
 def twins(truth, rivals):
-    """For each hidden effect its (twin, peer), the other hidden effects being known.
+    """Returns (twin, peer) for each hidden effect, with the other hidden effects known.
 
-    The twin is the rival of the catalogue most like it; the peer the same among rivals with no more parameters than it
-    has itself. A twin that is no peer holds the truth as a part and should lose by its parameters' price.
+    The twin is the rival of the catalogue with the highest correlation to the effect; the peer is the rival with the
+    highest correlation among those without more parameters. A twin that is no peer contains the truth as a special case
+    and should lose because of the penalty for additional parameters.
     """
     without = [(part.effect.name, part.place) for part in truth.hidden]
     found = []
@@ -153,6 +154,6 @@ def twins(truth, rivals):
 
 
 def _parameter_count(truth, part):
-    """How many columns the effect's own signature has; one for an effect outside the catalogue."""
+    """Returns the number of columns of the effect's signature; 1 for an effect outside the catalogue."""
     groups = part.effect.groups
     return len(groups(truth.design.arm, part.place, truth.scene)[0]) if groups else 1
