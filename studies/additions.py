@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""additions.py TUBEPLAN BENCH-CELL BOWL-CELL SETS-FOLDER: what the diagnosis promised, and what Add gave, set by set.
+"""additions.py TUBEPLAN BENCH-CELL BOWL-CELL SETS-FOLDER: compares errors after Add with the diagnosis's promise.
 
-For each set (measurements.csv, truth.json with a design) whose diagnosis names a cause: the held-out error that it
-promises, that of the cell after `add` and `identify`, and that of the model which the served page's Add puts on the
-stack. Right where both are within 5 % of the promise.
+For each set (measurements.csv, truth.json with a design) whose diagnosis names a cause, the output has three held-out
+errors: the error promised by the diagnosis, that of the cell after `add` and `identify`, and that of the model added by
+the served page's Add. A set is right if the latter two are within 5 % of the promise.
 """
 import json
 import pathlib

@@ -2,8 +2,8 @@
 """altered_plans.py TUBEPLAN CELL PLAN-FOLDER [--runs 300] [--seed 1]: how many altered copies of a proved plan `verify` catches.
 
 Each copy has one change: a joint value of one tube, a joint value of one row of the path, a skipped tube, two tubes
-exchanged, a hole's coordinate, a row's time, an obstacle of the cell moved into the path, or another stiffness of its
-arm. All must be refused; `--only NAME` makes one kind of change alone.
+exchanged, a hole's coordinate, a row's time, an obstacle of the cell moved into the path, or a different stiffness of
+the cell's arm. `verify` must refuse every copy. `--only NAME` restricts the changes to one kind.
 """
 import argparse
 import contextlib
@@ -30,7 +30,7 @@ def write_path(folder, head, rows):
 
 
 def change_plan(change):
-    """An alteration of plan.json."""
+    """Returns an alteration that applies `change` to plan.json."""
     def alter(folder, rng):
         path = folder / "plan.json"
         plan = json.loads(path.read_text())
@@ -94,7 +94,7 @@ def earlier_row(folder, rng):
 
 
 def moved_obstacle(folder, rng):
-    """The nozzle dam, to stand where the path's tools pass."""
+    """Moves the nozzle dam below a planned tube, where the tool passes."""
     plan, path = json.loads((folder / "plan.json").read_text()), folder / "cell.yaml"
     x, y, _ = rng.choice(plan["tubes"])["hole"]
     place = f"cylinder: {{from: [{x:.3f}, {y:.3f}, -30], to: [{x:.3f}, {y:.3f}, -2], radius: 6}}"
@@ -105,7 +105,7 @@ def moved_obstacle(folder, rng):
 
 
 def other_stiffness(folder, rng):
-    """One stiffness of the arm by 5 % to a factor of two: only statics can see it."""
+    """Changes one stiffness of the arm by 5 to 50 %, which only a static analysis can detect."""
     path = folder / "cell.yaml"
     text = path.read_text()
     arm = re.search(r"^arm: (.*)$", text, re.M)
@@ -129,7 +129,7 @@ OF_THE_CELL = {"an obstacle moved", "another stiffness"}
 
 @contextlib.contextmanager
 def copy_of(plan):
-    """Beside the plan, as its cell names the arm's file from there."""
+    """Yields a copy of the plan in a sibling folder, where the cell's relative path of the arm file is valid."""
     with tempfile.TemporaryDirectory(dir=plan.resolve().parent) as folder:
         shutil.copytree(plan, folder, dirs_exist_ok=True)
         yield pathlib.Path(folder)

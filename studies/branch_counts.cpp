@@ -1,5 +1,6 @@
-// Study of the inverse kinematics, arm by arm: the share of postures from random starts that it finds, the number of
-// its false ones, and the tubes solved per second. All should be found, and none be false.
+// Study of the inverse kinematics of each arm: the fraction of the postures found from random starts that the inverse
+// kinematics also finds, the number of false postures, and the tubes solved per second. All postures should be found,
+// and none should be false.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

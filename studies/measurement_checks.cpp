@@ -1,5 +1,5 @@
-// Study of the checks of readings: how often they name seeded mistakes in clean sets, and how often they suspect one in
-// sets without any, including sets with physical effects and of real robots.
+// Study of the checks of readings: how often the checks name mistakes seeded into clean sets, and how often they
+// suspect a mistake in sets without mistakes, including sets with physical effects and sets of real robots.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -150,7 +150,7 @@ std::vector<SeededSet> setsBeside() {
   return sets;
 }
 
-/// Returns "effect@at" by a number, with the largest size of real machines or twice that.
+/// Returns a random effect as "effect@at:parameters", with the largest size on real machines or twice that size.
 std::string drawnEffect(const deflection::Arm& arm, SeededRandom& random) {
   for (;;) {
     const auto& kinds = deflection::effectKinds();
@@ -182,7 +182,7 @@ std::optional<SeededSet> hidingSet(std::uint64_t number) {
               std::clamp(kind.parameters[v].neutral + factor * (effect.values[v] - kind.parameters[v].neutral),
                          kind.parameters[v].lower, kind.parameters[v].upper);
     }
-    if (number % 7 == 0)  // everything far softer than drawn: it sags by inches
+    if (number % 7 == 0)  // the arm is far softer than its model and sags by inches
       for (auto& row : task.truth.arm.rows) row.joint_stiffness /= 3;
   });
 }

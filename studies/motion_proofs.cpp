@@ -1,5 +1,5 @@
-// Study of motion proofs: the number of random motions judged free that fine steps refute, scene by scene. It should be
-// zero.
+// Study of motion proofs: for each scene, the number of random motions proved collision-free that checks in fine steps
+// refute. The number should be zero.
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -14,7 +14,7 @@ namespace {
 using namespace tubeplan;
 using planner::testing::MotionTally;
 
-constexpr int kMotionsEach = 100;  // motions of a share of the work; every share has its own seed
+constexpr int kMotionsEach = 100;  // motions per parallel task; every task has its own seed
 
 using Tally = std::function<MotionTally(std::uint64_t seed, int motions)>;
 

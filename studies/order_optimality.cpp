@@ -1,6 +1,6 @@
-// Study of orders and their bounds relative to the optimum for straight moves, for each shipped arm. Dynamic
-// programming over sets of tubes gives the exact optimum for few tubes (Held and Karp 1962, with a state for each
-// posture).
+// Study of visit orders and their lower bounds relative to the optimum with straight joint moves, for each shipped arm.
+// For few tubes, dynamic programming over sets of tubes gives the exact optimum (Held and Karp 1962, with a state for
+// each posture).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -16,7 +16,7 @@ using namespace tubeplan;
 using namespace tubeplan::planner;
 using namespace tubeplan::planner::testing;
 
-/// Returns the time of the fastest order and postures [s].
+/// Returns the exact minimum time over all orders and postures [s].
 double optimumOf(const Route& route) {
   const PostureTable table(route);
   const int visits = table.visits(), postures = table.postures();

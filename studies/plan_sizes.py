@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What a plan costs against its size: time, memory and gap of `tubeplan plan` and `verify` for lists and sheets of 500 to
-15,529 holes, with the slopes on a log-log line.
+"""Measures the cost of plans as a function of size: time, memory and optimality gap of `tubeplan plan` and `verify` for
+work lists and sheets of 500 to 15,529 holes, with the slopes of log-log fits.
 
     python3 studies/plan_sizes.py build/tubeplan [--quick]
 """
@@ -22,7 +22,7 @@ RUNS = [
 
 
 def run(command):
-    """Wall seconds, CPU seconds, peak MB and exit code of a command."""
+    """Runs a command and returns wall time [s], CPU time [s], peak memory [MB] and exit code."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     start = time.monotonic()
     child = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -36,7 +36,7 @@ def run(command):
 
 
 def peak(folder, program, cell, tubes):
-    """Peak MB of the plan, told by its own process."""
+    """Returns the peak memory [MB] of the planning command, measured in a separate process."""
     code = ("import resource,subprocess,sys;c=subprocess.run(sys.argv[1:],stdout=subprocess.DEVNULL,"
             "stderr=subprocess.DEVNULL);print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss/1024)")
     told = subprocess.run([sys.executable, "-c", code, program, "plan", cell, "--tubes", tubes, "--out", folder],
@@ -45,7 +45,7 @@ def peak(folder, program, cell, tubes):
 
 
 def slope(points):
-    """Least-squares slope of log y over log x."""
+    """Returns the least-squares slope of log y against log x."""
     logs = [(math.log(x), math.log(y)) for x, y in points]
     mx = sum(x for x, _ in logs) / len(logs)
     my = sum(y for _, y in logs) / len(logs)

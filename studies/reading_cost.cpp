@@ -1,5 +1,5 @@
-// Study of the cost of an identification by the number of readings: six stiffnesses and the base from positions, in
-// processor and wall seconds, with the slope between the logarithms of time and number.
+// Study of the cost of an identification as a function of the number of readings: six stiffnesses and the base are
+// identified from positions. The output has processor and wall times and the slope of log time against log number.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -18,7 +18,7 @@ const std::vector<std::string> kFree{
     "mezzanine-beam.beam.Iz", "mezzanine-beam.joint_stiffness.z", "mezzanine-platform.joint_stiffness.x"};
 
 struct Cost {
-  double processor = 0, wall = 0;  // [s]
+  double processor = 0, wall = 0;  // times [s]
   int iterations = 0, evaluations = 0;
   bool converged = false;
 };

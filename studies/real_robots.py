@@ -1,24 +1,24 @@
 #!/usr/bin/env python3
 """real_robots.py TUBEPLAN REAL-FOLDER [SET...] [--farthest]: `improve` on measured robots, and a black box.
 
-REAL-FOLDER holds one folder per robot, with a nominal cell and readings whose column `split` keeps a half out. It is
-no part of the repository: without it the study says so and ends with code 77. For each set:
+REAL-FOLDER holds one folder per robot, with a nominal cell and readings of which the column `split` holds out one half.
+REAL-FOLDER is not part of the repository; without it, the study says so and exits with code 77. For each set:
 
-  improve   `improve` from the nominal cell; the cell that it wrote is judged as it stands by `compare`;
-            a cell holds one base, so with several set-ups only the bases are placed anew for it, nothing else fitted
-  black box a Gaussian process over the joints (and the sense of motion, the load and the set-up where they vary), put
-            on top of a fit of geometry and base alone; one length scale, chosen with the noise by marginal likelihood
-  goal      the mean held-out error that `improve` is to reach, where one is set
+  improve   `improve` from the nominal cell; `compare` judges the resulting cell without a refit. A cell has only one
+            base, so for sets with several set-ups the bases, and nothing else, are fitted before the cell is judged
+  black box a Gaussian process over the joints (and the direction of motion, the load and the set-up if they vary),
+            added to a fit of geometry and base alone; length scale and noise are chosen by marginal likelihood
+  goal      the mean held-out error that `improve` must reach, if a goal is set
 
-All figures are means of the position error in mm over readings kept out of both. Touches of points that nobody measured
-are judged by their spread about each point's mean, which an arm that shrinks makes small; so the known distance between
-two of those points is shown beside it.
+All errors are means of the position error [mm] over readings held out from both methods. Touches of points of unknown
+position are judged by their scatter about the mean of each point. Since a model that shrinks the arm also reduces this
+scatter, the known distance between two of the points is shown too.
 
-The farthest quarter is `diagnose`'s own: of each set-up, the poses (readings of one `point` go together) whose reach is
-not below the element at 3/4 of the sorted reaches; a reach is the distance from the arm's base to the predicted tip.
-Here the prediction is that of the fit of geometry. The columns `far` are means over its readings that are kept out.
-With --farthest both ways also start afresh from readings of which exactly this quarter, and nothing else, is kept out:
-how they carry over to where nothing was measured.
+The farthest quarter is defined as in `diagnose`: the poses of each set-up (the readings of one `point` are one pose)
+whose reach is not below the element at 3/4 of the sorted reaches. Reach is the distance from the arm's base to the tip
+predicted by the fit of geometry. The columns `far` are means over the held-out readings of this quarter. With
+--farthest, both methods also start again from readings of which exactly this quarter is held out, to test the
+extrapolation.
 """
 import argparse
 import csv
@@ -36,18 +36,18 @@ from scipy.linalg import cho_factor, cho_solve
 from scipy.optimize import minimize
 from scipy.spatial.distance import cdist
 
-ABSENT = 77  # exit code of a study whose material is not there
+ABSENT = 77  # exit code if REAL-FOLDER is missing
 
 
 @dataclass
 class RobotSet:
     cell: str
     readings: str
-    goal: float = None      # mm
-    setup: str = ""         # only readings of this one
-    carried_to: str = ""    # readings on which the improved cell is judged too, its base or base and tip placed anew
+    goal: float = None      # mean held-out error to be reached [mm]
+    setup: str = ""         # set-up whose readings are used; empty: all
+    carried_to: str = ""    # further readings to judge the improved cell on, after refitting base, or base and tip
     carried_goal: float = None
-    pair_apart: float = None  # mm between the points NAME-0 and NAME-1, known apart from the readings
+    pair_apart: float = None  # independently known distance between the points NAME-0 and NAME-1 [mm]
 
 
 SETS = {
@@ -66,7 +66,7 @@ SETS = {
 
 
 class Refused(Exception):
-    """The program did not do what it was asked, in its own words."""
+    """Raised with the program's message if the program did not do what it was asked."""
 
 
 def read_rows(path):
@@ -83,7 +83,7 @@ def write_rows(path, rows):
 
 
 def copy_of_cell(cell, to, free):
-    """The cell with another `identify` list, beside the arm of the one it was made from."""
+    """Writes a copy of the cell with a different `identify` list and the path of the original arm file."""
     arm = re.search(r'^arm: *"?([^"\n]+?)"? *$', cell.read_text(), re.MULTILINE).group(1)
     text = re.sub(r"^arm:.*$", f'arm: "{cell.parent / arm}"', cell.read_text(), flags=re.MULTILINE)
     to.write_text(re.sub(r"^identify:.*$", f"identify: [{', '.join(free)}]", text, flags=re.MULTILINE))
@@ -95,7 +95,7 @@ class Program:
         self.path = path
 
     def run(self, *words):
-        """Figures of one command, and its CPU seconds."""
+        """Runs a command and returns its JSON output and CPU time [s]."""
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         command = [self.path] + [str(word) for word in words] + ["--json", "-"]
         done = subprocess.run(command, capture_output=True, text=True)
@@ -112,7 +112,7 @@ class Program:
 
 
 class Comparison:
-    """What `compare` says of each reading, in the order of the file: errors and places in mm."""
+    """Results of `compare` for each reading, in the order of the file: errors and positions in mm."""
 
     def __init__(self, figures, rows):
         by_id = {str(reading["id"]): reading for reading in figures["readings"]}
@@ -129,7 +129,7 @@ class Comparison:
 
 
 def farthest_quarter(rows, reach):
-    """True for each reading of the farthest quarter of its set-up's poses."""
+    """Returns for each reading whether it belongs to the farthest quarter of the poses of its set-up."""
     far = np.zeros(len(rows), bool)
     setups = np.array([row.get("setup") or "" for row in rows])
     points = np.array([row["point"] or f"row {k}" for k, row in enumerate(rows)])
@@ -146,7 +146,8 @@ def is_slide(column):
 
 
 def features_of(rows):
-    """Sine and cosine of each joint; slides and loads by their spread; senses of motion and set-ups as they are."""
+    """Returns the features of the readings: sine and cosine of rotary joints, slides and loads divided by their
+    standard deviation, directions of motion, and set-ups as 0 or 1."""
     columns = []
     for name in rows[0]:
         if name.endswith("_deg") and not name.startswith("temperature"):
@@ -163,7 +164,8 @@ def features_of(rows):
 
 
 class GaussianProcess:
-    """Error vectors over features: squared exponential, one length scale and one noise for the three coordinates."""
+    """Gaussian process for error vectors over features: squared-exponential kernel, with one length scale and one noise
+    level for all three coordinates."""
 
     def __init__(self, features, errors):
         self.features, self.mean = features, errors.mean(axis=0)
@@ -183,7 +185,7 @@ class GaussianProcess:
         return self.size ** 2 * np.exp(-squares / (2 * self.scale ** 2))
 
     def cost(self, logs):
-        """Negative log likelihood of the errors, and its slope."""
+        """Returns the negative log marginal likelihood of the errors and its gradient in the log hyperparameters."""
         self.size, self.scale, self.noise = np.exp(logs)
         kernel = self.kernel(self.squares)
         unit = np.eye(len(kernel))
@@ -205,7 +207,8 @@ def is_touched_alone(rows):
 
 
 def sizes(rows, errors):
-    """Length of each error; of touches, about the mean of each point's, which is not known better."""
+    """Returns the length of each error; for touches, relative to the mean error of each point, whose position is
+    unknown."""
     errors = errors.copy()
     if is_touched_alone(rows):
         points = np.array([row["point"] for row in rows])
@@ -219,22 +222,22 @@ def mean_of(rows, errors, chosen):
 
 
 def geometry_alone(program, cell, readings, rows, folder):
-    """A fit of geometry and base to the readings that are not kept out. Touches alone do not hold a length: there the
-    cell's own list."""
+    """Fits geometry and base to the readings that are not held out. If there are only touches, which do not determine
+    the scale, the cell's own `identify` list is used."""
     if not is_touched_alone(rows):
         cell = copy_of_cell(cell, folder / "geometry.yaml", ["geometry"])
     return Comparison(program.compare(cell, readings), rows)
 
 
 def by_black_box(rows, rigid):
-    """Errors of all readings with the process's prediction taken off."""
+    """Returns the errors of all readings minus the prediction of the Gaussian process."""
     features = features_of(rows)
     process = GaussianProcess(features[~rigid.kept_out], rigid.refitted[~rigid.kept_out])
     return rigid.refitted - process.predict(features)
 
 
 def judgement(program, written, readings, rows, folder):
-    """The comparison of the written cell, its errors those of the model with nothing but bases placed anew."""
+    """Returns the comparison for the written cell; with several set-ups, after refitting only the bases."""
     if len({row.get("setup") or "" for row in rows}) < 2:
         return Comparison(program.compare(written, readings), rows)
     placed = Comparison(program.compare(copy_of_cell(written, folder / "placed.yaml", []), readings), rows)
@@ -243,7 +246,7 @@ def judgement(program, written, readings, rows, folder):
 
 
 def by_improve(program, cell, readings, rows, folder):
-    """The comparison of the cell that was written, what the command said, its CPU seconds, and the cell."""
+    """Returns the comparison for the improved cell, the output of `improve`, its CPU time [s], and the cell file."""
     written = folder / "improved.yaml"
     told, seconds = program.run("improve", cell, readings, "--out", written)
     if not written.exists():
@@ -252,7 +255,7 @@ def by_improve(program, cell, readings, rows, folder):
 
 
 def without_farthest(program, cell, rows, far, folder):
-    """Means over the farthest quarter of both ways, neither of which has seen it."""
+    """Returns the mean errors of both methods over the farthest quarter, which neither method was fitted to."""
     apart = [dict(row, split="held-out" if is_far else "fit") for row, is_far in zip(rows, far)]
     readings = write_rows(folder / "without-farthest.csv", apart)
     rigid = geometry_alone(program, cell, readings, apart, folder)
@@ -263,14 +266,14 @@ def without_farthest(program, cell, rows, far, folder):
 
 
 def carried(program, written, readings, folder):
-    """Held-out means of the improved cell on other readings: its base placed anew, and base and tip."""
+    """Returns the mean held-out errors of the improved cell on other readings: base refitted, and base and tip."""
     figures = program.compare(copy_of_cell(written, folder / "carried.yaml", ["tool.tip"]), readings)
     errors = figures["refit"]["errors"]
     return errors["heldout_before"]["mean"], errors["heldout_after"]["mean"]
 
 
 def pairs_apart(rows, tips):
-    """Mean distance between the places that the model gives the points NAME-0 and NAME-1."""
+    """Returns the mean distance between the model's positions of the points NAME-0 and NAME-1."""
     points = np.array([row["point"] for row in rows])
     places = {point: tips[points == point].mean(axis=0) for point in np.unique(points)}
     return np.mean([np.linalg.norm(place - places[point[:-1] + "1"]) for point, place in places.items()
@@ -285,7 +288,7 @@ def first_added(told):
 
 
 def study(program, real, robot, with_farthest, folder):
-    """The figures of one set."""
+    """Returns the results of one set."""
     cell, readings = real / robot.cell, real / robot.readings
     if robot.setup:
         readings = write_rows(folder / "some.csv", [row for row in read_rows(readings) if row["setup"] == robot.setup])

@@ -1,6 +1,6 @@
-// Study of proposed readings for data with several explanations. At most twelve of them are measured with the true arm,
-// round by round; the study counts whether one cause is left, and the true one. Equally many random readings of the
-// candidates are compared.
+// Study of proposed readings for data with several possible explanations. At most twelve proposed readings are
+// simulated with the true arm, round by round. The study counts how often a single cause remains, and how often this
+// cause is the true one. The same number of random candidate readings serves as a comparison.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -25,7 +25,7 @@ constexpr std::array kHidden{"backlash@tool.z:0.03deg",       "stiffening@tool.z
                              "backlash@base-link.z:0.012deg", "link-weight@forearm:0.8",
                              "contact-force@tip:0.8",         "joint-coupling@theta4<-theta3:0.00015"};
 
-/// Returns the readings of the true arm at a candidate's postures.
+/// Returns simulated readings of the true arm at a candidate's postures, with measurement and encoder noise.
 std::vector<Measurement> filledIn(const calibration::CampaignTruth& truth,
                                   const std::vector<calibration::ProposedMeasurement>& proposed,
                                   const std::string& name, Random& random) {
@@ -68,7 +68,7 @@ struct Count {
   }
 };
 
-/// Readings made round by round until one cause is left or the rounds are over.
+/// Session that adds readings round by round until the diagnosis is unambiguous or all rounds are used.
 class Session {
  public:
   Session(const calibration::CampaignTruth& truth, app::CellReadings input, std::uint64_t seed)
@@ -125,9 +125,9 @@ int run(int sets, int count, int rounds, std::uint64_t first_seed) {
     const auto whole = app::diagnoseModel(input, request);
     if (whole.diagnosis.verdict != Verdict::kAmbiguous) continue;
     ++ambiguous;
-    if (whole.next.times != 1) continue;  // the result states that so many do not separate them
+    if (whole.next.times != 1) continue;  // the diagnosis states that this number of readings does not separate the explanations
     ++separable;
-    const int at_once = count / rounds;  // first readings of a longer proposal, which equal those of a shorter one
+    const int at_once = count / rounds;  // the first readings of a long proposal are the shorter proposal
     const auto after = Session(truth, input, seed).run(whole, rounds, at_once, asProposed);
     proposed.add(after, hidden);
     random_ones.add(Session(truth, input, seed).run(whole, rounds, at_once, atRandom), hidden);

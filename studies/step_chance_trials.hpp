@@ -1,6 +1,6 @@
-// Predicted step probabilities compared with true arms of other physics than the model. Each arm has a different
-// mixture and size of effects that the model lacks, stiffness errors, and an error over the sheet that no effect
-// causes.
+// Comparison of predicted step probabilities with true arms whose physics differs from the model. Each true arm has
+// stiffness errors, a different mixture of effects that the model lacks, and an error field over the sheet that no
+// effect of the catalogue causes.
 #pragma once
 
 #include <algorithm>
@@ -21,20 +21,20 @@
 
 namespace tubeplan::testing {
 
-inline constexpr int kBins = 4;  // 0, 1, 2, 3 steps
+inline constexpr int kBins = 4;  // numbers of inserted steps: 0, 1, 2, 3
 
 struct StepChanceTrial {
   bool is_calibrated = false;
   int holes = 0;
-  std::array<double, kBins> predicted{}, happened{};  ///< sums over the holes
+  std::array<double, kBins> predicted{}, happened{};  ///< sums over the holes, per number of steps
 };
 
-/// Physics of the true arms that the model lacks; every arm has stiffness errors.
+/// Physics of the true arms that the model lacks, in addition to stiffness errors, which every true arm has.
 enum class HiddenPhysics { kMixed, kEffects, kField, kStiffnesses };
 
 inline constexpr double kStiffnessSigma = 0.05;
 
-/// Returns the uncertainty of the true arms' numbers; only their stiffnesses are drawn.
+/// Returns the uncertainty of the true arms' parameters; only the stiffnesses are drawn at random.
 inline calibration::ArmUncertainty uncertaintyOfTrials() {
   auto uncertainty = calibration::ArmUncertainty::none();
   uncertainty.stiffness = kStiffnessSigma;
@@ -103,7 +103,7 @@ class StepChanceTrials {
  private:
   using Draw = calibration::RandomStreamFrom<app::SplitMix>;
 
-  /// Smooth error over the sheet, with an additional error of every hole.
+  /// Smooth error field over the sheet, with an additional independent error at every hole.
   struct Field {
     Field(bool is_there, Draw& draw) {
       size = is_there ? 2.5e-5 * std::pow(40., uniform(draw)) : 0;  // 0.001 to 0.04 in
@@ -132,8 +132,8 @@ class StepChanceTrials {
 
   static double uniform(Draw& draw) { return static_cast<double>(draw.seed() >> 11) * 0x1p-53; }
 
-  /// Adds an effect of random kind and place, with a size of any order between a fiftieth and a third of the largest in
-  /// a machine.
+  /// Adds an effect of random kind and location to the arm. The logarithm of the size is uniform between 1/50 and 1/3
+  /// of the largest size on real machines.
   void hide(deflection::Arm& arm, Draw& draw) const {
     const int kind = kinds_[draw.seed() % kinds_.size()];
     const auto& row = deflection::effectKinds()[static_cast<std::size_t>(kind)];
@@ -186,7 +186,8 @@ class StepChanceTrials {
   int touches_, holes_;
 };
 
-/// Shares of all holes, with the standard error of the difference from the spread over the true arms.
+/// Predicted and observed fractions of all holes per number of steps, with the standard error of the difference,
+/// estimated from the scatter between the true arms.
 struct StepChanceSummary {
   int calibrated = 0, holes = 0;
   std::array<double, kBins> predicted{}, happened{}, standard_error{};

@@ -1,5 +1,5 @@
-// Study of step probabilities for 1,000 random true arms of other physics than the model, with three, four and six
-// touches: predicted and observed shares by the number of steps.
+// Study of step probabilities for 1,000 random true arms whose physics differs from the model, with three, four and six
+// touches: predicted and observed fractions of holes for each number of inserted steps.
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 

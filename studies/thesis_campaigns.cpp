@@ -1,8 +1,9 @@
 // Study of the two campaigns that identified the Cobra's stiffnesses (Calkins 1994, section 5.3), repeated many times
-// on a known arm. First the arm is bolted to a rigid platform: 31 points touched bare and under 20, 30 and 40 lbf,
-// eight free stiffnesses. Then it is on its mezzanine: 14 points, three free stiffnesses, the arm's as found. Every fit
-// starts with each stiffness off by a factor of three. The output states how often the optimum is the one found from
-// the truth, how often 95 % intervals contain the truth, and the touch error beside the thesis's.
+// on a known arm. In the first campaign the arm is bolted to a rigid platform: 31 points are touched without load and
+// under 20, 30 and 40 lbf, and eight stiffnesses are free. In the second it stands on its mezzanine: 14 points, three
+// free stiffnesses, and the arm's stiffnesses as found before. In every fit, each stiffness starts with an error of a
+// factor of three. The output states how often the fit reaches the optimum found from the true values, how often the
+// 95 % intervals contain the truth, and the touch error compared with the thesis.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -24,12 +25,12 @@ struct StudyOptions {
   double sigma = 0.010;  // noise of each coordinate of a touch [in]
 };
 
-/// Touch points, free stiffnesses and the mean touch error in the thesis.
+/// Number of touch points, free stiffnesses, and mean touch error of a campaign in the thesis.
 struct Campaign {
   const char* name;
   int points;
   std::vector<std::string> free;
-  double printed_error;  // [in]
+  double printed_error;  // mean touch error printed in the thesis [in]
 };
 
 const Campaign kArmCampaign{
@@ -44,8 +45,8 @@ const Campaign kMezzanineCampaign{
     {"mezzanine-beam.joint_stiffness.z", "mezzanine-beam.beam.Iz", "mezzanine-platform.joint_stiffness.x"},
     0.0300};
 
-/// Returns the arm with all stiffnesses that the thesis freed, at the values of its second table 5.4; those of 1e9 and
-/// more are rigid.
+/// Returns the arm with all stiffnesses that the thesis identified, at the values of its second table 5.4; values of
+/// 1e9 and more are taken as rigid.
 PlacedArm truth() {
   deflection::Arm arm = deflection::cobraArm();
   const double E = arm.rows[3].beam->E;
@@ -68,7 +69,7 @@ double& numberOf(deflection::Arm& arm, const std::string& name) {
   return deflection::locate(arm, deflection::findParameter(arm, name)->path);
 }
 
-/// Returns the mean distance between the predicted tip at a loaded touch and at the bare touch [in].
+/// Returns the mean distance between the predicted tips of a loaded and the unloaded touch of the same point [in].
 double meanTouchError(const PlacedArm& placed, const std::vector<Measurement>& readings) {
   double sum = 0;
   int pairs = 0;
@@ -111,8 +112,8 @@ void count(const Identification& result, deflection::Arm& true_arm, Tally& tally
   }
 }
 
-/// Runs one campaign: readings of `truth`, fitted from stiffnesses off by a factor of three either way; `start` has the
-/// other numbers. Returns the fitted arm.
+/// Runs one campaign and returns the fitted arm. The readings are simulated with `truth`; the free stiffnesses start a
+/// factor of three too high or too low, and all other parameters are those of `start`.
 PlacedArm runCampaign(const Campaign& campaign, PlacedArm truth, PlacedArm start, const StudyOptions& options,
                       std::uint64_t seed, Tally& tally) {
   ReadingMaker maker(truth, seed, ReadingMaker::Noise::kStated, options.sigma * kInch);
@@ -160,13 +161,13 @@ void print(const Campaign& campaign, const Tally& tally, const StudyOptions& opt
   if (identifiable) fmt::print("  all intervals: {:.1f} % of {}\n", 100. * covered / identifiable, identifiable);
 }
 
-/// Returns the arm with rigid mezzanine rows in the set-up `bench`; both base poses are known.
+/// Returns the arm with two set-ups of known base pose; in the set-up `bench`, the rows of the mezzanine are rigid.
 PlacedArm onBenchAndMezzanine(deflection::Arm arm) {
   arm.mountings = {{"bench", {0, 1}}};
   return {arm, {{"bench", Eigen::Isometry3d::Identity(), true}, {"mezzanine", Eigen::Isometry3d::Identity(), true}}};
 }
 
-/// Fits the readings of both campaigns together, with all numbers in one fit.
+/// Fits the readings of both campaigns together, with all free stiffnesses in one fit.
 void runTogether(const Campaign& both, const StudyOptions& options, std::uint64_t seed, Tally& tally) {
   PlacedArm bolted = onBenchAndMezzanine(truth().arm);
   for (const std::size_t row : {0U, 1U}) {

@@ -1,6 +1,6 @@
-// Study of the evidence of the truly hidden effects in a set of readings, fitted from the true sizes, beside that of
-// the models found by the diagnosis. It decides whether a miss is due to the search or to the readings. The output is
-// JSON for studies/blind_trial/oracle.py.
+// Study that compares the evidence of the model with the truly hidden effects, fitted from the true sizes, with the
+// evidence of the models found by the diagnosis. The comparison shows whether a miss is due to the search or to the
+// readings. The output is JSON for studies/blind_trial/oracle.py.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>

@@ -26,15 +26,15 @@ import time
 
 import yaml
 
-LENGTH_ERROR, ANGLE_ERROR = 1., math.degrees(.003)  # mm, deg: standard deviations of the true arm about the drawing
+LENGTH_ERROR, ANGLE_ERROR = 1., math.degrees(.003)  # mm, deg: standard deviations of the true arm from the drawing
 TRACKER, REPEATABILITY = .011, .03                  # mm per coordinate
 READINGS, HELD_OUT = 150, .333
-SMALLEST_SHARE, MOST_AT_TIP = .3, 3.                # of the largest size; mm
-FIRST_PLACES = 4                                    # of the ranking
-SECONDS = 300                                       # a diagnosis may take
+SMALLEST_SHARE, MOST_AT_TIP = .3, 3.                # smallest size relative to the largest; largest tip motion [mm]
+FIRST_PLACES = 4                                    # number of places of the ranking that count
+SECONDS = 300                                       # time limit of a diagnosis
 GOAL = .9
 ALL_JOINTS = "all joints"
-# The largest usual sizes, as in the effects' table: rad (on a slide m), or a share.
+# Largest usual sizes, as in the table of effects: rad (m for a slide), or a dimensionless fraction.
 USUAL = {"gravity-sag": .005, "hysteresis": .01, "joint-scale": .01, "transmission-error": .005,
          "encoder-eccentricity": .01, "joint-coupling": .05}
 TURNING_ONLY = ("gravity-sag", "transmission-error", "encoder-eccentricity", "joint-coupling")
@@ -47,7 +47,7 @@ def dh(name, alpha, a, d, limits, offset=0.):
 
 
 def origin(name, position, rpy, limits):
-    """A row whose axis is parallel to the one before, where DH numbers cannot take a small tilt."""
+    """Returns a row whose axis is parallel to the axis before, where DH parameters cannot represent a small tilt."""
     return {"name": name, "origin": {"position": position, "rpy": rpy},
             "joint": {"name": name.replace("row", "J"), "type": "revolute", "offset": 0., "limits": limits}}
 
@@ -76,13 +76,13 @@ ARMS = [
 
 
 def cell_of(arm):
-    """The cell of an arm; the base is found with the rest."""
+    """Returns a cell with the arm, whose base is unknown and is identified with the geometry."""
     return {"name": arm["name"] + "-cell", "arm": arm,
             "base": {"position": [0, 0, 0], "rpy": [0, 0, 0], "known": False}, "identify": ["geometry"]}
 
 
 def true_arm(drawn, rng):
-    """The arm as built. On a slide the offset of the joint is the length along it."""
+    """Returns the arm as built, with random deviations from the drawing; the offset of a slide is a length."""
     built = copy.deepcopy(drawn)
     for row in built["links"]:
         numbers, joint = row.get("dh", {}), row["joint"]
@@ -98,7 +98,7 @@ def true_arm(drawn, rng):
 
 
 def length_of(row):
-    """mm from the row before to this one, its slide drawn out."""
+    """Returns the distance from the row before to this row [mm], with a slide fully extended."""
     if "origin" in row:
         return math.hypot(*row["origin"]["position"])
     along = row["joint"]["limits"][1] if row["joint"]["type"] == "prismatic" else row["dh"]["d"]
@@ -106,32 +106,32 @@ def length_of(row):
 
 
 def reach_beyond(arm, index):
-    """mm from a joint to the tip, at most."""
+    """Returns the largest possible distance from a joint to the tip [mm]."""
     return sum(length_of(row) for row in arm["links"][index + 1:]) + math.hypot(*arm["tool"]["tip"])
 
 
 def largest_reading(row):
-    """rad, or m on a slide."""
+    """Returns the largest absolute joint value within the limits [rad; m for a slide]."""
     furthest = max(abs(limit) for limit in row["joint"]["limits"])
     return furthest / 1e3 if row["joint"]["type"] == "prismatic" else math.radians(furthest)
 
 
 def motion_at_tip(arm, effect, index, other):
-    """The most, in mm, by which a size of 1 moves the tip."""
+    """Returns the largest tip motion caused by an effect of size 1 [mm]."""
     row = arm["links"][index]
     lever = 1e3 if row["joint"]["type"] == "prismatic" else reach_beyond(arm, index)
     if effect == "joint-scale":
         return lever * largest_reading(row)
     if effect == "joint-coupling":
         return lever * largest_reading(arm["links"][other])
-    if effect == "gravity-sag":         # its own part, and what hangs at the tip
+    if effect == "gravity-sag":         # sag under the weight of the link and under the weight at the tip
         return lever * (1 + reach_beyond(arm, index) / 1e3)
     return lever
 
 
 def places_of(arm, effect):
-    """[(row, other row or None)]. Sag needs a joint that gravity loads and that carries a part of the arm; a coupling
-    runs through the joint before."""
+    """Returns the possible places of an effect as [(row, other row or None)]. Sag needs a joint that gravity loads and
+    that carries further links; a coupling is driven by the joint before."""
     rows = arm["links"]
     turning = [k for k, row in enumerate(rows) if row["joint"]["type"] == "revolute"]
     if effect == "gravity-sag":
@@ -142,7 +142,7 @@ def places_of(arm, effect):
 
 
 def numbers_of(effect, size, is_slide, rng):
-    """The effect's numbers, in the cell's units, for a size in rad (a share, or m on a slide)."""
+    """Returns the effect's parameters in the cell's units for a size in rad (m for a slide, or a fraction)."""
     angle = size * 1e3 if is_slide else math.degrees(size)
     phase = rng.uniform(0, 2 * math.pi)
     sign = rng.choice([-1, 1])
@@ -156,7 +156,7 @@ def numbers_of(effect, size, is_slide, rng):
 
 
 def draw_effect(arm, rng):
-    """(effect, place, what --hide takes)."""
+    """Returns a random effect as (effect, place, argument of --hide)."""
     effect = rng.choice(sorted(USUAL))
     index, other = rng.choice(places_of(arm, effect))
     joint = arm["links"][index]["joint"]
@@ -168,7 +168,7 @@ def draw_effect(arm, rng):
 
 
 def draw_pair(arm, rng):
-    """Two different effects, or one at two places."""
+    """Returns two random effects that differ in kind or place."""
     first = draw_effect(arm, rng)
     while True:
         second = draw_effect(arm, rng)
@@ -184,7 +184,7 @@ def run(words, folder):
 
 
 def diagnosed(program, arm, built, hidden, seed, folder):
-    """The diagnosis of an arm as built by its drawing, and the seconds that it took."""
+    """Simulates readings of the arm as built, diagnoses them with the drawing; returns the answer and its time [s]."""
     folder = pathlib.Path(folder)
     (folder / "nominal.yaml").write_text(yaml.safe_dump(cell_of(arm), sort_keys=False))
     (folder / "true.yaml").write_text(yaml.safe_dump(cell_of(built), sort_keys=False))
@@ -202,13 +202,13 @@ def names_of(cause):
 
 
 def is_at_all_joints(alternative, effect, arm):
-    """An effect at all joints alike is written as one cause for each that turns."""
+    """Returns True if the alternative has the effect at all joints, written as one cause per revolute joint."""
     turning = {row["joint"]["name"] for row in arm["links"] if row["joint"]["type"] == "revolute"}
     return turning <= {cause["at"] for cause in alternative if cause["effect"] == effect}
 
 
 def naming(alternative, wanted, arm):
-    """1 where an alternative names an effect, 1/2 where it does so at all joints, else 0."""
+    """Returns 1 if an alternative names the effect, 1/2 if the alternative names it at all joints, else 0."""
     named = 0.
     for cause in alternative:
         if wanted in names_of(cause):
@@ -217,13 +217,13 @@ def naming(alternative, wanted, arm):
 
 
 def ranked(answer, wanted):
-    """The same of the first places of the ranking."""
+    """Returns 1 if the first places of the ranking have the effect, 1/2 if they have it at all joints, else 0."""
     first = [(entry["effect"], entry["at"]) for entry in answer["ranking"][:FIRST_PLACES]]
     return 1. if wanted in first else .5 if (wanted[0], ALL_JOINTS) in first else 0.
 
 
 class Case:
-    """One seed: what was hidden, what was answered, and how that scores."""
+    """Result of one seed: the hidden effects, the answer, and the scores."""
 
     def __init__(self, seed, arm, hidden, answer, seconds):
         self.seed, self.arm, self.hidden, self.answer, self.seconds = seed, arm, hidden, answer, seconds
@@ -235,7 +235,7 @@ class Case:
 
     @property
     def is_at_one_joint(self):
-        """Both at the same joint; a coupling is at the one that is dragged along."""
+        """True if both effects are at the same joint; a coupling counts as at the driven joint."""
         return len({at.split("<-")[0] for _, at, _ in self.hidden}) == 1
 
     @property
@@ -258,7 +258,7 @@ class Case:
                 f"{self.seconds:5.1f} s  hidden {sizes}")
 
     def answered(self):
-        """The alternatives and the ranking, line by line."""
+        """Yields the alternatives and the ranking as lines of text."""
         for alternative in self.answer["alternatives"]:
             causes = []
             for cause in alternative:
@@ -301,7 +301,7 @@ def print_scores(label, cases):
 
 
 def print_effects(cases):
-    """How often each kind was named."""
+    """Prints how often each kind of effect was named."""
     hidden, named = collections.Counter(), collections.Counter()
     for case in cases:
         for part, score in zip(case.hidden, case.named):

@@ -1,5 +1,5 @@
-// Study of ten thousand random calls of a workbench: the answers, and whether it ended or changed anything outside its
-// folder.
+// Study of ten thousand random calls of a workbench: the answers, and whether the workbench ended or changed any file
+// outside its folder.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -27,7 +27,7 @@ std::size_t countFiles(const fs::path& folder) {
   return count;
 }
 
-/// Copies the shipped cells into a folder with a small sheet, so that jobs end while calls arrive.
+/// Copies the shipped cells into a folder, with a small tube sheet, so that jobs end while calls arrive.
 fs::path copyCells(const fs::path& folder) {
   const std::string large = "rows: 49, columns: 114", small = "rows: 8, columns: 12";
   fs::remove_all(folder);

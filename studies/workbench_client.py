@@ -1,4 +1,4 @@
-"""A served workbench for the studies: started on readings, asked for jobs, ended."""
+"""Client of a served workbench for the studies: starts the server, runs jobs, and ends the server."""
 import json
 import signal
 import subprocess
@@ -6,15 +6,15 @@ import time
 import urllib.error
 import urllib.request
 
-POLL = 0.05  # s between two looks at a job
+POLL = 0.05  # interval at which the status of a job is polled [s]
 
 
 class WorkbenchLost(Exception):
-    """The program ended, or a job did not."""
+    """Raised if the program has ended or a job does not end in time."""
 
 
 class Workbench:
-    """`tubeplan serve` on a free port; `words()` and `code` say why where it did not start."""
+    """`tubeplan serve` on a free port; if the start failed, `words()` is the message and `code` the exit code."""
 
     def __init__(self, program, words, folder, seconds=240):
         self.seconds = seconds
@@ -30,7 +30,7 @@ class Workbench:
         return self.errors.read()
 
     def ask(self, path, body=None):
-        """(status, text) of one request."""
+        """Sends a request and returns (HTTP status, text of the answer)."""
         data = None if body is None else json.dumps(body).encode()
         request = urllib.request.Request(self.address + path, data, {"Content-Type": "application/json"})
         try:
@@ -42,7 +42,7 @@ class Workbench:
             raise WorkbenchLost(f"{path}: {error}; exit code {self.process.poll()}; {self.words()[-300:]}") from error
 
     def job(self, name, body=None):
-        """Starts a job and waits: what refused or ended it, empty where it is done."""
+        """Starts a job and waits for its end; returns the error message, or an empty text if the job succeeded."""
         status, text = self.ask(f"api/{name}", body or {})
         if status >= 400:
             return text
@@ -59,7 +59,7 @@ class Workbench:
         return self.ask(f"api/results/{name}")[1]
 
     def end(self):
-        """Ends it as Ctrl-C does; its exit code."""
+        """Ends the program as Ctrl-C does and returns the exit code."""
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGINT)
         try:

@@ -28,13 +28,13 @@ from workbench_client import Workbench
 
 HALF_OPEN = 200
 MODELS = 5
-LIMIT = 5.0  # s for an answer of /api/state beside them
+LIMIT = 5.0  # longest accepted time for an answer of /api/state while half-open connections wait [s]
 IN_A_ROW = {"look": 1000, "work": 24}
-LEAK = 0.5  # MiB that a kind may grow by in a row
+LEAK = 0.5  # largest accepted growth of memory during repeated requests of one kind [MiB]
 
 
 def footprint(pid):
-    """Resident MiB, open files, threads."""
+    """Returns the resident memory [MiB], the number of open files and the number of threads."""
     status = dict(line.split(":", 1) for line in pathlib.Path(f"/proc/{pid}/status").read_text().splitlines() if ":" in line)
     return int(status["VmRSS"].split()[0]) / 1024, len(os.listdir(f"/proc/{pid}/fd")), int(status["Threads"])
 
@@ -83,8 +83,8 @@ class Visitor:
         self.random.choice(self.looks())()
 
     def work(self):
-        """Long work, which is refused while some is under way, and what takes it back: models on the stack keep their
-        results, so that it is kept short as a person would."""
+        """Starts a random job or change; jobs are refused while another job runs. Models are undone if there are more
+        than MODELS, because each model keeps its results in memory."""
         if len(json.loads(self.served.ask("api/state")[1])["models"]) > MODELS:
             while self.ask("api/undo", {}) == 200:
                 pass
@@ -99,7 +99,7 @@ class Visitor:
 
 
     def in_a_row(self):
-        """MiB that each kind grows by; its requests are counted like all others."""
+        """Repeats each kind of request and returns the growth of memory for each kind [MiB]."""
         works = [lambda: self.served.job("compare"), lambda: (self.served.job("identify"), self.ask("api/undo", {})),
                  lambda: self.served.job("diagnose"), lambda: self.ask("api/measurements?name=again.csv", text=self.readings)]
         grown = []
@@ -115,7 +115,7 @@ class Visitor:
 
 
 def half_open(address):
-    """Connections that begin a request and wait."""
+    """Returns HALF_OPEN connections that have sent an incomplete request."""
     parts = urllib.parse.urlparse(address)
     made = []
     for _ in range(HALF_OPEN):
@@ -142,7 +142,7 @@ def main():
         served = Workbench(program, ["cells/bench.yaml", "made/measurements.csv"], folder)
         visitor, seen, stalled = Visitor(served, readings, options.seed), [], None
         try:
-            for name in ("compare", "identify", "diagnose", "diagnose"):  # what work needs at most is asked for before memory is looked at
+            for name in ("compare", "identify", "diagnose", "diagnose"):  # reaches the largest memory demand of jobs before memory is measured
                 served.job(name)
             begun = next_look = next_sample = next_work = time.monotonic()
             first = footprint(served.process.pid)
@@ -168,7 +168,7 @@ def main():
                 visitor.look()
                 next_look = max(next_look + 1 / options.rate, time.monotonic() - 1)
                 time.sleep(max(0.0, next_look - time.monotonic()))
-            for _ in range(240):  # until the last work has ended
+            for _ in range(240):  # wait until the last job has ended
                 if all(job["status"] != "running" for job in json.loads(served.ask("api/state")[1])["jobs"]):
                     break
                 time.sleep(0.5)

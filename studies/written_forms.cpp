@@ -1,6 +1,6 @@
-// Study of identified geometry for arms written in every form: random mechanisms of three to eight joints, with each
-// axis of the true arm off its drawing and noisy positions. The output states for each form the error of the fitted arm
-// at other postures, relative to its covariance, and the coverage of 95 % intervals of its predictions.
+// Study of identified geometry for arms described in every notation: random mechanisms of three to eight joints whose
+// true axes deviate from the drawing, with noisy positions. For each notation the output states the error of the fitted
+// arm at other postures relative to its predicted covariance, and the coverage of the predictions' 95 % intervals.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -35,7 +35,7 @@ PlacedArm byStandardRows(PlacedArm drawn) {
 const Form kForms[] = {
     {"modified DH", [](PlacedArm drawn) { return drawn; }}, {"origin", byOrigins}, {"standard DH", byStandardRows}};
 
-/// Returns the arm as built, with every axis off its drawing by a millimetre and some milliradians.
+/// Returns the arm as built, with every axis displaced from the drawing by about 1 mm and several milliradians.
 PlacedArm builtFrom(const PlacedArm& drawn, RandomStream& random) {
   PlacedArm built = byOrigins(drawn);
   for (auto& row : built.arm.rows) {
@@ -72,13 +72,13 @@ std::vector<Measurement> readingsOf(const PlacedArm& built, RandomStream& random
   return readings;
 }
 
-/// Results of all fits of one form.
+/// Results of all fits of arms in one notation.
 struct Tally {
   int fits = 0, failed = 0, within = 0, asked = 0;
   double squares = 0, foretold = 0, chi2 = 0, freedom = 0, worst = 0;
 };
 
-/// Returns the slopes of the tip by each fitted variable [m per unit].
+/// Returns the derivatives of the tip position with respect to each fitted variable [m per unit].
 MatrixXd slopesAt(const PlacedArm& fitted, const std::vector<Unknown>& unknowns, const VectorXd& q) {
   constexpr double kStep = 1e-5;
   MatrixXd slopes(3, static_cast<Index>(unknowns.size()));

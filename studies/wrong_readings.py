@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """wrong_readings.py TUBEPLAN CELLS-FOLDER [--runs 5000] [--seed 1] [--jobs 1] [--command NAME] [--pairs]: plausible wrong readings through the real commands.
 
-Readings are simulated, then spoilt as people spoil them: other units, signs, orders, zeros, shifted or lost rows, single
-digits, a few readings of a single posture. Each spoilt file goes through one command. No run may crash, hang, end with
-an exit code that is not documented, leave standard error without a word where it refuses, or print a number that is none.
-No verdict may contradict the figures beside it, and none may be "adequate" where the error is beyond any noise.
+Readings are simulated, then altered by typical human mistakes: wrong units, signs, orders or zeros, shifted or lost
+rows, wrong digits, or few readings of a single posture. Each altered file is given to one command. No run may crash,
+hang, end with an undocumented exit code, refuse its input without a message, or print NaN or infinity. No verdict may
+contradict the results in the same document, and none may be "adequate" if the error exceeds any plausible noise.
 """
 import argparse
 import concurrent.futures
@@ -24,13 +24,13 @@ CELLS = [("bench.yaml", "bench"), ("bowl.yaml", "bowl"), ("bowl.yaml", "bench"),
 EFFECTS = ["", "backlash@tool.z", "joint-offset@theta3", "tool-weight@tool", "hysteresis@theta2"]
 SIZES = [2, 3, 4, 6, 9, 12, 18, 24]
 COMMANDS = ["compare", "identify", "diagnose", "improve", "ladder", "touches", "sensitivity", "serve"]
-JOBS = ["compare", "diagnose", "identify", "ladder", "improve", "add", "touches"]  # of a served workbench
+JOBS = ["compare", "diagnose", "identify", "ladder", "improve", "add", "touches"]  # jobs of a served workbench
 ASSUMPTIONS = ["coordinates=mm", "angles=rad", "mirror=y", "joint-sign=theta3", "joint-zero=theta4:90", "joint-order=theta3:theta4",
                "shift=1", "loads=N", "sigma=mil", "base=unknown", "axes=yxz", "as-is", "coordinates=parsec", "nonsense=1", "shift="]
 NO_NUMBER = re.compile(r"(?<![A-Za-z])-?(nan|inf)(?![A-Za-z])", re.IGNORECASE)
 SECONDS = 240
-MOST_NOISE_RATIO = 3  # of repeats over the stated noise, which may excuse a model
-SLACK = 1.3  # of an rms of few readings by chance
+MOST_NOISE_RATIO = 3  # largest ratio of the scatter of repeats to the stated noise at which "adequate" is acceptable
+SLACK = 1.3  # factor for the random error of an rms of few readings
 
 
 class Table:
@@ -113,7 +113,7 @@ def rows_twice(table, rng):
 
 
 def stale_joints(table, rng):
-    """Rows logged before the controller had its new joints."""
+    """Copies the joints of the row before into some rows, as if logged before the controller had the new joints."""
     joints = table.joints()
     for n in rng.sample(range(1, len(table.rows)), min(len(table.rows) - 1, rng.choice([1, 1, 2, 3]))):
         for k in joints:
@@ -170,7 +170,7 @@ def arguments(command, cell, rng):
 
 
 def complaint(done, command, as_json):
-    """What is wrong with a finished run; nothing where it is all right."""
+    """Returns what is wrong with a finished run; empty if nothing is wrong."""
     if done.returncode not in (0, 1, 2):
         return f"exit code {done.returncode}: {done.stderr[-300:]}"
     if done.returncode == 2 and not done.stderr.strip():
@@ -189,7 +189,7 @@ def complaint(done, command, as_json):
 
 
 def contradictions(command, figures):
-    """Verdicts that the figures of the same document do not bear out, of what has one."""
+    """Returns the contradictions between the verdict of a document, if any, and its results."""
     rms, found = figures.get("rms") or {}, []
     if command == "compare":
         refit = figures["after_refit"]
@@ -223,7 +223,7 @@ def refuse_constant(word):
 
 
 def serve(program, cell, folder, rng):
-    """Opens the readings in a workbench and runs some of its jobs: what is wrong, nothing where all is right."""
+    """Opens the readings in a workbench and runs three random jobs; returns what is wrong, or an empty text."""
     bench = Workbench(program, [cell, "m.csv"], folder, SECONDS)
     try:
         if bench.code is not None:
@@ -245,7 +245,7 @@ def serve(program, cell, folder, rng):
 
 
 def attempt(program, cells, seed, command, pairs):
-    """Spoils one set and runs one command, the seed's own where none is named: what happened, and what is wrong with it."""
+    """Alters one set and runs one command (by default a random command); returns what happened and what is wrong."""
     rng = random.Random(seed)
     cell, design = rng.choice(CELLS)
     effect, size, command = rng.choice(EFFECTS), rng.choice(SIZES), command or COMMANDS[seed % len(COMMANDS)]
