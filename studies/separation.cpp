@@ -125,7 +125,7 @@ int run(int sets, int count, int rounds, std::uint64_t first_seed) {
     const auto whole = app::diagnoseModel(input, request);
     if (whole.diagnosis.verdict != Verdict::kAmbiguous) continue;
     ++ambiguous;
-    if (whole.next.times != 1) continue;  // the diagnosis states that this number of readings does not separate the explanations
+    if (whole.next.times != 1) continue;  // this number of readings does not suffice, as stated
     ++separable;
     const int at_once = count / rounds;  // the first readings of a long proposal are the shorter proposal
     const auto after = Session(truth, input, seed).run(whole, rounds, at_once, asProposed);
