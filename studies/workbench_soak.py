@@ -142,7 +142,7 @@ def main():
         served = Workbench(program, ["cells/bench.yaml", "made/measurements.csv"], folder)
         visitor, seen, stalled = Visitor(served, readings, options.seed), [], None
         try:
-            for name in ("compare", "identify", "diagnose", "diagnose"):  # reaches the largest memory demand of jobs before memory is measured
+            for name in ("compare", "identify", "diagnose", "diagnose"):  # reach peak memory before it is measured
                 served.job(name)
             begun = next_look = next_sample = next_work = time.monotonic()
             first = footprint(served.process.pid)

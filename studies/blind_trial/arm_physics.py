@@ -95,7 +95,7 @@ def solve(arm, numbers, pieces=PIECES, start=None, tolerance=TOLERANCE, most_swe
     for sweep in range(1, most_sweeps + 1):
         shape = _shape(arm, numbers, moments, curvature, pieces)
         moved = np.abs(shape.p_WTip - tip).max()
-        tip, converged = shape.p_WTip, sweep > 1 and bool(moved <= tolerance)      # the first sweep still has the loads of `start`
+        tip, converged = shape.p_WTip, sweep > 1 and bool(moved <= tolerance)      # sweep 1 has the loads of `start`
         if converged:
             break
         moments, curvature = _loads(numbers, arm, shape, pieces)
@@ -194,7 +194,7 @@ def _rod_moments(rod, F, M, weight, pieces):
     """Returns the moments at the rod's nodes, (N, K + 1, 3), in the link's frame, under end force, end moment and
     weight per length."""
     length, _, rho = rod
-    gathered = np.matmul(_quadrature(pieces)[1], rho) * length[:, None, None]     # integral of the points up to each node
+    gathered = np.matmul(_quadrature(pieces)[1], rho) * length[:, None, None]     # integral of rho up to each node
     left = length[:, None, None] * np.linspace(1., 0., pieces + 1)[:, None]
     beyond = gathered[:, -1:] - gathered - left * rho
     return M[:, None] + cross(rho[:, -1:] - rho, F[:, None]) + cross(beyond, weight[:, None])

@@ -13,7 +13,7 @@ from arm_physics import Numbers, measured, solve, spring_turn
 from rotations import turned
 
 COARSE = 4              # pieces of a rod in this module: the tip is within 1e-6 in of that with fine rods
-SPARE_RODS = ((2, 0), (2, 1), (2, 2), (4, 0), (4, 1), (4, 2), (5, 2))     # (row, axis) of rods that only effects make compliant
+SPARE_RODS = ((2, 0), (2, 1), (2, 2), (4, 0), (4, 1), (4, 2), (5, 2))     # (row, axis) made compliant by effects only
 USUAL_RODS = ((0, 0), (0, 1), (0, 2), (3, 0), (3, 1), (3, 2))
 STEP = {"q": 1e-4, "turn": 1e-4, "alpha": 1e-4, "base_turn": 1e-4, "gravity_tilt": 1e-3, "a": 1e-3, "tip": 1e-3,
         "base_position": 1e-3, "rod": 1e-9, "distributed": 1e-2, "end_weight": 1e-1, "end_force": 1e-1,
