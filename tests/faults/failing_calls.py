@@ -130,7 +130,7 @@ def memory_faults(check, most, seed, **where):
     for at in places(total, most, seed):
         run = check.run(FAULT_KIND="memory", FAULT_AT=str(at), **where)
         if where:
-            run.left = []  # a thread that cannot start ends the program at once; the next run removes the files left behind
+            run.left = []  # a thread that cannot start ends the program; the next run removes the files left
         yield f"memory {at} of {total}{' in threads' if where else ''}", check.problems(run)
 
 

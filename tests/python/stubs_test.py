@@ -34,7 +34,7 @@ def main():
         return 77
     environment = dict(os.environ, MYPYPATH=os.environ['PYTHONPATH'])
     with tempfile.NamedTemporaryFile('w', suffix='.txt') as allowed:
-        allowed.write('tubeplan.Cell\n')  # Cell's metaclass comes from pybind11; stubtest still checks the members of Cell
+        allowed.write('tubeplan.Cell\n')  # its metaclass is pybind11's; stubtest still checks the members of Cell
         allowed.flush()
         held = subprocess.run([sys.executable, '-m', 'mypy.stubtest', 'tubeplan', '--allowlist', allowed.name], env=environment,
                               capture_output=True, text=True)
