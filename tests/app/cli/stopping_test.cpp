@@ -1,4 +1,4 @@
-// Fits and diagnoses end at Ctrl-C: with the exit code that says so, in one line, and without a file half done.
+// Fits and diagnoses interrupted by Ctrl-C end with exit code 130, one line of output and no partial file.
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -18,7 +18,7 @@ class StoppedCommand : public ProgramTest {
               0);
   }
 
-  /// Whether the process has said what to do at an interrupt: from then on it is noted.
+  /// Returns true if the process handles SIGINT, according to /proc.
   [[nodiscard]] static bool notesInterrupts(pid_t process) {
     std::ifstream status("/proc/" + std::to_string(process) + "/status");
     for (std::string line; std::getline(status, line);)
@@ -26,7 +26,7 @@ class StoppedCommand : public ProgramTest {
     return false;
   }
 
-  /// The exit status of the program, interrupted as soon as it notes that.
+  /// Returns the wait status of the program, which is interrupted as soon as it handles SIGINT.
   [[nodiscard]] int interrupted(const std::string& arguments) const {
     const std::string command =
         "cd '" + folder.string() + "' && exec '" TUBEPLAN_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
@@ -53,7 +53,7 @@ TEST_F(StoppedCommand, EndsAtCtrlCWithoutAFile) {
         "compare" + on + " --json made.json --report made.html", "improve" + on + " --out made.yaml --json made.json",
         "ladder made/measurements.csv " + shipped("bench.yaml") + " --rigid --json made.json"}) {
     int status = interrupted(arguments);
-    // What was too quick to be interrupted at its work is asked again.
+    // A command may finish before the interrupt arrives; the command is then run again.
     for (int again = 0; again < 20 && !(WIFEXITED(status) && WEXITSTATUS(status) == 130); ++again) {
       for (const char* file : {"made.json", "made.html", "made.yaml"}) std::filesystem::remove(folder / file);
       status = interrupted(arguments);
