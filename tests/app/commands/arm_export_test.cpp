@@ -1,4 +1,4 @@
-// Arms written by other conventions, and a controller's calibration, from outside: the plans of all are of one arm.
+// An arm exported in any convention remains the same arm; a controller's calibration is imported, planned and verified.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -10,7 +10,8 @@ namespace {
 
 class ArmExport : public ProgramTest {
  protected:
-  /// Rigid, its middle axes nearly parallel; bodies on the last link alone, whose frame no convention moves.
+  /// Writes a rigid arm with nearly parallel middle axes. Bodies are on the last link only, whose frame is the same in
+  /// every convention.
   void SetUp() override {
     const char* origins[] = {"[0, 0, 0.18], rpy: [0, 0, 0]",           "[0, 0, 0], rpy: [1.5702, 0.0003, 0]",
                              "[-0.61, 0, 0], rpy: [0.0002, 0.001, 0]", "[-0.57, 0, 0.17], rpy: [-0.0005, 0.0004, 0]",
@@ -90,7 +91,7 @@ links:
               k + 1, table[k]);
         return rows;
       }() + "tool: {tip: [0, 0, 0.15]}\n");
-  // What two common normals some way off do to a table: d's that cancel to 0.6 mm.
+  // Nearly parallel axes have distant common normals: their offsets d are hundreds of metres and cancel to 0.6 mm.
   write("calibration.conf",
         "[mounting]\ndelta_theta = [0, 0, 0, 0, 0, 0]\ndelta_a = [0, 0, 0, 0, 0, 0]\n"
         "delta_d = [0, 300, -500, 200.0006, 0, 0]\ndelta_alpha = [0, 1e-6, 2e-6, 0, 0, 0]\ncalibration_status = 2\n");

@@ -1,4 +1,4 @@
-// The program from outside: what it refuses, with which words and exit code.
+// Commands and inputs that the program refuses, with message and exit code.
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 class Program : public ProgramTest {
  protected:
-  /// Refused as bad input: exit code 2, one line with these words, nothing on standard output, no file made.
+  /// Expects a refusal as bad input: exit code 2, one line with these words, nothing on standard output, no new file.
   void expectRefused(const std::string& arguments, const std::vector<std::string>& words) const {
     const auto files_before = std::distance(fs::recursive_directory_iterator(folder), {});
     const Outcome outcome = run(arguments);
@@ -23,7 +23,7 @@ class Program : public ProgramTest {
     EXPECT_EQ(std::distance(fs::recursive_directory_iterator(folder), {}), files_before) << arguments;
   }
 
-  /// The mock-up with one piece of its cell or arm changed.
+  /// Writes the mock-up cell and its arm, with one piece of text changed in `file`.
   void writeMockup(const std::string& file, const std::string& from, const std::string& to) const {
     for (const char* name : {"mockup.yaml", "cobra-arm.yaml"}) {
       const std::string text = contentOf(shippedCells() / name);
@@ -70,7 +70,7 @@ TEST_F(Program, helpsWithAnExampleForEachCommand) {
   EXPECT_EQ(run("--version").out.substr(0, 9), "tubeplan ");
 }
 
-/// What an option writes is neither what the command reads nor what another option writes.
+/// An output may overwrite neither an input of the command nor the file of another output option.
 TEST_F(Program, refusesToWriteOverItsInputs) {
   ASSERT_EQ(run("simulate " + shipped("bench.yaml") + " --design bench --readings 24 --seed 3 --out set").exit_code, 0);
   for (const char* name : {"bench.yaml", "cobra-arm.yaml"}) write(name, contentOf(shippedCells() / name));
@@ -86,7 +86,7 @@ TEST_F(Program, refusesToWriteOverItsInputs) {
   EXPECT_EQ(contentOf(folder / "cobra-arm.yaml"), arm);
 }
 
-/// A cell may be improved in its place.
+/// A cell may be written over itself.
 TEST_F(Program, writesACellOverItself) {
   ASSERT_EQ(run("simulate " + shipped("bench.yaml") + " --design bench --readings 24 --seed 3 --out set").exit_code, 0);
   for (const char* name : {"bench.yaml", "cobra-arm.yaml"}) write(name, contentOf(shippedCells() / name));
@@ -95,7 +95,7 @@ TEST_F(Program, writesACellOverItself) {
   EXPECT_EQ(run("pose bench.yaml --joints 0,30,30,30").exit_code, 0);
 }
 
-/// A cell replaces no other kind of file, and its arm not one that another cell may be read with.
+/// A cell replaces only files that are cells. The cell's arm replaces no file that may be the arm of another cell.
 TEST_F(Program, replacesCellsByCellsAndTheirArmsAlone) {
   ASSERT_EQ(run("simulate " + shipped("bench.yaml") + " --design bench --readings 24 --seed 3 --out set").exit_code, 0);
   const std::string asked = " " + shipped("bench.yaml") + " set/measurements.csv --out ";
@@ -115,7 +115,7 @@ TEST_F(Program, refusesZonesOfOtherTubesAndFoldersWithoutAName) {
   expectRefused("plan " + shipped("mockup.yaml") + " --tubes R10C20 --out ''", {"--out", "folder"});
 }
 
-/// Every command that takes a work list takes what its columns are, and says so where they are none.
+/// Every command with a work list accepts --column for its columns, and refuses columns that do not exist.
 TEST_F(Program, refusesColumnsThatAWorkListHasNot) {
   (void)write("list.csv", "Reihe,Spalte\n20,40\n22,44\n");
   const std::string mockup = shipped("mockup.yaml");

@@ -1,5 +1,5 @@
-// `tubeplan campaign` from outside: the same bytes for any number of workers and processes, going on after a stop,
-// refusals, and agreement with `score --runs`.
+// `tubeplan campaign`: the same bytes for any number of workers and processes, resuming after a stop, refusals, and
+// agreement with `score --runs`.
 #include <signal.h>
 
 #include <chrono>
@@ -36,8 +36,8 @@ class CampaignCommand : public ProgramTest {
       EXPECT_EQ(contentOf(folder / one / file), contentOf(folder / other / file)) << file;
   }
 
-  /// Runs a shell line in the folder, and sends the signal to the process whose number `find` prints once there is a
-  /// tally; its exit code as the shell has it.
+  /// Runs a shell command in the folder and returns its wait status. Once a tally file exists, sends the signal to the
+  /// process whose id `find` prints, or to the command itself if `find` is empty.
   [[nodiscard]] int stopped(const std::string& line, const std::string& out, int signal_number,
                             const std::string& find = "") const {
     const std::string command = "cd '" + folder.string() + "' && exec " + line + " --out " + out + " >stopped.txt 2>&1";
@@ -70,7 +70,7 @@ class CampaignCommand : public ProgramTest {
   }
   static std::string mpirun(int ranks) {
     const std::string root = ::getuid() == 0 ? "--allow-run-as-root " : "";
-    // Open MPI itself leaks, which is said where the program is built with the address sanitizer.
+    // Open MPI itself leaks memory, which a build with the address sanitizer would report.
     return "env ASAN_OPTIONS=detect_leaks=0 OMPI_MCA_rmaps_base_oversubscribe=1 mpirun " + root +
            "--oversubscribe -n " + std::to_string(ranks) + " '" TUBEPLAN_PROGRAM "' ";
   }
@@ -109,10 +109,10 @@ TEST_F(CampaignCommand, WithoutNoiseCompensationCentres) {
   const json figures =
       figuresOf(mockup("--runs 12 --tubes spread:30 --touch-sigma 0 --encoder-sigma 0 --unmodelled 0 --stiffness 0"));
   const auto& setting = figures["settings"][0];
-  EXPECT_EQ(setting["scored"], 12);                // the holes to touch are in reach wherever the base stands
-  EXPECT_LT(setting["compensated"]["max"], 1e-6);  // in
-  EXPECT_EQ(setting["compensated"]["steps"][0]["probability"]["value"], 1);  // its lean may keep the last step out
-  // Only a hole that a true arm cannot reach at all keeps its run from having a step in all holes.
+  EXPECT_EQ(setting["scored"], 12);                // the holes to touch are in reach for any base
+  EXPECT_LT(setting["compensated"]["max"], 1e-6);  // [in]
+  EXPECT_EQ(setting["compensated"]["steps"][0]["probability"]["value"], 1);  // the tool's tilt may keep the third out
+  // A run lacks a step in some hole only if the true arm cannot reach that hole.
   const double missed = setting["compensated"]["missed"], visits = setting["compensated"]["visits"];
   EXPECT_EQ(missed + visits, 120);
   EXPECT_GE(setting["compensated"]["steps"][0]["in_all_holes"]["value"].get<double>(), 1 - missed / 12 - 1e-9);
@@ -129,7 +129,7 @@ TEST_F(CampaignCommand, MoreNoiseMeansLargerErrorsAndMoreTouchesSmaller) {
   EXPECT_LT(1.1 * mean(touches, 1), mean(touches, 0));
 }
 
-/// Mean over runs of the share of ten holes that take so many steps, and its standard error.
+/// Returns the mean over runs of the fraction of ten holes that take at least `at_least` steps, and its standard error.
 std::pair<double, double> shareOfSteps(const json& counts_by_run, std::size_t at_least) {
   double sum = 0, squares = 0;
   const auto runs = static_cast<double>(counts_by_run.size());
@@ -158,7 +158,7 @@ TEST_F(CampaignCommand, AgreesWithScoreOnTheSameSettings) {
       const double sigma = std::hypot(error, (chance["high"].get<double>() - chance["low"].get<double>()) / 3.92);
       EXPECT_NEAR(chance["value"].get<double>(), share, 4 * sigma + 1e-9) << way << ", " << k << " steps";
     }
-    // The means' own spread is about that of the campaign's, of 120 runs in the place of 300.
+    // The mean of `score` over 120 runs has a standard error sqrt(300 / 120) times that of the campaign over 300 runs.
     const double sigma = here["mean"]["sigma"].get<double>() * std::hypot(1, std::sqrt(300. / 120));
     EXPECT_NEAR(here["mean"]["value"].get<double>(), scored[mode]["mean_centring_error"].get<double>(), 4 * sigma);
   }
@@ -173,7 +173,7 @@ TEST_F(CampaignCommand, GoesOnAfterAStopToTheSameBytesAndToMoreRuns) {
   EXPECT_FALSE(std::filesystem::exists(folder / "stopped/campaign.json"));
   const std::string kept = contentOf(folder / "stopped/tally.json");
 
-  // Another question is refused, or begun anew in so many words.
+  // A campaign with other arguments is refused with --resume, and started again with a message without --resume.
   expectRefused(mockup("--tubes spread:40 --seed 9 --runs 1200 --resume --out stopped"), "another seed (8, now 9)");
   expectRefused(mockup("--tubes spread:41 --seed 8 --runs 1200 --resume --out stopped"), "another list of tubes");
   expectRefused(question + "1 --resume --out stopped", "more runs");
@@ -276,7 +276,7 @@ TEST_F(CampaignCommand, SeveralProcessesWriteTheSameBytes) {
     ASSERT_EQ(std::system(command.c_str()), 0) << contentOf(folder / "said.txt");
     expectSameFiles("alone", out);
   }
-  // Bad input is said once, by one of them.
+  // Only one of the processes reports bad input.
   const std::string bad = "cd '" + folder.string() + "' && " + mpirun(2) + mockup("--runs 0") + " >said.txt 2>&1";
   EXPECT_NE(std::system(bad.c_str()), 0);
   const std::string said = contentOf(folder / "said.txt");
@@ -287,7 +287,7 @@ TEST_F(CampaignCommand, SeveralProcessesWriteTheSameBytes) {
 TEST_F(CampaignCommand, AProcessThatIsKilledLosesLittle) {
   if (!hasMpirun()) GTEST_SKIP() << "no mpirun here, or a program built without MPI: nothing of MPI was tested";
   const std::string question = mockup("--tubes spread:40 --seed 8 --jobs 1 --runs 2000");
-  // The rank that is not the first, found by what mpirun left in its environment.
+  // Prints the process id of rank 1, found by the environment variable that mpirun sets.
   const std::string second =
       "for p in $(pgrep -x tubeplan); do tr '\\0' '\\n' 2>/dev/null </proc/$p/environ | grep -qx "
       "OMPI_COMM_WORLD_RANK=1 "

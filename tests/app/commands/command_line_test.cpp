@@ -1,4 +1,4 @@
-// Words of a command line that are refused: each mistake in a sentence that names the command or the option.
+// Command lines that are refused: a sentence reports each mistake and names the command or the option.
 #include "app/commands/command_line.hpp"
 
 #include <algorithm>

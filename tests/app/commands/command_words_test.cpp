@@ -1,4 +1,4 @@
-// What shells complete and the manual page says is what the commands take.
+// Shell completions and the manual page list the options that the commands accept.
 #include "app/commands/command_words.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The commands from outside: what they answer when asked properly.
+// The commands of the program with valid requests.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ class Commands : public ProgramTest {
     return json::parse(outcome.out, nullptr, false);
   }
 
-  /// A plan of a few tubes with rehearsed touches, in folder `name`.
+  /// Plans a few tubes with simulated touches, in folder `name`.
   [[nodiscard]] Outcome plan(const std::string& name, const std::string& more = "--tubes spread:6") const {
     return run("plan " + shipped("mockup.yaml") + " --touches auto --truth " + shipped("mockup-true.yaml") +
                " --seed 3 --out " + name + " " + more);
@@ -41,7 +41,7 @@ TEST_F(Commands, poseGivesRigidFlexibleAndChange) {
   EXPECT_GT(pose["iterations"], 2);
   EXPECT_EQ(pose["intermediates"]["rows"].size(), 6u);
   EXPECT_EQ(pose["intermediates"]["components"].size(), 6u);
-  // Weight of the arm and 30 lbf stand on the first row.
+  // The weight of the arm and the load of 30 lbf act on the first row.
   EXPECT_NEAR(
       pose["intermediates"]["rows"][0]["force_base"][2],
       -(26.7 + 20 + 10.4 + 0.152 * 13.202 + 0.403 * 26.406 + 0.126 * 19.4 + 1.2062 * std::hypot(16.2493, 7.8471) + 30),
@@ -79,7 +79,7 @@ TEST_F(Commands, planKeepsItsPromisesAndVerifyProvesIt) {
     double sum = 0;
     for (const auto& p : tube["probability_by_steps"]) sum += p.get<double>();
     EXPECT_NEAR(sum, 1, 1e-9);
-    // A rigid model may find a far hole out of its reach.
+    // The score without compensation is null where the rigid model cannot reach the hole.
     const json& none = tube["scored"]["none"];
     if (!none.is_null()) {
       EXPECT_LT(tube["scored"]["via_point"]["error"], none["error"]);
@@ -149,12 +149,12 @@ TEST_F(Commands, verifyRefutesAnotherSheetOrArm) {
 TEST_F(Commands, verifyRefutesAToolThatLeansMoreThanItsFirstStepAllows) {
   ASSERT_EQ(plan("made", "--tubes R20C40,R22C44").exit_code, 0);
   for (const char* name : {"mockup.yaml", "cobra-arm.yaml"}) (void)write(name, contentOf(shippedCells() / name));
-  // So long a first step that any lean is too much.
+  // The first step is so long that any tilt of the tool is too large.
   (void)write("long.yaml", changed(contentOf(folder / "mockup.yaml"), "lengths: [0.5,", "lengths: [9000,"));
   const Outcome outcome = run("verify long.yaml made");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
   expectSays(outcome.out, "the tool leans by");
-  // What the plan states of it is held against the model.
+  // The tilt that the plan states is compared with the tilt of the model.
   json made = planJson("made");
   made["tubes"][0]["tilt"] = 0.17;
   writePlanJson("made", made);
@@ -234,7 +234,7 @@ TEST_F(Commands, scoreRepeatsTheThesisExperiment) {
       jsonOf("score " + shipped("mockup.yaml") + " --truth " + shipped("mockup.yaml") + " --runs 6 --seed 5");
   EXPECT_EQ(runs["runs"].get<std::size_t>() + runs["refused"].size(), 6u);
   EXPECT_NEAR(runs["mean_touch_error"], 0.030, 0.004);
-  // Table 5.7 of the thesis: of ten holes, how many took 0, 1, 2, 3 steps without and with compensation.
+  // Table 5.7 of the thesis: how many of ten holes took 0, 1, 2 or 3 steps, without and with compensation.
   const std::vector<double> without{7, 2, 1, 0}, with{0, 4, 4, 2};
   EXPECT_EQ(runs["none"]["mean_counts"].size(), without.size());
   EXPECT_NEAR(runs["none"]["mean_counts"][0], without[0], 3);

@@ -1,4 +1,4 @@
-// tubeplan compare from outside: what it answers, and what its exit code says.
+// tubeplan compare: its output and its exit codes.
 #include <fmt/format.h>
 
 #include <boost/random/mersenne_twister.hpp>
@@ -20,8 +20,8 @@ using nlohmann::json;
 
 class CompareCommand : public ProgramTest {
  protected:
-  /// Positions by the bench cell, in its units, with sigma 0.002 in and its encoders' noise; `lost` is the half width
-  /// of theta2's lost motion [deg].
+  /// Returns positions measured in the bench cell, in the cell's units, with sigma 0.002 in and encoder noise; `lost`
+  /// is the half width of theta2's lost motion [deg].
   [[nodiscard]] std::string readingsWith(double lost) const {
     const Cell cell = readCell((shippedCells() / "bench.yaml").string());
     boost::random::mt19937_64 random(4);
@@ -51,7 +51,7 @@ class CompareCommand : public ProgramTest {
   }
 };
 
-// Of names that are longer than a line, the text shows the beginning; the figures keep them whole.
+// Long names of readings are cut in the text output and kept whole in the JSON figures.
 TEST_F(CompareCommand, aReadingsNameIsCutInTheText) {
   const std::string name(10000, 'n');
   std::string text = readingsWith(0.1);
@@ -143,7 +143,7 @@ TEST_F(CompareCommand, openShowsTheReportInABrowser) {
   EXPECT_NE(run("compare " + shipped("bench.yaml") + " readings.csv --open").exit_code, 0) << "without a report";
 }
 
-/// A table whose row `row` has another number in the column of index `column`.
+/// Returns the table with the field of line `row` and column `column`, both counted from 0, replaced by `change`.
 std::string withCell(const std::string& table, std::size_t row, std::size_t column,
                      const std::function<std::string(const std::string&)>& change) {
   std::size_t at = 0;
@@ -153,7 +153,7 @@ std::string withCell(const std::string& table, std::size_t row, std::size_t colu
   return table.substr(0, at) + change(table.substr(at, end - at)) + table.substr(end);
 }
 
-// One rule for outliers: what is off by itself is set aside, named and in no figure, whoever asks.
+// All commands treat outliers alike: an isolated outlier is set aside, named, and left out of all figures.
 TEST_F(CompareCommand, anOutlierIsSetAsideAsDiagnoseDoes) {
   const auto off = [](const std::string& inches) { return fmt::format("{}", std::stod(inches) + 0.2); };
   (void)write("clean.csv", readingsWith(0));
@@ -175,8 +175,8 @@ TEST_F(CompareCommand, anOutlierIsSetAsideAsDiagnoseDoes) {
   EXPECT_EQ(json::parse(kept.out)["set_aside"], json::array());
 }
 
-// A row that was logged before the controller had its new joints is a mistake that is named, and no repeat of the row
-// before.
+// A row that was logged before the controller updated the joints is named as a mistake, and is not taken for a repeat
+// of the previous row.
 TEST_F(CompareCommand, aStaleRowIsNamedAndExcusesNothing) {
   std::string table = readingsWith(0);
   std::vector<std::string> rows;

@@ -1,4 +1,4 @@
-// The loop from outside: hide an effect, diagnose it, add it, identify, and watch the error fall.
+// The diagnosis loop: hide an effect, diagnose the effect, add the effect, identify, and check that the error falls.
 #include <nlohmann/json.hpp>
 
 #include "app/formats/cell/cell_reader.hpp"
@@ -23,7 +23,7 @@ class EffectCommands : public ProgramTest {
   }
 };
 
-/// A cell that states its base and frees nothing is asked what it lacks like any other.
+/// A cell with a known base and no free parameters is diagnosed like any other cell.
 TEST_F(EffectCommands, AModelWithNothingFreeIsDiagnosed) {
   const std::string cell = contentOf(shippedCells() / "bench.yaml");
   write("cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));
@@ -44,7 +44,7 @@ TEST_F(EffectCommands, AModelWithNothingFreeIsDiagnosed) {
   }
 }
 
-/// Readings from a bench, given to a cell with a sheet whose base stands elsewhere and faces another way.
+/// Readings from a bench get no verdict with another cell, whose base stands elsewhere and faces another way.
 TEST_F(EffectCommands, ReadingsOfAnotherCellGetNoVerdict) {
   simulate("");
   const auto outcome = run("diagnose " + shipped("mockup.yaml") + " set/measurements.csv --json -");
@@ -66,7 +66,7 @@ TEST_F(EffectCommands, ReadingsOfAnotherCellGetNoVerdict) {
   EXPECT_FALSE(std::filesystem::exists(folder / "found.yaml"));
 }
 
-/// A base alone that leaves more than noise explains is no answer; with what is open freed it is one.
+/// A fit of the base alone leaves more than noise explains and is refused; a fit with six parameters free is accepted.
 TEST_F(EffectCommands, ABaseThatLeavesTheReadingsOffIsSaid) {
   ASSERT_EQ(
       run("simulate " + shipped("mockup-true.yaml") + " --design bowl --readings 40 --loads 0,30 --out set").exit_code,
@@ -132,7 +132,7 @@ TEST_F(EffectCommands, AHiddenEffectIsNamedAddedAndTheErrorFalls) {
   const json comparison = json::parse(ladder.out)["models"];
   EXPECT_GT(comparison[0]["rms"]["heldout"].get<double>(), 1.5 * comparison[1]["rms"]["heldout"].get<double>());
 
-  // What was fitted is the cell that every other command reads.
+  // `diagnose` reads the fitted cell and finds no further effect.
   const auto again = json::parse(run("diagnose " + path("fitted.yaml") + " " + readings + " --json -").out);
   EXPECT_TRUE(again["alternatives"].empty()) << again["sentence"];
 }
@@ -233,7 +233,7 @@ TEST_F(EffectCommands, AFormulaIsAddedFittedAndSetBesideTheCatalogue) {
   EXPECT_EQ(found["overlap"][0]["formula"], "formula@theta3");
   for (const auto& effect : found["overlap"][0]["effects"]) EXPECT_LT(effect["share"].get<double>(), 0.9) << effect;
 
-  // The fitted cell goes round, and is the model of every other command.
+  // The fitted cell is read back with its formula and serves other commands as their model.
   const Cell cell = readCell(path("fitted.yaml"));
   ASSERT_EQ(cell.arm.effects.size(), 1U);
   EXPECT_NEAR(cell.arm.effects[0].values[0] / cell.units.factor(dimension::kAngle), (*c)["value"].get<double>(), 1e-9);

@@ -1,4 +1,4 @@
-// tubeplan identify on touches of a tube sheet's holes, of which the operator mistook one.
+// tubeplan identify on touches of tube sheet holes, one of which was recorded under the name of another hole.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -16,7 +16,8 @@ class IdentifyHoles : public ProgramTest {
  protected:
   IdentifyHoles() : cell(readCell((shippedCells() / "mockup.yaml").string())) {}
 
-  /// Touches of holes all over the sheet, without coordinates; `wrong` is written down one column off.
+  /// Returns touches of holes all over the sheet, without coordinates. The hole with index `wrong` is recorded one
+  /// column off; no hole if `wrong` is -1.
   [[nodiscard]] std::string touches(int wrong) const {
     constexpr std::pair<int, int> kHoles[] = {{5, 25},  {8, 57},  {6, 90},  {20, 40},
                                               {24, 75}, {38, 57}, {15, 15}, {16, 100}};
@@ -38,7 +39,8 @@ class IdentifyHoles : public ProgramTest {
     return text;
   }
 
-  /// Of touches that fit the exit code is 0: a base alone that leaves more than noise explains is refused.
+  /// Returns the result of `identify`. The exit code is 0 if the touches fit, and 1 if a fit of the base alone leaves
+  /// more than noise explains.
   [[nodiscard]] json identified(int exit_code = 0) const {
     const Outcome outcome = run("identify " + shipped("mockup.yaml") + " touches.csv --folds 0 --json -");
     EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;

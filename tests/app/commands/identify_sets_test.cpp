@@ -1,5 +1,5 @@
-// tubeplan identify on sets of readings that stand beside the project on its developers' machines: practice sets whose
-// model is right, and measured robots, judged on poses that were not fitted.
+// tubeplan identify on sets of readings that lie beside the repository on its developers' machines: simulated sets with
+// a correct model, and measured robots, assessed on held-out poses.
 #include <fmt/format.h>
 
 #include <map>
@@ -18,7 +18,8 @@ using nlohmann::json;
 
 using calibration::Measurement;
 
-/// A row for each pair of touches of two sockets that are 50 mm apart, fitted and held-out ones apart.
+/// Appends a known distance for each pair of touches of two sockets 50 mm apart, separately for fitted and held-out
+/// touches.
 std::vector<Measurement> withSpacings(std::vector<Measurement> readings) {
   std::map<std::pair<std::string, bool>, std::vector<Measurement>> touches;
   for (const auto& reading : readings) touches[{reading.point, reading.is_held_out}].push_back(reading);
@@ -39,7 +40,7 @@ std::vector<Measurement> withSpacings(std::vector<Measurement> readings) {
   return readings;
 }
 
-/// Mean distance between what the touches make of the spacings and 50 mm [mm].
+/// Returns the mean difference between 50 mm and the distance of two sockets as located by the touches [mm].
 double socketsOff(const json& readings) {
   std::map<std::string, std::pair<Eigen::Vector3d, int>> sockets;
   for (const auto& reading : readings) {
@@ -70,7 +71,7 @@ class IdentifySets : public ProgramTest {
     return json::parse(outcome.out, nullptr, false);
   }
 
-  /// Mean error on the held-out readings [the cell's unit].
+  /// Returns the mean error of the held-out readings [length unit of the cell].
   [[nodiscard]] double heldOutMean(const std::string& arguments) const {
     const json result = identified(arguments);
     EXPECT_LT(result["errors"]["heldout_after"]["mean"], result["errors"]["heldout_before"]["mean"]);
@@ -82,7 +83,8 @@ class IdentifySets : public ProgramTest {
 #define SKIP_WITHOUT(folder) \
   if (!fs::exists(shared(folder))) GTEST_SKIP() << "skipped: no sets at ../shared/" folder
 
-// Twenty-one numbers are free in all; chi-square of a right model is outside 0.001 on either side once in 500.
+// Twenty-one parameters are free in all. With a correct model, the p-value lies outside 0.001 to 0.999 once in 500
+// fits.
 TEST_F(IdentifySets, PracticeSetsWithoutAHiddenEffectFitWithinChance) {
   SKIP_WITHOUT("hidden-effects");
   for (const auto& [set, cell] :
@@ -125,7 +127,7 @@ TEST_F(IdentifySets, ComplianceUnderItsOwnWeight) {
   EXPECT_LE(heldOutMean(set + names), 0.32);
 }
 
-// Where only axes 1 and 2 move, what joints 2, 4 and 6 give cannot be told apart.
+// Only axes 1 and 2 move, so that the compliances of joints 2, 4 and 6 cannot be distinguished.
 TEST_F(IdentifySets, WhatASetCannotTellApartIsSaid) {
   SKIP_WITHOUT("real");
   for (const char* run : {"0kg", "1.25kg", "2.5kg"}) {
@@ -143,7 +145,8 @@ TEST_F(IdentifySets, WhatASetCannotTellApartIsSaid) {
   }
 }
 
-// Two payloads fitted together, each run mounted anew with one tip for both; the third, its base and tip placed.
+// Two payloads are fitted together, with a base for each run and a common tip. For the third payload, base and tip are
+// fitted.
 TEST_F(IdentifySets, TwoPayloadsForetellTheThird) {
   SKIP_WITHOUT("real");
   std::string both = contentOf(shared("real/kuka-iiwa7/measurements-payload-0kg.csv"));
@@ -161,7 +164,7 @@ TEST_F(IdentifySets, TwoPayloadsForetellTheThird) {
   EXPECT_LT(predictions, 0.4 * rigid);
 }
 
-// Touches alone make the arm shrink: without the spacings the sockets come out 27 mm off.
+// With touches alone the scale of the arm shrinks: without the spacings, the distance of the sockets is 27 mm off.
 TEST_F(IdentifySets, SocketsAKnownDistanceApartTellTheScale) {
   SKIP_WITHOUT("real/panda-touch");
   for (const char* name : {"arm.yaml", "cell.yaml"}) write(name, contentOf(shared("real/panda-touch") / name));

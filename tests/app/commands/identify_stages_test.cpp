@@ -1,4 +1,4 @@
-// tubeplan identify in stages and with --drop, from outside: what is carried, what is given up, and what is said of it.
+// tubeplan identify with --stage and --drop: what a stage passes on, what is dropped, and how the output reports both.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -42,7 +42,7 @@ class IdentifyStages : public ProgramTest {
     return json::parse(outcome.out, nullptr, false);
   }
 
-  /// The second number from the second set-up's readings, the first one taken as exactly this.
+  /// Returns the second parameter, identified from the second set-up with the first parameter fixed at `stiffness`.
   [[nodiscard]] json secondWithFirstAt(double stiffness) const {
     write("cobra-arm.yaml",
           changed(contentOf(shippedCells() / "cobra-arm.yaml"), "z: 5588", fmt::format("z: {:.12g}", stiffness)));
@@ -52,7 +52,8 @@ class IdentifyStages : public ProgramTest {
   std::vector<Measurement> of_a, of_b, all;
 };
 
-// Readings of a mounted arm and of the same arm on a bench: what is rigid there is not taken for stiff everywhere.
+// Readings of a mounted arm and of the same arm on a bench: rows that are rigid on the bench stay flexible in the other
+// set-up.
 TEST_F(IdentifyStages, AMountingThatIsRigidInOneSetUpLeavesTheOthersTheirs) {
   PlacedArm truth{deflection::cobraArm(), {{"bench", Eigen::Isometry3d::Identity(), true}}};
   truth.arm.rows[5].joint_stiffness.z() *= 0.8;
@@ -80,8 +81,8 @@ TEST_F(IdentifyStages, AMountingThatIsRigidInOneSetUpLeavesTheOthersTheirs) {
   expectSays(typo.out, "did you mean 'bench'?");
 }
 
-// d second / d first is found by moving the first by its sigma; the two variances add, since the set-ups share no
-// noise.
+// The derivative d second / d first is found by moving the first parameter by its sigma. The two variances add, since
+// the set-ups share no noise.
 TEST_F(IdentifyStages, theSecondStageCarriesWhatTheFirstLeftOpen) {
   const json staged = identified(fmt::format("bench.yaml all.csv --stage {}:A --stage {}:B", kFirst, kSecond));
   ASSERT_EQ(staged["parameters"].size(), 1u);
@@ -117,7 +118,7 @@ TEST_F(IdentifyStages, everyStageIsPrintedAndTheWholeIsWritten) {
   EXPECT_NEAR(compared["rms"]["before"], staged["rms"]["after"], 1e-6);
 }
 
-// The reading that is off is the third of the second stage, the ninth of the file.
+// The outlier is the third reading of the second stage and the ninth of the file.
 TEST_F(IdentifyStages, anOutlierOfALaterStageHasItsOwnName) {
   all[8].p_W->x() += 0.1 * kInch;
   write("all.csv", readingsCsv(all));
@@ -137,7 +138,7 @@ TEST_F(IdentifyStages, aStageWithoutReadingsOrWithAStrangeNameIsRefused) {
   expectSays(both.err, "--free");
 }
 
-// The elbow's joint offset is as drawn: the readings have no use for it.
+// The elbow's joint offset equals the drawing, so the readings do not need this parameter.
 TEST_F(IdentifyStages, dropGivesUpWhatTheReadingsDoNotNeedAndSaysWhy) {
   const std::string free = fmt::format(" --free {},forearm.joint.offset", kFirst);
   const json kept = identified("bench.yaml all.csv" + free);
@@ -159,14 +160,14 @@ TEST_F(IdentifyStages, dropGivesUpWhatTheReadingsDoNotNeedAndSaysWhy) {
   expectSays(run("identify bench.yaml all.csv --folds 0 --drop 0.05" + free).out, "  dropped forearm.joint.offset: ");
 }
 
-// A number that is far from the drawing is needed at any level.
+// A parameter far from the drawing is significant at any level.
 TEST_F(IdentifyStages, dropKeepsWhatIsNeeded) {
   const json found = identified(fmt::format("bench.yaml all.csv --drop 0.001 --free {}", kFirst));
   ASSERT_EQ(found["parameters"].size(), 1u);
   EXPECT_TRUE(found["dropped"].empty());
 }
 
-// The true tool's joint is rigid: the file's stiffness is given up, and the written cell is the fitted one.
+// The true tool joint is rigid: the stiffness of the file is dropped, and the written cell is the fitted model.
 TEST_F(IdentifyStages, aDroppedStiffnessIsRigidInTheWrittenCell) {
   PlacedArm truth{deflection::cobraArm(), {{"", Eigen::Isometry3d::Identity(), true}}};
   truth.arm.rows[5].joint_stiffness.z() = deflection::kRigid;

@@ -1,4 +1,4 @@
-// tubeplan identify from outside: what it finds, what it writes, what it refuses and warns of.
+// tubeplan identify: its results, written files, refusals and warnings.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -16,7 +16,7 @@ using nlohmann::json;
 
 const std::string kFree = " --free tool.joint_stiffness.z,latch-link.beam.Iz --folds 0";
 
-/// The shipped arm with two stiffnesses of its own, on the bench, or where nobody has measured it.
+/// Returns the shipped arm with two altered stiffnesses, on the bench.
 PlacedArm trueArm() {
   PlacedArm truth{deflection::cobraArm(), {{"", Eigen::Isometry3d::Identity(), true}}};
   truth.arm.rows[5].joint_stiffness.z() *= 0.8;
@@ -39,7 +39,7 @@ class Identify : public ProgramTest {
     return json::parse(outcome.out, nullptr, false);
   }
 
-  /// Refused as bad input: exit code 2, one line with these words, nothing on standard output, no file made.
+  /// Expects a refusal as bad input: exit code 2, one line with these words, nothing on standard output, no new file.
   void expectRefused(const std::string& arguments, const std::vector<std::string>& words) const {
     const Outcome outcome = run("identify " + arguments + " --json - --out found.yaml");
     EXPECT_EQ(outcome.exit_code, 2) << arguments << "\n" << outcome.out;
@@ -51,7 +51,7 @@ class Identify : public ProgramTest {
 
   void writeReadings(const std::string& name) const { write(name, readingsCsv(maker.readings)); }
 
-  /// One warning at least that has these words.
+  /// Expects at least one warning that contains these words.
   static void expectWarns(const json& result, const std::string& words) {
     const auto& warnings = result["warnings"];
     EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
@@ -135,7 +135,7 @@ TEST_F(Identify, TheSameReadingsGiveTheSameBytes) {
   EXPECT_EQ(run(call).out, run(call).out);
 }
 
-// Iterations as they come, and nothing else changes; beside JSON they stand where progress does.
+// -v prints the iterations and changes nothing else; with --json - the iterations go to standard error.
 TEST_F(Identify, PrintsItsIterationsWhereThatIsAskedFor) {
   maker.add(MeasurementKind::kPosition, 12);
   writeReadings("readings.csv");
@@ -215,7 +215,7 @@ TEST_F(Identify, RefusesFilesThatAreBroken) {
 
 TEST_F(Identify, TouchesThatContradictEachOtherAreNamed) {
   maker.addTouches(6, {0, 20 * kPound, 40 * kPound}, false);
-  maker.readings[4].q[1] += 1 * kDegree;  // about an inch
+  maker.readings[4].q[1] += 1 * kDegree;  // about an inch at the tip
   writeReadings("readings.csv");
   const json result = identified(shipped("bench.yaml") + " readings.csv" + kFree);
   ASSERT_FALSE(result["outliers"].empty());
@@ -294,7 +294,7 @@ TEST_F(Identify, EverySetUpGetsACellOfItsOwnWithItsBase) {
 TEST_F(Identify, TouchesOfUnknownPointsInRadiansUnderADegreesHeaderAreFlagged) {
   maker.addTouches(10, {0, 30 * kPound}, false);
   auto readings = maker.readings;
-  for (auto& reading : readings) reading.q *= kDegree;  // radians, written as degrees
+  for (auto& reading : readings) reading.q *= kDegree;  // radians under a heading in degrees
   write("radians.csv", readingsCsv(readings));
   const Outcome outcome = run("identify " + shipped("bench.yaml") + " radians.csv --json -" + kFree);
   expectWarns(json::parse(outcome.out), "are they radians?");

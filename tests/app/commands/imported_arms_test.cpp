@@ -1,5 +1,4 @@
-// Arms of five makers from their URDF to a proved plan, as somebody who has the file goes about it: import, put a tool
-// on, stand it below a sheet, plan, verify.
+// Arms of five makers from URDF to a verified plan: import, mount a tool, place the arm below a sheet, plan, verify.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -16,11 +15,11 @@ using Eigen::Vector3d;
 
 struct Robot {
   const char* name;
-  double ahead, below;  ///< m, where the sheet is seen from the base
+  double ahead, below;  ///< position of the sheet seen from the base [m]
 };
 void PrintTo(const Robot& robot, std::ostream* out) { *out << robot.name; }
 
-constexpr double kTool = 0.15;  // m
+constexpr double kTool = 0.15;  // [m]
 
 std::string textOf(const Vector3d& v) { return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z()); }
 
@@ -33,7 +32,7 @@ class ImportedArm : public ProgramTest, public testing::WithParamInterface<Robot
     ASSERT_EQ(imported.exit_code, 0) << imported.err;
   }
 
-  /// A tool along its axis, with a solid that may enter the holes.
+  /// Mounts a tool along the tool axis, with a solid that may enter the holes.
   void putToolOn() {
     std::string text = contentOf(folder / "arm.yaml");
     const auto arm = readArm(parseYaml(text, "arm.yaml")).arm;

@@ -1,5 +1,5 @@
-// The whole loop by one command, from outside: what it writes is what it reports, it says why it ends, and it writes
-// nothing where the readings allow no verdict. And what a diagnosis gives to `add` is what it found.
+// tubeplan improve: the written model is the reported model, the reason for the end is stated, and nothing is written
+// where the readings allow no verdict. The arguments that a diagnosis gives for `add` add the effect found.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -23,7 +23,7 @@ class Improve : public ProgramTest {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
 
-  /// Adds so much to the first coordinate of a line's reading.
+  /// Adds `by` to the first coordinate of the reading on line `line` of the table.
   static void spoilPlace(std::string& text, int line, double by) {
     std::vector<std::string> lines, fields;
     std::istringstream all(text), header(text.substr(0, text.find('\n')));
@@ -60,7 +60,7 @@ TEST_F(Improve, WritesTheModelThatItReports) {
   EXPECT_NEAR(json::parse(compared.out)["rms"]["before"].get<double>(), reported, 0.01 * reported);
 }
 
-/// A reading that is no noise is in no fit and no error that is reported, and named.
+/// A reading that is set aside is named, and enters neither the fit nor the reported errors.
 TEST_F(Improve, FitsWithoutWhatItSetsAside) {
   simulate("hysteresis@theta4:0.06deg");
   std::string text = contentOf(folder / "set/measurements.csv");
@@ -94,7 +94,8 @@ TEST_F(Improve, WritesNothingWhereNoVerdictIsPossible) {
   EXPECT_EQ(outcome.out.find("nan"), std::string::npos) << outcome.out;
 }
 
-/// What is added as the diagnosis gives it does what the diagnosis promised, a slip's time included.
+/// Effects added with the arguments that the diagnosis gives reduce the error as the diagnosis predicts. The arguments
+/// include the time of a slip.
 TEST_F(Improve, WhatADiagnosisGivesToAddKeepsItsPromise) {
   for (const std::string hidden :
        {"base-slip@base:time=100,x=0.03,yaw=0.02", "stiffening@tool.z:softness=5,knee=200"}) {

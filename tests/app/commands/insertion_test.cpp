@@ -1,4 +1,4 @@
-// tubeplan plan --insertion from outside: tips in the tubes, the way there, the play, and what verify says to lies.
+// tubeplan plan --insertion: tips in the tubes, the path to the tubes, the play, and altered plans that verify refutes.
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -33,7 +33,7 @@ TEST_F(InsertionCommand, BringsTheTipIntoTheTubesAlongTheirAxes) {
     EXPECT_NEAR(tube["hole"][2].get<double>(), 0, 1e-12);
     EXPECT_LE(tube["centring_error"].get<double>(), 1e-6);
     EXPECT_GT(tube["play_in_tube"].get<double>(), 0);
-    EXPECT_LE(tube["play_in_tube"].get<double>(), 0.058);  // the second step is in
+    EXPECT_LE(tube["play_in_tube"].get<double>(), 0.058);  // the play of the second step, which is in the tube
   }
   const Cell cell = readCell((folder / "out/cell.yaml").string());
   const auto work = workcellOf(cell, "look at its tip");
@@ -46,7 +46,7 @@ TEST_F(InsertionCommand, BringsTheTipIntoTheTubesAlongTheirAxes) {
     highest = std::max(highest, z), lowest = std::min(lowest, z);
   }
   EXPECT_NEAR(highest, 0.8 * kInch, 1e-6);
-  EXPECT_NEAR(lowest, -1 * kInch, 1e-6);  // the standoff stays below the face
+  EXPECT_NEAR(lowest, -1 * kInch, 1e-6);  // the standoff point is below the face of the sheet
   const Outcome verified = run("verify mockup.yaml out --json checked.json");
   EXPECT_EQ(verified.exit_code, 0) << verified.out;
   double least = 1;
@@ -74,7 +74,7 @@ TEST_F(InsertionCommand, ATubeThatATiltedToolWouldTouchIsNotEntered) {
     touching += tube["reason"].get<std::string>().find("touch the tube") != std::string::npos;
   EXPECT_GT(touching, 5);
   EXPECT_EQ(run("verify mockup.yaml out").exit_code, 0);
-  // A tool that is thicker by then: the same path would touch.
+  // With a tool of larger diameter, the same path would touch the tube.
   std::string cell = contentOf(folder / "mockup.yaml");
   const auto at = cell.find("tolerance: 0.010");
   ASSERT_NE(at, std::string::npos);
@@ -98,7 +98,7 @@ TEST_F(InsertionCommand, APlanOfAnotherDepthIsNotKept) {
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_NE(again.out.find("the reach of 0 of 6"), std::string::npos) << again.out;
   EXPECT_EQ(run("verify mockup.yaml deeper").exit_code, 0);
-  // Nor one of another tool, once the tool is in the tubes.
+  // The reach of a plan for another tool is not kept either if the tool enters the tubes.
   std::string cell = contentOf(folder / "mockup.yaml");
   write("longer.yaml", cell.replace(cell.find("lengths: [0.5"), 13, "lengths: [0.3"));
   const Outcome longer = run("plan longer.yaml --tubes R20C30-35 --insertion 0.5 --from deeper --out longer");

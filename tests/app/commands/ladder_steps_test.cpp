@@ -1,4 +1,4 @@
-// The step table of tubeplan ladder from outside: better models, more steps of the tool.
+// The step table of tubeplan ladder: with a better model, more steps of the tool enter the holes.
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -28,7 +28,7 @@ class LadderSteps : public ProgramTest {
     return json::parse(outcome.out, nullptr, false);
   }
 
-  /// Mean number of steps that go in; the counts must be of all the holes.
+  /// Returns the mean number of steps that enter; expects the counts to add up to all holes.
   static double meanSteps(const json& steps, int holes) {
     EXPECT_EQ(steps["holes"], holes);
     double sum = 0;
@@ -56,7 +56,7 @@ TEST_F(LadderSteps, moreOfTheModelIsMoreSteps) {
                true_arm = meanSteps(found["models"][2]["steps"], 150);
   EXPECT_LT(rigid, drawn);
   EXPECT_LT(drawn, true_arm);
-  // The true arm, known to the last digit, centres every tool; what then keeps a step out is the tool's lean.
+  // The true arm, known exactly, centres every tool; only the tool's tilt can then keep a step out.
   EXPECT_EQ(found["models"][2]["steps"]["zero"], 0);
   EXPECT_LT(found["models"][2]["steps"]["centring_error"]["p95"], 1e-6);
   const std::string page = contentOf(folder / "page.html");

@@ -1,4 +1,4 @@
-// tubeplan plan --travel line from outside: tips on lines in the path that is written, and what is refused.
+// tubeplan plan --travel line: the written path moves the tip along lines; impossible requests are refused.
 #include <nlohmann/json.hpp>
 #include <sstream>
 

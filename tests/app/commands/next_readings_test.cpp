@@ -1,4 +1,4 @@
-// From outside: what a diagnosis proposes to measure next, and the warnings about effects in the cell.
+// The readings that a diagnosis proposes to take next, and the warnings about effects in the cell.
 #include <nlohmann/json.hpp>
 
 #include "app/formats/cell/cell_reader.hpp"
@@ -34,7 +34,7 @@ bool hasKind(const json& warnings, const std::string& kind) {
 }
 
 TEST_F(NextReadings, AreProposedWhereTheAnswerIsOneOfSeveral) {
-  // A tool that bends sideways looks much as a joint that gives behind it does.
+  // A tool that bends sideways is hard to distinguish from a compliant joint that carries the tool.
   simulate("link-bending@tool.z:1e-6", "--readings 120 --spread 0.1");
   const json diagnosed = answer("diagnose " + bench() + " " + path("set/measurements.csv") + " --next 4");
   ASSERT_EQ(diagnosed["verdict"], "ambiguous") << diagnosed["sentence"];

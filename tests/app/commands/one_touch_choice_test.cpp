@@ -1,5 +1,5 @@
-// Every command that chooses touches for a base chooses the same of the same holes, with the sigmas that `calibrate`
-// then states.
+// All commands that choose touches for the base choose the same touches from the same holes; `touches` predicts the
+// sigmas that `calibrate` states.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What the arm's file may leave open.
+/// Uncertainties of the arm's parameters, as lines of a cell.
 constexpr const char* kDoubts[] = {"", "uncertainty: none\n", "uncertainty: {stiffness: 0.3, weight: 0.1}\n"};
 
 class OneTouchChoice : public ProgramTest {
@@ -31,7 +31,7 @@ class OneTouchChoice : public ProgramTest {
     return json::parse(outcome.out, nullptr, false);
   }
 
-  /// As proposed of so many holes spread over the sheet, for work at them.
+  /// Returns the touches proposed for work at `holes` holes spread over the sheet.
   [[nodiscard]] json proposed(int holes) const {
     const std::string count = std::to_string(holes);
     return jsonOf("touches cell.yaml --goal base --tubes spread:" + count + " --candidates " + count);

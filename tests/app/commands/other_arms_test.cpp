@@ -1,4 +1,4 @@
-// Arms that lack what the shipped ones have: accelerations, speeds, bodies, joints with names of their own.
+// Arms without accelerations, speeds or bodies, which the shipped arms have, and with joint names of their own.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -60,7 +60,7 @@ TEST_F(OtherArms, ASlideCalledAsACoordinateHasAColumnOfItsOwn) {
   EXPECT_EQ(table.exit_code, 0) << table.err;
   expectSays(table.out, "joint_x_m,\"z,up_m\",x_m");
   std::string rows = table.out.substr(0, table.out.find('\n') + 1);
-  const auto columns = std::count(rows.begin(), rows.end(), ',') - 1;  // one stands in a name
+  const auto columns = std::count(rows.begin(), rows.end(), ',') - 1;  // one comma is part of a name
   ASSERT_EQ(columns, 9) << rows;
   for (int k = 1; k <= 8; ++k)
     rows += fmt::format("r{0},position,,0,{1},{2},{1},0,{3},0.001\n", k, 0.1 * k, 0.01 * k * k, 0.1 + 0.01 * k * k);

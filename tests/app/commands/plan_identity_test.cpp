@@ -1,4 +1,4 @@
-// Plans, lists and exports that know their sheet, leg and tubes.
+// Plans, work lists and exports that record their sheet, leg and tubes.
 #include "app/commands/plan_identity.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ TEST_F(PlanIdentity, EveryTubeAndPathRowNamesLegRowAndColumn) {
   EXPECT_EQ(run("verify mockup.yaml made").exit_code, 0);
 }
 
-/// A list with headings of somebody's own, by columns that are named: the same plan as by headings that are known.
+/// A work list with unknown headings, read with --column, gives the same plan as a list with known headings.
 TEST_F(PlanIdentity, AWorkListIsReadByTheColumnsThatAreNamed) {
   (void)write("known.csv", "row,column,dwell_s,status\n20,40,25,\n22,44,,\n22,45,,plugged\n");
   (void)write("own.csv", "Reihe,Spalte,Dauer,Befund,x\n20,40,25,,1\n22,44,,,2\n22,45,,plugged,3\n");
@@ -94,7 +94,7 @@ TEST_F(PlanIdentity, APlanIsNotWrittenOverItsOwnInputs) {
   EXPECT_EQ(outcome.exit_code, 2);
   expectSays(outcome.err, "this command reads");
   EXPECT_EQ(contentOf(folder / "own/cell.yaml"), cell);
-  // A table of touches that this plan does not read is none of its own.
+  // A table of touches that this plan does not read is not a file of the plan, and is kept.
   std::filesystem::create_directories(folder / "beside");
   (void)write("beside/touches.csv", "mine");
   ASSERT_EQ(run("plan mockup.yaml --tubes R20C40 --out beside").exit_code, 0);
@@ -137,7 +137,7 @@ TEST_F(PlanIdentity, APathRowThatGoesElsewhereIsRefuted) {
   EXPECT_EQ(run("verify mockup.yaml made").exit_code, 1);
 }
 
-/// A joint of a travel moved a little is as good a motion as it was: only the file's own numbers tell.
+/// A travel with one joint moved slightly is as good a motion; only the comparison with plan.json reveals the change.
 TEST_F(PlanIdentity, AnAlteredRowOfThePathIsRefutedWhereItDoesNoHarm) {
   ASSERT_EQ(run("verify mockup.yaml made").exit_code, 0);
   const std::string path = contentOf(folder / "made/path.csv");
@@ -149,7 +149,7 @@ TEST_F(PlanIdentity, AnAlteredRowOfThePathIsRefutedWhereItDoesNoHarm) {
   const Outcome altered = run("verify mockup.yaml made");
   EXPECT_EQ(altered.exit_code, 1);
   expectSays(altered.out, "path.csv differs from the path that plan.json was written with");
-  // The same numbers written otherwise are the same path.
+  // The same values in another notation are the same path.
   (void)write("made/path.csv", path.substr(0, joint) + fmt::format("{:.17e}", value) + path.substr(end));
   EXPECT_EQ(run("verify mockup.yaml made").exit_code, 0);
 }
@@ -162,7 +162,7 @@ TEST_F(PlanIdentity, TheWorkListComesBackAsTheSamePlanAndIsRefusedElsewhere) {
   ASSERT_EQ(run("plan mockup.yaml --tubes made/worklist.csv --out again").exit_code, 0);
   json made = json::parse(contentOf(folder / "made/plan.json")),
        again = json::parse(contentOf(folder / "again/plan.json"));
-  EXPECT_EQ(again["inputs"].size(), made["inputs"].size() + 1);  // the list
+  EXPECT_EQ(again["inputs"].size(), made["inputs"].size() + 1);  // the work list is one more input
   made.erase("inputs");
   again.erase("inputs");
   EXPECT_EQ(again, made);
@@ -179,7 +179,7 @@ TEST_F(PlanIdentity, TheWorkListComesBackAsTheSamePlanAndIsRefusedElsewhere) {
 
 TEST_F(PlanIdentity, AWorkListComesBackWithAllThatItHad) {
   struct Case {
-    std::string text, first, row, end;  ///< the heading, a row's beginning and what ends a line
+    std::string text, first, row, end;  ///< the list; heading, beginning of a row and line end expected in the output
   };
   for (const auto& [text, first, row, end] :
        {Case{"# zone 5\nsg,leg,row,column,zone,tool,priority,comment\nA,HL,20,40,5,P1,7,ask AB\nA,HL,22,44,5,P1,1,\n",
@@ -233,7 +233,7 @@ TEST_F(PlanIdentity, TheTrajectoryIsThePathInRadians) {
     before = time;
   }
   EXPECT_NEAR(before, plan["total_time_s"].get<double>(), 1e-8);
-  // Somewhere on the way the arm stands still at each tube, with that tube's joints.
+  // At each tube, the trajectory has a point at rest with the joint values of that tube.
   for (const auto& tube : plan["tubes"])
     EXPECT_TRUE(std::any_of(points.begin(), points.end(), [&](const YamlNode& point) {
       for (std::size_t j = 0; j < 4; ++j) {
@@ -243,7 +243,7 @@ TEST_F(PlanIdentity, TheTrajectoryIsThePathInRadians) {
       }
       return true;
     }));
-  // Without being asked for it is not there, nor left from before.
+  // Unless requested, no trajectory is written, and an earlier trajectory is removed.
   ASSERT_EQ(run("plan mockup.yaml --tubes R20C40,R22C44 --out made").exit_code, 0);
   EXPECT_FALSE(std::filesystem::exists(folder / "made/trajectory.yaml"));
 }

@@ -1,4 +1,5 @@
-// Files of real arms that stand beside the project on its developers' machines; without them there is nothing to read.
+// Files of real arms that lie beside the repository on its developers' machines; without these files the tests are
+// skipped.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +47,7 @@ TEST(RealData, isReadWhole) {
   }
 }
 
-/// From two thirds on in metres, and then in radians, under columns of millimetres and degrees.
+/// The last third of the readings is in metres, then in radians, under headings in millimetres and degrees.
 TEST(RealData, aRunInAnotherUnitIsNamedByItsFirstAndLastReading) {
   const fs::path folder = fs::path(TUBEPLAN_SOURCE_DIR) / "../shared/real";
   if (!fs::exists(folder)) GTEST_SKIP() << "skipped: no real sets at ../shared/real";
@@ -70,7 +71,8 @@ TEST(RealData, aRunInAnotherUnitIsNamedByItsFirstAndLastReading) {
   }
 }
 
-/// Without the lines that the shipped mock-up has beyond the contract's: where its manway is and where the arm parks.
+/// Returns the text without the lines that only the shipped mock-up has: the position of the manway and the park
+/// posture.
 std::string withoutAdditions(std::string text) {
   for (const char* key : {"  manway:", "park:"})
     if (const std::size_t at = text.find(key); at != std::string::npos)

@@ -1,4 +1,4 @@
-// Plans that were interrupted or killed and go on, and plans that begin from an earlier one.
+// Plans that resume after an interruption or a kill, and plans that start from an earlier plan.
 #include <fcntl.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using nlohmann::json;
 
 class Resume : public ProgramTest {
  protected:
-  /// Starts the program and gives it the signal once progress.json is there; its exit status as waitpid has it.
+  /// Starts the program and sends the signal once progress.json exists; returns the status from waitpid.
   [[nodiscard]] int interrupted(const std::string& arguments, const std::string& out, int signal_number) const {
     const std::string command = "cd '" + folder.string() + "' && exec '" TUBEPLAN_PROGRAM "' " + arguments + " --out " +
                                 out + " >stopped.txt 2>&1 </dev/null";
@@ -60,7 +60,7 @@ TEST_F(Resume, AnInterruptedPlanGoesOnToTheSameBytes) {
   expectSays(said, "the same command continues from there");
   EXPECT_FALSE(std::filesystem::exists(folder / "stopped/plan.json"));
 
-  // Asked otherwise it is refused, and kept.
+  // Resuming with other arguments is refused, and the progress file is kept.
   const std::string kept = contentOf(folder / "stopped/progress.json");
   const Outcome other = run(mockupPlan("--tubes spread:220 --seed 4 --resume --out stopped"));
   EXPECT_EQ(other.exit_code, 2);
@@ -104,11 +104,11 @@ TEST_F(Resume, RefusesWhatIsNotThereOrDamaged) {
   EXPECT_FALSE(std::filesystem::exists(folder / "made"));
   ASSERT_EQ(run(question).exit_code, 0);
   const std::string memory = contentOf(folder / "made/memory.json"), plan = contentOf(folder / "made/plan.json");
-  // A finished plan is written again.
+  // Resuming a finished plan writes the same plan again.
   const Outcome again = run(question + " --resume");
   EXPECT_EQ(again.exit_code, 0) << again.err;
   EXPECT_EQ(contentOf(folder / "made/plan.json"), plan);
-  // One digit of a joint value, and half a file.
+  // Damages: one digit of a joint value altered, half of the file, and empty objects.
   std::string altered = memory;
   const std::size_t digit = altered.find("\"q\":[") + 9;
   altered[digit] = altered[digit] == '1' ? '2' : '1';
@@ -119,7 +119,7 @@ TEST_F(Resume, RefusesWhatIsNotThereOrDamaged) {
     expectSays(outcome.err, "progress.json");
     expectSays(outcome.err, "remove it");
   }
-  // Of another question, and not asked to resume: begun anew, and said.
+  // With the progress file of another question and without --resume, planning starts again and says so.
   (void)write("made/progress.json", memory);
   const Outcome anew = run(question + " --seed 8");
   EXPECT_EQ(anew.exit_code, 0) << anew.err;
@@ -145,7 +145,7 @@ TEST_F(Resume, AFewTubesMoreAndLessKeepTheRestOfThePlan) {
   EXPECT_GE(std::stoi(travels[1]), std::stoi(travels[2]) - 16);
   const Outcome proof = run("verify " + shipped("mockup.yaml") + " new");
   EXPECT_EQ(proof.exit_code, 0) << proof.out;
-  // Where the arm stays in its branch, the joints stay to the last digit.
+  // Where the arm stays in its branch, the joint values stay equal to the last digit.
   std::map<std::string, json> joints;
   for (const auto& tube : old["tubes"]) joints[tube["name"]] = tube["joints"];
   int same = 0, shared = 0;

@@ -1,5 +1,4 @@
-// Run sheets of every kind of reading: what they ask for, refused as they were written, taken as soon as somebody has
-// filled them in.
+// Run sheets of every kind of reading: the columns to fill in, refused while empty, accepted once filled in.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +20,8 @@ namespace {
 using calibration::Measurement, calibration::ProposedMeasurement, calibration::ReadingCandidate;
 using nlohmann::json;
 
-/// How readings of a kind come about: the cell, and a design's keys beside the kind.
+/// A kind of reading with the cell and the design that produce the readings; `design` holds the keys of the design
+/// other than `kind`.
 struct SheetCase {
   std::string name, kind, cell, design;
   bool is_length_alone = false;
@@ -51,7 +51,7 @@ std::vector<SheetCase> sheetCases() {
 
 class EveryRunSheet : public ProgramTest, public ::testing::WithParamInterface<SheetCase> {
  protected:
-  /// The cells, readings of the arm as it is, and a sheet of what could be read next.
+  /// Writes the cells, readings of the unaltered arm, and a run sheet of possible next readings.
   void SetUp() override {
     (void)write("cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));
     (void)write("bench.yaml", contentOf(shippedCells() / "bench.yaml"));
@@ -80,8 +80,7 @@ class EveryRunSheet : public ProgramTest, public ::testing::WithParamInterface<S
     ASSERT_EQ(table.rows.size(), sheet.size());
   }
 
-  /// Every number of the first `rows` rows that the sheet asks for, but for the last `less` of each, as the arm gives
-  /// it.
+  /// Returns the sheet with the first `rows` rows filled in from the arm, except the last `less` columns of each row.
   [[nodiscard]] std::string filled(std::size_t rows, std::size_t less = 0) const {
     const auto answers = tubesheets::parseCsv(measurementsCsv(expected, cell.arm, cell.units));
     std::string out = text.substr(0, text.find('\n') + 1);
@@ -137,7 +136,7 @@ TEST_P(EveryRunSheet, AsksForTheColumnsOfItsKindAndHasNothingInThem) {
     const std::string& name = table.columns[c];
     const std::string quantity = name.substr(0, name.rfind('_'));
     if (!std::ranges::count(prefixes, quantity) && !std::ranges::count(prefixes, name)) continue;
-    if (name.ends_with("_dir")) continue;  // from which side a joint is to arrive
+    if (name.ends_with("_dir")) continue;  // the sheet states the approach direction of each joint
     for (const auto& row : table.rows) EXPECT_EQ(row.fields[c], "") << name;
   }
   for (const auto& proposed : sheet) {
@@ -165,7 +164,7 @@ TEST_P(EveryRunSheet, FilledInInPartIsRefused) {
     EXPECT_EQ(some.exit_code, 2);
     expectSays(some.err, "next.csv:3");
   }
-  if (fillInOf(sheet.front(), cell.arm, cell.units).least < 2) return;  // one number is a reading
+  if (fillInOf(sheet.front(), cell.arm, cell.units).least < 2) return;  // a single number is already a reading
   const auto half = compared(filled(sheet.size(), 1));
   EXPECT_EQ(half.exit_code, 2);
   expectSays(half.err, "next.csv:2");

@@ -1,5 +1,5 @@
-// The loop through a run sheet: readings that leave two explanations, the readings proposed, filled in by the true arm,
-// and the verdict of all of them together.
+// The loop through a run sheet: the readings leave two explanations. The proposed readings, filled in by the true arm,
+// lead to a verdict on all readings together.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ class RunSheet : public ProgramTest {
     cell_.arm.effects.push_back(backlash);
   }
 
-  /// The coordinates as the true arm has them, with noise.
+  /// Returns the sheet with the coordinates filled in from the true arm, with noise.
   std::string filled(const std::string& sheet) {
     boost::random::mt19937_64 random(5);
     boost::random::normal_distribution<double> noise(0, 0.003);

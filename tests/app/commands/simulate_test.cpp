@@ -1,4 +1,4 @@
-// Simulated campaigns from outside: files that the readers take, the truth beside them, refusals.
+// Simulated campaigns: files that the readers accept, the truth file beside the readings, and refusals.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ using Eigen::Vector3d;
 
 class Simulate : public ProgramTest {
  protected:
-  /// The readings of a campaign in folder `out`, as the cell's commands read them.
+  /// Returns the readings of a campaign in folder `out`, read as the commands of the cell read the file.
   [[nodiscard]] std::vector<Measurement> simulate(const std::string& cell, const std::string& arguments,
                                                   const std::string& out = "out") const {
     const Outcome outcome = run("simulate " + shipped(cell) + " " + arguments + " --out " + out);
@@ -85,7 +85,7 @@ TEST_F(Simulate, EveryDesignAndKindIsReadBack) {
     }
     int all = 0;
     for (const auto& [point, count] : touches) {
-      EXPECT_GE(count, 2) << point << " of " << readings;  // one touch of an unknown point says nothing
+      EXPECT_GE(count, 2) << point << " of " << readings;  // a single touch of an unknown point tells nothing
       all += count;
     }
     EXPECT_EQ(all, readings);
@@ -153,7 +153,7 @@ TEST_F(Simulate, TheTruthPredictsTheReadings) {
         deflection::solveFlexibleKinematics(cell.arm, {m.q, m.load, deflection::gravityInBase(cell.arm, X_WB)});
     squares += (X_WB * shape.X_BD.p - *m.p_W).squaredNorm() / 180;
   }
-  // Centring 0.002 in, and 0.002 deg in each of four joints at levers of up to 80 in.
+  // Expected error: 0.002 in of centring, and 0.002 deg in each of four joints at levers of up to 80 in.
   EXPECT_GT(std::sqrt(squares), 0.002 * kInch);
   EXPECT_LT(std::sqrt(squares), 0.005 * kInch);
 }
@@ -188,7 +188,7 @@ TEST_F(Simulate, PosturesKeepClearOfTheScene) {
     work.arm = cell.arm;
     work.X_WB = baseOf(truth().at("bases").list().at(0));
     work.scene = cell.scene;
-    // Only a touch in a hole may have the tool in the sheet.
+    // Only touches of holes may have the tool in the sheet.
     if (design != "bowl")
       for (auto& obstacle : work.scene.obstacles) std::erase(obstacle.allow, "tool-tip");
     for (const auto& m : readings) {
@@ -196,7 +196,7 @@ TEST_F(Simulate, PosturesKeepClearOfTheScene) {
       const auto frames = planner::bodyFrames(work, m.q, nullptr);
       std::string names;
       const double margin = planner::LipschitzMargins(work.scene).at(frames, 1e-5, 0.01, &names);
-      // The encoders' noise at a lever of 80 in may be missing, and nothing more.
+      // The margin may fall short by five sigmas of the encoder noise at a lever of 80 in, and by no more.
       EXPECT_GE(margin, -5 * 0.002 * kDegree * 80 * kInch) << design << " " << m.id << " " << names;
     }
   }

@@ -1,4 +1,4 @@
-// The commands touches and sensitivity from outside.
+// The commands `touches` and `sensitivity`.
 #include "app/jobs/touches.hpp"
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ class LookAhead : public ProgramTest {
 
 class SmallSheet : public LookAhead {
  protected:
-  /// small.yaml, the mock-up with a sheet of so many rows of holes.
+  /// Writes small.yaml, the mock-up with a sheet of `rows` rows of holes.
   void writeSheet(int rows) const {
     std::string map = "row,column,x_in,y_in\n";
     for (int row = 1; row <= rows; ++row)
@@ -71,7 +71,7 @@ TEST_F(LookAhead, touchesPlacesTheBaseOfTheMockUp) {
     EXPECT_EQ(touch["joints"].size(), 4u);
     at.push_back({touch["place"][0], touch["place"][1]});
   }
-  // A triangle that is far from a line: least height against longest side.
+  // The touches form a triangle that is far from a line: smallest height relative to the longest side.
   const double area =
       std::abs((at[1][0] - at[0][0]) * (at[2][1] - at[0][1]) - (at[2][0] - at[0][0]) * (at[1][1] - at[0][1]));
   double longest = 0;
@@ -88,7 +88,7 @@ TEST_F(LookAhead, touchesPlacesTheBaseOfTheMockUp) {
   EXPECT_EQ(found["units"]["length"], "in");
 }
 
-/// A hole that only the base as named reaches is no touch to find the base by.
+/// A hole that is in reach only from the nominal base is not proposed as a touch for finding the base.
 TEST_F(LookAhead, touchesForTheBaseAreInReachWhereItStandsOtherwise) {
   TouchRequest request;
   request.cell = (shippedCells() / "mockup.yaml").string();
@@ -105,7 +105,7 @@ TEST_F(LookAhead, touchesForTheBaseAreInReachWhereItStandsOtherwise) {
   EXPECT_TRUE(std::ranges::any_of(found.notes, [](const auto& note) { return note.find("excluded") != note.npos; }));
 }
 
-/// What is foretold is what the calibration by touches of the proposed holes states, whatever the arm.
+/// The predicted sigmas are the sigmas that `calibrate` states for touches of the proposed holes, for any arm.
 TEST_F(LookAhead, touchesForetellsWhatCalibrateStates) {
   for (const char* name : {"mockup.yaml", "puma.yaml", "column.yaml"}) {
     TouchRequest request;
@@ -137,7 +137,7 @@ TEST_F(LookAhead, touchesForetellsWhatCalibrateStates) {
   }
 }
 
-/// A run sheet of touches where the joints stood as they were foreseen.
+/// Returns the run sheet filled in with the predicted joint values of its `near_` columns.
 std::string touchedAsForeseen(const std::string& sheet) {
   const auto table = tubesheets::parseCsv(sheet);
   std::string text = sheet.substr(0, sheet.find('\n') + 1);
@@ -282,7 +282,7 @@ TEST_F(LookAhead, sensitivityRanksTheMembersOfTheMockUp) {
   }
 }
 
-// One per cent in the file itself.
+// The predicted change per percent is compared with the effect of a moment of inertia raised by 1 % in the arm's file.
 TEST_F(LookAhead, sensitivityForetellsWhatAChangedArmDoes) {
   for (const char* name : {"bench.yaml", "cobra-arm.yaml"}) (void)write(name, contentOf(shippedCells() / name));
   const json found = jsonOf("sensitivity bench.yaml --load 20");
@@ -305,7 +305,7 @@ TEST_F(LookAhead, readingsSayHowFarEachNumberMayBeOff) {
       const json tip = jsonOf("pose " + shipped("bench.yaml") + " --joints=" + joints + " --load " +
                               std::to_string(load))["flexible"];
       csv += std::to_string(++id) + ",position," + std::to_string(load) + "," + joints;
-      for (int k = 0; k < 3; ++k)  // as far off as is stated: readings that are exact are a mistake of their sigma
+      for (int k = 0; k < 3; ++k)  // errors as large as the stated sigma: without errors, the sigma would be a mistake
         csv += "," + std::to_string(tip["position"][k].get<double>() + 0.004 * std::sin(7 * id + 3 * k));
       csv += ",0.003\n";
     }
@@ -314,8 +314,8 @@ TEST_F(LookAhead, readingsSayHowFarEachNumberMayBeOff) {
   const json found = jsonOf("sensitivity " + shipped("bench.yaml") + " --readings readings.csv");
   std::map<std::string, double> sigma;
   for (const auto& number : ahead["parameters"]["numbers"]) sigma[number["name"]] = number["sigma"]["now"];
-  // The identification's own word: three thousandths of an inch in fifteen places tells the tool's spring, 5588, to a
-  // tenth.
+  // The sigma agrees with that of the identification: 0.003 in at fifteen postures determines the tool's stiffness of
+  // 5588 to within a tenth.
   EXPECT_LT(sigma.at("tool.joint_stiffness.z"), 560);
   int seen = 0;
   for (const auto& number : found["knowledge"]) {
