@@ -1,4 +1,5 @@
-// Every proof and every count of steps says for which base: command by command, for bases of every placing.
+// Every verification and every step count states the base that it holds for, in every command and for every kind of
+// base.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -12,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A base, and how every command has to name it.
+/// A kind of base and the words with which every command names the base.
 struct PlacedAs {
   const char *name, *touches, *status, *words;
   bool is_warned_of;
@@ -25,14 +26,14 @@ class BaseStandings : public ProgramTest {
   BaseStandings() {
     for (const char* name : {"mockup.yaml", "mockup-true.yaml", "cobra-arm.yaml", "cobra-arm-true.yaml"})
       write(name, contentOf(shippedCells() / name));
-    // An arm that is as its file has it, so that touches of another one do not fit.
+    // An arm without uncertainty, which the touches of another arm do not fit.
     write("exact.yaml", contentOf(shippedCells() / "mockup.yaml") + "uncertainty: none\n");
     EXPECT_EQ(run("simulate mockup.yaml --design bowl --readings 4 --loads 0 --seed 3 --out fits").exit_code, 0);
     write("wrong.csv", withOneHoleMoved(contentOf(folder / "fits/measurements.csv")));
   }
 
-  /// Ids, kinds, points, loads and joints alone, as holes are named by hand; the last touch by the name of another hole
-  /// of its column. No base explains that.
+  /// Returns the touches with ids, kinds, points, loads and joints only, as when holes are named by hand. The last
+  /// touch names another hole of the same column, which no base explains.
   static std::string withOneHoleMoved(const std::string& touches) {
     std::vector<std::vector<std::string>> rows;
     std::istringstream lines(touches);
@@ -113,7 +114,7 @@ TEST_F(BaseStandings, AreNamedByScores) {
 TEST_F(BaseStandings, AreNamedByRepeatedScores) {
   struct Repeated {
     const char* cell;
-    bool is_misfit;  ///< of an arm without uncertainty that errs by far more than its touches' noise
+    bool is_misfit;  ///< an arm without uncertainty whose errors far exceed the noise of its touches
   };
   for (const auto& [cell, is_misfit] : {Repeated{"mockup.yaml", false}, Repeated{"exact.yaml", true}}) {
     SCOPED_TRACE(cell);
@@ -179,7 +180,7 @@ TEST_F(BaseStandings, ARefusedCalibrationLeavesTheNominalBaseAndSaysSo) {
 }
 
 TEST_F(BaseStandings, OfACellThatAPlanWroteArePlannedAlike) {
-  constexpr double kAlike = 4e-3;  // by the digits of a file
+  constexpr double kAlike = 4e-3;  // limited by the digits in a file
   for (const char* touches : {"fits/measurements.csv", "auto --truth mockup-true.yaml"}) {
     SCOPED_TRACE(touches);
     const std::string tubes = " --tubes spread:5 --out ";

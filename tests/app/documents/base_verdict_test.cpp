@@ -12,7 +12,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Touches with every hole's column moved on, and without coordinates, which would give the mistake away.
+/// Returns the touches with the column of every hole shifted by `columns`, and without coordinates, which would reveal
+/// the mistake.
 std::string withColumnsMoved(const std::string& touches, int columns) {
   std::istringstream lines(touches);
   std::string text;
@@ -36,11 +37,11 @@ class BaseVerdicts : public ProgramTest {
   BaseVerdicts() {
     for (const char* name : {"mockup.yaml", "mockup-true.yaml", "cobra-arm.yaml", "cobra-arm-true.yaml"})
       write(name, contentOf(shippedCells() / name));
-    // An arm that is as its file has it: what the touches then do not fit is an error of the model.
+    // An arm without uncertainty: touches that do not fit then show an error of the model.
     write("exact.yaml", contentOf(shippedCells() / "mockup.yaml") + "uncertainty: none\n");
   }
 
-  /// Touches of six holes by an arm that is the model itself.
+  /// Simulates touches of six holes with the model of `cell` as the true arm.
   void touch(const std::string& cell, const std::string& more = "") const {
     ASSERT_EQ(run("simulate " + cell + " --design bowl --readings 6 --loads 0 --seed 3 --out set" + more).exit_code, 0);
   }
@@ -79,7 +80,7 @@ TEST_F(BaseVerdicts, HolesOneColumnOffAreWarnedOf) {
   const std::string touches = contentOf(folder / "set/measurements.csv");
   write("named.csv", withColumnsMoved(touches, 0));
   write("column.csv", withColumnsMoved(touches, 1));
-  // Where the base may stand half an inch off, as by default, an honest one is likelier than a miscount.
+  // By default the base may stand half an inch off: a real shift by one column is then likelier than a miscount.
   EXPECT_FALSE(calibrated("mockup.yaml", "column.csv").figures["nominal"]["implausible"]);
   std::string cell = contentOf(folder / "mockup.yaml");
   const std::string known = "known: false";
@@ -103,7 +104,7 @@ TEST_F(BaseVerdicts, ABaseFarFromNominalIsWarnedOfInPitchesAndDegrees) {
   EXPECT_LT(found.figures["nominal"]["pitches"][0], -30000);
   EXPECT_NE(found.text.find("pitches"), std::string::npos);
   EXPECT_NE(found.text.find("warning"), std::string::npos);
-  // Who says that the base may be anywhere is not warned of its turn or shift but for whole pitches.
+  // With a prior that permits any base, only a shift by whole pitches is warned of.
   const std::string known = "known: false";
   cell.replace(cell.find(known), known.size(), "known: false, prior: {shift: 50000, turn: 10}");
   write("anywhere.yaml", cell);

@@ -20,7 +20,7 @@ const std::vector<std::string> kHostile = {"</script><script>alert(1)</script>",
                                            "/*SCRIPT*/",
                                            "/*REPORT*/"};
 
-/// The text between the data block's tags, as a browser would cut it: up to the first "</script".
+/// Returns the data between the tags of the data block, which a browser ends at the first "</script".
 json dataOf(const std::string& page) {
   const std::string opening = R"(<script type="application/json" id="report">)";
   const std::size_t start = page.find(opening) + opening.size();
@@ -80,7 +80,7 @@ class DiagnosisReportOfProgram : public ProgramTest {
  protected:
   static constexpr int kReadings = 36;
 
-  /// A CSV of readings, each of whose ids would end a script block.
+  /// Returns a CSV table of readings; the id of each reading would end a script block.
   [[nodiscard]] static std::string measurements(const std::string& effect, const std::vector<double>& values) {
     const auto readings =
         calibration::benchReadings(calibration::shippedBench(), effect, "theta4", values, kReadings, 7);

@@ -1,4 +1,4 @@
-// Warnings about the effects of a cell as sentences: those of a kind make one, which names them all.
+// Warnings about the effects of a cell as text: the warnings of one kind form one sentence, which names all effects.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,5 @@
-// The one error of a document, from outside: its unit by what was measured, its shares, and the readings set aside.
+// The error figures of a document: their unit, which depends on the measured quantity, the contributions, and the
+// readings set aside.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -32,7 +33,7 @@ class ErrorFigures : public ProgramTest {
     return json::parse(outcome.out, nullptr, false);
   }
 
-  /// Puts x of these rows of `set` half an inch off.
+  /// Shifts x by half an inch in these rows of `set`.
   void misread(const std::vector<std::size_t>& rows) const {
     std::vector<std::string> lines;
     std::istringstream text(contentOf(folder / "set/measurements.csv"));
@@ -68,7 +69,7 @@ class ErrorFigures : public ProgramTest {
   }
 };
 
-/// Readings of one kind by an arm that is known, exact but for one that measures an angle half a degree off.
+/// Returns exact readings of one kind by a known arm. If the kind measures angles, one angle is half a degree off.
 std::vector<calibration::Measurement> readingsOf(const MeasurementKindRow& kind) {
   calibration::ReadingMaker maker(calibration::cobra(), 5);
   if (kind.is_touch)
@@ -77,7 +78,7 @@ std::vector<calibration::Measurement> readingsOf(const MeasurementKindRow& kind)
     maker.add(kind.kind, 16);
   if (kind.turn_rows == 0) return maker.readings;
   auto& own = maker.readings[3].own;
-  const auto from_last = std::make_reverse_iterator(own.end());  // an azimuth is less of an angle than an elevation
+  const auto from_last = std::make_reverse_iterator(own.end());  // the elevation: an azimuth error is a smaller angle
   *std::find_if(from_last, std::make_reverse_iterator(own.begin()), [](double a) { return std::isfinite(a); }) +=
       kHalfDegree;
   return maker.readings;
@@ -106,7 +107,7 @@ TEST_F(ErrorFigures, areInTheUnitOfWhatWasMeasured) {
   }
 }
 
-/// An angle that is off is no error of zero length: of every reading that a diagnosis lists.
+/// A diagnosis lists the error of a measured angle as an angle, for every reading.
 TEST_F(ErrorFigures, ofADiagnosisAreInTheUnitOfWhatWasMeasured) {
   const Units units = readCell((shippedCells() / "bench.yaml").string()).units;
   for (const MeasurementKindRow& kind : calibration::measurementKinds()) {
@@ -131,7 +132,7 @@ TEST_F(ErrorFigures, ofADiagnosisAreInTheUnitOfWhatWasMeasured) {
   }
 }
 
-/// Hysteresis that the model lacks, and two readings that somebody wrote down wrong.
+/// The readings have hysteresis that the model lacks, and two readings were recorded wrongly.
 TEST_F(ErrorFigures, areTheSameInEveryDocument) {
   const std::string cell = shipped("bench.yaml");
   const Outcome made = run("simulate " + cell +

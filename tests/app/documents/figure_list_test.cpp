@@ -1,4 +1,4 @@
-// A document as a list of figures: nothing is lost in CSV or Markdown, each number has its unit, no text breaks a cell.
+// A document as a list of figures: CSV and Markdown keep every figure, each number has its unit, no text breaks a cell.
 #include "app/documents/figure_list.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ const Figure& figureAt(const std::vector<Figure>& figures, const std::string& ke
   return found == figures.end() ? kNone : *found;
 }
 
-/// Leaves by their JSON pointers without the first stroke; a list of plain values is one.
+/// Adds the JSON pointers of all figures, without the leading slash; a list of plain values counts as one figure.
 void addLeaves(const json& value, const std::string& path, std::vector<std::string>& leaves) {
   if (value.empty() || value.dump().find('{') == std::string::npos) return leaves.push_back(path.substr(1));
   for (const auto& [key, inner] : value.items()) addLeaves(inner, path + "/" + key, leaves);

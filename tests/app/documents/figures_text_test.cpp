@@ -1,4 +1,4 @@
-// Tables of lines about a document: figures by path, format and unit; entries of lists, and what is not there.
+// Text lines about a document: figures selected by path, with format and unit; entries of lists; missing values.
 #include "app/documents/figures_text.hpp"
 
 #include <gtest/gtest.h>

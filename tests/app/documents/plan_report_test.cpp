@@ -16,14 +16,14 @@ namespace {
 
 using nlohmann::json;
 
-/// The text between the data block's tags, as a browser would cut it: up to the first "</script".
+/// Returns the text between the tags of the data block, which a browser ends at the first "</script".
 std::string dataBlock(const std::string& page) {
   const std::string opening = R"(<script type="application/json" id="report">)";
   const std::size_t start = page.find(opening) + opening.size();
   return page.substr(start, page.find("</script", start) - start);
 }
 
-/// What the page has of a document: that and which page it is.
+/// Returns the document as embedded in the page: with the name of the page added.
 json asPlan(json document) {
   document["page"] = "plan";
   return document;
@@ -133,7 +133,7 @@ TEST(PlanReport, anyPartMayBeMissing) {
 }
 
 TEST(PlanReport, sameDocumentGivesSameBytes) {
-  json other;  // the same members, put in in another order
+  json other;  // the same members, added in another order
   const json report = smallReport();
   const std::vector<std::string> keys = {"units", "tubes", "title", "tightest", "sheet"};
   for (const std::string& key : keys) other[key] = report[key];
