@@ -71,7 +71,7 @@ TEST_F(AtomicFile, filesThatBelongTogetherAreAllNewOrAllOld) {
   EXPECT_EQ(contentOf(folder / "cell.yaml"), "new cell");
   EXPECT_EQ(contentOf(folder / "new/arm.yaml"), "new arm");
   EXPECT_EQ(entries(), 3);
-  // The last one has no place: the others stay as they are, and what was made for them goes.
+  // The last file cannot be written: the other files stay as they are, and everything created for them is removed.
   const std::vector<TextFile> too_many = {
       {folder / "cell.yaml", "newer"}, {folder / "newer/arm.yaml", "newer"}, {"/proc/none/a.txt", "newer"}};
   expectSays(messageOf([&] { writeFilesTogether(too_many, "--out"); }), "--out: found");
@@ -98,7 +98,7 @@ TEST_F(AtomicFile, folderIsOfOneProgramAtATime) {
     const std::string message = messageOf([&] { OutputFolder second(folder, "--out"); });
     expectSays(message, "another run of tubeplan (process " + std::to_string(::getpid()) + ") is writing to");
   }
-  // A program that was killed holds nothing, whatever it left.
+  // A killed program holds no lock, whatever files it left.
   fs::create_directory(folder / ".tubeplan.1999999999.part");
   OutputFolder again(folder, "--out");
   again.write("a.txt", "a");
@@ -134,7 +134,7 @@ TEST_F(AtomicFile, folderWithoutCommitNeverWas) {
 }
 
 TEST_F(AtomicFile, whatAKilledProgramLeftGoesAndWhatIsNotItsOwnStays) {
-  const std::string nobody = "1999999999", own = std::to_string(::getpid());  // beyond any process number
+  const std::string nobody = "1999999999", own = std::to_string(::getpid());  // `nobody` is above any process id
   for (const std::string& name : {".tubeplan." + nobody + ".part", ".tubeplan." + own + ".part"}) {
     fs::create_directory(folder / name);
     write(name + "/plan.json", "half");

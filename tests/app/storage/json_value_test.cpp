@@ -1,4 +1,4 @@
-// JSON texts of the program's own: where they are none, and values that are of another kind.
+// JSON written by the program: invalid JSON, and values of another type.
 #include "app/storage/json_value.hpp"
 
 #include "tests/app/test_files.hpp"
