@@ -1,4 +1,4 @@
-// What commands say of the same readings agrees: a mistake that one names, all of them name, and end alike.
+// All commands agree on the same readings: if one reports a mistake, all report the mistake and end in the same way.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -16,7 +16,7 @@ namespace {
 
 using calibration::Measurement;
 
-/// As the program reads the table; `of` names the spoil, and a second one on top of it where there is one.
+/// Returns the readings as the program reads the table. `of` holds one deliberate mistake, or two applied in turn.
 CellReadings spoiltReadings(const std::vector<calibration::Spoil>& of) {
   Cell cell = readCell((shippedCells() / "bench.yaml").string());
   auto readings = calibration::spoiltCampaign(cell.arm, 3, of.front());
@@ -30,7 +30,7 @@ CellReadings spoiltReadings(const std::vector<calibration::Spoil>& of) {
   return input;
 }
 
-/// Returns whether a mistake was named.
+/// Expects all commands to agree; returns true if they named a mistake.
 bool expectAgreement(const CellReadings& input) {
   const auto diagnosed = diagnoseModel(input, {});
   const auto compared = compareModel(input, {.folds = 0});
@@ -86,7 +86,7 @@ TEST_P(OneVerdict, OfTwoMistakesAtOnce) {
 
 INSTANTIATE_TEST_SUITE_P(OfEverySpoil, OneVerdict, testing::Range<std::size_t>(0, calibration::spoils().size()));
 
-/// A command on m.csv, and where its figures give the verdict; nowhere of one that gives none.
+/// A command on m.csv, and the JSON pointer to the verdict in its figures; empty if the command gives no verdict.
 struct Asked {
   const char *command, *where, *over_a_mistake;
 };
@@ -110,7 +110,7 @@ class OneAnswer : public ProgramTest {
       write(file, contentOf(shippedCells() / file));
   }
 
-  /// Writes m.csv, and the same with a joint's sign turned, and with two of them.
+  /// Writes turned0.csv, turned1.csv and turned2.csv: the readings with the signs of 0, 1 and 2 joints inverted.
   void simulate(const std::string& words) const {
     const auto made = run("simulate " + words + " --seed 7 --out made");
     ASSERT_EQ(made.exit_code, 0) << made.err;

@@ -1,4 +1,4 @@
-// A fit that its readings refute is said to fall short, however it was asked for and however it ended.
+// A fit that its readings refute is reported as falling short, for all options and for every way in which a fit ends.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@
 namespace tubeplan::app {
 namespace {
 
-constexpr double kTiny = 1e-6;  // p-value that no chance explains
+constexpr double kTiny = 1e-6;  // p-value too small for chance
 constexpr const char* kOptions[] = {"--folds 0",
                                     "--folds 3",
                                     "--folds 0 --robust huber",
@@ -25,7 +25,7 @@ constexpr const char* kOptions[] = {"--folds 0",
 
 class RefutedFits : public ProgramTest {
  protected:
-  /// Writes m.csv: readings of a cell as `change` leaves them.
+  /// Writes m.csv: the simulated readings of a cell, each altered by `change`.
   void simulate(const std::string& words, const std::function<void(std::size_t, calibration::Measurement&)>& change) {
     cell_ = shipped(words.substr(0, words.find(' ')));
     const auto made = run("simulate " + cell_ + words.substr(words.find(' ')) + " --seed 3 --out made");
@@ -60,7 +60,7 @@ TEST_F(RefutedFits, FallShortByAnyOption) {
   for (const char* options : kOptions) expectRefuted(options);
 }
 
-/// Touches whose second joint was logged as of the first row: the fit ends at the limit of its iterations.
+/// Touches that all record the second joint of the first row: the fit ends at the iteration limit.
 TEST_F(RefutedFits, FallShortWhereTheFitDoesNotConverge) {
   double stale = 0;
   simulate("bowl.yaml --design touch --readings 18", [&](std::size_t k, auto& reading) {
