@@ -1,5 +1,5 @@
-"""damaged_files_test.py TUBEPLAN SOURCE: every kind of file that the program reads, damaged in every way that its kind
-can be, is refused with exit code 2 and one line in the program's own words; nothing is written."""
+"""damaged_files_test.py TUBEPLAN SOURCE: damages every kind of file that the program reads in every applicable way.
+Each damaged file is refused with exit code 2 and one line in the program's own words; nothing is written."""
 import json
 import pathlib
 import re
@@ -13,7 +13,7 @@ import unittest
 PROGRAM, SOURCE = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2]).resolve()
 CELLS, CORPUS = SOURCE / "app/cells", SOURCE / "tests/fuzz/corpus"
 
-# Words of libraries, which say nothing to whoever made the file.
+# Phrases of library messages, which mean nothing to the author of a file.
 LIBRARY_WORDS = re.compile(r"exception|json\.|parse_error|type_error|yaml-cpp|basic_string|std::|filesystem error|"
                            r"bad conversion|internal error|invalid literal|terminate|what\(\)", re.I)
 CONTROL = re.compile(rb"[\x00-\x09\x0b-\x1f\x7f]|\xc2[\x80-\x9f]")
@@ -32,7 +32,7 @@ STL = b"\0" * 80 + struct.pack("<I", 4) + b"".join(
 
 
 def fingerprint(content):
-    """FNV-1a, as the program's own checksums are."""
+    """Returns the FNV-1a hash of the content, as in the program's checksums."""
     found = 0xcbf29ce484222325
     for byte in content:
         found = (found ^ byte) * 0x100000001b3 % 2**64
@@ -52,7 +52,7 @@ def meshed(name):
 
 
 class Kind:
-    """A file, what stands beside it, the command that reads it, and a piece of it with one of another kind in its place."""
+    """A file, the files beside it, the command that reads it, and a piece of text with a replacement of another type."""
 
     def __init__(self, name, file, content, command, wrong, beside=None, is_text=True, is_sealed=False):
         self.name, self.file, self.command, self.wrong = name, file, command, wrong
@@ -60,7 +60,8 @@ class Kind:
         self.beside, self.is_text, self.is_sealed = beside or {}, is_text, is_sealed
 
     def sealed(self, content):
-        """With the checksum that fits what is changed: whoever damages the content may have a checksum that fits."""
+        """Returns the content with a checksum that matches the altered payload: a damaged file may have a valid
+        checksum."""
         if not self.is_sealed:
             return content
         head, payload = content.split(b"\n", 1)
@@ -68,7 +69,7 @@ class Kind:
         return head.replace(found["checksum"].encode(), fingerprint(payload.rstrip(b"\n")).encode()) + b"\n" + payload
 
     def damages(self):
-        """Name of the damage: what the file holds then."""
+        """Returns the damaged contents of the file, keyed by the name of the damage."""
         half = len(self.content) // 2
         changed = self.content.replace(self.wrong[0].encode(), self.wrong[1].encode(), 1)
         assert changed != self.content, self.name
@@ -129,7 +130,7 @@ def other_kinds():
 
 
 def kept_kinds(folder):
-    """Files that the program keeps for itself, as it writes them."""
+    """Yields the files that the program writes for its own later use."""
     subprocess.run([PROGRAM, *f"plan {CELLS}/mockup.yaml --tubes R10C20,R30C30 --out p".split()], cwd=folder, check=True,
                    capture_output=True)
     subprocess.run([PROGRAM, *f"campaign {CELLS}/mockup.yaml --runs 2 --out c".split()], cwd=folder, check=True,

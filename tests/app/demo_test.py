@@ -1,4 +1,4 @@
-"""demo_test.py TUBEPLAN SOURCE: `make demo` is right: the touches fit, nothing is warned of, what it foretells happens."""
+"""demo_test.py TUBEPLAN SOURCE: in `make demo`, the touches fit, no warning is given, and the predicted steps happen."""
 import json
 import pathlib
 import subprocess

@@ -1,5 +1,5 @@
-"""documented_keys_test.py TUBEPLAN SOURCE: the keys that docs/files.md names are those that the commands write, and what
-they print as CSV and Markdown holds all figures."""
+"""documented_keys_test.py TUBEPLAN SOURCE: docs/files.md names the keys that the commands write, and the CSV and
+Markdown output of the commands holds all figures."""
 import csv
 import io
 import json
@@ -16,7 +16,7 @@ COMMON = {"version", "inputs", "units", "checks", "missing_columns"}
 
 
 def documented():
-    """Command: keys, of the table; what stands in parentheses is inside of them."""
+    """Returns the documented keys of every command, without the nested keys in parentheses."""
     section = (SOURCE / "docs/files.md").read_text().split("## JSON of the commands")[1].split("\n## ")[0]
     rows = {}
     for names, words in re.findall(r"^\| (`.*?) \| (.*) \|$", section, re.M):
@@ -31,7 +31,7 @@ def is_plain(value):
 
 
 def leaves(value, path=()):
-    """Paths of figures; a list of plain values is one."""
+    """Returns the paths of all figures of a document; a list of plain values counts as one figure."""
     if is_plain(value):
         return [path]
     inner = value.items() if isinstance(value, dict) else enumerate(value)
@@ -39,7 +39,7 @@ def leaves(value, path=()):
 
 
 def in_markdown(text):
-    """Keys of the first table, and of the others (list, row, column)."""
+    """Returns the keys of the first table, and (list, number of rows, column) for each column of the other tables."""
     first, *others = re.split(r"^## ", text, flags=re.M)
     cells = [re.split(r"(?<!\\) ?\| ?", line)[1:-1] for line in first.splitlines()[2:] if line]
     keys = {row[0] for row in cells}
@@ -91,7 +91,8 @@ class DocumentedKeys(unittest.TestCase):
                     self.assertEqual(figures - rows[command] - COMMON, set(), "written and not named")
                 seen.setdefault(command, set()).update(figures)
             self.assertEqual(set(rows), set(seen))
-            # Each command of a row that two share has some of its keys; of a diagnosis some depend on the verdict.
+            # Two commands that share a row each write only some of its keys; some keys of a diagnosis depend on the
+            # verdict.
             shared = {"calibrate": {"model_error"}, "ladder": {"end", "steps"}, "improve": {"step_table"}, "touches": {"parameters"},
                       "diagnose": {"remainder", "run_sheet", "splitting", "warnings", "reason", "verdict_words"}}
             for command, keys in seen.items():

@@ -1,6 +1,7 @@
-"""origin_test.py TUBEPLAN SOURCE: every result says which version made it and of what; what version 0.1 wrote is read.
+"""origin_test.py TUBEPLAN SOURCE: every result states its inputs and the version that made it; files of version 0.1
+are read.
 
-The files of `written_by_0_1` are as tubeplan 0.1.0 left them.
+The files in `written_by_0_1` are unchanged output of tubeplan 0.1.0.
 """
 import hashlib
 import json
@@ -89,11 +90,11 @@ class Results(Folder):
 
 
 class OldFiles(Folder):
-    """Read by name and number: a format that moved on without a reader for these fails here."""
+    """Fails if a format changes without a reader for the files of version 0.1."""
 
     def setUp(self):
         super().setUp()
-        # They name the shipped arm by the folder that they were written in.
+        # The files name the shipped arm relative to the folder in which they were written.
         for path in [self.folder / "old/added.yaml", self.folder / "old/truth.yaml", self.folder / "old/plan/cell.yaml"]:
             path.write_text(re.sub(r"(\.\./)+app/cells/", str(self.folder) + "/", path.read_text()))
 

@@ -1,4 +1,4 @@
-// Program run from outside, in a folder of its own.
+// Test fixture that runs the program in a temporary folder.
 #pragma once
 
 #include <sys/wait.h>
@@ -28,7 +28,7 @@ class ProgramTest : public FolderTest {
     return outcome;
   }
 
-  /// Writes the mock-up cell as NAME with the hole map `map` in place of its layout, with its arm and holes.csv.
+  /// Writes the mock-up cell as `name`, with the hole map `map` in place of its layout, and with its arm and holes.csv.
   void writeMappedMockup(const std::string& name, const std::string& map) const {
     (void)write("holes.csv", map);
     (void)write("cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));

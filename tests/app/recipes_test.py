@@ -1,4 +1,5 @@
-"""recipes_test.py TUBEPLAN SOURCE: every command of docs/recipes.md runs as it stands, and leaves what the next one reads."""
+"""recipes_test.py TUBEPLAN SOURCE: every command of docs/recipes.md runs as written and leaves the files that the
+next command reads."""
 import os
 import pathlib
 import re
@@ -12,7 +13,7 @@ INDENT = "    "
 
 
 def blocks(text):
-    """The indented blocks of a page, each with the line where it begins."""
+    """Returns the indented blocks of a page, each with the number of its first line."""
     found, lines, begin = [], [], 0
     for number, line in enumerate(text.splitlines() + [""], 1):
         if line.startswith(INDENT):

@@ -1,5 +1,5 @@
-"""segments_test.py TUBEPLAN SOURCE: where one element to a beam is not enough, every command that reports poses says so and
-names `segments`; where it is enough, none does.
+"""segments_test.py TUBEPLAN SOURCE: every command that reports poses asks for more `segments` if one element per beam
+is too few, and only then.
 """
 import pathlib
 import re
@@ -23,7 +23,7 @@ class Segments(unittest.TestCase):
         self.made.cleanup()
 
     def soften(self):
-        """Beams of a material twenty times softer than aluminium."""
+        """Gives the beams a material twenty times softer than aluminium."""
         arm = self.folder / "cobra-arm.yaml"
         arm.write_text(re.sub(r"(\bE: *)([0-9.e+]+)", lambda m: f"{m[1]}{float(m[2]) / 20:g}", arm.read_text()))
 

@@ -1,4 +1,4 @@
-// Folders and messages for the tests of the application.
+// Temporary folders and message checks for the tests of the application.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 namespace tubeplan::app {
 
-/// Returns the message of the InputError that the action throws; fails if it throws none.
+/// Returns the message of the InputError that the action throws; the test fails if the action throws none.
 template <class Action>
 std::string messageOf(Action&& action) {
   try {
@@ -44,14 +44,14 @@ inline std::string contentOf(const std::filesystem::path& path) {
 
 inline std::filesystem::path shippedCells() { return std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells"; }
 
-/// Returns the text with one piece replaced, which it must contain.
+/// Returns the text with the first occurrence of `from` replaced by `to`; the test fails if there is none.
 inline std::string changed(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << "no '" << from << "' to change";
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-/// Test fixture with a folder of its own, removed afterwards.
+/// Test fixture with a folder of its own, which is removed afterwards.
 class FolderTest : public ::testing::Test {
  protected:
   FolderTest() {

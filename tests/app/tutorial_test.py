@@ -1,6 +1,6 @@
-"""tutorial_test.py TUBEPLAN SOURCE: the console blocks of docs/tutorial.md run as they stand and print what is shown.
+"""tutorial_test.py TUBEPLAN SOURCE: the console blocks of docs/tutorial.md run as written and print what they show.
 
-Figures may differ from machine to machine: a shown line has to begin a printed line with all numbers taken for alike.
+Numbers may differ between machines: with all numbers treated as equal, a shown line must begin a printed line.
 """
 import os
 import pathlib
@@ -19,7 +19,7 @@ def alike(line):
 
 
 def commands(text):
-    """[(command, lines that it is shown to print)] of the console blocks, in their order."""
+    """Returns [(command, lines shown as its output)] for the console blocks, in order."""
     found = []
     for block in re.findall(r"^```console\n(.*?)^```", text, re.S | re.M):
         for line in block.splitlines():
