@@ -12,7 +12,7 @@
 namespace tubeplan::app {
 namespace {
 
-// Pieces that are likely to hurt, beside random bytes.
+// Fragments that are likely to upset a parser, inserted at random positions.
 constexpr const char* kPieces[] = {
     "",      "{",  "}", "[", "]",  ":",   ": ", "- ",  "'",     "\"", "#", "\n",   "\n\n  ", "nan",  ".inf",
     "1e999", "-1", "0", ",", ",,", "&a ", "*a", "!t ", "---\n", "|",  ">", "\xC3", "? ",     "name", "99999999999"};

@@ -104,7 +104,7 @@ TEST(ArmReader, refusesImpossibleArmsWithTheLine) {
   expectSays(refusal("gravity: [0, 0, -1]", "gravity: [0, 0, 0]"), "length zero");
 }
 
-// Every number of the arm, changed by its dotted name in the text, is what is read again, and nothing else changes.
+// Each parameter of the arm, changed in the text under its dotted name, is read back changed; all others stay the same.
 TEST(ArmReader, writesEveryParameterBack) {
   const std::string text = changed(cobraText(), "weight: {distributed: 0.126, end: 10.4}",
                                    "weight: {lumps: [{weight: 1, at: [0, 0, 1]}, {weight: 2, at: [1, 0, 0]}]}");

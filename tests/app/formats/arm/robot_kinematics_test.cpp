@@ -24,7 +24,7 @@ const std::string kKinematics =
     "  wrist_3: {x: 0, y: 0.0921, z: 0, roll: 1.5706, pitch: 3.14159, yaw: -3.1415}\n"
     "  hash: calib_1234567890\n";
 
-/// An arm of that make, the first row half a turn about z as from the root link of its URDF.
+/// A Universal Robots arm; the first row is turned by 180 deg about z, as below the root link of the arm's URDF.
 const std::string kArm =
     "# drawn\nunits: {length: mm, angle: deg, force: N}\nlinks:\n"
     "  - {name: s, origin: {position: [0, 0, 151.9], rpy: [0, 0, 180]}, joint: {name: q1, type: revolute}}\n"
@@ -83,7 +83,7 @@ TEST(RobotKinematics, ofAnArmAreThoseThatItWasGivenWhicheverWayItsBaseStands) {
   }
 }
 
-/// Offsets, leans and passive rows: the tip stands where it did.
+/// Joint offsets, link tilts and passive rows are absorbed into the origins; the tip does not move.
 TEST(RobotKinematics, ofAnIdentifiedArmHoldItsOffsetsLeansAndPassiveRows) {
   const std::string text =
       changed(changed(changed(kArm, "{name: q2, type: revolute}", "{name: q2, type: revolute, offset: 3}"),
@@ -92,7 +92,7 @@ TEST(RobotKinematics, ofAnIdentifiedArmHoldItsOffsetsLeansAndPassiveRows) {
   const deflection::Arm arm = readArm(parseYaml(text, "arm.yaml")).arm;
   deflection::Arm plain = readArm(parseYaml(kArm, "arm.yaml")).arm;
   RobotKinematics kinematics = robotKinematicsOf(arm, "arm.yaml");
-  kinematics.origins[0].position.head<2>() *= -1;  // the base's half turn
+  kinematics.origins[0].position.head<2>() *= -1;  // the half turn of the base
   kinematics.origins[0].rpy.z() += std::numbers::pi;
   for (std::size_t k = 0; k < 6; ++k) plain.rows[k].placement = kinematics.origins[k];
   const Eigen::VectorXd q = Eigen::VectorXd::LinSpaced(6, -1, 2);

@@ -13,7 +13,7 @@
 namespace tubeplan::app {
 namespace {
 
-/// The same arm twice, tables as makers print them and by hand as Craig's.
+/// The same arm twice: a standard table as printed by makers, and the modified (Craig) table converted by hand.
 struct BothTables {
   const char* name;
   const char* standard;
@@ -109,7 +109,8 @@ TEST(StandardRows, everyParameterIsWrittenBackWhereItStands) {
   }
 }
 
-/// A first axis that the base's z is not: as the first row of Craig's table has it, and written as it was read.
+/// A first joint axis other than the base's z axis is read as in the first row of Craig's table, and written back as
+/// read.
 TEST(StandardRows, aFirstAxisMayStandElsewhere) {
   const std::string axis = "axis: {alpha: 0.4, a: 0.003, beta: -0.2, b: -0.002}";
   for (const auto& [name, standard, modified] : kTables) {

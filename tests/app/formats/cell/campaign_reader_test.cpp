@@ -1,4 +1,4 @@
-// Design files: what they mean and what is refused.
+// Design files: their meaning, and the files that are refused.
 #include "app/formats/cell/campaign_reader.hpp"
 
 #include <cmath>

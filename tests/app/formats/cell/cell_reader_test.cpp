@@ -16,7 +16,7 @@ namespace {
 
 class CellReader : public FolderTest {
  protected:
-  /// The mock-up cell with one piece of text changed, beside a copy of its arm.
+  /// Writes the mock-up cell with one piece of text changed, beside a copy of its arm; returns the path.
   std::string mockupWith(const std::string& from, const std::string& to) const {
     std::filesystem::copy_file(shippedCells() / "cobra-arm.yaml", folder / "cobra-arm.yaml",
                                std::filesystem::copy_options::overwrite_existing);
@@ -72,7 +72,7 @@ TEST_F(CellReader, readsAnInlineArmAndAHoleMap) {
   EXPECT_EQ(cell.sheet->find(1, 2)->state, tubesheets::TubeState::kPlugged);
 }
 
-/// An arm of one joint under a sheet whose holes are those of the map.
+/// An arm of one joint below a sheet whose holes come from a map.
 class CellOverMap : public CellReader {
  protected:
   [[nodiscard]] Cell cellOverMap(const std::string& map) const {
@@ -162,7 +162,7 @@ Eigen::Isometry3d randomPose(std::mt19937_64& random) {
   return X;
 }
 
-// What docs/files.md shows first, as it stands there: four blanks before every line, a blank line between the two.
+// The first example of docs/files.md: two files, indented by four blanks and separated by a blank line.
 TEST_F(CellReader, readsTheSmallestFilesOfTheDocument) {
   const std::string text = contentOf(std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "docs/files.md");
   const std::size_t from = text.find("    units: {length"), to = text.find("`geometry` frees", from);
@@ -208,7 +208,7 @@ TEST_F(CellReader, writesTheBaseBack) {
   for (const auto& X_WB : poses) {
     const Matrix6d root = Matrix6d::Random();
     const Matrix6d covariance = 1e-8 * root * root.transpose();
-    // Elsewhere, so that the arm's file must be named anew.
+    // Written for another folder, so that the path of the arm's file must change.
     const std::string text = cellTextWithBase(cell, {X_WB, covariance, true}, folder / "deeper" / "cell2.yaml");
     std::filesystem::create_directories(folder / "deeper");
     const Cell again = readCell(write("deeper/cell2.yaml", text));
@@ -233,7 +233,7 @@ TEST_F(CellReader, refusesHalfOfAPair) {
   write("own-arm.yaml", arm.text);
   const std::string path = write("own.yaml", cell);
   EXPECT_EQ(readCell(path).arm_source.text, arm.text);
-  // Changed by hand they are still a pair.
+  // Files that are changed by hand remain a pair.
   write("own-arm.yaml", changed(arm.text, "name: ", "name: other-") + "# changed\n");
   EXPECT_EQ(readCell(path).arm.name.substr(0, 6), "other-");
   for (const std::string& other : {shipped, changed(arm.text, "pair: \"", "pair: \"0")}) {

@@ -1,4 +1,4 @@
-// Cells whose scene names a mesh: what is read, refused, written again, planned and verified.
+// Cells whose scene names a mesh: reading, refusals, writing, planning and verification.
 #include <nlohmann/json.hpp>
 
 #include "app/formats/cell/cell_writer.hpp"
@@ -19,7 +19,7 @@ constexpr const char* kMeshRow = "{name: nozzle-dam, mesh: {file: dam.stl, posit
 
 class MeshCell : public ProgramTest {
  protected:
-  /// The mock-up with another row for its nozzle dam.
+  /// Writes the mock-up with `row` in place of the row of its nozzle dam; returns the path.
   std::string writeCell(const std::string& name, const std::string& row) const {
     std::string text = contentOf(shippedCells() / "mockup.yaml");
     text = changed(text, "arm: cobra-arm.yaml", "arm: " + (shippedCells() / "cobra-arm.yaml").string());
@@ -108,7 +108,7 @@ TEST_F(MeshCell, WrittenElsewhereTheFileIsStillFound) {
   const Cell cell = readCell(writeCell("cell.yaml", kMeshRow));
   const Cell again = readCell(write("deep/er/cell.yaml", cellTextAt(cell, folder / "deep/er/cell.yaml")));
   EXPECT_EQ(std::filesystem::canonical(again.meshes[0].path), std::filesystem::canonical(folder / "dam.stl"));
-  // The same question to a plan, until what is in the file changes.
+  // The key of a plan stays the same until the content of the mesh file changes.
   const auto question = [](const Cell& c) {
     return partOf(planKeyOf({c, workcellOf(c, "ask"), planner::VisitConditions(), "via-point", 0, 0, 1, ""}, {1, 2}),
                   "arm and scene");

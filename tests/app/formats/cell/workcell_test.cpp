@@ -1,4 +1,4 @@
-// What is not planned for is refused before anything is planned.
+// Cells that planning does not support are refused before planning.
 #include "app/formats/cell/workcell.hpp"
 
 #include <limits>

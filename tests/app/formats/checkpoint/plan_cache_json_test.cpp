@@ -1,4 +1,4 @@
-// A plan's memory in its file: every number to the last bit, those that are not finite among them.
+// The planning cache as JSON: every number is kept to the last bit, including NaN and infinities.
 #include "app/formats/checkpoint/plan_cache_json.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 TEST(PlanCacheJson, ComesBackTheSame) {
   const auto cell = workcellOf(readCell((shippedCells() / "mockup.yaml").string()), "test the memory");
-  // One of these is out of reach.
+  // One of the six tubes is out of reach.
   const auto tubes = tubesheets::selectTubes(cell.sheet, "R39C58,R3C10,R10C95,R20C40,R30C70,R45C50").tube_indices;
   planner::PlanCache cache;
   ASSERT_EQ(planner::planVisits(cell, tubes, {}, {}, cache).status, planner::VisitPlanStatus::kPlanned);

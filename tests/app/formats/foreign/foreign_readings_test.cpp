@@ -116,7 +116,7 @@ TEST_F(ForeignReadingsTest, takesOneTableWithJointsAndPlaces) {
   EXPECT_EQ(parseMeasurementTable(readings.text, "r", cell.arm).readings.size(), 2u);
 }
 
-// An arm whose first joint is no A or J: exact names, and numbers of the others alone.
+// An arm with joints slide, A1, A2 and A3: columns match exact joint names, or numbers for the joints after the slide.
 TEST_F(ForeignReadingsTest, aJointsOwnNameGoesBeforeItsNumber) {
   Cell shifted = cell;
   const char* kNames[] = {"slide", "A1", "A2", "A3"};
@@ -139,7 +139,7 @@ TEST_F(ForeignReadingsTest, takesATrackersPointsBesideALogByName) {
   EXPECT_EQ(readings.text,
             "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_mm,y_mm,z_mm\n"
             "P1,position,P1,10,45,-35,12,1,2,3\nP2,position,P2,20,45,-35,12,4,5,6\n");
-  EXPECT_EQ(readings.left_out.size(), 2u);  // P9 of the one, P3 of the other
+  EXPECT_EQ(readings.left_out.size(), 2u);  // P9 of the points, P3 of the log
 }
 
 TEST_F(ForeignReadingsTest, takesTablesWithoutNamesRowByRow) {
@@ -152,7 +152,7 @@ TEST_F(ForeignReadingsTest, takesTablesWithoutNamesRowByRow) {
             std::string::npos);
 }
 
-// Every column that a measurement table may have is known here too, or a table would lose it on its way.
+// The reader of foreign tables must know every column of a measurement table; an unknown column would be lost.
 TEST_F(ForeignReadingsTest, aMeasurementTableComesOutAsItIs) {
   const std::string text =
       contentOf(std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "tests/fuzz/corpus/measurements/all.csv");
@@ -208,7 +208,7 @@ TEST_F(ForeignReadingsTest, withoutCoordinatesReadingsAreTouches) {
 
 const char* const kLog = "Name,A1,A2,A3,A4\nP1,10,45,-35,12\nP2,20,45,-35,12\n";
 
-// Points as trackers and surveyors export them, with no, one or several names in front and axes of other names.
+// Points as trackers and surveyors export them: with no, one or several names in front, and with other axis names.
 TEST_F(ForeignReadingsTest, takesPlacesHoweverTheyAreExported) {
   for (const char* points : {
            "P1 1 2 3\nP2 4 5 6\n",
@@ -235,7 +235,7 @@ TEST_F(ForeignReadingsTest, takesPlacesHoweverTheyAreExported) {
   }
 }
 
-// Points that are called by numbers, beside an arm that has not as many joints as such rows have numbers.
+// Points named by numbers; the arm's number of joints rules out that the rows hold joint values.
 TEST_F(ForeignReadingsTest, takesRunningNumbersForNames) {
   const Cell puma = readCell((shippedCells() / "puma.yaml").string());
   const std::string log = "Name,J1,J2,J3,J4,J5,J6\n7,1,2,3,4,5,6\n8,2,3,4,5,6,7\n";
@@ -248,13 +248,13 @@ TEST_F(ForeignReadingsTest, takesRunningNumbersForNames) {
   }
 }
 
-// Numbers that nobody recognises are no reason to take readings for touches of points that nobody knows.
+// Columns of numbers that are not recognised do not turn the readings into touches of unknown points.
 TEST_F(ForeignReadingsTest, NumbersThatNobodyKnowsMakeNoTouches) {
   for (const char* points : {
            "Point;HZ [gon];V [gon];Q [mm]\nP1;170,87;95,14;1315,2\nP2;118,76;124,58;1272,4\n",
            "Point,Easting,Northing,Depth\nP1,1,2,3\nP2,4,5,6\n",
            "Point,u,v,w\nP1,1,2,3\nP2,4,5,6\n",
-           "A,Robot,1,1,2,3\nA,Robot,2,4,5,6\n",  // a running number and a place, or four joints
+           "A,Robot,1,1,2,3\nA,Robot,2,4,5,6\n",  // a running number and a position, or four joints
            "P1 1 2 3 0.01 0.02\nP2 4 5 6 0.01 0.02\n",
            "P1 1 2\nP2 4 5\n",
        }) {
@@ -269,7 +269,7 @@ TEST_F(ForeignReadingsTest, NumbersThatNobodyKnowsMakeNoTouches) {
       {parseForeignTable(named[0].text, "points"), parseForeignTable(kLog, "log")}, {{}, {}}, "touch"};
   touches.choice.units.emplace(UnitKind::kAngle, findUnitWord("deg"));
   EXPECT_EQ(readForeign(touches, cell.arm).origins.size(), 2u);
-  // Holes are known places, whatever else stands beside them.
+  // Holes are known points, whatever other columns the table has.
   EXPECT_EQ(read({{"log", "Hole,J1,J2,J3,J4,Probe\nR1C1,10,45,-35,12,3\n"}}, {}, {"deg"}).origins.size(), 1u);
 }
 
@@ -282,7 +282,7 @@ TEST_F(ForeignReadingsTest, JointsMayBeCountedFromZero) {
   const auto readings =
       read({{"log.csv", "q3,q2,q1,q0,x,y,z\n12,-35,45,10,1,2,3\n12,-35,45,20,4,5,6\n"}}, {}, {"mm", "deg"});
   EXPECT_NE(readings.text.find("\n1,position,10,45,-35,12,1,2,3\n"), std::string::npos) << readings.text;
-  // Of four joints q1 to q3 alone are neither.
+  // For four joints, headings q1 to q3 count neither from zero nor from one.
   EXPECT_NE(refusal({{"log.csv", "q1,q2,q3,x,y,z\n1,2,3,4,5,6\n1,2,3,4,5,6\n"}}, {}, {"mm", "deg"}), "");
 }
 
@@ -309,7 +309,7 @@ TEST_F(ForeignReadingsTest, ClockTimesAreSecondsFromTheFirst) {
   EXPECT_NE(messageOf([&] { (void)with("10:00:00", "noon"); }).find("noon"), std::string::npos);
 }
 
-// A clock without a date that goes back by half a day or more: a day is added, and it is said where.
+// A clock without a date that goes back by half a day or more: a day is added, and a remark states where.
 TEST_F(ForeignReadingsTest, ClocksPassMidnight) {
   struct Shift {
     std::vector<std::string> clock;
@@ -319,7 +319,7 @@ TEST_F(ForeignReadingsTest, ClocksPassMidnight) {
   for (const Shift& shift :
        {Shift{{"23:50:00", "23:59:59", "00:00:01", "00:14:00"}, {0, 599, 601, 1440}, 1},
         Shift{{"18:00:00", "06:00:00", "18:00:00", "05:00:00"}, {0, 43200, 86400, 126000}, 2},
-        Shift{{"10:00:00", "09:30:00", "11:00:00"}, {0, -1800, 3600}, 0},  // not in order
+        Shift{{"10:00:00", "09:30:00", "11:00:00"}, {0, -1800, 3600}, 0},  // not in order of time
         Shift{{"00:10:00", "23:50:00"}, {0, 85200}, 0}, Shift{{"", "23:50:00", "", "00:10:00"}, {NAN, 0, NAN, 1200}, 1},
         Shift{{"2026-11-02 00:00:05", "2026-11-01 00:00:00"}, {0, -86405}, 0}}) {
     std::string log = "J1,J2,J3,J4,x,y,z,Time\n";
@@ -340,11 +340,11 @@ TEST_F(ForeignReadingsTest, ClocksPassMidnight) {
   }
 }
 
-// Dates of which the day may be the first or the second number, and those of which it cannot.
+// Dates whose order of day and month is ambiguous, and dates with only one possible order.
 TEST_F(ForeignReadingsTest, DatesAreReadWhereTheyAreClear) {
   struct Dates {
     std::vector<std::string> clock;
-    double seconds;  ///< from the first to the last; not a number where they are not clear
+    double seconds;  ///< from the first to the last time [s]; NaN if ambiguous
     std::string order = {};
   };
   for (const Dates& dates : {
@@ -353,7 +353,7 @@ TEST_F(ForeignReadingsTest, DatesAreReadWhereTheyAreClear) {
            Dates{{"3.5.2024 11:50:00", "4.5.2024 11:50:00"}, 86400},
            Dates{{"2024/05/03 11:59:00 PM", "2024/05/04 12:01:00 AM"}, 120},
            Dates{{"3/5/2024 11:50:00 AM", "3/5/2024 1:50:00 PM"}, 7200},  // the same day in both orders
-           Dates{{"5/5/2024 11:50", "6/6/2024 11:50"}, 32 * 86400},       // and the same days
+           Dates{{"5/5/2024 11:50", "6/6/2024 11:50"}, 32 * 86400},       // the same days in both orders
            Dates{{"3/5/2024 11:50:00 AM", "4/5/2024 11:50:00 AM"}, NAN},
            Dates{{"3/5/2024 11:50:00 AM", "4/5/2024 11:50:00 AM"}, 86400, "day-first"},
            Dates{{"3/5/2024 11:50:00 AM", "4/5/2024 11:50:00 AM"}, 31 * 86400, "month-first"},
@@ -382,17 +382,17 @@ TEST_F(ForeignReadingsTest, JointsMayBePulses) {
            {"mm", "deg"});
   EXPECT_NE(readings.text.find(",10,5,20,0,1,2,3\n"), std::string::npos) << readings.text;
   EXPECT_NE(readings.text.find(",-0.03,-0.005,0.007,18,4,5,6\n"), std::string::npos) << readings.text;
-  // Headings that say so are never angles, whatever their size.
+  // Columns whose headings state pulses are never read as angles, whatever the values.
   const std::string named = "J1 [pulse],J2_deg,J3_deg,J4_deg,X,Y,Z\n3,45,-35,12,1,2,3\n";
   EXPECT_NE(refusal({{"log", named}}, {}, {"mm", "deg"}).find("pulses"), std::string::npos);
   EXPECT_EQ(read({{"log", named}}, {"theta1_deg=J1 [pulse]*0.5"}, {"mm"}).origins.size(), 1u);
   EXPECT_NE(refusal({{"log", log}}, {"theta1_deg=J1*0"}, {"mm", "deg"}), "");
   EXPECT_NE(refusal({{"log", log}}, {"point=J1*2"}, {"mm", "deg"}), "");
-  // Whole degrees are degrees.
+  // Whole degrees are not mistaken for pulses.
   EXPECT_EQ(read({{"log", "J1,J2,J3,J4,X,Y,Z\n10,45,-35,720,1,2,3\n"}}, {}, {"mm", "deg"}).origins.size(), 1u);
 }
 
-// Yaskawa's letters: T is the last joint there, and no time.
+// Joint letters of Yaskawa: T is the last joint there, not a time.
 TEST_F(ForeignReadingsTest, JointsMayBeLetters) {
   const Cell puma = readCell((shippedCells() / "puma.yaml").string());
   for (const char* log : {"Name,S,L,U,R,B,T,X,Y,Z\nP1,1,2,3,4,5,6,7,8,9\n", "T,B,R,U,L,S,X,Y,Z\n6,5,4,3,2,1,7,8,9\n",
@@ -406,7 +406,7 @@ TEST_F(ForeignReadingsTest, JointsMayBeLetters) {
   EXPECT_NE(timed.text.find("time_s"), std::string::npos) << timed.text;
 }
 
-// Lines above the rows state units of columns that state none; --units may not say otherwise.
+// Lines above the table state the units of columns without a unit; --units may not contradict such a line.
 TEST_F(ForeignReadingsTest, LinesAboveTheRowsStateUnits) {
   for (const char* line : {"// Units: Inches", "# units = in", "Length unit: inch, angle: rad", "Units: in and deg"}) {
     const std::string points = std::string(line) + "\n// X Y Z\nP1 1 2 3\nP2 4 5 6\n";
@@ -423,7 +423,7 @@ TEST_F(ForeignReadingsTest, LinesAboveTheRowsStateUnits) {
   }
   const std::string both = "// Units: mm\n// Units: Inches\nP1 1 2 3\nP2 4 5 6\n";
   EXPECT_NE(refusal({{"points", both}, {"log", kLog}}, {}, {"deg"}).find("state different units"), std::string::npos);
-  // A heading goes before the line.
+  // A unit in a heading takes precedence over a line above the table.
   const std::string own = "// Units: mm\nName,X [in],Y [in],Z [in]\nP1,1,2,3\nP2,4,5,6\n";
   EXPECT_NE(read({{"points", own}, {"log", kLog}}, {}, {"deg"}).text.find("x_in"), std::string::npos);
 }

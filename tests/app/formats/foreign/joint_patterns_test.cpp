@@ -12,7 +12,7 @@ namespace {
 
 using JointNames = std::vector<std::string>;
 
-/// An arm whose joints, in their order, have these names.
+/// Returns an arm with these joint names, in order.
 deflection::Arm armWith(const JointNames& names) {
   auto arm = readCell((shippedCells() / "bench.yaml").string()).arm;
   std::size_t k = 0;
@@ -66,7 +66,7 @@ TEST(JointPatterns, TakeJointsBetweenTheSameWords) {
   }
 }
 
-// Columns that stand in no order of their own are taken by their names.
+// Columns in arbitrary order are assigned by name.
 TEST(JointPatterns, TakeJointsInAnyOrder) {
   const auto readings = readColumns(kNumbered, "arm_J3,arm_J1,arm_J4,arm_J2", "-35,10,12,45");
   EXPECT_NE(readings.text.find(",10,45,-35,12,1,2,3"), std::string::npos) << readings.text;

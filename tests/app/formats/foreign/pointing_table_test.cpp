@@ -45,8 +45,8 @@ TEST(SkyDirections, areTheKnownOnes) {
   EXPECT_NEAR(north_of_a_southern_place.altitude, 40, 1e-9);
 }
 
-/// Meeus, Astronomical Algorithms, example 13.b: Venus over Washington, hour angle 64.352133, azimuth from
-/// south 68.0337.
+/// Meeus, Astronomical Algorithms, example 13.b: Venus seen from Washington, hour angle 64.352133 deg, azimuth from
+/// south 68.0337 deg.
 TEST(SkyDirections, agreeWithATextbook) {
   const auto venus = fromHourAngle(64.352133, -6.719892, 38.0 + 55.0 / 60 + 17.0 / 3600);
   EXPECT_NEAR(180 - venus.azimuth, 68.0337, 1e-3);
@@ -54,7 +54,7 @@ TEST(SkyDirections, agreeWithATextbook) {
 }
 
 TEST(SkyDirections, refractionIsThatOfTables) {
-  EXPECT_NEAR(refractionAt(0, 1010, 10) * 60, 28.9, 0.3);  // of what stands there without air
+  EXPECT_NEAR(refractionAt(0, 1010, 10) * 60, 28.9, 0.3);  // in arc minutes, for a true altitude of 0
   EXPECT_NEAR(refractionAt(45, 1010, 10) * 60, 1.0, 0.02);
   EXPECT_NEAR(refractionAt(90, 1010, 10) * 60, 0, 0.01);
   EXPECT_NEAR(refractionAt(45, 505, 10) / refractionAt(45, 1010, 10), 0.5, 1e-12);
@@ -71,11 +71,11 @@ TEST(PointingTable, readsStarsOfAnEquatorialMount) {
   EXPECT_NEAR(numberAt(table, 0, 2), star.altitude, 1e-6);
   EXPECT_NEAR(numberAt(table, 0, 3), -30 + 60 * kSecondOfArc, 1e-6);  // 4 s of time are 60 seconds of arc
   EXPECT_NEAR(numberAt(table, 0, 4), 20 + 60 * kSecondOfArc, 1e-6);
-  EXPECT_NEAR(numberAt(table, 1, 4), -0.5 - 60 * kSecondOfArc, 1e-6);  // the sign of -00
+  EXPECT_NEAR(numberAt(table, 1, 4), -0.5 - 60 * kSecondOfArc, 1e-6);  // -00 keeps its sign
   EXPECT_FALSE(says(table, "diurnal"));
 }
 
-/// A mount on the base that the remark names, at the joints as read, looks where the star is.
+/// On the base that the remark names, the mount at the recorded joints points at the star.
 TEST(PointingTable, jointsAreThoseOfTheBaseThatIsNamed) {
   using Eigen::AngleAxisd, Eigen::Vector3d;
   for (const double latitude : {52.5, 10.0}) {
@@ -121,7 +121,7 @@ TEST(PointingTable, refractsByThePressureAndSaysSo) {
   const auto with = parsePointingData(text, "sky.dat"), without = parsePointingData(kStars, "sky.dat");
   const double altitude = numberAt(without, 0, 2);
   EXPECT_NEAR(numberAt(with, 0, 2) - altitude, refractionAt(altitude, 1010, 10), 1e-6);
-  EXPECT_EQ(numberAt(with, 0, 4), numberAt(without, 0, 4));  // what the mount read stays
+  EXPECT_EQ(numberAt(with, 0, 4), numberAt(without, 0, 4));  // the recorded joints of the mount do not change
   EXPECT_TRUE(says(with, "refraction at 1010 hPa"));
   text.replace(text.find(" 2026 3 1 10.0 1010"), 19, "");
   EXPECT_TRUE(says(parsePointingData(text, "sky.dat"), "no pressure is stated"));
@@ -171,7 +171,7 @@ TEST(PointingTable, refusesWhatItDoesNotUnderstand) {
 TEST(PointingTable, refusesTooFewAndTheFirstOfTwoMistakes) {
   EXPECT_NE(refusalOf("Scope\n:EQUAT\n").find("nothing below the options"), std::string::npos);
   EXPECT_NE(refusalOf("Scope\n:EQUAT\n52 30 00\n").find("no observations"), std::string::npos);
-  std::string text = kStars;  // a latitude of the other half of the globe and a minute too many
+  std::string text = kStars;  // two mistakes: a latitude of the other hemisphere, and 70 minutes
   text.replace(text.find("+52"), 3, "-82");
   text.replace(text.find("10 30 00.0 -00"), 14, "10 70 00.0 -00");
   EXPECT_NE(refusalOf(text).find("sky.dat:6"), std::string::npos);

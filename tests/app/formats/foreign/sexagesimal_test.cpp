@@ -1,4 +1,4 @@
-// Angles in sixtieths: their forms, of hours and of degrees, and what is refused of them.
+// Sexagesimal angles: their notations in hours and in degrees, and the texts that are refused.
 #include "app/formats/foreign/sexagesimal.hpp"
 
 #include <fmt/format.h>
@@ -54,7 +54,8 @@ class SixtiethColumns : public ::testing::Test {
  protected:
   const Cell cell = readCell((shippedCells() / "bench.yaml").string());  // joints theta1 to theta4
 
-  /// Of fields of the first joint under a heading, the others at 0, 45 and -35 deg, and x, y, z in mm.
+  /// Reads a table with `fields` of the first joint under `heading`, the other joints at 0, 45 and -35 deg, and x, y, z
+  /// in mm.
   [[nodiscard]] ForeignReadings read(const std::string& heading, const std::vector<std::string>& fields,
                                      const std::vector<std::string>& columns = {}) const {
     std::string text = "id;" + heading + ";theta2_deg;theta3_deg;theta4_deg;x_mm;y_mm;z_mm\n";
@@ -102,7 +103,7 @@ TEST_F(SixtiethColumns, AreHoursOrDegreesAsHeadingOrSignsSay) {
   }
 }
 
-/// A mount: its first joint is the hour angle.
+/// A mount whose first joint is the hour angle.
 struct HourAngles : SixtiethColumns {
   deflection::Arm mount = cell.arm;
   HourAngles() {
@@ -122,7 +123,7 @@ struct HourAngles : SixtiethColumns {
   }
 };
 
-// Degrees of an hour angle that are all such as hours have are refused with both readings, and either option decides.
+// Hour angles in degrees that could all be hours are refused with both interpretations; each --column option decides.
 TEST_F(HourAngles, AreRefusedWhereTheirDegreesMayBeHours) {
   const std::vector<std::vector<std::string>> all_fields{
       {"1.5", "-2.25", "11"}, {"0.5", "23.75"}, {"-11.9", "0", "+3.5"}, {"6.25"}, {"-12", "12"}};
@@ -147,7 +148,7 @@ TEST_F(HourAngles, AreTakenWhereTheyCanOnlyBeOne) {
   struct Row {
     const char* heading;
     std::vector<std::string> fields, columns;
-    double last;  // deg
+    double last;  // last hour angle [deg]
   };
   for (const Row& row :
        {Row{"ha_deg", {"1.5", "-2.25", "37.5"}, {}, 37.5}, Row{"ha_deg", {"-3", "20"}, {}, 20},
@@ -159,7 +160,7 @@ TEST_F(HourAngles, AreTakenWhereTheyCanOnlyBeOne) {
   }
 }
 
-// A sign says nothing of the unit.
+// A factor of -1 does not decide the unit.
 TEST_F(HourAngles, AreRefusedWithAnotherSignToo) {
   const auto turned = request("ha_deg", {"1.5", "11"}, {"ha=ha_deg*-1"});
   EXPECT_NE(messageOf([&] { (void)readForeign(turned, mount); }).find("--column ha_h="), std::string::npos);
@@ -194,7 +195,7 @@ TEST_F(SixtiethColumns, AreRefusedWithTheLineWhereTheyAreWrong) {
   }
 }
 
-// A clock stays a clock, and a point that is called like an hour stays a point.
+// Times of day and point names that look like hours are left unchanged.
 TEST_F(SixtiethColumns, AreNotSeenInOtherColumns) {
   ForeignRequest request;
   request.tables.push_back(

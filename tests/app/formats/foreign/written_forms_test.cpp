@@ -1,4 +1,4 @@
-// Every form of the table, written here by other code than reads it, comes back as the turn or place that it was.
+// Every form of the table, written by independent code, is read back as the same orientation or point.
 #include "app/formats/foreign/written_forms.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +24,8 @@ namespace {
 using std::numbers::pi;
 using FormWriter = std::vector<double> (*)(const Eigen::Matrix3d&);
 
-/// The angles about three axes of which each is turned by those before it; the middle one of unlike axes within pi / 2.
+/// Returns angles about three axes that move with the preceding rotations. If the first and third axes differ, the
+/// middle angle is within pi / 2.
 std::vector<double> eulerOf(const Eigen::Matrix3d& R, int first, int second, int third) {
   Eigen::Vector3d angles = R.eulerAngles(first, second, third);
   const bool is_beyond = std::abs(angles[1]) > pi / 2;
@@ -56,7 +57,7 @@ const std::map<std::string, FormWriter>& formWriters() {
   return kWriters;
 }
 
-/// Random turns, and those at which angles are not unique.
+/// Returns random orientations, and orientations whose angles are not unique.
 std::vector<Eigen::Matrix3d> someTurns() {
   std::vector<Eigen::Matrix3d> turns{Eigen::Matrix3d::Identity()};
   std::mt19937 random(7);
@@ -131,7 +132,7 @@ TEST_F(WrittenFormsTest, EveryTurnComesBackAsItWas) {
   }
 }
 
-// By its numbers, chosen one by one, under headings that say nothing.
+// The columns of a form, chosen one by one under headings without meaning.
 TEST_F(WrittenFormsTest, NumbersMayBeChosenOneByOne) {
   const Eigen::Matrix3d turn = someTurns()[5];
   for (const auto& form : writtenForms()) {
@@ -153,7 +154,7 @@ TEST_F(WrittenFormsTest, NumbersMayBeChosenOneByOne) {
   }
 }
 
-// Headings that two forms have, and numbers that both may mean: refused with the names of both and their options.
+// Headings of two forms, with numbers valid in both, are refused; the message names both forms and their options.
 TEST_F(WrittenFormsTest, WhatMayBeTwoTurnsIsNotGuessed) {
   std::map<std::vector<std::string>, std::set<std::string>> meanings;
   for (const auto& form : writtenForms())
@@ -182,22 +183,22 @@ TEST_F(WrittenFormsTest, NumbersAndNeighboursDecide) {
         *std::ranges::find_if(readings.taken, [](const auto& line) { return line.starts_with("roll"); });
     EXPECT_NE(said.find("as " + form), std::string::npos) << said;
   };
-  // A middle angle beyond 90 deg: no controller writes such angles.
+  // A middle angle beyond 90 deg: no controller writes such Euler angles.
   as(tableOf({"Rx", "Ry", "Rz"}, {{20, 30, 40}, {10, 120, 20}}), "rotation-vector");
-  // A turn about one axis alone is the same in all.
+  // A rotation about a single axis is the same in all forms.
   as(tableOf({"Rx", "Ry", "Rz"}, {{0, 0, 40}, {0, 0, 170}}), "fixed-angles");
-  // Longer than half a turn: no rotation vector, but still two kinds of angles.
+  // A length above half a turn rules out the rotation vector; two kinds of angles remain.
   const std::string message = refusal(tableOf({"Rx", "Ry", "Rz"}, {{170, 30, 160}}), inUnits("deg"), "orientation");
   EXPECT_EQ(message.find("--orientation rotation-vector"), std::string::npos) << message;
   EXPECT_NE(message.find("--orientation euler-xyz"), std::string::npos) << message;
-  // KUKA's joints beside A, B, C; the pendant's names of Universal Robots beside Rx, Ry, Rz.
+  // KUKA joint names beside A, B, C; joint names of the Universal Robots pendant beside Rx, Ry, Rz.
   as("A1 [deg],A2 [deg],A3 [deg],A4 [deg],A,B,C\n10,45,-35,12,20,30,40\n", "euler-zyx");
   as(tableOf({"Wrist 1", "Rx", "Ry", "Rz"}, {{5, 20, 30, 40}}), "rotation-vector");
-  // q1 to q4 beside other joints, and alone.
+  // Columns q1 to q4 beside other joints, and alone.
   as(tableOf({"q1", "q2", "q3", "q4"}, {{0.5, 0.5, 0.5, 0.5}}), "quaternion");
   EXPECT_NE(refusal("q1,q2,q3,q4\n0.5,0.5,0.5,0.5\n", inUnits("rad"), "orientation").find("orientation"),
             std::string::npos);
-  // Roll, pitch and yaw go before all forms.
+  // Roll, pitch and yaw take precedence over all other forms.
   const auto own = read(tableOf({"roll_deg", "pitch_deg", "yaw_deg", "Rx", "Ry", "Rz"}, {{1, 2, 3, 4, 5, 6}}),
                         inUnits("deg"), "orientation");
   EXPECT_NE(own.text.find(",1,2,3\n"), std::string::npos) << own.text;
@@ -209,7 +210,7 @@ TEST_F(WrittenFormsTest, QuaternionsAreOfLengthOne) {
     return parseMeasurementTable(readings.text, "r", cell.arm).readings.at(0).own[0];
   };
   EXPECT_NEAR(angleOf({0.7071, 0.7071, 0, 0}), pi / 2, 1e-9);
-  EXPECT_NEAR(angleOf({0.708, 0.708, 0, 0}), pi / 2, 1e-9);  // three decimals
+  EXPECT_NEAR(angleOf({0.708, 0.708, 0, 0}), pi / 2, 1e-9);  // rounded to three decimals
   const std::string message =
       refusal(tableOf({"qw", "qx", "qy", "qz"}, {{1, 0, 0, 0}, {0.9, 0.1, 0, 0}}), inUnits("deg"), "orientation");
   EXPECT_NE(message.find("t:3"), std::string::npos) << message;
@@ -222,7 +223,7 @@ TEST_F(WrittenFormsTest, PosesHaveBoth) {
   EXPECT_EQ(pose.kind, calibration::MeasurementKind::kPose);
   EXPECT_LT((*pose.p_W - Eigen::Vector3d(0.001, 0.002, 0.003)).norm(), 1e-12);
   EXPECT_LT((pose.own - Eigen::Vector3d(20, 30, 40) * pi / 180).norm(), 1e-9);
-  // Without a kind they are positions, and it is said that an orientation is left.
+  // Without --kind the readings are positions, and a remark says that the orientation is left out.
   const auto position = read(text, inUnits("deg"), "");
   EXPECT_NE(position.text.find("position"), std::string::npos);
   EXPECT_TRUE(std::ranges::any_of(position.left_out,
@@ -231,7 +232,7 @@ TEST_F(WrittenFormsTest, PosesHaveBoth) {
             std::string::npos);
 }
 
-// Rows that state their own kinds: those with a turn have one, the others none.
+// Rows that state their kinds: only the row of kind pose has an orientation.
 TEST_F(WrittenFormsTest, RowsMayStateTheirKinds) {
   const std::string text =
       "kind,J1 [deg],J2 [deg],J3 [deg],J4 [deg],X,Y,Z,W,P,R\n"
@@ -242,7 +243,7 @@ TEST_F(WrittenFormsTest, RowsMayStateTheirKinds) {
 }
 
 TEST_F(WrittenFormsTest, PolarPointsBecomePlaces) {
-  const Eigen::Vector3d place(0.3, -0.4, 0.25);  // m
+  const Eigen::Vector3d place(0.3, -0.4, 0.25);  // [m]
   const double distance = place.norm(), zenith = std::acos(place.z() / distance);
   for (const auto& [form, horizontal] : {std::pair{"polar", std::atan2(place.y(), place.x())},
                                          std::pair{"polar-clockwise", std::atan2(place.x(), place.y())}})

@@ -1,4 +1,4 @@
-// Measurements as text, and back.
+// Measurements written as text and read back.
 #include "app/formats/measurements/measurements_writer.hpp"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ class MeasurementsWriter : public ::testing::Test {
     if (kindOf(m).is_place && random.index(3) == 0) m.p_TQ = random.vector(0.1);
     if (kindOf(m).has_direction) m.direction_W = random.vector(1).normalized();
     if (!kindOf(m).columns.empty() && calibration::valueColumnsOf(kindOf(m)).numbers.empty())
-      m.own[0] = 0.01;  // of one point every reading states the same
+      m.own[0] = 0.01;  // all readings of a point state the same value
     m.sigma = random.uniform(1e-5, 1e-3);
     if (kindOf(m).has_coordinates && random.index(3) == 0) {
       m.sigma_W = Eigen::Vector3d(random.uniform(1e-5, 1e-3), random.uniform(1e-5, 1e-3), random.uniform(1e-5, 1e-3));
@@ -58,7 +58,7 @@ class MeasurementsWriter : public ::testing::Test {
     return m;
   }
 
-  /// To the reading before; by the way or by its length.
+  /// Relates the reading to the previous reading, through the displacement vector or through its length.
   void relate(Measurement& m) {
     auto before = std::make_shared<Measurement>();
     const int number = std::stoi(m.id.substr(8));
@@ -70,7 +70,7 @@ class MeasurementsWriter : public ::testing::Test {
       m.own.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
 
-  /// One set-up for what refers to one another.
+  /// Sets random conditions, and the same set-up for readings that refer to one another.
   void addConditions(Measurement& m) {
     const int number = std::stoi(m.id.substr(8));
     m.setup = "S" + std::to_string((kindOf(m).is_from_reading ? number - 1 : number) / 100);

@@ -1,4 +1,4 @@
-// Meshes as texts of the mesh formats.
+// Triangle meshes as text in the mesh formats.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Plans as files: what stands in them is read, what cannot stand there is refused with its place.
+// Plan files: valid content is read, invalid content is refused with its position in the file.
 #include "app/formats/plan/plan_reader.hpp"
 
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A plan of two tubes of the mock-up, every ninth row of its path.
+/// A plan for two tubes of the mock-up, with every ninth row of its path.
 class PlanReader : public FolderTest {
  protected:
   void SetUp() override {
@@ -26,7 +26,7 @@ class PlanReader : public FolderTest {
     return readPlanFiles(folder, cell);
   }
 
-  /// The refusal of the plan with another value at that place.
+  /// Returns the refusal of the plan with `value` at the JSON pointer `place`.
   [[nodiscard]] std::string refusalOf(const std::string& place, const char* value) {
     const json::json_pointer pointer(place);
     const json kept = plan;
@@ -36,7 +36,7 @@ class PlanReader : public FolderTest {
     return message;
   }
 
-  /// The same with another field in the first row of the path.
+  /// Returns the refusal of the plan with the first `from` in its path replaced by `to`.
   [[nodiscard]] std::string refusalOfRow(const std::string& from, const std::string& to) {
     const std::string kept = rows;
     rows = changed(rows, from, to);
@@ -81,7 +81,7 @@ TEST_F(PlanReader, RefusesValuesThatNoPlanHas) {
   expectSays(refusalOf("/start", "[0, 0]"), "plan.json start");
 }
 
-/// Each would make the proof say less than it seems to.
+/// Each value would make the verification prove less than it appears to prove.
 TEST_F(PlanReader, RefusesConditionsThatWouldWeakenTheProof) {
   expectSays(refusalOf("/padding", R"({"sigmas": -3})"),
              "padding.sigmas: found '-3', expected a finite number, at least 0");

@@ -1,4 +1,4 @@
-// The touches that placed a base, and how well an arm's numbers are known: in a cell's file and back.
+// The touches that placed a base, and the uncertainty of an arm's parameters, written to a cell file and read back.
 #include "app/formats/sheet/touched_base.hpp"
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace tubeplan::app {
 namespace {
 
-/// Cells whose keys stand on lines, and within braces.
+/// Cells with each key on a line, and cells with keys within braces.
 class TouchedBases : public FolderTest {
  protected:
   TouchedBases() {
@@ -22,7 +22,7 @@ class TouchedBases : public FolderTest {
 
   [[nodiscard]] Cell cellOf(const std::string& text) const { return parseCell(text, (folder / "cell.yaml").string()); }
 
-  /// Names with what a table and a quoted line have to keep.
+  /// Returns touches with ids that a table and a quoted line must escape.
   static std::vector<calibration::Measurement> someTouches(const Cell& cell) {
     std::vector<calibration::Measurement> touches;
     for (int k = 0; k < 3; ++k) {
@@ -38,7 +38,7 @@ class TouchedBases : public FolderTest {
     return touches;
   }
 
-  /// The arm with two of its numbers as touches may have them.
+  /// Returns the arm with two parameters changed, as a calibration by touches may change them.
   static deflection::Arm movedArm(const Cell& cell) {
     deflection::Arm arm = cell.filedArm();
     for (const char* name : {"tool.joint_stiffness.z", "forearm.a"})

@@ -1,5 +1,5 @@
-// Arms out of URDF beside Orocos KDL, whose own reader makes its chain of the same file: nothing here is shared with
-// it.
+// Arms read from URDF, compared with Orocos KDL, whose own parser builds a chain from the same file: the two share no
+// code.
 #include <gtest/gtest.h>
 #include <urdf_parser/urdf_parser.h>
 
@@ -20,9 +20,9 @@ namespace tubeplan::app {
 namespace {
 
 constexpr int kPostures = 200;
-constexpr double kSame = 1e-9;  // m, and of the axis
+constexpr double kSame = 1e-9;  // tolerance of positions [m] and axis components
 
-/// A robot of six makers, and how many joints of its own it has.
+/// A robot, and the number of its joints that have a reading.
 struct KdlRobot {
   const char* name;
   int joints;
@@ -46,7 +46,7 @@ class BesideKdl : public testing::TestWithParam<KdlRobot> {
     ASSERT_TRUE(tree.getChain(model->getRoot()->name, last->name, chain_));
   }
 
-  /// KDL's own count of moving joints.
+  /// Returns the number of moving joints in KDL's chain.
   [[nodiscard]] unsigned kdlJoints() const { return chain_.getNrOfJoints(); }
   [[nodiscard]] std::size_t mimics() const { return mimics_.size(); }
 
@@ -69,7 +69,7 @@ class BesideKdl : public testing::TestWithParam<KdlRobot> {
     return frame;
   }
 
-  /// Over the arm's whole range; the rigid tip, since KDL knows no other.
+  /// Compares rigid tips, since KDL knows no flexible ones, over the arm's whole joint range.
   void expectKdlsTips(const deflection::Arm& of) const {
     std::mt19937_64 random(4);
     for (int k = 0; k < kPostures; ++k) {

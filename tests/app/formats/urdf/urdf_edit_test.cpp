@@ -1,4 +1,5 @@
-// Arms back into the URDF that they came from: the frames of every link by the file's own transforms, and its bytes.
+// Arms written back into their URDF: the frame of every link from the file's own transforms, and unchanged bytes
+// elsewhere.
 #include "app/formats/urdf/urdf_edit.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ namespace {
 using deflection::Arm;
 using Eigen::Isometry3d, Eigen::Vector3d;
 
-/// Robots with all that a URDF may have beside its kinematics, written as different hands write it.
+/// Random robots with everything that a URDF may hold beside kinematics, in different styles of writing.
 class RobotMaker {
  public:
   explicit RobotMaker(int seed) : random_(static_cast<unsigned>(seed)) {}
@@ -97,13 +98,13 @@ class RobotMaker {
   int count_ = 0;
 };
 
-/// As `arm import` writes it to a file and another command reads it.
+/// Returns the arm as `arm import` writes it to a file and another command reads the file.
 Arm throughFile(const Arm& arm) {
   const Units units(parseYaml("units: {length: m, angle: deg, force: N}", "u.yaml").at("units"));
   return readArm(parseYaml(armYaml(arm, units), "arm.yaml")).arm;
 }
 
-/// The same with errors of a calibration; `moved` names the joints whose origins they reach.
+/// Returns the arm, read from a file, with random calibration errors; `moved` receives the joints whose origins change.
 Arm withCalibration(const UrdfArm& read, std::mt19937_64& random, std::vector<std::string>& moved) {
   Arm arm = throughFile(read.arm);
   const auto draw = [&](double size) { return std::uniform_real_distribution<double>(-size, size)(random); };
@@ -141,7 +142,7 @@ double valueOfJoint(const urdf::ModelInterface& model, const urdf::Joint& joint,
   return joint.mimic->multiplier * leading + joint.mimic->offset;
 }
 
-/// A link's frame in the root's, by the file's transforms.
+/// Returns the frame of a link relative to the root link, from the file's transforms.
 Isometry3d linkFrameAt(const urdf::ModelInterface& model, const std::string& name,
                        const std::map<std::string, double>& readings) {
   const auto joint = model.getLink(name)->parent_joint;
@@ -155,7 +156,7 @@ Isometry3d linkFrameAt(const urdf::ModelInterface& model, const std::string& nam
   return X * Eigen::AngleAxisd(value, axis);
 }
 
-/// Frames of an arm's rows in its base, and of the tool behind them, by its own numbers.
+/// Returns the frames of the arm's rows and of the tool relative to the base, from the arm's parameters.
 std::vector<Isometry3d> framesOf(const Arm& arm, const Eigen::VectorXd& q) {
   std::vector<Isometry3d> frames;
   Isometry3d X = Isometry3d::Identity();
@@ -174,7 +175,7 @@ std::vector<Isometry3d> framesOf(const Arm& arm, const Eigen::VectorXd& q) {
   return frames;
 }
 
-/// At random readings every link stands where the arm has it, the tool's tip too.
+/// Expects every link and the tool tip of the text to agree with the arm at random joint readings.
 void expectLinksWhereTheArmHasThem(const std::string& text, const UrdfArm& before, const Arm& arm,
                                    std::mt19937_64& random) {
   const auto model = urdf::parseURDF(text);
@@ -195,7 +196,7 @@ void expectLinksWhereTheArmHasThem(const std::string& text, const UrdfArm& befor
   }
 }
 
-/// The text without the origins of these joints, and without a tip that was added.
+/// Returns the text without the origins of these joints and without an added tip.
 std::string withoutOrigins(std::string text, const std::vector<std::string>& joints) {
   for (std::string name : joints) {
     name = std::regex_replace(std::regex_replace(name, std::regex("&"), "&amp;"), std::regex("<"), "&lt;");
@@ -248,7 +249,7 @@ TEST(UrdfEdit, PublishedRobotsKeepTheirBytes) {
   }
 }
 
-/// A slide along y, an elbow about x, both with meshes; the tip is the elbow's own link.
+/// A slide along y and an elbow about x; the tip is the elbow's child link.
 constexpr const char* kTwoJoints =
     "\xEF\xBB\xBF<robot name=\"r\">\r\n  <link name=\"base\"/>\r\n"
     "  <link name=\"a\"><inertial><mass value=\"2\"/></inertial></link>\r\n  <link name=\"b\"/>\r\n"
@@ -264,7 +265,7 @@ TEST(UrdfEdit, OffsetsMoveOriginsAlongAndAboutTheirOwnAxes) {
   arm.rows[0].joint.offset = 0;
   arm.rows[1].joint.offset = 0.25;
   const UrdfEdit edit = withArmInUrdf(kTwoJoints, "r.urdf", "", arm);
-  EXPECT_EQ(edit.text, changed(kTwoJoints, "0 0 3.5", "0.25 0 3.5"));  // the angles nearest to those written
+  EXPECT_EQ(edit.text, changed(kTwoJoints, "0 0 3.5", "0.25 0 3.5"));  // of equivalent angles, those closest to the old
   ASSERT_EQ(edit.changed.size(), 1u);
   expectSays(edit.changed[0], "elbow");
   expectSays(edit.changed[0], "turned 250 mrad");
@@ -298,7 +299,7 @@ TEST(UrdfEdit, LimitsAreChangedWhereTheFileHasThem) {
   arm.rows[1].joint.lower = -1;
   arm.rows[1].joint.upper = 1;
   EXPECT_EQ(withArmInUrdf(kTwoJoints, "r.urdf", "", arm).text, edit.text);
-  EXPECT_EQ(withArmInUrdf(kTwoJoints, "r.urdf", "", arm).left_out.size(), 2u);  // lower, upper of a continuous joint
+  EXPECT_EQ(withArmInUrdf(kTwoJoints, "r.urdf", "", arm).left_out.size(), 2u);  // lower and upper of a continuous joint
 }
 
 TEST(UrdfEdit, WhatUrdfCannotSayIsLeftOutInWords) {

@@ -1,4 +1,4 @@
-// Arms out of URDF and back, beside the transforms that the file itself states, joint by joint.
+// Arms read from URDF and written back, compared joint by joint with the transforms that the file states.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <urdf_parser/urdf_parser.h>
@@ -45,7 +45,7 @@ Isometry3d poseOf(const urdf::Pose& pose) {
   return X;
 }
 
-/// The frame of the only leaf by the file's own transforms.
+/// Returns the frame of the only leaf link, from the file's transforms.
 Isometry3d leafFrame(const urdf::ModelInterface& model, const std::map<std::string, double>& joints) {
   Isometry3d X = Isometry3d::Identity();
   for (auto link = model.getRoot(); !link->child_joints.empty();) {
@@ -138,7 +138,7 @@ TEST(Urdf, WeightsFollowersAndSolidsComeAlong) {
   expectSays(ur5.left_out[0], "moments of inertia");
 }
 
-// A parser that takes what it cannot read for the format of a message would write into memory by %n.
+// A parser that used unreadable text as the format of a message would write to memory through %n.
 TEST(Urdf, APercentSignIsNoFormat) {
   for (const char* piece : {"%n%n%n%s%s%s", "&#37;n&#x25;n", "%1000000000d"}) {
     const std::string text = fmt::format(
@@ -173,7 +173,7 @@ TEST(Urdf, RefusesWhatIsNoArm) {
   EXPECT_EQ(parseUrdf(changed(good, "</robot>", fork), "p.urdf", "tool0").arm.rows.size(), 5u);
 }
 
-/// A turning joint in the middle, a flange behind it, and what a test puts between.
+/// Returns a URDF with a revolute joint, a flange behind the joint, and the test's additions.
 std::string flangeUrdf(const std::string& link = "", const std::string& more = "",
                        const std::string& joint = "<limit lower=\"-2\" upper=\"2\" effort=\"1\" velocity=\"1\"/>") {
   return "<robot name=\"r\"><link name=\"base\"/><link name=\"arm\">" + link +
@@ -218,7 +218,7 @@ TEST(Urdf, SolidsThatStandStillAreLeftOutInWords) {
   expectSays(read.left_out[0], "base, which stands still");
 }
 
-// A link is read whole or refused.
+// A link is either read completely or refused.
 TEST(Urdf, NothingOfALinkIsLostUnsaid) {
   for (const std::string& harmless :
        {std::string(kMass) + kBox,
@@ -246,10 +246,10 @@ TEST(Urdf, NothingOfALinkIsLostUnsaid) {
     EXPECT_NE(refusalOf(flangeUrdf(wrong)), "") << wrong;
 }
 
-// What stands for a right angle with few digits, or for degrees; the arm is as the file has it.
+// Angles that look like rounded right angles or like degrees get a remark; the arm keeps the values of the file.
 TEST(Urdf, AnglesThatLookWrongAreRemarkedOn) {
   struct Turn {
-    std::string rpy, said;  // nothing said: no remark
+    std::string rpy, said;  // an empty `said` expects no remark
   };
   for (const Turn& turn : {Turn{"0 0 3.141", "180 deg rounded"},
                            Turn{"1.57 0 0", "90 deg rounded"},
@@ -288,7 +288,7 @@ TEST(Urdf, AnglesThatLookWrongAreRemarkedOn) {
   }
 }
 
-// Every joint on the way is looked at, fixed ones of the tool too; what is small is said once, of all together.
+// All joints up to the tip are checked, including fixed joints of the tool; small deviations share one remark.
 TEST(Urdf, RoundAnglesAreRemarkedOnOfEveryJoint) {
   const auto joint = [](int k, const char* type, const char* rpy) {
     return fmt::format(
@@ -319,7 +319,7 @@ struct WrongUrdf {
   std::string text, said;
 };
 
-/// What is written wrong by hand, by a converter or by an editor: each is named with its line and what it should be.
+/// Mistakes made by hand, by a converter or by an editor are named with the line and the expected content.
 TEST(Urdf, WhatIsWrongIsNamedWithItsLine) {
   const std::string good = flangeUrdf();
   const auto origin = [&](const char* text) { return changed(good, "xyz=\"1 0 0\"", text); };
@@ -370,7 +370,7 @@ TEST(Urdf, WhatIsWrongIsNamedWithItsLine) {
   expectSays(refusalOf("<robot name=\"r\"/>"), "no links");
 }
 
-/// What of a file is passed over may be written anyhow.
+/// Values that the reader does not use may have any form.
 TEST(Urdf, NumbersOfAControllerArePassedOver) {
   EXPECT_EQ(
       parseUrdf(flangeUrdf("", "", "<limit lower=\"-2\" upper=\"+2\" effort=\"inf\"/>"), "r.urdf").arm.joint(0).upper,
@@ -400,7 +400,7 @@ TEST(Urdf, LimitsAndAxesAreReadOrRefused) {
   expectSays(refusalOf(changed(flangeUrdf(), "rpy=\"0 1.5 0.5\"", "quat_xyzw=\"0 0 0 1\"")), "quat_xyzw");
 }
 
-// What a controller is told is no part of the arm, and said; of the limits the hard ones are taken.
+// Settings of a controller are not part of the arm, and remarks say so; the hard limits are used.
 TEST(Urdf, WhatControllersAreToldIsSaid) {
   const std::string joint =
       "<limit lower=\"-2\" upper=\"2\" effort=\"1\" velocity=\"1\"/><calibration rising=\"0.25\"/>"
