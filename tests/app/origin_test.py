@@ -114,7 +114,7 @@ class OldFiles(Folder):
         self.run_program("campaign mockup.yaml --runs 2 --holes 3 --tubes spread:6 --out many")
         tally = self.folder / "many/tally.json"
         old = re.sub(r'"program","[^"]*"', '"program","0.1.0 9bc91f66361e0b69"', tally.read_text(), count=1)
-        tally.write_text(re.sub(r',"question_checksum":"[^"]*"', "", old, count=1))  # which 0.1 did not write
+        tally.write_text(re.sub(r',"question_checksum":"[^"]*"', "", old, count=1))  # 0.1 did not write this key
         done = subprocess.run([PROGRAM, *"campaign mockup.yaml --runs 4 --holes 3 --tubes spread:6 --out many --resume".split()],
                               cwd=self.folder, capture_output=True, text=True)
         self.assertEqual(done.returncode, 2)
