@@ -30,7 +30,7 @@ TEST_F(MeasuredRoomOfTheBench, HoldsNoneThatHangsLower) {
 TEST_F(MeasuredRoomOfTheBench, HoldsNoneThatFoldsTheArmOntoItself) {
   Eigen::VectorXd q = readings.front().q;
   q[1] = 90 * kDegree;
-  q[2] = 178 * kDegree;  // the forearm back along the latch link; measured to 120 degrees at most
+  q[2] = 178 * kDegree;  // the forearm folded onto the latch link; measured only up to 120 deg
   q[3] = 0;
   EXPECT_FALSE(room.holds(q, 0));
 }

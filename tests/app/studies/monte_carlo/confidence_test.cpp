@@ -24,7 +24,7 @@ TEST(WilsonInterval, HasThePublishedValues) {
   EXPECT_EQ(wilsonInterval(0, 0).high, 1);
 }
 
-/// How often the interval holds the true share, exactly: a sum over all counts.
+/// Returns the exact probability that the interval contains `share`: a sum over all counts.
 double coverage(int of, double share) {
   double sum = 0;
   for (int count = 0; count <= of; ++count) {
@@ -42,14 +42,14 @@ TEST(WilsonInterval, CoversTheTruthAsOftenAsItSays) {
     int cases = 0;
     for (double share = 0.02; share < 0.985; share += 0.005, ++cases) {
       const double covered = coverage(of, share);
-      EXPECT_GT(covered, 0.83) << share << " of " << of;  // known to dip near the ends
+      EXPECT_GT(covered, 0.83) << share << " of " << of;  // known to dip near 0 and 1
       sum += covered;
     }
     EXPECT_NEAR(sum / cases, 0.95, 0.01) << of;
   }
 }
 
-/// Runs of ten cases that share a chance of their own.
+/// Returns runs of ten cases; the cases of a run share a random success probability.
 RunSums clusteredRuns(int runs, double spread, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
   RunSums sums;
@@ -73,8 +73,8 @@ TEST(RunSums, BandsHoldTheTruthWhereCasesOfARunAreAlike) {
     const Probability alone = wilsonInterval(sums.mean() * 2000, 2000);
     naive += alone.low <= 0.7 && 0.7 <= alone.high;
   }
-  EXPECT_NEAR(held / 1000., 0.95, 0.025);  // 3.6 sigma of 1000 tries
-  EXPECT_LT(naive, 900);                   // what cases taken as independent would claim
+  EXPECT_NEAR(held / 1000., 0.95, 0.025);  // 3.6 sigma for 1000 tries
+  EXPECT_LT(naive, 900);                   // intervals for independent cases are too narrow
 }
 
 TEST(RunSums, StandardErrorIsThatOfTheRatio) {
@@ -95,7 +95,7 @@ TEST(RunSums, OneRunOrNoneTellsNoError) {
   EXPECT_EQ(sums.probability().high, 1);
   sums.add(10, 10);
   EXPECT_TRUE(std::isnan(sums.standardError()));
-  EXPECT_LT(sums.probability().low, 0.3);  // one run is one case
+  EXPECT_LT(sums.probability().low, 0.3);  // one run counts as one case
   TallyWords words;
   sums.put(words);
   WordReader reader(words);

@@ -9,7 +9,7 @@
 namespace tubeplan::app {
 namespace {
 
-/// Sums the squares of the runs' indices, and notes how often each was run.
+/// Sums the squares of the run indices and counts how often each run was executed.
 class SquareSum : public Experiment {
  public:
   explicit SquareSum(std::size_t runs) : times_(runs) {}
@@ -92,7 +92,7 @@ TEST(RepeatRuns, StoppedItGoesOnToTheSameSum) {
   EXPECT_EQ(experiment.total(), TallyWords{kSum});
 }
 
-/// Has no memory for one of its runs.
+/// Throws std::bad_alloc for every range of runs that begins after run 500.
 class FailingSum : public SquareSum {
  public:
   using SquareSum::SquareSum;

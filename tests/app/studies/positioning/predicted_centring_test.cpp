@@ -1,4 +1,4 @@
-// The predicted centring error of tubeplan identify from outside.
+// The predicted centring error that tubeplan identify reports.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program.hpp"
@@ -61,8 +61,8 @@ TEST_F(PredictedCentring, fallsWithTheRootOfTheReadings) {
   EXPECT_NEAR(few / many, 3, 0.9);
 }
 
-// The truth is known here: what the found model says of the holes is off by as much as was said. Its own error is one
-// draw, which the band holds in all but one case of twenty; three are tried, and the mean of their sizes is judged.
+// With a known truth, the actual error at the holes agrees with the predicted error. The actual error of one fit lies
+// within the predicted band in 19 of 20 cases; the mean over three fits is tested.
 TEST_F(PredictedCentring, isWhatTheTrueArmDoes) {
   double predicted = 0, real = 0;
   for (const int seed : {11, 12, 13}) {

@@ -1,4 +1,4 @@
-// Probabilities of steps: against true arms of other physics, and what a plan says of them.
+// Probabilities of steps: compared with true arms of other physics, and as stated in a plan.
 #include <nlohmann/json.hpp>
 
 #include "studies/step_chance_trials.hpp"
@@ -45,7 +45,7 @@ TEST_F(StepChancesOfAPlan, AreNotGivenForABaseThatNobodyPlaced) {
 }
 
 TEST_F(StepChancesOfAPlan, SayWhetherTouchesOrTheCellToldTheModelsError) {
-  // Stiffnesses that are off by what the arm's file leaves open are no error of the model.
+  // Stiffness errors within the uncertainty of the arm's file do not count as an error of the model.
   const json by_touches = planned("mockup.yaml --touches auto --truth mockup-true.yaml");
   EXPECT_TRUE(by_touches["probabilities"]["model_error"].is_null());
   EXPECT_EQ(by_touches["probabilities"]["counted"],
@@ -57,7 +57,8 @@ TEST_F(StepChancesOfAPlan, SayWhetherTouchesOrTheCellToldTheModelsError) {
   const json by_cell = planned("stated.yaml --touches auto --truth mockup-true.yaml");
   EXPECT_EQ(by_cell["probabilities"]["model_error"]["source"], "cell");
   EXPECT_NEAR(by_cell["probabilities"]["model_error"]["value"].get<double>(), 0.02, 1e-9);
-  // 0.02 in a coordinate: the third step's 0.010 in is hit in at most 1 - exp(-1/8) of the holes.
+  // With a model error of 0.02 in per coordinate, at most 1 - exp(-1/8) of the holes are hit within the 0.010 in that
+  // the third step requires.
   for (const auto& tube : by_cell["tubes"]) EXPECT_LE(tube["probability_by_steps"][3], 0.118);
 }
 
