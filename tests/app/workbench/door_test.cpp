@@ -1,4 +1,4 @@
-// Who may come in.
+// The rules by which the workbench accepts or refuses HTTP requests.
 #include "app/workbench/door.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The door over a real socket: what is refused is refused, whatever follows on the connection.
+// The rules of access over a real socket: a refused request stays refused, whatever follows on the connection.
 #include "tests/app/workbench/raw_connection.hpp"
 #include "tests/app/workbench/running_server.hpp"
 
@@ -13,7 +13,7 @@ class HttpDoor : public WorkbenchTest {
     return socket;
   }
 
-  /// What the server says to these bytes until it closes the connection.
+  /// Returns what the server answers to these bytes until the server closes the connection.
   [[nodiscard]] std::string said(const std::string& bytes) const { return saidTo(server->port(), bytes); }
   [[nodiscard]] std::string host() const { return "Host: 127.0.0.1:" + std::to_string(server->port()) + "\r\n"; }
 };
@@ -95,7 +95,7 @@ TEST_F(HttpDoor, twoHundredRequestsThatAreNotFinishedStallNobody) {
   const std::string body =
       "POST /api/undo HTTP/1.1\r\n" + host() + "Content-Type: application/json\r\nContent-Length: 100\r\n\r\n{";
   for (const std::string& begun : {std::string("GET /api/sta"), body}) {
-    const auto start = std::chrono::steady_clock::now();  // to connect is a part of it
+    const auto start = std::chrono::steady_clock::now();  // includes the time to connect
     std::vector<int> sockets;
     for (int k = 0; k < 200; ++k) {
       sockets.push_back(connected());

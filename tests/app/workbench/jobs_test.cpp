@@ -1,4 +1,4 @@
-// Jobs: one after another, told, stopped, failed.
+// Jobs run one after another, report progress, stop on request, and may fail.
 #include "app/workbench/jobs.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(Jobs, areNewerWithEveryChange) {
   const auto moment = [&] { return jobs.list().back()["moment"].get<std::uint64_t>(); };
   const std::uint64_t running = moment();
   EXPECT_GT(running, begun.job["moment"].get<std::uint64_t>());
-  const std::uint64_t asked = events.moment();  // as of an answer that is being made
+  const std::uint64_t asked = events.moment();  // the moment of an answer that is being prepared
   EXPECT_GE(asked, running);
   const auto stopping = (*jobs.cancel(begun.job["id"]))["moment"].get<std::uint64_t>();
   EXPECT_GT(stopping, asked);
@@ -134,7 +134,7 @@ TEST(Jobs, tellHowFarTheyAre) {
   }
   EXPECT_TRUE(with_rate);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  EXPECT_LE(told, 10 * seconds + 4);  // ten a second, and the beginning and end
+  EXPECT_LE(told, 10 * seconds + 4);  // ten reports a second, plus the first and the last
 }
 
 TEST(Jobs, areForgottenInTime) {

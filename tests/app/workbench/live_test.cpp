@@ -1,4 +1,5 @@
-// What a running arm sends: told at once, kept nowhere; its readings join the others; and readings held out.
+// Data sent by a running arm: postures are answered at once and not stored, readings join the loaded readings, and
+// readings are held out.
 #include "app/workbench/live.hpp"
 
 #include <fmt/format.h>
@@ -51,7 +52,7 @@ TEST_F(LiveTest, BadEncodersAreRefused) {
     EXPECT_EQ(post("/api/live/encoders", {{"joints", joints}}).status, 422) << joints;
 }
 
-/// A client as a controller is: it writes lines and waits for each answer.
+/// A client that acts like a controller: it writes lines and waits for each answer.
 class LineClient {
  public:
   explicit LineClient(int port) : stream_("127.0.0.1", std::to_string(port)) {}
@@ -71,7 +72,7 @@ TEST_F(LiveTest, LinesOverTcpAreAnsweredWithTheDeflectedTip) {
   serve("bench.yaml");
   const LineServer lines(server->workbench(), 0);
   LineClient controller(lines.port()), stalled(lines.port());
-  stalled.begin("10 45");  // holds up itself only
+  stalled.begin("10 45");  // an unfinished line blocks only its own connection
   const json tip = post("/api/pose", {{"joints", {10, 45, -35, 12}}, {"load", 20}}).body["tip"]["flexible"];
   for (const char* line : {"10 45 -35 12 20", "10,45,-35,12,20", "10; 45; -35; 12; 20\r", "\t10 45 -35 12   20 "}) {
     std::stringstream answer(controller.ask(line));
@@ -158,7 +159,7 @@ TEST_F(LiveTest, WhatCannotBeReadTogetherJoinsAsItIs) {
   EXPECT_NE(known->source, nullptr);
   readings.resize(1);
   readings.front().id = "3";
-  readings.front().q[0] = 100;  // far beyond its limits: refused where a file is read
+  readings.front().q[0] = 100;  // far beyond the joint limits: refused in a file
   const auto joined = joinedSet(known.get(), readings, cell);
   EXPECT_EQ(joined->readings.size(), 3u);
   EXPECT_EQ(joined->source, nullptr);
@@ -189,7 +190,7 @@ TEST_F(LiveTest, AWatchedFileIsReadByWholeRowsOnceEach) {
   const auto file = folder / "watched.csv";
   const auto put = [&](const std::string& text) { write("watched.csv", text); };
   WatchedFile watched(file);
-  watched.look(server->workbench());  // not there yet
+  watched.look(server->workbench());  // the file does not exist yet
   put(std::string(kHeader) + row(1) + row(2) + "3,posi");
   watched.look(server->workbench());
   EXPECT_EQ(server->workbench().arrivals().hand().size(), 2u);

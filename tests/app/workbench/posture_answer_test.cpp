@@ -1,4 +1,4 @@
-// The figures of a posture on the page are those that a plan goes by.
+// The page shows the figures of a posture that a plan uses.
 #include "app/workbench/posture_answer.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace tubeplan::app {
 namespace {
 
-// A joint with a gap can jump: what that moves comes off the margin, there as here.
+// Backlash lets a joint jump; the resulting motion reduces the margin, in a plan and on the page.
 TEST(PostureAnswer, TheMarginIsThatOfAPlan) {
   Cell cell = readCell(TUBEPLAN_SOURCE_DIR "/app/cells/mockup.yaml");
   const double without = clearanceOf(*makeModel(0, "", "given", cell), Eigen::Vector4d(-0.6, 0.8, -0.6, -0.2), 0)

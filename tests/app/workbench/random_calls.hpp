@@ -13,10 +13,10 @@
 
 namespace tubeplan::app {
 
-/// Numbers of calls by HTTP status of the answer; 0: the connection was closed without one.
+/// Number of calls for each HTTP status of the answer; status 0: the connection was closed without an answer.
 using CallCounts = std::map<int, int>;
 
-/// Draws and makes calls of a server on loopback.
+/// Draws random calls and sends them to a server on loopback.
 class RandomCalls {
  public:
   RandomCalls(int port, std::uint64_t seed) : port_(port), random_(seed) {}

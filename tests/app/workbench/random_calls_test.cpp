@@ -1,9 +1,10 @@
-// Whatever is sent, the workbench answers or hangs up: it never ends, and touches nothing outside its folder.
+// For any bytes sent, the workbench answers or closes the connection, keeps running, and touches nothing outside its
+// folder.
 #include "tests/app/workbench/random_calls.hpp"
 
 #include "tests/app/workbench/running_server.hpp"
 
-/// The address sanitizer keeps as much of the memory that was freed as the server may grow by: less of it here.
+/// Reduces the freed memory that the address sanitizer keeps, which could exceed the growth allowed to the server.
 extern "C" const char* __asan_default_options() { return "quarantine_size_mb=32"; }
 
 namespace tubeplan::app {
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 
 class RandomCallsTest : public WorkbenchTest {
  protected:
-  /// Every file outside the opened folder with its content.
+  /// Returns the content of every file outside the opened folder, keyed by path.
   [[nodiscard]] std::map<std::string, std::string> outside() const {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder))

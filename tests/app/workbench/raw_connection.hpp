@@ -1,4 +1,4 @@
-// Raw bytes over a socket, including those that no client library sends.
+// Raw bytes over a socket, including bytes that no client library sends.
 #pragma once
 
 #include <arpa/inet.h>
@@ -11,7 +11,7 @@
 
 namespace tubeplan::app {
 
-/// Returns a socket connected to this port of the machine; -1 if the connection fails.
+/// Returns a socket connected to `port` on loopback; -1 if the connection fails.
 inline int connectedTo(int port) {
   const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
   const timeval patience{60, 0};
@@ -25,7 +25,7 @@ inline int connectedTo(int port) {
   return -1;
 }
 
-/// Returns the answer to these bytes until the connection is closed; empty if there is none.
+/// Returns the server's answer to these bytes until the connection is closed; empty if there is no answer.
 inline std::string saidTo(int port, const std::string& bytes) {
   const int socket = connectedTo(port);
   std::string answer;

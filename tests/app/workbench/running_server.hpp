@@ -1,8 +1,8 @@
-// Workbench on its own port, in its own folder, with a client.
+// Workbench server on its own port, in its own folder, with an HTTP client.
 #pragma once
 
 #include <httplib.h>
-#undef _res  // macro of the resolver that is a name in Eigen
+#undef _res  // macro of the resolver header that clashes with a name in Eigen
 
 #include <chrono>
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace tubeplan::app {
 
-/// Server in its own thread, which ends with the object.
+/// Server in its own thread; the destructor stops the server and joins the thread.
 class RunningServer {
  public:
   explicit RunningServer(const WorkbenchOptions& options, const std::string& token = "", const std::string& page = "")
@@ -53,7 +53,7 @@ inline Reply replyOf(const httplib::Result& result) {
   return {result->status, nlohmann::json::parse(result->body, nullptr, false), result->body, result->headers};
 }
 
-/// Test fixture with the shipped cells under a small sheet, for which all holes are computed quickly.
+/// Test fixture with the shipped cells and a small sheet, so that all holes are computed quickly.
 class WorkbenchTest : public FolderTest {
  protected:
   WorkbenchTest() {
@@ -80,7 +80,7 @@ class WorkbenchTest : public FolderTest {
     return replyOf(client->Post(path, body.dump(), "application/json"));
   }
 
-  /// Starts a job and waits for its end.
+  /// Starts a job, waits for its end and returns its final state.
   nlohmann::json work(const std::string& path, const nlohmann::json& body = nlohmann::json::object()) {
     const Reply begun = post(path, body);
     EXPECT_EQ(begun.status, 202) << path << begun.text;
@@ -105,7 +105,7 @@ class WorkbenchTest : public FolderTest {
     return job;
   }
 
-  /// Simulates readings of the bench with an offset that its model lacks.
+  /// Simulates readings of the bench with a joint offset that the bench's model lacks.
   void simulate(int readings = 30) {
     done("/api/simulate", {{"design", "bench"}, {"readings", readings}, {"hide", {"joint-offset@theta3:0.3deg"}}});
   }

@@ -1,4 +1,4 @@
-// tubeplan serve from outside.
+// The command `tubeplan serve`.
 #include "tests/app/program.hpp"
 
 namespace tubeplan::app {

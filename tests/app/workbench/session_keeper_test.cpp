@@ -1,4 +1,4 @@
-// Keeping the work: what is written is what is taken up, whole or not at all, and nothing is dropped unasked.
+// Saved sessions: a session is restored as saved, completely or not at all, and nothing is discarded without a request.
 #include "app/storage/atomic_file.hpp"
 #include "app/workbench/project.hpp"
 #include "tests/app/workbench/running_server.hpp"
@@ -33,7 +33,7 @@ class SessionKeeping : public WorkbenchTest {
   }
 };
 
-/// Everything but what counts the jobs.
+/// Returns the state without the keys that change with every start: jobs, folder and moment.
 json lasting(json state) {
   for (const char* gone : {"jobs", "folder", "moment"}) state.erase(gone);
   return state;
@@ -49,7 +49,7 @@ TEST_F(SessionKeeping, theNextProgramGoesOnWhereTheLastOneWas) {
   EXPECT_EQ(get("/api/results/compare").body, result);
   EXPECT_EQ(get("/api/export/cell.yaml").text, cell);
   EXPECT_EQ(get("/api/export/measurements.csv").text, readings);
-  EXPECT_EQ(post("/api/undo").body["model"], 0);  // the stack too
+  EXPECT_EQ(post("/api/undo").body["model"], 0);  // the undo stack is restored too
   done("/api/compare");
 }
 
@@ -123,7 +123,7 @@ TEST_F(SessionKeeping, aProjectIsServedByItself) {
   serveKept("bench.yaml");
   makeWork();
   ASSERT_EQ(post("/api/project/save", {{"file", "mine"}}).status, 200);
-  std::filesystem::remove(opened() / "bench.yaml");  // the project has it
+  std::filesystem::remove(opened() / "bench.yaml");  // the project contains the cell
   std::filesystem::remove(opened() / "cobra-arm.yaml");
   serveKept("mine.tubeplan");
   EXPECT_EQ(get("/api/state").body["models"].size(), 2u);

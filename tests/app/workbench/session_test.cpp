@@ -1,4 +1,4 @@
-// What the session keeps of what was found out: all that is small, and of what is large no more than fits.
+// Results kept in a session: all small documents, and as many of the large documents as fit.
 #include "app/workbench/session.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(Session, OldDocumentsOfOtherModelsGiveWayToNewOnes) {
   const int last = currentModel(session).id;
   for (int id = last - 3; id <= last; ++id) EXPECT_TRUE(findResult(session, "compare", id)) << id;
 
-  session.current = 0;  // gone back: what is made again stays, and is not the first to go
+  session.current = 0;  // after going back: a repeated result is kept and is not the first to be discarded
   ++session.revision;
   putResult(session, "compare", currentModel(session).id, listing(10000));
   ++session.revision;
@@ -39,7 +39,7 @@ TEST(Session, OldDocumentsOfOtherModelsGiveWayToNewOnes) {
 
 class KeptSession : public FolderTest {};
 
-/// Their keys had other names before.
+/// Keys of results had other names in earlier versions.
 TEST_F(KeptSession, ResultsOfAnEarlierProgramAreReadFromItsProjects) {
   Session session;
   const int id = pushModel(session, "as given", "given", readCell((shippedCells() / "bench.yaml").string()));

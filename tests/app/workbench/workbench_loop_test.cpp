@@ -1,4 +1,4 @@
-// The loop in the workbench: compare, add, undo, export; what it gives is what the commands give.
+// The loop in the workbench: compare, add, undo, export; the results equal the results of the commands.
 #include "app/formats/cell/cell_reader.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/workbench/running_server.hpp"
@@ -10,7 +10,7 @@ using nlohmann::json;
 
 class WorkbenchLoop : public WorkbenchTest {
  protected:
-  /// What a command wrote, without what it says of itself and its inputs.
+  /// Returns a document written by a command, without version and inputs.
   [[nodiscard]] json written(const std::string& name) const {
     json document = json::parse(contentOf(folder / name));
     document.erase("version");
@@ -26,7 +26,7 @@ TEST_F(WorkbenchLoop, comparingGivesTheCommandsOwnDocument) {
   json document = get("/api/results/compare").body;
   EXPECT_EQ(document["model"], 0);
   const std::string arm = contentOf(opened() / "cobra-arm.yaml");
-  for (const char* other : {"cobra-arm.yaml", "cobra.yaml"})  // over an arm; its arm over that of other cells
+  for (const char* other : {"cobra-arm.yaml", "cobra.yaml"})  // an arm's file; a cell whose arm file others use
     EXPECT_EQ(post("/api/cell/save", {{"file", other}, {"overwrite", true}}).status, 422) << other;
   EXPECT_EQ(contentOf(opened() / "cobra-arm.yaml"), arm);
   write("readings.csv", get("/api/export/measurements.csv").text);
@@ -52,7 +52,7 @@ TEST_F(WorkbenchLoop, addingFitsAndClimbsAndCanBeUndone) {
   const double offset = state["models"][2]["effects"][0]["parameters"]["offset"]["value"];
   EXPECT_NEAR(offset, 0.3, 0.1);
   const json ladder = get("/api/results/ladder").body["models"];
-  ASSERT_EQ(ladder.size(), 4u);  // rigid, as given, fitted, with the offset
+  ASSERT_EQ(ladder.size(), 4u);  // models: rigid, as given, fitted, with the offset
   EXPECT_LT(ladder[3]["rms"]["heldout"], ladder[2]["rms"]["heldout"]);
   EXPECT_EQ(get("/api/results/identify").body["model"], 2);
 
@@ -63,7 +63,7 @@ TEST_F(WorkbenchLoop, addingFitsAndClimbsAndCanBeUndone) {
   EXPECT_EQ(post("/api/redo").body["model"], 1);
   done("/api/add", {{"formula", "theta3 += c*sin(2*theta1)"}});
   state = get("/api/state").body;
-  EXPECT_EQ(state["models"].size(), 3u);  // what could be done again is gone
+  EXPECT_EQ(state["models"].size(), 3u);  // the step that could be redone is discarded
   EXPECT_EQ(state["models"][2]["origin"], "formula");
   EXPECT_EQ(state["models"][2]["effects"][0]["formula"], "theta3 += c*sin(2*theta1)");
   EXPECT_EQ(state["can_redo"], false);
@@ -84,7 +84,7 @@ TEST_F(WorkbenchLoop, anyStepIsGoneBackToAndEffectsAndFreeNumbersAreSwitchedOff)
   EXPECT_TRUE(state["models"][2]["effects"].empty());
   EXPECT_EQ(state["models"][2]["free"], state["models"][0]["free"]) << "its numbers go with it";
   const json ladder = get("/api/results/ladder").body["models"];
-  ASSERT_EQ(ladder.size(), 4u);  // rigid, as given, with the offset, without it
+  ASSERT_EQ(ladder.size(), 4u);  // models: rigid, as given, with the offset, without the offset
   EXPECT_GT(ladder[3]["rms"]["heldout"], 2 * ladder[2]["rms"]["heldout"].get<double>());
   EXPECT_NEAR(ladder[3]["rms"]["fitted"], ladder[1]["rms"]["fitted"], 1e-6);
 
@@ -172,13 +172,13 @@ TEST_F(WorkbenchLoop, leverageIsTheTipsMotionByAJoint) {
     const json moved = tip();
     const json lever = document["readings"][row["id"].get<std::string>()];
     ASSERT_EQ(lever.size(), 6u);
-    for (std::size_t k = 0; k < 3; ++k)  // the load's own bending moves along: a hundredth
+    for (std::size_t k = 0; k < 3; ++k)  // tolerance for the load's bending, which also changes
       EXPECT_NEAR((moved[k].get<double>() - at[k].get<double>()) / 0.01, lever[k].get<double>(), 0.02) << row["id"];
   }
   EXPECT_EQ(get("/api/leverage?at=theta9").status, 422);
 }
 
-// Levers and moments are in the world, so a base that the cell only guesses stands where the readings have it.
+// Levers and moments refer to the world, so an unknown base is taken from the fit to the readings.
 TEST_F(WorkbenchLoop, leverageAndMomentsOfABaseThatIsNotKnownAreTheReadings) {
   serve("bench.yaml");
   simulate();
@@ -191,7 +191,7 @@ TEST_F(WorkbenchLoop, leverageAndMomentsOfABaseThatIsNotKnownAreTheReadings) {
   ASSERT_EQ(replyOf(client->Post("/api/measurements?name=again.csv", csv, "text/csv")).status, 200);
   const json levers_found = get("/api/leverage?at=theta1").body, moments_found = get("/api/moments").body;
   for (const auto& part : levers_found["base"]) EXPECT_NEAR(part.get<double>(), 0, 0.5);
-  // The arm gives otherwise than it does in truth, and the base takes some of that.
+  // The compliance of the model differs from the truth, and the fitted base absorbs part of the difference.
   const auto expectNear = [](const json& one, const json& other) {
     double largest = 0, apart = 0;
     for (const auto& [id, numbers] : one["readings"].items())

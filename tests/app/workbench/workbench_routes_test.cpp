@@ -1,4 +1,4 @@
-// What the workbench answers, asked over a real socket: every address once as it is meant, and its refusals.
+// Answers of the workbench over a real socket: every address with a valid request, and its refusals.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using nlohmann::json;
 
 class WorkbenchRoutes : public WorkbenchTest {
  protected:
-  /// Until a job is past its waiting and its begin.
+  /// Waits until the job is past its waiting stage and its first stage.
   void untilAtWork(int id, const std::string& kind) {
     for (std::string stage = "waiting"; stage == "waiting" || stage == kind;) stage = stageOf(id);
   }
@@ -107,7 +107,7 @@ TEST_F(WorkbenchRoutes, sheetAndScene) {
   const json& manway = sheet["manway"];
   EXPECT_EQ(manway["center"], json({-33.1, 33.1, -42.2}));
   EXPECT_EQ(manway["diameter"], 16.0);
-  EXPECT_NEAR(manway["u"].get<double>(), std::sqrt(0.5), 1e-9);  // seen from below, as the holes
+  EXPECT_NEAR(manway["u"].get<double>(), std::sqrt(0.5), 1e-9);  // seen from below, like the holes
   EXPECT_NEAR(manway["v"].get<double>(), std::sqrt(0.5), 1e-9);
   const json scene = get("/api/scene").body;
   ASSERT_EQ(scene["shapes"].size(), 5u);
@@ -131,7 +131,7 @@ TEST_F(WorkbenchRoutes, thePoseIsThatOfTheCommand) {
     if (key != "version" && key != "inputs") {
       EXPECT_EQ(pose.value(key, json()), value) << key;
     }
-  EXPECT_EQ(pose["tip"]["flexible"], pose["flexible"]["position"]);  // the bench's base is the world's origin
+  EXPECT_EQ(pose["tip"]["flexible"], pose["flexible"]["position"]);  // the bench's base frame is the world frame
   EXPECT_EQ(pose["frames"]["rigid"].size(), 6u);
   EXPECT_EQ(pose["clearance"], nullptr);
 }
@@ -164,7 +164,7 @@ TEST_F(WorkbenchRoutes, inverseFindsPosturesThatCentreTheTip) {
   ASSERT_EQ(found["status"], "found");
   const json pose = post("/api/pose", {{"joints", found["joints"]}, {"hole", 40}}).body;
   EXPECT_LT(pose["centring"]["distance"].get<double>(), 1e-4);
-  // The tool leans where the joints cannot correct it, and the third step leaves it a hundredth of an inch.
+  // The joints cannot correct the tilt of the tool, and the third step has a clearance of 0.010 in.
   EXPECT_EQ(pose["centring"]["steps"], pose["centring"]["tilt"].get<double>() * M_PI / 180 * 1.5 <= 0.010 ? 3 : 2);
   EXPECT_EQ(post("/api/inverse", {{"hole", 96}}).status, 422);
   EXPECT_EQ(post("/api/inverse", {{"hole", -1}}).status, 422);
@@ -199,7 +199,7 @@ TEST_F(WorkbenchRoutes, readingsAreLoadedOrRefusedWithTheReadersOwnWords) {
   EXPECT_TRUE(bad.body["error"]["where"].get<std::string>().starts_with("mine.csv:2"));
   EXPECT_EQ(upload("").status, 422);
   EXPECT_EQ(upload(std::string(1000, '\0')).status, 422);
-  EXPECT_EQ(get("/api/state").body["measurements"]["name"], "readings.csv");  // what was refused changes nothing
+  EXPECT_EQ(get("/api/state").body["measurements"]["name"], "readings.csv");  // a refused upload changes nothing
   EXPECT_EQ(post("/api/measurements/open", {{"file", "../readings.csv"}}).status, 422);
   EXPECT_EQ(post("/api/measurements/open", {{"file", "bench.yaml"}}).status, 422);
   EXPECT_EQ(get("/api/files").body["measurements"], json({"readings.csv"}));
@@ -240,7 +240,7 @@ TEST_F(WorkbenchRoutes, whatACheckSuspectsIsTakenToBeSo) {
 
   EXPECT_EQ(get("/api/state").body["measurements"]["assumed"], json({"coordinates=in"}));
 
-  // Of two units the last holds, none is the way back.
+  // Of two assumed units the last applies; an empty list restores the original unit.
   const auto firstX = [&] { return get("/api/measurements").body["rows"][0]["position"][0].get<double>(); };
   const double in_inches = firstX();
   EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"coordinates=m"}}}).status, 200);
@@ -283,7 +283,7 @@ TEST_F(WorkbenchRoutes, momentsAreThoseThatFormulasName) {
       gained += std::pow(moments["readings"]["b"][3 * row + axis].get<double>() -
                              moments["readings"]["a"][3 * row + axis].get<double>(),
                          2);
-    EXPECT_NEAR(std::sqrt(gained), 30 * std::sqrt(lever), 1e-6) << row;  // a load times its level distance
+    EXPECT_NEAR(std::sqrt(gained), 30 * std::sqrt(lever), 1e-6) << row;  // the load times its horizontal distance
   }
   EXPECT_NE(named("moment_tool_z", "a"), named("moment_tool_z", "b"));
 }
@@ -303,7 +303,7 @@ TEST_F(WorkbenchRoutes, touchingHolesPlacesTheBase) {
   EXPECT_EQ(get("/api/state").body["touches"], 3);
   EXPECT_EQ(replyOf(client->Delete("/api/touch/1")).status, 200);
   EXPECT_EQ(replyOf(client->Delete("/api/touch/9")).status, 404);
-  EXPECT_EQ(work("/api/calibrate")["status"], "failed");  // two do not place a base
+  EXPECT_EQ(work("/api/calibrate")["status"], "failed");  // two touches do not place a base
   EXPECT_EQ(post("/api/touch", {{"hole", 6}, {"load", -3}}).status, 422);
   EXPECT_EQ(post("/api/touch", {{"hole", 6}, {"load", 20}}).status, 200);
   const json touches = get("/api/touches").body["touches"];
@@ -328,7 +328,7 @@ TEST_F(WorkbenchRoutes, touchesThatPlaceNoBaseAreShownAndLeaveTheModel) {
   for (const int hole : {0, 11, 90, 6}) ASSERT_EQ(post("/api/touch", {{"hole", hole}, {"simulate", true}}).status, 200);
   const json last = get("/api/touches").body["touches"][3];
   std::vector<double> joints = last["joints"];
-  joints[0] += 3;  // degrees
+  joints[0] += 3;  // [deg]
   EXPECT_EQ(replyOf(client->Delete("/api/touch/3")).status, 200);
   EXPECT_EQ(post("/api/touch", {{"hole", 6}, {"joints", joints}}).status, 200);
   done("/api/calibrate");
@@ -372,7 +372,7 @@ TEST_F(WorkbenchRoutes, aWorkListSelectsItsTubesAndSaysWhatItLeavesOut) {
   const auto of = [&](const std::string& text) { return post("/api/tubes", {{"name", "work.csv"}, {"text", text}}); };
   const auto list = of("Row;Col;Status;Weather\n1;1;;fine\n1;2;PLG;\n1;1;;again\n");
   ASSERT_EQ(list.status, 200);
-  EXPECT_EQ(list.body["tubes"].size(), 1u);  // named twice, and one that is plugged
+  EXPECT_EQ(list.body["tubes"].size(), 1u);  // R1C1 is named twice, and R1C2 is plugged
   const std::string notes = list.body["notes"].dump();
   EXPECT_NE(notes.find("1 plugged"), std::string::npos) << notes;
   EXPECT_NE(notes.find("Weather"), std::string::npos) << notes;
@@ -459,7 +459,7 @@ TEST_F(WorkbenchRoutes, clearanceIsKnownAlongTheTourAndNeverBelowWhatIsProved) {
   }
   std::size_t most = 0;
   for (const auto& [segment, values] : of_segment) most = std::max(most, values.size());
-  EXPECT_GT(most, 5u);  // it changes along a segment
+  EXPECT_GT(most, 5u);  // the clearance changes along a segment
   const json some = get("/api/plan/clearance?from=4&count=3").body;
   EXPECT_EQ(some["from"], 4);
   EXPECT_EQ(some["samples"], samples);
@@ -486,7 +486,7 @@ TEST_F(WorkbenchRoutes, otherReadingsEndWhatIsFoundOutFromThoseBeforeAndNoPlan) 
   simulate(400);
   const std::string readings = get("/api/export/measurements.csv").text;
   const int plan = post("/api/plan", {{"tubes", "spread:20"}}).body["id"];
-  const int diagnosis = post("/api/diagnose").body["id"];  // waits for the plan
+  const int diagnosis = post("/api/diagnose").body["id"];  // starts after the plan
   EXPECT_EQ(client->Post("/api/measurements?name=first.csv", readings, "text/csv")->status, 200);
   EXPECT_EQ(ended(plan)["status"], "done");
   EXPECT_EQ(get("/api/results/plan").status, 200);
@@ -512,7 +512,7 @@ TEST_F(WorkbenchRoutes, theLoopStopsWhereverItIs) {
     EXPECT_EQ(get(std::string("/api/results/") + kind).status, 404) << kind;
     EXPECT_EQ(get("/api/state").body["models"].size(), 1u) << kind;
   }
-  done("/api/identify");  // and goes on as if nothing had been
+  done("/api/identify");  // the next job runs as usual
   EXPECT_EQ(get("/api/results/identify").status, 200);
 }
 
