@@ -265,7 +265,7 @@ TEST(UrdfEdit, OffsetsMoveOriginsAlongAndAboutTheirOwnAxes) {
   arm.rows[0].joint.offset = 0;
   arm.rows[1].joint.offset = 0.25;
   const UrdfEdit edit = withArmInUrdf(kTwoJoints, "r.urdf", "", arm);
-  EXPECT_EQ(edit.text, changed(kTwoJoints, "0 0 3.5", "0.25 0 3.5"));  // of equivalent angles, those closest to the old
+  EXPECT_EQ(edit.text, changed(kTwoJoints, "0 0 3.5", "0.25 0 3.5"));  // the angles nearest to the written angles
   ASSERT_EQ(edit.changed.size(), 1u);
   expectSays(edit.changed[0], "elbow");
   expectSays(edit.changed[0], "turned 250 mrad");
