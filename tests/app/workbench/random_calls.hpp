@@ -1,4 +1,4 @@
-// Random calls of the workbench: valid ones, damaged ones, and bytes that are not a call.
+// Random calls of the workbench: valid calls, damaged calls, and bytes that are no call.
 #pragma once
 
 #include <unistd.h>

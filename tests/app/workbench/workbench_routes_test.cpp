@@ -240,7 +240,7 @@ TEST_F(WorkbenchRoutes, whatACheckSuspectsIsTakenToBeSo) {
 
   EXPECT_EQ(get("/api/state").body["measurements"]["assumed"], json({"coordinates=in"}));
 
-  // Of two assumed units the last applies; an empty list restores the original unit.
+  // The last assumed unit applies; an empty list restores the original unit.
   const auto firstX = [&] { return get("/api/measurements").body["rows"][0]["position"][0].get<double>(); };
   const double in_inches = firstX();
   EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"coordinates=m"}}}).status, 200);
