@@ -1,4 +1,4 @@
-// Calibrations that should not be trusted, and what `calibrate` says of them.
+// Calibrations that should not be trusted, and what `calibrate` says about such calibrations.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
