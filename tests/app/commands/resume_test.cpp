@@ -145,7 +145,7 @@ TEST_F(Resume, AFewTubesMoreAndLessKeepTheRestOfThePlan) {
   EXPECT_GE(std::stoi(travels[1]), std::stoi(travels[2]) - 16);
   const Outcome proof = run("verify " + shipped("mockup.yaml") + " new");
   EXPECT_EQ(proof.exit_code, 0) << proof.out;
-  // Where the arm stays in its branch, the joint values stay equal to the last digit.
+  // The joint values are equal to the last digit where the arm stays in its branch.
   std::map<std::string, json> joints;
   for (const auto& tube : old["tubes"]) joints[tube["name"]] = tube["joints"];
   int same = 0, shared = 0;
