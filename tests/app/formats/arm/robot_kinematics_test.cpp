@@ -50,7 +50,7 @@ TEST(RobotKinematics, replacesTheOriginsAndKeepsTheHalfTurnOfTheBase) {
     auto expected = kinematics.origins[k];
     if (k == 0) expected.rpy.z() += std::numbers::pi;
     EXPECT_NEAR((origin.position - expected.position).norm(), 0, 1e-12) << k;
-    EXPECT_NEAR((origin.rpy - expected.rpy).norm(), 0, 2e-11) << k;  // twelve digits of 180 deg
+    EXPECT_NEAR((origin.rpy - expected.rpy).norm(), 0, 2e-11) << k;  // 180 deg is written with twelve digits
   }
   const std::string as_root = changed(kArm, "rpy: [0, 0, 180]}, joint: {name: q1", "rpy: [0, 0, 0]}, joint: {name: q1");
   const ArmSource straight =
