@@ -16,9 +16,9 @@ enum class ChainLinkType {
   kOffset,     ///< weightless rigid translation
   kTurn,       ///< rigid rotation into the row's axes
   kFlexJoint,  ///< flexible element at the row's origin
-  kMember,     ///< piece of the member, rigid or flexible, with its distributed weight
-  kFrame,      ///< the row's frame, with the lumps that it carries
-  kLump,       ///< weight lumped along the member
+  kMember,     ///< section of the member, rigid or flexible, with its distributed weight
+  kFrame,      ///< the row's frame, with the point masses that it carries
+  kLump,       ///< point mass carried by the row
   kEndWeight,  ///< the weight at the member's end
 };
 
@@ -30,8 +30,8 @@ struct ChainLink {
   int component = -1;                     ///< index of the link's element in Chain::components; -1: rigid
   Vector3<S> p = Vector3<S>::Zero();      ///< translation to the far end, in near axes [m]
   Matrix3<S> R = Matrix3<S>::Identity();  ///< rotation of a kTurn link
-  S weight{0};                            ///< total weight of the piece, or of the lump [N]
-  Vector3<S> lever = Vector3<S>::Zero();  ///< vector from the link's near frame to the lump, in near axes
+  S weight{0};                            ///< weight of the member's section or of the point mass [N]
+  Vector3<S> lever = Vector3<S>::Zero();  ///< vector from the link's near frame to the point mass, in near axes [m]
 };
 
 template <class S>
@@ -88,8 +88,8 @@ S followedAngle(const ArmOf<S>& arm, const Joint<S>& joint, const Eigen::Matrix<
 
 namespace chain_assembly {
 
-/// Adds the components of a row at its origin or along its member, `pieces` of them; adds none if the row is rigid
-/// there. Only one law applies at the origin, and one along the member.
+/// Adds the components of a row at its origin or along its member, one for each of `pieces` sections; adds none if the
+/// row is rigid there. Only one law applies at the origin, and one along the member.
 template <class S>
 void addElements(Chain<S>& chain, const Row<double>& values, int row, ElementPlace place, int pieces) {
   const auto kinds = elementKinds();
@@ -117,22 +117,22 @@ void addJoint(Chain<S>& chain, const Row<double>& values, int row) {
   chain.links.push_back(link);
 }
 
-/// Returns the position of a lump along a flexible member, as a fraction of the member's length; 0 for a lump at the
-/// row's origin and on a rigid member.
+/// Returns the position of a point mass along a flexible member, as a fraction of the member's length; 0 for a point
+/// mass at the row's origin and on a rigid member.
 inline double shareOf(const Row<double>& values, int lump, const Vector3<double>& member) {
   if (segmentsOf(values) == 0 || member.squaredNorm() == 0) return 0;
   return std::clamp(values.weight.lumps[static_cast<std::size_t>(lump)].at.dot(member) / member.squaredNorm(), 0., 1.);
 }
 
-/// End of a piece of the member, as a fraction of its length: `value` decides the structure, `share` also has
-/// derivatives.
+/// End of a section of the member, as a fraction of the member's length: `value` decides the structure, `share` also
+/// has derivatives.
 template <class S>
 struct Cut {
   double value;
   S share;
 };
 
-/// Adds the lumps at the fraction `share` of the member; `here` is that point in the row's axes.
+/// Adds the point masses at the fraction `share` of the member's length; `here` is that point in the row's axes.
 template <class S>
 void addLumps(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const Vector3<double>& member,
               double share, const Vector3<S>& here) {
@@ -145,7 +145,7 @@ void addLumps(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int
   }
 }
 
-/// Returns the ends of the member's pieces: the ends of its segments and the positions of its lumps.
+/// Returns the ends of the member's sections: the ends of its flexible segments and the positions of its point masses.
 template <class S>
 std::vector<Cut<S>> cutsOf(const Row<S>& row, const Row<double>& values, const Vector3<S>& v) {
   const Vector3<double> member = valuesOf(v);
@@ -202,7 +202,7 @@ void addHung(Chain<S>& chain, const Row<S>& row, int index) {
   }
 }
 
-/// Adds a prismatic row: its bar, then its frame at the bar's end, with the lumps in that frame.
+/// Adds a prismatic row: its bar, then its frame at the bar's end, with the point masses in that frame.
 template <class S>
 void addSlide(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const Vector3<S>& bar) {
   Row<S> bar_row = row;

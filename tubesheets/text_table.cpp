@@ -54,7 +54,7 @@ std::string withPoint(std::string field) {
   return parseNumber(number) ? number : field;
 }
 
-/// Returns true for a number such as "1.190" or "1,190", whose mark may be a thousands separator or a decimal sign.
+/// Returns true for a number such as "1.190" or "1,190", whose mark may be a thousands or a decimal separator.
 bool isAmbiguous(const std::string& field, char mark) {
   const std::size_t at = field.find(mark);
   if (at == std::string::npos || field.size() != at + 4) return false;
@@ -62,7 +62,7 @@ bool isAmbiguous(const std::string& field, char mark) {
   return digits >= 1 && digits <= 3 && parseNumber(withPoint(field)).has_value();
 }
 
-/// Returns true if a number has this mark as a decimal sign for certain, not possibly as a thousands separator.
+/// Returns true if `mark` in this number can only be a decimal separator, not a thousands separator.
 bool hasDecimals(const std::string& field, char mark) {
   return field.find(mark) != std::string::npos && !isAmbiguous(field, mark) &&
          parseNumber(withPoint(field)).has_value();
@@ -326,7 +326,7 @@ class TableParser {
       for (auto& field : row.fields) field = withPoint(std::move(field));
   }
 
-  /// Refuses numbers that may have thousands separators, if another number has the other mark as its decimal sign.
+  /// Refuses numbers that may have thousands separators, if another number has the other mark as its decimal separator.
   void refuseThousands() {
     const auto isAnywhere = [&](char mark) {
       return std::ranges::any_of(table_.rows, [&](const CsvRow& row) {

@@ -1,5 +1,5 @@
-// Project file of a session: the cell, all models as texts of their files, the readings including those set aside,
-// touches, and results. Plans are not stored; they are computed again.
+// Project file of a session: the text of every model file, all readings including those set aside, touches, and
+// results. Plans are not stored; they are computed again.
 #pragma once
 
 #include <filesystem>

@@ -83,7 +83,8 @@ class Choice {
     update();
   }
 
-  /// Returns the increase of the log determinant of the information by the candidate, without the nuisance variables.
+  /// Returns how much the candidate increases the log determinant of the information matrix after the nuisance
+  /// variables are eliminated.
   [[nodiscard]] double gainOf(int candidate) const {
     const MatrixXd& H = problem_.candidates[static_cast<std::size_t>(candidate)];
     const double all = logDetOf(H, covariance_);

@@ -19,9 +19,10 @@ struct NeighbourHole {
 using NeighbourQuestion = std::function<std::vector<NeighbourHole>(const Measurement& touch)>;
 
 struct BaseCalibrationOptions {
-  ArmUncertainty arm;             ///< uncertainty of the parameters in the arm's file, which are fitted with the base
-  double model_sigma = 7.62e-4;   ///< usual model error per coordinate [m] (0.030 in, the thesis's mean touch error)
-  double collinear_ratio = 0.05;  ///< least height of the triangle of touches, relative to its longest side
+  ArmUncertainty arm;  ///< uncertainty of the parameters in the arm's file, which are fitted with the base
+  double model_sigma =
+      7.62e-4;  ///< usual model error per coordinate [m] (0.030 in, the mean touch error in Calkins 1994)
+  double collinear_ratio = 0.05;        ///< least height of the triangle of touches, relative to its longest side
   double mistaken_hole_p_value = 1e-4;  ///< p-value below which a mistaken hole is searched for; 0: never
   /// Function that returns the neighbours of a touched hole, to search for a mistaken hole.
   NeighbourQuestion neighbours;

@@ -1,9 +1,9 @@
-// The noise estimated from repeated readings, independent of the model (pure error), and the lack of fit beyond this
-// noise.
+// The noise estimated from the scatter of repeated readings, which does not depend on the model, and a test of whether
+// the model's errors exceed this noise.
 //
 // Repeats may correct the stated noise by a factor of three at most, because a stated noise is known to that accuracy.
-// Repeated readings that scatter more have another error, such as a row logged twice or a joint with clearance, and do
-// not excuse the model.
+// A larger scatter has another cause, such as a row logged twice or a joint with clearance. The model's errors are then
+// compared with three times the stated noise.
 #pragma once
 
 #include <vector>
@@ -19,7 +19,7 @@ inline constexpr double kMostNoiseRatio = 3;
 struct Repeats {
   int groups = 0;                 ///< number of groups of repeated readings
   int readings = 0;               ///< number of readings in the groups
-  double pure_error = kNotKnown;  ///< chi-square of the repeated readings about the means of their groups
+  double pure_error = kNotKnown;  ///< chi-square of the repeated readings relative to the means of their groups
   int pure_freedom = 0;
   double noise_ratio = kNotKnown;    ///< noise estimated from repeats divided by the stated noise
   double noise_p_value = kNotKnown;  ///< two-sided p-value of the hypothesis that both noises are equal
@@ -39,8 +39,8 @@ struct Repeats {
 [[nodiscard]] Repeats judgeRepeats(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                    const Eigen::VectorXd& error, double chi2, int freedom);
 
-/// Returns true if the repeats reject the stated noise at this significance level; lack of fit is then judged by the
-/// repeats.
+/// Returns true if the repeats reject the stated noise at this significance level; the lack of
+/// fit is then tested against the noise of the repeats.
 [[nodiscard]] bool disagreesWithStatedNoise(const Repeats& repeats, double level);
 
 /// Returns true if repeated readings differ by more than any plausible noise.

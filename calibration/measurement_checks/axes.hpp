@@ -29,8 +29,8 @@ inline std::optional<Eigen::Matrix3d> matrixOf(const std::string& value) {
   return to_world;
 }
 
-/// Returns true if at least one reading has coordinates written in the file. Coordinates taken from the sheet's holes
-/// have a separate mistake (sheet_mirrored.hpp).
+/// Returns true if at least one reading has coordinates written in the file. Positions that follow from the name of a
+/// hole do not count; for them, a mirrored sheet is tried (sheet_mirrored.hpp).
 inline bool areWritten(const CheckedReadings& checked) {
   return std::ranges::any_of(
       checked.readings, [&](const Measurement& reading) { return reading.p_W && !isPlacedBySheet(checked, reading); });

@@ -1,4 +1,5 @@
-// Mistake: one joint is in another unit than its column states, such as one column in radians among columns in degrees.
+// Mistake: the values of one joint are not in the unit that its column states, such as radians in one column of a file
+// in degrees.
 #pragma once
 
 #include "calibration/measurement_checks/units_of_columns.hpp"

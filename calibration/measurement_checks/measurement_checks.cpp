@@ -120,7 +120,8 @@ void checkBase(const MistakeTrials& trials, std::vector<MeasurementCheck>& check
   checks.push_back(std::move(check));
 }
 
-/// Returns true if the mistake leaves no more than a few times the noise, with the base near its nominal place.
+/// Returns true if, with the mistake corrected, the remaining error is at most a few times the noise and the base is
+/// near its nominal place.
 bool leavesNothing(const MistakeTrials& trials, const FoundMistake& mistake) {
   constexpr double kAboveNoise = 5;
   return mistake.drawn.error < kAboveNoise * trials.noise({}) && !trials.isBaseFar(mistake.drawn);

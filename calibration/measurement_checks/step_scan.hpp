@@ -1,4 +1,4 @@
-// Fraction of a fit's errors that a step at each reading, or a gradual change (creep), would explain.
+// Search of a fit's errors for a step, tried at each reading, and for a gradual change (creep).
 #pragma once
 
 #include <Eigen/Dense>
@@ -32,7 +32,7 @@ class StepScan {
   [[nodiscard]] bool ok() const { return ok_; }
   /// Returns the best step of each form, most probable first.
   [[nodiscard]] std::vector<FoundStep> steps() const;
-  /// Returns the best size of a step of this form at this reading.
+  /// Returns the best size of a step of this form that begins at this reading.
   [[nodiscard]] Eigen::VectorXd sizeAt(std::size_t form, std::size_t reading) const;
   /// Returns the log odds gained by the best creep minus its penalty, comparable with FoundStep::merit.
   [[nodiscard]] double bestCreep() const;

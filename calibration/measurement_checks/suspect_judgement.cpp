@@ -63,7 +63,7 @@ bool SuspectJudgement::asksForMistakes() const {
   const double noise = trials_.noise({});
   if (trials_.asIs().whole_error > kFits * trials_.reach()) return true;  // mistake in some of the readings
   const bool is_bent =
-      // The readings fit only with a distorted drawing.
+      // The readings fit only if the arm's dimensions depart implausibly far from the drawing.
       trials_.asIs().held_error > kDrastic * trials_.asIs().open_error;
   return trials_.isBaseFar(trials_.asIs()) ||
          (trials_.asIs().held_error > kLeastFall * noise && (isLackOfFit() || is_bent));

@@ -39,11 +39,13 @@ struct ReadingScene {
 struct Variable {
   std::string name;  ///< name, such as "theta3" or "moment forearm.z"
   deflection::ValueUnit unit;
-  /// Value at each reading in internal units; NaN if not stated; for groups, the index of the group.
+  /// Value of the variable at each reading, in internal units; NaN if the reading does not state it. For a variable
+  /// that divides the readings into groups: index of the reading's group in `groups`.
   Eigen::VectorXd value;
-  /// Basis functions at the readings, readings x functions; zero if not stated; empty for groups.
+  /// Basis functions at the readings (readings x functions); zero for a reading that does not state the variable; empty
+  /// for a variable with groups.
   Eigen::MatrixXd basis;
-  std::vector<std::string> groups;  ///< names of the groups, if the variable is a grouping; else empty
+  std::vector<std::string> groups;  ///< names of the groups; empty for a variable without groups
 };
 
 /// A kind of pattern: one row of the table.
@@ -56,7 +58,7 @@ struct PatternKind {
 
 const std::vector<PatternKind>& patternKinds();
 
-/// Returns a column with the function of the stated values, less the mean; zero where not stated.
+/// Returns `function` applied to each stated value, minus the mean of the results; zero where no value is stated.
 [[nodiscard]] Eigen::VectorXd centred(const Eigen::VectorXd& value, double (*function)(double));
 
 /// Returns true if the stated values differ beyond rounding.

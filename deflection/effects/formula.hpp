@@ -42,7 +42,7 @@ struct FormulaTarget {
   int axis = -1;  ///< axis of tip or base: 0, 1, 2; 3: yaw; -1: none
 };
 
-/// Meaning of a name in an expression. The value of the name is (internal value) / unit - zero.
+/// Meaning of a name in an expression. The value of the name is (internal value) / `unit` - `zero`.
 struct FormulaSymbol {
   enum class Of { kJoint, kApproachDirection, kMoment, kLoad, kCondition };
   Of of = Of::kLoad;

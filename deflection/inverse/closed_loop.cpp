@@ -113,7 +113,8 @@ ClosedLoop<Size>::ClosedLoop(const ClosureChain<Size>& chain) : reach_(chain.rea
   std::array<JointTerms<Size>, kJoints> terms;
   for (std::size_t k = 0; k < kJoints; ++k) {
     slides_[k] = chain.joints[k].slides;
-    // A root half a turn away from `zero_` is then unlikely.
+    // A quasi-random value: the half-angle tangent is infinite half a turn away from `zero_`, where a root is then
+    // unlikely to lie.
     zero_[k] = slides_[k] ? 0.1 : 1 + 2 * drawn(static_cast<int>(k) + 40);
     if (k < kOuter)
       outer_[k] = chain.joints[k];

@@ -23,8 +23,8 @@ namespace tubeplan::planner {
 
 struct Prices {
   std::vector<double> of_posture;  // price u of each posture, for the condition on its edge ends
-  // price w of each posture of chosen pairs of nodes, in the order of the graph's pairs: first the postures of one node
-  // of a pair, then those of the other node
+  // prices w: one for each posture of both nodes of each chosen pair. The pairs are in the order of the graph; within a
+  // pair, the postures of one node come first, then those of the other node.
   std::vector<double> of_pair;
   std::vector<double> of_cut = {};  // price v of each cut, in the order of the graph's cuts; missing prices are zero
 };

@@ -47,8 +47,9 @@ class RowReader {
 [[nodiscard]] calibration::Measurement readMeasurement(const RowReader& row, const MeasurementColumns& columns,
                                                        const deflection::Arm& arm, const tubesheets::Sheet* sheet);
 
-/// Returns the reference of the relative reading `m`: any other reading of the same set-up, whose id the row states.
-/// `known` has all readings, keyed by id. Throws InputError with line and column.
+/// Returns the reading that the relative reading `m` is measured from, whose id the row states. `known` has all
+/// readings, keyed by id. Throws InputError if the id is missing, unknown or that of `m`, or if that reading has
+/// another set-up than `m`.
 [[nodiscard]] std::shared_ptr<const calibration::Measurement> readReference(
     const RowReader& row, const MeasurementColumns& columns,
     const std::map<std::string, const calibration::Measurement*>& known, const calibration::Measurement& m);

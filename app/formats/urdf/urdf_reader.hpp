@@ -12,7 +12,7 @@ namespace tubeplan::app {
 /// Solid of a link relative to the frame of the link's row, in the syntax of link_shapes in a cell.
 struct UrdfShape {
   std::string row;
-  std::string text;  ///< shape: "capsule: {from: [...], to: [...], radius: 0.1}" [m, deg]
+  std::string text;  ///< shape as YAML text, such as "capsule: {from: [...], to: [...], radius: 0.1}" [m, deg]
 };
 
 /// Joint between the root and the tip. Frames: P of the parent link, C of the child link, L of the joint's row.

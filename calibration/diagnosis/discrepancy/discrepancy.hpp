@@ -34,8 +34,8 @@ struct DiscrepancyTerm {
 /// Discrepancy process for the readings of a campaign.
 class Discrepancy {
  public:
-  /// Builds the terms over the ranges of the quantities that these readings state. `placed` is the model whose errors
-  /// the process describes.
+  /// Builds the terms of the Gaussian process for the errors of the model `placed`. The terms cover the ranges of the
+  /// quantities that these readings state.
   Discrepancy(const PlacedArm& placed, const std::vector<Measurement>& readings);
 
   [[nodiscard]] const std::vector<DiscrepancyTerm>& terms() const { return terms_; }

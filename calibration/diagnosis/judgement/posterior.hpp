@@ -6,8 +6,8 @@
 
 namespace tubeplan::calibration {
 
-/// Claim of all models with the same causes, whatever their noise and discrepancy. Causes that no reading could
-/// distinguish count as the same.
+/// Class of the models with the same causes, and their total probability; the models may differ in noise and
+/// discrepancy. Causes that no reading could distinguish count as the same.
 struct ModelClass : Claim {
   Explanation explanation;  ///< explanation of the class's most probable model
 };
