@@ -44,7 +44,8 @@ fs::path OpenedFolder::fileToRead(const std::string& name) const {
     throw InputError::saying(name, "there is no such file in the opened folder",
                              "choose another (GET /api/files lists them)");
   if (place.parent_path() != path_)
-    throw InputError::saying(name, "this link leads out of the opened folder", "copy the file into the folder");
+    throw InputError::saying(name, "this symbolic link points outside the opened folder",
+                             "copy the file into the folder");
   if (!fs::is_regular_file(place, error))
     throw InputError::saying(name, "this is not a regular file", "choose a file of the opened folder");
   return place;

@@ -122,7 +122,8 @@ std::vector<ForeignTable> foreignTablesOf(const nlohmann::json& body) {
     checkText(name, text);
     tables.push_back(parseForeignTable(text, name));
   }
-  if (tables.empty()) throw InputError("request (tables)", "an empty list", "a list of tables of text");
+  if (tables.empty())
+    throw InputError::saying("request (tables)", "the list is empty", "send at least one table, as text");
   return tables;
 }
 

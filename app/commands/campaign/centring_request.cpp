@@ -98,8 +98,10 @@ std::vector<CentringSetting> settingsOf(const CampaignRequest& request, const Ce
       for (const double sigma : touchSigmas(request, task)) settings.push_back({touches, ruleOf(choice), sigma});
   }
   if (settings.size() > kMostSettings)
-    throw InputError("--touches, --choice, --touch-sigma", fmt::format("{} settings in all", settings.size()),
-                     fmt::format("at most {}", kMostSettings), "split the campaign");
+    throw InputError::saying(
+        "--touches, --choice, --touch-sigma",
+        fmt::format("these options give {} combinations, at most {} are allowed", settings.size(), kMostSettings),
+        "give fewer values");
   return settings;
 }
 

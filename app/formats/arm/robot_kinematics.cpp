@@ -60,8 +60,11 @@ const LinkOrigin& nominalOrigin(const YamlFile& nominal, const deflection::Row<d
   if (row.joint.type != deflection::JointType::kRevolute || row.joint.offset != 0 || origin.beta != 0)
     throw InputError::saying(
         nominal.path,
-        fmt::format("the joint of the row {} is not revolute, or has an offset or beta", inQuotes(row.name)),
-        "use an arm of revolute joints without offset and beta: the origins contain the whole calibration");
+        fmt::format("the row {} {}", inQuotes(row.name),
+                    row.joint.type != deflection::JointType::kRevolute
+                        ? "has no revolute joint"
+                        : "has a joint offset or a beta, but the kinematics file contains the whole calibration"),
+        "give --nominal the arm that `arm import robot.urdf` makes from the robot's URDF");
   return origin;
 }
 
@@ -163,8 +166,9 @@ RobotKinematics robotKinematicsOf(const deflection::Arm& arm, const std::string&
     else if (row.joint.type == deflection::JointType::kRevolute && row.joint.follows.empty())
       kinematics.origins[joints++] = origin;
     else
-      throw InputError::saying(file, fmt::format("the joint {} slides or follows others", inQuotes(row.joint.name)),
-                               "only an arm of independent revolute joints can be written in this format");
+      throw InputError::saying(
+          file, fmt::format("the joint {} slides or follows others", inQuotes(row.joint.name)),
+          "export an arm file with --convention instead: a kinematics file holds independent revolute joints only");
   }
   LinkOrigin& base = kinematics.origins.front();
   if (angleBetween(base, LinkOrigin{}) > std::numbers::pi / 2) {

@@ -246,8 +246,9 @@ const tubesheets::SteppedTool& requireTool(const Cell& cell, const std::string& 
 void requireToolAxis(const Cell& cell, const std::string& purpose) {
   if (!cell.tool_axis_stated)
     throw InputError::saying(
-        cell.path, "the insertion direction of the tool, which is needed to " + purpose + ", is not stated",
-        "add tool: {axis: [x, y, z]} to the arm file, or add a scene whose sheet allows a capsule of the tool");
+        cell.path, "the insertion direction of the tool is not stated, but is needed to " + purpose,
+        "add tool: {axis: [x, y, z]} to the arm file, or a scene in which a capsule of the tool may touch the tube "
+        "sheet");
 }
 
 }  // namespace tubeplan::app

@@ -174,7 +174,8 @@ std::vector<Effect> readEffects(const YamlNode& node, const deflection::Arm& arm
       return deflection::textOf(arm, other) == deflection::textOf(arm, effect);
     });
     if (is_twice)
-      item.failSaying(deflection::textOf(arm, effect) + " is listed twice", "list each effect only once at a place");
+      item.failSaying(deflection::textOf(arm, effect) + " is listed twice",
+                      "list each effect only once for each place");
     effects.push_back(std::move(effect));
   }
   return effects;

@@ -52,7 +52,7 @@ bool takePrior(const std::string& name, double sigma, Cell& cell) {
   return true;
 }
 
-const char* const kExpectedName = "length, angle, tip or the path of a number in the arm file";
+const char* const kExpectedName = "length, angle, tip, or the path of a number in the arm file";
 const char* const kExpectedSigma = "a standard deviation above zero";
 
 }  // namespace
@@ -65,7 +65,8 @@ void readPriors(const YamlNode& node, Cell& cell) {
     const double sigma = value.number();
     if (!(sigma > 0)) value.fail(fmt::format("{}", sigma), kExpectedSigma, "");
     if (!takePrior(key, sigma, cell))
-      value.fail("a prior of the unknown number '" + key + "'", kExpectedName, suggestion(key, namesFor(cell)));
+      value.fail("a prior for '" + key + "', which is not a number of this cell", kExpectedName,
+                 suggestion(key, namesFor(cell)));
   }
 }
 

@@ -86,9 +86,9 @@ class Header {
     for (std::size_t i = 0; i < table_.columns.size(); ++i)
       if (!taken_.contains(i)) left.push_back(table_.columns[i]);
     const std::string near = suggestion(name, left);
-    failSaying("there is no column " + inQuotes(name), near.empty()
-                                                           ? std::string("add it to the header, or ") + kReadForeign
-                                                           : "is the column called " + near.substr(near.find('\'')));
+    failSaying("there is no column " + inQuotes(name),
+               near.empty() ? std::string("add it to the header, or ") + kReadForeign
+                            : "did you mean the column " + near.substr(near.find('\'')) + " If so, rename it");
   }
 
   void refuseOtherUnit(const std::string& quantity, UnitKind kind) const {

@@ -147,7 +147,8 @@ class PlyNumbers {
 
   double nextBytes(const NumberType& type) {
     if (bytes_.size() - at_ < type.size)
-      throw InputError::saying(name_, "the file ends before all elements of its header", "export the part again");
+      throw InputError::saying(name_, "the file ends before the last of the elements that its header announces",
+                               "export the part again");
     char number[8];
     std::memcpy(number, bytes_.data() + at_, type.size);
     if ((encoding_ == PlyEncoding::kBigEndian) != (std::endian::native == std::endian::big))

@@ -37,10 +37,12 @@ bool isText(const std::string& bytes) {
 PolygonMesh parseBinary(const std::string& bytes, const std::string& name) {
   const std::size_t count = bytes.size() < kHeader ? 0 : triangleCount(bytes);
   if (bytes.size() < kHeader || (bytes.size() - kHeader) / kTriangle < count)
-    throw InputError(name, fmt::format("{} bytes", bytes.size()),
-                     fmt::format("the text of an STL file (solid ...), or a binary one: {} bytes for {} triangles",
-                                 kHeader + kTriangle * count, count),
-                     "export the part again");
+    throw InputError::saying(
+        name,
+        fmt::format("this is neither an ASCII STL file (starting with 'solid') nor a complete binary one: it has {} "
+                    "bytes, but {} triangles need {} bytes",
+                    bytes.size(), count, kHeader + kTriangle * count),
+        "export the part again");
   PolygonMesh mesh;
   mesh.vertices.reserve(3 * count);
   for (std::size_t k = 0; k < count; ++k) {

@@ -6,6 +6,7 @@
 #include "app/formats/measurements/measurements_reader.hpp"
 #include "app/formats/measurements/measurements_writer.hpp"
 #include "app/formats/yaml/yaml_edit.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/storage/suggestion.hpp"
 
 namespace tubeplan::app {
@@ -38,8 +39,8 @@ void readTouched(const YamlNode& node, Cell& cell) {
   for (const auto& touch : cell.placed_by->touches)
     if (!touchesKnownPoint(touch))
       node.at("readings")
-          .failSaying("one of the readings is not a touch of a known place",
-                      "list only the touches that placed the base");
+          .failSaying(fmt::format("reading {} is not a touch of a known place", inQuotes(touch.id)),
+                      "list only touches that placed the base");
   const YamlNode *names = node.find("numbers"), *values = node.find("values");
   if (!names && !values) return;
   const auto& list = node.at("numbers").list();

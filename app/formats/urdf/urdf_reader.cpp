@@ -172,9 +172,10 @@ class ChainReader {
       return;
     }
     if (!(lower < upper))
-      throw InputError(at(from), fmt::format("limits from {} to {}", formatNumber(lower), formatNumber(upper)),
-                       "a lower limit below the upper limit",
-                       "a limit that is not written is 0; a joint that does not move is of type fixed");
+      throw InputError(
+          at(from), fmt::format("limits from {} to {}", formatNumber(lower), formatNumber(upper)),
+          "a lower limit below the upper limit",
+          "write both limits (a missing one counts as 0), or use type fixed for a joint that does not move");
     joint.lower = lower;
     joint.upper = upper;
   }
@@ -196,9 +197,12 @@ class ChainReader {
                found.offset + found.ratio * mimic.offset};
       if (found.leader >= last_moving_ || steps > links_.size())
         throw InputError::saying(
-            at(from), fmt::format("the joint mimics {}, which {}", inQuotes(mimic.joint),
-                                  leader == links_.end() ? "is not on the way to the tip"
-                                                         : "is not a moving joint with a reading of its own"));
+            at(from),
+            fmt::format("the joint mimics {}, which {}", inQuotes(mimic.joint),
+                        leader == links_.end() ? "is not in the chain from the base to the tip"
+                                               : "is not a moving joint with a reading of its own"),
+            leader == links_.end() ? "choose a tip whose chain contains both joints, or remove the mimic"
+                                   : "let it mimic another joint, or remove the mimic");
       at_joint = &*links_[found.leader]->joint;
     }
     return found;
@@ -255,7 +259,7 @@ class ChainReader {
   }
 
   static std::string sideBranch(const Link& link) {
-    return fmt::format("link {} and what it carries: joint {} is not on the way to the tip", link.name,
+    return fmt::format("link {} and what it carries: joint {} is not in the chain from the base to the tip", link.name,
                        link.joint->name);
   }
 

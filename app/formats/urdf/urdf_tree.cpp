@@ -241,8 +241,8 @@ class TreeReader {
     robot_ = document_.FirstChildElement("robot");
     const XMLElement* root = document_.FirstChildElement();
     if (!robot_)
-      throw InputError::saying(file_, "the root is not a URDF robot" + (root ? ", but " + inQuotes(root->Name()) : ""),
-                               "convert a file of another format, such as SDF, to URDF first");
+      throw InputError(file_, root ? fmt::format("the root element <{}>", nameInLine(root->Name())) : "no root element",
+                       "<robot>, the root element of a URDF file", "convert other formats, such as SDF, to URDF first");
     refuseXacro(*robot_);
     settleAttributes(*robot_, file_);
     checkRobot();
@@ -290,7 +290,7 @@ class TreeReader {
     if (attributeOf(robot_, "name").empty())
       throw InputError::saying(where, "the robot has no name", "write <robot name=\"...\">");
     if (const char* version = robot_->Attribute("version"); version && std::string_view(version) != "1.0")
-      throw InputError(where, "the version " + inQuotes(version), "1.0");
+      throw InputError(where, "URDF version " + inQuotes(version), "1.0", "convert the file to URDF 1.0");
     if (!robot_->FirstChildElement("link"))
       throw InputError::saying(file_, "the robot has no links", "check that the file describes links and joints");
   }

@@ -354,7 +354,7 @@ TEST(Urdf, WhatIsWrongIsNamedWithItsLine) {
       {limit("<limit lower=\"-2\" upper=\"2\" velocity=\"-1\"/>"), "0 or more"},
       {limit("<limit lower=\"-2\" upper=\"2\"/><mimic joint=\"k\" multiplier=\"x\"/>"), "mimic multiplier"},
       {limit("<limit lower=\"-2\" upper=\"2\"/><mimic multiplier=\"2\"/>"), "the element mimic has no joint"},
-      {changed(good, "<robot name=\"r\">", "<robot name=\"r\" version=\"2.0\">"), "the version '2.0'"},
+      {changed(good, "<robot name=\"r\">", "<robot name=\"r\" version=\"2.0\">"), "URDF version '2.0'"},
       {flangeUrdf("<collision><geometry><cylinder radius=\"-1\" length=\"1\"/></geometry></collision>"), "a length"},
       {flangeUrdf("<inertial><origin rpy=\"0 0\"/><mass value=\"1\"/></inertial>"), "three numbers in rad"},
       {changed(good, "</joint>", "</jont>"), "tags do not match"},
@@ -366,7 +366,7 @@ TEST(Urdf, WhatIsWrongIsNamedWithItsLine) {
     expectSays(message, wrong.said);
     expectSays(message, "r.urdf:2");
   }
-  expectSays(refusalOf("<sdf version=\"1.6\"/>"), "not a URDF robot, but 'sdf'");
+  expectSays(refusalOf("<sdf version=\"1.6\"/>"), "found the root element <sdf>, expected <robot>");
   expectSays(refusalOf("<robot name=\"r\"/>"), "no links");
 }
 
