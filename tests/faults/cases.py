@@ -6,7 +6,7 @@ import signal
 import subprocess
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "study"))
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent.parent / "studies"))
 from workbench_client import Workbench
 
 OLD = b"arm: new-arm.yaml  # an old file, which a cell may replace\n"
