@@ -77,8 +77,7 @@ void requireOtherNames(const PlanOptions& options) {
     std::error_code none;
     const bool is_output = std::ranges::find(kPlanFiles, file.filename().string()) != std::end(kPlanFiles);
     if (is_output && std::filesystem::equivalent(file, written, none))
-      throw InputError::saying("--out",
-                               "this command reads " + inQuotes(written.string()) + ", which would be overwritten",
+      throw InputError::saying("--out", "this command reads " + written.string() + ", which would be overwritten",
                                "choose another folder");
   }
 }

@@ -155,10 +155,10 @@ void OutputFolder::requireOwn(const std::vector<std::string>& marks, const std::
   };
   if (std::ranges::any_of(marks, isThere)) return;
   if (const auto other = std::ranges::find_if(names, isThere); other != names.end())
-    throw InputError::saying(option_,
-                             inQuotes((path_ / *other).string()) +
-                                 " was not written by an earlier run of this command and would be overwritten",
-                             "choose an empty folder, or the folder of an earlier run");
+    throw InputError::saying(
+        option_,
+        (path_ / *other).string() + " was not written by an earlier run of this command and would be overwritten",
+        "choose an empty folder, or the folder of an earlier run");
 }
 
 void OutputFolder::write(const std::string& name, const std::string& content) {

@@ -52,9 +52,9 @@ void PlanCheckpoint::begin(const PlanKey& question) {
   question_ = question;
   if (takeStopped(question)) return;
   if (must_resume_ && !takeDone(question))
-    throw InputError::saying(
-        "--resume", fmt::format("there is no stopped plan ({}) in {}", kProgressFile, inQuotes(folder_.string())),
-        "give the folder of the stopped plan, or omit --resume to start again");
+    throw InputError::saying("--resume",
+                             fmt::format("there is no stopped plan ({}) in '{}'", kProgressFile, folder_.string()),
+                             "give the folder of the stopped plan, or omit --resume to start again");
   if (!must_resume_ && !from_.empty()) takeFrom(question);
 }
 

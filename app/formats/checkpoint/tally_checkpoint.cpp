@@ -59,7 +59,7 @@ std::optional<TallySoFar> TallyCheckpoint::begin(const PlanKey& question, std::u
   if (!fs::exists(path(), error)) {
     if (must_resume_)
       throw InputError::saying("--resume",
-                               fmt::format("there is no campaign ({}) in {}", kTallyFile, inQuotes(folder_.string())),
+                               fmt::format("there is no campaign ({}) in '{}'", kTallyFile, folder_.string()),
                                "give the folder of the campaign, or omit --resume to start again");
     return std::nullopt;
   }

@@ -81,7 +81,7 @@ TEST_F(Program, refusesToWriteOverItsInputs) {
   expectRefused("compare " + asked + " --report set/../set/measurements.csv", {"--report", "reads"});
   expectRefused("improve " + asked + " --out cobra-arm.yaml", {"--out", "cobra-arm.yaml", "reads"});
   expectRefused("diagnose " + asked + " --json bench.yaml", {"--json", "bench.yaml", "reads"});
-  expectRefused("diagnose " + asked + " --json a.txt --report a.txt", {"writes 'a.txt' too"});
+  expectRefused("diagnose " + asked + " --json a.txt --report a.txt", {"also writes 'a.txt'"});
   EXPECT_EQ(contentOf(folder / readings), before);
   EXPECT_EQ(contentOf(folder / "cobra-arm.yaml"), arm);
 }
@@ -102,9 +102,9 @@ TEST_F(Program, replacesCellsByCellsAndTheirArmsAlone) {
   write("other-arm.yaml", "# of another cell\n");
   for (const char* command : {"identify", "improve"}) {
     expectRefused(command + asked + "other.yaml", {"--out", "other-arm.yaml", "not the arm of"});
-    expectRefused(command + asked + "other-arm.yaml", {"--out", "other-arm.yaml", "no cell"});
+    expectRefused(command + asked + "other-arm.yaml", {"--out", "other-arm.yaml", "is not a cell"});
   }
-  expectRefused("add " + shipped("bench.yaml") + " backlash@tool.z --out other-arm.yaml", {"--out", "no cell"});
+  expectRefused("add " + shipped("bench.yaml") + " backlash@tool.z --out other-arm.yaml", {"--out", "is not a cell"});
   EXPECT_EQ(contentOf(folder / "other-arm.yaml"), "# of another cell\n");
   for (int times = 0; times < 2; ++times)
     EXPECT_EQ(run("identify" + asked + "fitted.yaml --folds 0").exit_code, 0) << "its own it replaces";

@@ -226,11 +226,11 @@ TEST_F(CampaignCommand, RefusesBadInputWithOneMessage) {
   for (const char* touches : {"2", "0", "-4", "500", "3,3"})
     expectRefused(mockup(some + "--touches=" + touches), "--touches");
   expectRefused(mockup(some + "--touches 30 --choice best"), "can be touched");
-  expectRefused(mockup(some + "--touches 11 --choice tested"), "are visited in a run");
+  expectRefused(mockup(some + "--touches 11 --choice tested"), "visited in a run");
   expectRefused(mockup(some + "--choice bst"), "did you mean");
   expectRefused(mockup(some + "--kind center"), "centre");
   expectRefused(mockup(some + "--holes 0"), "--holes");
-  expectRefused(mockup(some + "--holes 31"), "in reach");
+  expectRefused(mockup(some + "--holes 31"), "reachable holes");
   expectRefused(mockup(some + "--jobs=-1"), "--jobs");
   expectRefused(mockup(some + "--resume"), "--out");
   expectRefused(mockup(some + "--truth " + shipped("bench.yaml")), "bench");

@@ -198,7 +198,7 @@ TEST_F(Commands, planWritesOverNoFilesButThoseOfAPlan) {
   (void)write("mine/cell.yaml", "not a plan's");
   const Outcome outcome = plan("mine", "--tubes R20C40");
   EXPECT_EQ(outcome.exit_code, 2);
-  expectSays(outcome.err, "cell.yaml' was not written by an earlier run of this command");
+  expectSays(outcome.err, "cell.yaml was not written by an earlier run of this command");
   EXPECT_EQ(contentOf(folder / "mine/cell.yaml"), "not a plan's");
 }
 

@@ -184,7 +184,7 @@ TEST_F(Identify, RefusesReadingsThatTellNothing) {
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 10)
     text.insert(at, text.substr(0, at).find('\n') == std::string::npos ? ",split   " : ",held-out");
   write("held.csv", changed(text, ",split   ", ",split"));
-  expectRefused(bench + " held.csv" + kFree, {"held.csv:", "no reading is left to fit", "held-out"});
+  expectRefused(bench + " held.csv" + kFree, {"held.csv:", "there is no reading to fit", "held-out"});
   write("few.csv", readingsCsv({readings[0]}));
   expectRefused(shipped("bowl.yaml") + " few.csv" + kFree, {"few.csv:", "posture"});
   write("two.csv", readingsCsv({readings[0], readings[1]}));

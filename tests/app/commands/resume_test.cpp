@@ -117,7 +117,7 @@ TEST_F(Resume, RefusesWhatIsNotThereOrDamaged) {
     const Outcome outcome = run(question);
     EXPECT_EQ(outcome.exit_code, 2);
     expectSays(outcome.err, "progress.json");
-    expectSays(outcome.err, "remove it");
+    expectSays(outcome.err, "remove that file");
   }
   // With the progress file of another question and without --resume, planning starts again and says so.
   (void)write("made/progress.json", memory);

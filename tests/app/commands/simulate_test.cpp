@@ -248,7 +248,7 @@ TEST_F(Simulate, WritesOverNoReadingsButItsOwn) {
   const std::string made = "simulate " + shipped("bench.yaml") + " --design bench --readings 5 --out ";
   const Outcome outcome = run(made + "real");
   EXPECT_EQ(outcome.exit_code, 2);
-  expectSays(outcome.err, "measurements.csv' was not written by an earlier run of this command");
+  expectSays(outcome.err, "measurements.csv was not written by an earlier run of this command");
   EXPECT_EQ(contentOf(folder / "real/measurements.csv"), "of a robot\n");
   EXPECT_EQ(run(made + "own").exit_code, 0);
   EXPECT_EQ(run(made + "own --seed 2").exit_code, 0);

@@ -255,7 +255,7 @@ TEST_F(LookAhead, workOutOfReachIsANegativeAnswer) {
 TEST_F(LookAhead, tooFewCandidatesAreANegativeAnswer) {
   const Outcome outcome = run("touches " + shipped("bench.yaml") + " --candidates 3 --count 5 --csv next.csv");
   EXPECT_EQ(outcome.exit_code, 1);
-  expectSays(outcome.out, "3 readings can be made, 5 are asked for");
+  expectSays(outcome.out, "3 readings can be made, but 5 are asked for");
   EXPECT_FALSE(std::filesystem::exists(folder / "next.csv"));
 }
 

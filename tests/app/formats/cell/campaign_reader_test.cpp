@@ -78,7 +78,7 @@ TEST_F(CampaignReader, ReadsTheRowsThatAreReadAndTheNoiseOfEachCoordinate) {
   expectRefused("kind: distance\nanchor: [1, 2, 3]\nsigmas: [1, 1, 1]\n", {"`sigmas`", "for readings of x, y, z"});
   expectRefused("kind: position\ncorrelations: [0, 0, 0]\n", {"`correlations`", "add sigmas"});
   expectRefused("kind: position\nsigmas: [1, 1, 1]\ncorrelations: [0.9, 0.9, -0.9]\n", {"positive definite"});
-  expectRefused("kind: position\nsigmas: [1, 1, 1]\ncorrelations: [0.9, 0.9]\n", {"three numbers"});
+  expectRefused("kind: position\nsigmas: [1, 1, 1]\ncorrelations: [0.9, 0.9]\n", {"three correlations"});
 }
 
 TEST_F(CampaignReader, RefusesWhatItDoesNotKnow) {

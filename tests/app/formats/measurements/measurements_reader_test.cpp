@@ -127,8 +127,8 @@ TEST_F(MeasurementsReader, refusesBadRowsWithLineAndColumn) {
   expectSays(with("0.003", "0.003,7"), "13 fields");
   expectSays(with("P1", "\"P1"), "quote");
   expectSays(with("20,10", "-20,10"), "the load is negative");
-  expectSays(refusal(kHeader + changed(changed(good, "touch", "position"), "1,2,3", ",,")), "no x, y, z");
-  expectSays(refusal(kHeader + good + good), "m.csv:3 (column id): line 2 has the id 'a' too");
+  expectSays(refusal(kHeader + changed(changed(good, "touch", "position"), "1,2,3", ",,")), "does not state x, y, z");
+  expectSays(refusal(kHeader + good + good), "m.csv:3 (column id): line 2 already has the id 'a'");
 }
 
 TEST_F(MeasurementsReader, readsWhatIsSeenAlongADirection) {
@@ -144,7 +144,7 @@ TEST_F(MeasurementsReader, readsWhatIsSeenAlongADirection) {
   expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,,-4,")), "some of the direction's");
   expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,0,0,")), "is zero");
   expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,x,-4,")), "column dy");
-  expectSays(refusal(header + changed(good, "3,-4,0,3", "3,,0,3")), "has no distance");
+  expectSays(refusal(header + changed(good, "3,-4,0,3", "3,,0,3")), "does not state its distance");
 }
 
 TEST_F(MeasurementsReader, readsTheAnglesOfATool) {
@@ -160,7 +160,7 @@ TEST_F(MeasurementsReader, readsTheAnglesOfATool) {
   EXPECT_TRUE(std::isnan(readings[1].own[1]) && std::isnan(readings[1].own[2]));
   EXPECT_TRUE(readings[1].direction_W->isApprox(Eigen::Vector3d::UnitZ()));
   expectSays(refusal(header + changed(turned, ",30,-40,50,", ",30,,50,")), "has no roll, pitch, yaw");
-  expectSays(refusal(header + changed(tilted, ",2,,", ",,,")), "has no tilt_x, tilt_y, tilt_z");
+  expectSays(refusal(header + changed(tilted, ",2,,", ",,,")), "does not state its tilt_x, tilt_y, tilt_z");
   expectSays(refusal(header + changed(tilted, "0.01", "-0.01")), "the turn_sigma is not above zero");
   expectSays(refusal(changed(header, "tilt_x_deg", "tilt_x_in") + tilted), "unknown unit 'in'");
 }
@@ -237,7 +237,7 @@ TEST_F(MeasurementsReader, readsTheTiltsOfARow) {
   expectSays(refusal(header + position), "only readings of kind tilt");
   expectSays(refusal(header + changed(of_row, ",5,,,,,,,2", ",5,,,,1,0,0,2")),
              "both a row of the arm and a point of the tool");
-  expectSays(refusal(header + changed(of_row, ",2,,0.01", ",,,0.01")), "has no tilt_x, tilt_y, tilt_z");
+  expectSays(refusal(header + changed(of_row, ",2,,0.01", ",,,0.01")), "does not state its tilt_x, tilt_y, tilt_z");
   expectSays(refusal(header + changed(of_row, ",2,,0.01", ",nan,,0.01")), "finite number");
   expectSays(refusal(header + changed(of_row, "0.01", "-0.01")), "the turn_sigma is not above zero");
 }
@@ -290,7 +290,7 @@ TEST_F(MeasurementsReader, readsWaysFromOtherReadings) {
   expectSays(with(length, ",A,a,", ",A,c,"), "own id");
   expectSays(with(length, ",A,a,", ",B,a,"), "of another set-up");
   expectSays(with(length, ",,,2,", ",,,-2,"), "above zero");
-  expectSays(with(length, ",,,2,", ",,,,"), "has no distance");
+  expectSays(with(length, ",,,2,", ",,,,"), "does not state its distance");
   expectSays(with(length, ",,,,2,", ",1,2,3,2,"), "has no distance");
 }
 

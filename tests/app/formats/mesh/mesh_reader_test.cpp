@@ -70,7 +70,7 @@ TEST_F(MeshReader, AnStlFileIsReadHoweverItIsWritten) {
     return messageOf([&] { (void)readMeshFile(write("b.stl", text)); });
   };
   const std::string text = stlText(ball);
-  expectSays(message(text.substr(0, text.rfind("endsolid"))), "found the end of the file, expected endsolid");
+  expectSays(message(text.substr(0, text.rfind("endsolid"))), "the file ends before endsolid");
   expectSays(message("solid\nfacet normal 0 0 1\nvertex 0 0 0\nvertex 1 0 0\nendfacet\n"), "b.stl:5: this endfacet");
   expectSays(message("solid\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nvertex 1 1 0\nendfacet\nendsolid\n"),
              "three vertices");

@@ -379,7 +379,7 @@ TEST(Urdf, NumbersOfAControllerArePassedOver) {
 
 TEST(Urdf, ClosedChainsAreRefused) {
   const std::string second = "<joint name=\"k\" type=\"fixed\"><parent link=\"base\"/><child link=\"flange\"/></joint>";
-  expectSays(refusalOf(flangeUrdf("", second)), "'flange' is the child of the joint");
+  expectSays(refusalOf(flangeUrdf("", second)), "'flange' is also the child of the joint");
   expectSays(refusalOf(flangeUrdf("", "<link name=\"alone\"/>")), "not the child of any joint");
   const std::string ring = "<joint name=\"k\" type=\"fixed\"><parent link=\"flange\"/><child link=\"base\"/></joint>";
   expectSays(refusalOf(flangeUrdf("", ring)), "a closed loop");

@@ -45,7 +45,7 @@ TEST(StrictYaml, refusesWhatIsNoPlainData) {
   expectSays(refusal("a: 1\n---\nb: 2\n"), "second document");
   expectSays(refusal("[1, 2]: 3\n"), "cannot be a key");
   expectSays(refusal("- 1\n- 2\n"), "a list of 2");
-  expectSays(refusal("# only a comment\n"), "nothing");
+  expectSays(refusal("# only a comment\n"), "only comments");
 }
 
 TEST(StrictYaml, refusesBrokenTextWithItsPlace) {
