@@ -34,8 +34,8 @@ TEST_F(AtomicFile, refusesPlacesThatCannotBeWritten) {
   const std::string file = write("file", "x");
   for (const fs::path& path :
        {fs::path(file) / "a.txt", folder, fs::path("/proc/none/a.txt"), fs::path("/dev/null/a")}) {
-    expectSays(messageOf([&] { checkWritableFile(path, "--out"); }), "--out: '");
-    expectSays(messageOf([&] { writeFileAtomically(path, "y", "--out"); }), "--out: '");
+    expectSays(messageOf([&] { checkWritableFile(path, "--out"); }), "--out: ");
+    expectSays(messageOf([&] { writeFileAtomically(path, "y", "--out"); }), "--out: ");
   }
   EXPECT_EQ(entries(), 1);
 }
@@ -74,7 +74,7 @@ TEST_F(AtomicFile, filesThatBelongTogetherAreAllNewOrAllOld) {
   // The last file cannot be written: the other files stay as they are, and everything created for them is removed.
   const std::vector<TextFile> too_many = {
       {folder / "cell.yaml", "newer"}, {folder / "newer/arm.yaml", "newer"}, {"/proc/none/a.txt", "newer"}};
-  expectSays(messageOf([&] { writeFilesTogether(too_many, "--out"); }), "--out: '");
+  expectSays(messageOf([&] { writeFilesTogether(too_many, "--out"); }), "--out: ");
   EXPECT_EQ(contentOf(folder / "cell.yaml"), "new cell");
   EXPECT_EQ(entries(), 3);
 }
@@ -155,7 +155,7 @@ TEST_F(AtomicFile, whatAKilledProgramLeftGoesAndWhatIsNotItsOwnStays) {
 TEST_F(AtomicFile, refusesFoldersThatCannotBeWritten) {
   const std::string file = write("file", "x");
   for (const fs::path& path : {fs::path(file), fs::path(file) / "deeper", fs::path("/proc/none")})
-    expectSays(messageOf([&] { OutputFolder out(path, "--out"); }), "--out: '");
+    expectSays(messageOf([&] { OutputFolder out(path, "--out"); }), "--out: ");
   EXPECT_EQ(entries(), 1);
 }
 
