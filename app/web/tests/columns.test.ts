@@ -54,7 +54,9 @@ describe("columns of foreign tables", () => {
 
 describe("columns of a work list", () => {
   const list: ColumnsDocument = {
-    tables: [{name: "list.csv", columns: ["Reihe", "Spalte", "Dauer"], rows: [["1", "2", "30"]], count: 1, names: null}],
+    tables: [
+      {name: "list.csv", columns: ["Reihe", "Spalte", "Dauer"], rows: [["1", "2", "30"]], count: 1, names: null},
+    ],
     targets: ["row", "column", "tube", "dwell"].map((quantity) => ({
       quantity,
       units: quantity === "dwell" ? ["s"] : [],

@@ -45,7 +45,14 @@ describe("the page's words", () => {
     });
   });
   it("keep a sentence that has no expected value", () => {
-    expect(pageProblem({where: "cell", found: "another cell cannot be opened while a job is running", expected: "", message: "m"})).toMatchObject({
+    expect(
+      pageProblem({
+        where: "cell",
+        found: "another cell cannot be opened while a job is running",
+        expected: "",
+        message: "m",
+      }),
+    ).toMatchObject({
       found: "another cell cannot be opened while a job is running",
       expected: "",
     });
