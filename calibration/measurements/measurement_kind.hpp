@@ -114,8 +114,8 @@ struct MeasurementKindRow {
   /// Returns the reference position of a displacement; null for other kinds.
   Departure (*departure)(const Measurement& reading) = nullptr;
 
-  /// Returns the tip's position in the world frame [m], for kinds that state the position by other values than p_W.
-  /// Null for other kinds.
+  /// Returns the tip's position in the world frame [m], for kinds that state the position by other values than p_W;
+  /// null for kinds that state p_W.
   Eigen::Vector3d (*place)(const Measurement& reading) = nullptr;
 
   /// Functions of kinds that touch a surface of unknown position: the number of parameters that determine the surface,
