@@ -297,6 +297,8 @@ class Sources:
             name, given = called
             if name == 'fmt::format':
                 return self.formatted(inner(given[0]), [inner(part) for part in given[1:]])
+            if name == 'suggestionOr':
+                return [sample(f'suggestion({given[0]}, {given[1]})')] + inner(given[2])
             if name in TRANSPARENT:
                 return [TRANSPARENT[name].format(text) for text in (inner(given[0]) if given else [''])]
         if NAME.fullmatch(text):

@@ -44,8 +44,7 @@ void refuseUnknownCommand(const std::string& word) {
   if (word.starts_with("-"))
     throw InputError::saying(nameInLine(word), "the command is missing before this option",
                              "begin with a command; `tubeplan help` lists the commands");
-  const std::string near = suggestion(word, names);
-  throw InputError("COMMAND", inQuotes(word), alternatives(names), near.empty() ? "see `tubeplan help`" : near);
+  throw InputError("COMMAND", inQuotes(word), alternatives(names), suggestionOr(word, names, "see `tubeplan help`"));
 }
 
 }  // namespace

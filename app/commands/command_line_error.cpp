@@ -43,12 +43,6 @@ std::string usageOf(const CLI::App& command) {
   return fmt::format("usage: tubeplan {}{}{}, {}", command.get_name(), positionals, options, helpOf(command));
 }
 
-/// Returns names as an enumeration such as "CELL, MEASUREMENTS and --out".
-std::string inOneList(const Words& names) {
-  if (names.size() < 2) return names.empty() ? "" : names.front();
-  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
-}
-
 std::string shown(const std::string& value) { return tubesheets::parseNumber(value) ? value : inQuotes(value); }
 
 /// Returns the arguments that neither the command nor the program accepted.
@@ -71,8 +65,8 @@ InputError unknownOption(const CLI::App& command, const std::string& name) {
   Words names;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& long_name : option->get_lnames()) names.push_back("--" + long_name);
-  const std::string near = name.starts_with("--") ? suggestion(name, names) : "";
-  return InputError::saying(nameInLine(name), "there is no such option", near.empty() ? helpOf(command) : near);
+  return InputError::saying(nameInLine(name), "there is no such option",
+                            name.starts_with("--") ? suggestionOr(name, names, helpOf(command)) : helpOf(command));
 }
 
 /// Returns the option at which the parser stopped; null if there is none. The parser goes through the options in the
@@ -92,8 +86,8 @@ std::optional<InputError> missingWords(CLI::App& command) {
   for (const CLI::Option* option : command.get_options())
     if (option->get_required() && option->count() == 0) names.push_back(option->get_name());
   if (names.empty()) return std::nullopt;
-  return InputError::saying(command.get_name(), inOneList(names) + (names.size() == 1 ? " is missing" : " are missing"),
-                            usageOf(command));
+  return InputError::saying(
+      command.get_name(), enumeration(names) + (names.size() == 1 ? " is missing" : " are missing"), usageOf(command));
 }
 
 std::optional<InputError> wrongValue(CLI::App& command) {
@@ -163,15 +157,6 @@ std::optional<InputError> optionWithout(CLI::App& command) {
   return std::nullopt;
 }
 
-std::optional<InputError> optionsTogether(CLI::App& command) {
-  for (const CLI::Option* option : command.get_options())
-    for (const CLI::Option* other : option->get_excludes())
-      if (option->count() > 0 && other->count() > 0)
-        return InputError::saying(option->get_name(), "this option cannot be combined with " + other->get_name(),
-                                  "give one of them");
-  return std::nullopt;
-}
-
 std::optional<InputError> superfluousWords(CLI::App& command) {
   for (const std::string& word : wordsLeft(command))
     if (word != "--")
@@ -192,8 +177,6 @@ std::optional<InputError> mistakeOf(CLI::ExitCodes kind, CLI::App& command, cons
       return wrongCount(command, words);
     case CLI::ExitCodes::RequiresError:
       return optionWithout(command);
-    case CLI::ExitCodes::ExcludesError:
-      return optionsTogether(command);
     case CLI::ExitCodes::ExtrasError:
       return superfluousWords(command);
     default:

@@ -8,6 +8,7 @@
 #include <ranges>
 
 #include "app/documents/figures.hpp"
+#include "app/storage/suggestion.hpp"
 
 namespace tubeplan::app {
 
@@ -90,10 +91,9 @@ std::vector<WarningGroup> groupsOf(const std::vector<EffectWarning>& warnings) {
 
 template <class TextOf>
 std::string warningList(const WarningGroup& group, TextOf&& textOf) {
-  std::string text;
-  for (std::size_t k = 0; k < group.size(); ++k)
-    text += (k == 0 ? "" : k + 1 == group.size() ? " and " : ", ") + textOf(*group[k]);
-  return text;
+  std::vector<std::string> texts;
+  for (const EffectWarning* warning : group) texts.push_back(textOf(*warning));
+  return enumeration(texts);
 }
 
 /// Returns the range of a value over the group, such as "0.014 to 1"; a single value if all are printed the same.

@@ -27,6 +27,14 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return cost[a.size()][b.size()];
 }
 
+/// Returns the words separated by commas, the last two by `last`.
+std::string joined(const std::vector<std::string>& words, std::string_view last) {
+  std::string text;
+  for (std::size_t k = 0; k < words.size(); ++k)
+    text.append(k == 0 ? "" : k + 1 == words.size() ? last : ", ").append(words[k]);
+  return text;
+}
+
 }  // namespace
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
@@ -40,13 +48,14 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& ca
   return distance(*nearest) <= allowed ? "did you mean '" + *nearest + "'?" : "";
 }
 
-std::string alternatives(const std::vector<std::string>& words) {
-  std::string out;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) out += i + 1 == words.size() ? " or " : ", ";
-    out += words[i];
-  }
-  return out;
+std::string suggestionOr(std::string_view word, const std::vector<std::string>& candidates,
+                         const std::string& otherwise) {
+  const std::string near = suggestion(word, candidates);
+  return near.empty() ? otherwise : near;
 }
+
+std::string alternatives(const std::vector<std::string>& words) { return joined(words, " or "); }
+
+std::string enumeration(const std::vector<std::string>& words) { return joined(words, " and "); }
 
 }  // namespace tubeplan::app

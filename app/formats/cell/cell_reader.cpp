@@ -101,8 +101,7 @@ void readPark(const YamlNode& node, Cell& cell) {
 /// Returns advice for an unknown row name: a similar name, otherwise all rows of the arm.
 std::string adviceOnRow(const std::string& name, const deflection::Arm& arm) {
   const auto rows = deflection::rowNames(arm);
-  const std::string near = suggestion(name, rows);
-  return near.empty() ? fmt::format("its rows are {}", fmt::join(rows, ", ")) : near;
+  return suggestionOr(name, rows, fmt::format("its rows are {}", fmt::join(rows, ", ")));
 }
 
 // Reads the set-ups of the base that differ from the arm's file: each lists rows that are rigid in the set-up, such as

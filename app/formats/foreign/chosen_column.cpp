@@ -44,9 +44,8 @@ std::pair<std::size_t, const Unit*> targetOf(const std::string& name, const std:
     const std::string_view word = std::string_view(name).substr(target.quantity.size() + 1);
     if (const Unit* unit = unitOfKind(findUnitWord(word), *target.unit)) return {k, unit};
   }
-  const std::string near = suggestion(name, known);
   throw InputError::saying("--column", "a measurement table has no column " + inQuotes(name),
-                           near.empty() ? "`tubeplan readings CELL --template` prints an empty one" : near);
+                           suggestionOr(name, known, "`tubeplan readings CELL --template` prints an empty one"));
 }
 
 struct FoundColumn {

@@ -60,9 +60,8 @@ const Link& findTip(const UrdfTree& tree, const std::string& name, const std::st
   for (const auto& [link_name, link] : tree.links) names.push_back(link_name);
   if (!name.empty()) {
     if (const auto link = tree.links.find(name); link != tree.links.end()) return link->second;
-    const std::string near = suggestion(name, names);
     throw InputError::saying(file, "the robot has no link " + inQuotes(name),
-                             near.empty() ? "select another link with --tip" : near);
+                             suggestionOr(name, names, "select another link with --tip"));
   }
   Chain deepest;
   for (const auto& [link_name, link] : tree.links) {
