@@ -1,12 +1,10 @@
 #include "app/documents/signature_json.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/formats/arm/joint_units.hpp"
+#include "app/formats/cell/effects_reader.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/suggestion.hpp"
 #include "deflection/effects/signature.hpp"
@@ -41,15 +39,7 @@ json signatureJson(const Cell& cell, const std::string& effect, const std::strin
   const auto made = deflection::makeEffect(cell.arm, effect, at);
   if (made.status == deflection::EffectStatus::kUnknownEffect)
     throw InputError("effect", inQuotes(effect), "an effect of the catalogue", suggestion(effect, made.known));
-  if (made.status != deflection::EffectStatus::kMade) {
-    const std::string near = suggestion(at, made.known);
-    const std::string places = made.known.empty() ? "" : fmt::format("its places are {}", fmt::join(made.known, ", "));
-    throw InputError::saying(
-        "at",
-        made.known.empty() ? fmt::format("the effect {} cannot be placed here: {}", inQuotes(effect), made.reason)
-                           : fmt::format("this arm has no place {} for the effect {}", inQuotes(at), inQuotes(effect)),
-        near.empty() ? places : near);
-  }
+  if (made.status != deflection::EffectStatus::kMade) throw placeError("at", made, effect, at);
   const auto signature = deflection::signatureOf(cell.arm, made.effect, deflection::gravityInBase(cell.arm, cell.X_WB),
                                                  {.most_load = most_load});
   const Variable variable = variableOf(cell, signature);

@@ -52,19 +52,6 @@ void requireFormula(const deflection::MadeFormula& made, const deflection::Arm& 
   throw InputError(where, made.found, made.expected, advice);
 }
 
-/// Returns the message for an effect that does not apply at a place of the arm.
-std::string noPlaceText(const deflection::MadeEffect& made, const std::string& name, const std::string& at) {
-  if (!made.known.empty()) return fmt::format("this arm has no place {} for the effect {}", inQuotes(at), name);
-  return fmt::format("the effect {} cannot be placed at {}: {}", name, inQuotes(at), made.reason);
-}
-
-/// Returns advice that lists the valid places of an effect and suggests the most similar; empty if there are no places.
-std::string placesAdvice(const deflection::MadeEffect& made, const std::string& at) {
-  if (made.known.empty()) return "";
-  const std::string near = suggestion(at, made.known);
-  return fmt::format("choose one of {}{}{}", fmt::join(made.known, ", "), near.empty() ? "" : "; ", near);
-}
-
 /// Returns an effect with its initial parameters: a formula, or an effect of the catalogue.
 Effect effectAtStart(const YamlNode& node, const deflection::Arm& arm, const Units& units) {
   if (node.at("effect").text() == kFormula) {
@@ -79,8 +66,7 @@ Effect effectAtStart(const YamlNode& node, const deflection::Arm& arm, const Uni
     node.at("effect").fail("the unknown effect " + inQuotes(node.at("effect").text()), "an effect of the catalogue",
                            suggestion(node.at("effect").text(), made.known));
   if (made.status != EffectStatus::kMade)
-    node.at("at").failSaying(noPlaceText(made, node.at("effect").text(), node.at("at").text()),
-                             placesAdvice(made, node.at("at").text()));
+    throw placeError(node.at("at").where(), made, node.at("effect").text(), node.at("at").text());
   return made.effect;
 }
 
@@ -231,6 +217,17 @@ std::string formulaUnitsText(const deflection::Arm& arm, const Effect& formula, 
                      units.nameOf(dimensionOf(formula.formula->quantity)));
 }
 
+InputError placeError(const std::string& where, const deflection::MadeEffect& made, const std::string& name,
+                      const std::string& at) {
+  if (made.known.empty())
+    return InputError::saying(where,
+                              fmt::format("the effect {} cannot be placed at {}: {}", name, inQuotes(at), made.reason));
+  const std::string near = suggestion(at, made.known);
+  return InputError::saying(
+      where, fmt::format("this arm has no place {} for the effect {}", inQuotes(at), name),
+      fmt::format("choose one of {}{}{}", fmt::join(made.known, ", "), near.empty() ? "" : "; ", near));
+}
+
 ParsedEffect parseEffect(const std::string& text, const deflection::Arm& arm, const Units& units,
                          const std::string& where) {
   if (text.find("+=") != std::string::npos) return {parseFormula(text, arm, units, where), true};
@@ -244,8 +241,7 @@ ParsedEffect parseEffect(const std::string& text, const deflection::Arm& arm, co
   if (made.status == EffectStatus::kUnknownEffect)
     throw InputError(where, "the unknown effect " + inQuotes(name),
                      fmt::format("one of {}", fmt::join(made.known, ", ")), suggestion(name, made.known));
-  if (made.status != EffectStatus::kMade)
-    throw InputError::saying(where, noPlaceText(made, name, place), placesAdvice(made, place));
+  if (made.status != EffectStatus::kMade) throw placeError(where, made, name, place);
   ParsedEffect parsed{made.effect, colon != std::string::npos};
   if (parsed.has_sizes) readSizes(text.substr(colon + 1), arm, units, where, parsed.effect);
   return parsed;

@@ -12,6 +12,7 @@
 
 #include "app/formats/units.hpp"
 #include "app/formats/yaml/yaml_node.hpp"
+#include "app/storage/input_error.hpp"
 #include "deflection/effects/effect.hpp"
 #include "deflection/effects/formula.hpp"
 
@@ -40,6 +41,11 @@ namespace tubeplan::app {
 /// Returns a sentence that states the units of a formula's symbols and value in a cell.
 [[nodiscard]] std::string formulaUnitsText(const deflection::Arm& arm, const deflection::Effect& formula,
                                            const Units& units);
+
+/// Returns the error of an effect named `name` that `made` could not place at `at`, with the places that it can have.
+/// `where` names the key or the argument.
+[[nodiscard]] InputError placeError(const std::string& where, const deflection::MadeEffect& made,
+                                    const std::string& name, const std::string& at);
 
 /// Effect from the command line: a formula, "backlash@tool.z", "backlash@tool.z:0.15deg" (value of its first
 /// parameter), or "stiffening@tool.z:softness=0.6,knee=200" (values by name). Values are in the cell's units; a stated
