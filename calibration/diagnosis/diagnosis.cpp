@@ -25,8 +25,10 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr std::size_t kMostClosest = 8;
-constexpr double kBaselineTolerance = 1e-6;  // relative to chi-square; every model is fitted again from the baseline
-// Log odds against an outlier: a reading that is wrong by 30 sigmas in three coordinates.
+// Tolerance of the baseline fit, relative to chi-square. It may be loose, because every model is fitted again from the
+// baseline.
+constexpr double kBaselineTolerance = 1e-6;
+// Log odds against an outlier, which may be wrong by up to 30 standard deviations in each of three coordinates.
 constexpr double kOutlier = 14.8;
 
 IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
@@ -50,8 +52,8 @@ Identification fitBaseline(const PlacedArm& start, const std::vector<Measurement
   return baseline;
 }
 
-/// Intermediate result with the work data it was computed from. Errors on held-out readings, detectable sizes and views
-/// are computed only for the final result.
+/// Intermediate result with the working data that it was computed from. Errors on held-out readings, detectable sizes
+/// of effects and data of plots are computed only for the final result.
 struct Answer {
   explicit Answer(const DiagnosisOptions& options) : work{options, {}, {}, nullptr, nullptr, {}, {}, {}} {}
 
@@ -95,7 +97,8 @@ void weighModels(Answer& answer) {
   compareModels(answer.work);
 }
 
-/// Counts scatter that follows no variable as noise, whatever noise is stated, if repeated readings scatter as much.
+/// Counts scatter that depends on no variable as noise, even beyond the stated noise, if repeated readings scatter as
+/// much.
 void takeRepeatsForNoise(const DiagnosisWork& work, const CompetingModel& model, Diagnosis& result) {
   const Repeats repeats = repeatsBy(work, model);
   const bool is_larger =
@@ -112,8 +115,8 @@ void takeRepeatsForNoise(const DiagnosisWork& work, const CompetingModel& model,
   result.scatter_probability = 0;
 }
 
-/// Withdraws the verdict that nothing is missing if noise alone would hardly leave such large residuals. A diagnosis
-/// never gives a better verdict than a comparison with the same chi-square.
+/// Withdraws the verdict that no effect is missing if noise alone would hardly leave such large residuals, because a
+/// comparison would reject the model at such a chi-square.
 void withholdAdequate(const DiagnosisWork& work, Diagnosis& result) {
   if (result.verdict != Verdict::kAdequate || !(result.p_value < kLackOfFit)) return;
   takeRepeatsForNoise(work, modelOfNothing(work), result);
@@ -145,7 +148,7 @@ void conclude(Answer& answer) {
   if (is_part ? result.remainder.follows.empty() : result.isScatterAlone()) takeRepeatsForNoise(work, named, result);
 }
 
-/// Returns the baseline and the models that compete with it, still without a verdict.
+/// Returns the baseline and the models that compete with it, without a verdict.
 Answer compareAll(Identification baseline, const std::vector<Measurement>& all, const std::vector<int>& set_aside,
                   const DiagnosisOptions& options) {
   Answer found(options);
@@ -169,7 +172,8 @@ Answer compareAll(Identification baseline, const std::vector<Measurement>& all, 
   return found;
 }
 
-/// Sets the distance of each alternative's predictions from those of the first alternative, over the arm's range.
+/// Sets the root-mean-square distance [m] between the tips that each alternative and the first alternative predict over
+/// the arm's range.
 void setApart(const DiagnosisWork& work, Diagnosis& result) {
   if (result.alternatives.size() < 2) return;
   const RangeViews views(work.basis, work.options.seed);
@@ -191,12 +195,12 @@ Diagnosis completed(Answer found, const std::vector<Measurement>& all) {
   return std::move(result);
 }
 
-/// Returns the log weight of the best model. Readings that were set aside count as outliers with the prior odds of an
-/// outlier.
+/// Returns the log weight of the best model for all readings, of which those set aside count as outliers.
 double bestWeight(const Answer& found, const std::vector<Measurement>& readings) {
   if (!found.is_found) return -std::numeric_limits<double>::infinity();
   const auto& best = found.work.models.front();
-  // Readings that are set aside have no density in the model, so the density of an outlier relative to noise is used.
+  // The model does not predict readings that are set aside. Each gets the mean log density of noise, less the log odds
+  // against an outlier.
   const double outliers = countOutliers(found.result.set_aside, readings);
   const auto set_aside = static_cast<double>(found.result.set_aside.size());
   const auto& weights = found.work.noise.front().weights;
@@ -206,7 +210,7 @@ double bestWeight(const Answer& found, const std::vector<Measurement>& readings)
   return best.logWeight() + set_aside * density - outliers * kOutlier;
 }
 
-/// Returns the difference in log weight within which the linear evidence of the models may be wrong.
+/// Returns by how much the log weights of the models may be wrong because their evidence is linearised.
 double windowOf(const Answer& found) {
   if (!found.is_found) return 0;
   return leaderWindow(found.work.models.front().logWeight(), modelOfNothing(found.work).logWeight());
@@ -225,8 +229,8 @@ Diagnosis diagnosed(const PlacedArm& start, const std::vector<Measurement>& read
   std::optional<WithoutOutliers> without = withoutOutliers(readings, baseline, options.baseline.outlier_level, fit);
   Answer whole = compareAll(std::move(baseline), readings, {}, options);
   if (!without || !whole.is_found) return concluded(std::move(whole), readings);
-  // A base that slips between touches of one point also causes outliers. A cause that explains every reading has
-  // priority over setting readings aside.
+  // A base that slips between touches of one point also looks like outliers. Therefore a cause that explains all
+  // readings competes with the best model without the outliers.
   Answer fewer = compareAll(std::move(without->fit), readings, without->set_aside, options);
   const double before = bestWeight(whole, readings), after = bestWeight(fewer, readings);
   if (std::abs(before - after) > std::max(windowOf(whole), windowOf(fewer)))

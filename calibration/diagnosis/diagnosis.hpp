@@ -1,4 +1,5 @@
-// Diagnosis of the physical effect that a model lacks. The verdict states what the readings cannot decide.
+// Diagnosis of the physical effects that a model lacks. If the readings cannot decide between explanations, the verdict
+// says so.
 //
 // Every hypothesis has a prior and an evidence. The hypotheses are: nothing missing; one cause at its place, or several
 // causes, each with or without an unexplained discrepancy; an unexplained discrepancy alone. The evidence is the
@@ -25,7 +26,7 @@ struct CompetingExplanations {
   std::vector<Explanation> asked;
 };
 
-/// Fits competing models and each requested model, which is given as a list of effects. If the values of the requested
+/// Fits the competing models, and the requested models, each given as a list of effects. If the values of the requested
 /// effects are not neutral, a second fit starts at these values and the more probable result is kept. Returns no models
 /// if the baseline cannot be fitted or the work was stopped on request.
 [[nodiscard]] CompetingExplanations competingExplanations(const PlacedArm& start,

@@ -13,19 +13,19 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kGap = 8;          // least difference of -2 log of the posterior that counts
-constexpr double kLack = 0.003;     // p-value of the lack of fit below which something more is missing
-constexpr double kNearNeutral = 2;  // deviation from neutral above which a size counts as not neutral [sigmas]
+constexpr double kGap = 8;          // smallest difference of -2 log of the posterior that counts
+constexpr double kLack = 0.003;     // p-value of the fit below which the model lacks something else
+constexpr double kNearNeutral = 2;  // deviation above which a parameter counts as not neutral [standard deviations]
 constexpr double kByChance = 0.05;  // p-value above which a decrease of chi-square counts as noise
 constexpr int kRivals = 6;          // number of models that are fitted as replacements of an effect
-// Product of fitted parameters, readings and effects above which no replacements are fitted.
+// Product of the numbers of fitted parameters, readings and effects above which no replacements are fitted.
 constexpr double kMostWork = 2e4;
 
-/// Common input of the warnings for identifications and diagnoses.
+/// Input of the warnings, the same for an identification and for a diagnosis.
 struct Case {
   const PlacedArm& start;
   const std::vector<Measurement>& readings;  ///< readings except those that were set aside
-  IdentificationOptions options;             ///< options of the fit with all effects, without hooks
+  IdentificationOptions options;             ///< options of the fit with all effects, without progress reports
   const Identification& with;
   ErrorSize heldout;
 
@@ -34,7 +34,7 @@ struct Case {
   }
 };
 
-/// Returns the catalogue's description of a fitted parameter of an effect.
+/// Returns the description of a fitted parameter of an effect.
 const deflection::EffectParameter& parameterOf(const deflection::Effect& effect, const IdentifiedNumber& number) {
   return deflection::numbersOf(effect)[static_cast<std::size_t>(number.unknown.path.value)];
 }
@@ -100,8 +100,8 @@ bool isAtNeutral(const deflection::Effect& effect, const std::vector<const Ident
   });
 }
 
-/// Returns the probability that noise alone causes such a decrease of chi-square. The probability is halved if the
-/// effect has a single size with a bound at neutral.
+/// Returns the probability that noise alone lowers chi-square by `fall`. It is halved if the effect has a single fitted
+/// parameter, with a bound at its neutral value.
 double chanceOfFall(const Case& c, double fall, int effect, const std::vector<const IdentifiedNumber*>& numbers) {
   if (numbers.empty() || !(fall > 0)) return 1;
   const double p = chiSquareTail(fall, static_cast<double>(numbers.size()));
@@ -121,7 +121,7 @@ EffectWarning named(const Case& c, int effect, EffectWarningKind kind) {
   return warning;
 }
 
-/// Returns the warning that an effect is not needed. `gain` is the improvement of Explanation::criterion due to the
+/// Returns the warning that an effect is not needed. `gain` is the decrease of Explanation::criterion due to the
 /// effect.
 EffectWarning unneeded(const Case& c, int effect, double gain) {
   const Without without = fitWithout(c, effect);
@@ -159,14 +159,16 @@ const FoundEffect* find(const Explanation& explanation, const EffectWarning& war
   return nullptr;
 }
 
-/// Judges an effect that does not compete, such as a user's formula, by the rise of chi-square without the effect.
+/// Judges an effect that is not a cause of the catalogue, such as a user's formula, by the rise of chi-square without
+/// the effect.
 void judgeByFit(const Case& c, int effect, std::vector<EffectWarning>& warnings) {
   EffectWarning not_needed = unneeded(c, effect, 0);
   not_needed.is_within_noise = not_needed.p_value > kByChance;
   if (!(not_needed.fall >= kGap)) warnings.push_back(not_needed);
 }
 
-/// Removes the effect and compares all possible replacements, including the effect itself.
+/// Removes the effect and compares all possible replacements, including the effect itself. Warns if none is needed, or
+/// if another one is better.
 void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std::vector<EffectWarning>& warnings) {
   DiagnosisOptions bare = options;
   bare.most_causes = 1;  // at most one replacement of the effect
@@ -195,7 +197,8 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   const bool is_beaten = other && other->criterion + kGap < own->criterion;
   if (gain < kGap) {
     const EffectWarning not_needed = unneeded(c, effect, gain);
-    // An effect that lowers the error much, although the evidence does not support it, stands in for another effect.
+    // An effect that lowers chi-square significantly without support by the evidence probably takes the place of
+    // another effect, which is then reported.
     if (!is_beaten || not_needed.p_value > kLack) {
       warnings.push_back(not_needed);
       return;
@@ -209,8 +212,8 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   warnings.push_back(warning);
 }
 
-/// Returns an estimate of the rise of chi-square without the effect, from the fit's covariance: Wald's statistic of the
-/// effect's sizes.
+/// Estimates from the fit's covariance by how much chi-square would rise without the effect: Wald's statistic of the
+/// effect's parameters.
 double riseWithout(const Case& c, int effect) {
   std::vector<Eigen::Index> which;
   std::vector<double> sizes;

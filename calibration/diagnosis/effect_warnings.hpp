@@ -1,10 +1,9 @@
 // Warnings about effects of a model that the readings do not support: each effect is removed in turn, and the remaining
 // model is fitted again.
 //
-// Every possible replacement competes with the effect, including the effect itself and no replacement
-// (competing_models.hpp). An effect that lowers -2 log of the posterior by less than a threshold is not needed: no
-// diagnosis would name it. If another model is better by at least the threshold, that model explains the readings
-// better.
+// The model without the effect competes with models that contain the effect itself, or another cause in its place
+// (competing_models.hpp). An effect that lowers -2 log of the posterior by less than a threshold is not needed. If the
+// model with another cause is better by at least the threshold, that cause explains the readings better.
 #pragma once
 
 #include <string>
@@ -23,12 +22,13 @@ struct EffectWarning {
   /// Probability that noise alone decreases chi-square by `fall`; p-value of the fit for kLackOfFitRemains.
   double p_value = kNotKnown;
   bool is_within_noise = false;  ///< true: `Explanation::criterion` is no better with the effect than without it
-  bool is_at_neutral = false;    ///< true: all sizes of the effect are within two sigma of neutral
+  bool is_at_neutral = false;    ///< true: all parameters are within two standard deviations of neutral
   ErrorSize heldout_with, heldout_without;
-  FoundNumber number;  ///< parameter whose value exceeds the largest value of real machines
+  FoundNumber number;  ///< parameter that exceeds the largest value found on real machines
   double plausible = kNotKnown;
-  FoundEffect better;     ///< better explanation, possibly the same effect with another shape
-  double by = kNotKnown;  ///< advantage of the better explanation: difference of -2 log of the posterior
+  FoundEffect better;  ///< better explanation, possibly the same effect with another scanned value
+  /// Advantage of the better explanation: difference of -2 log of the posterior, or of chi-square for the same effect.
+  double by = kNotKnown;
 };
 
 /// Returns warnings about the effects that an identification fitted from `start` with `options`. Empty if the

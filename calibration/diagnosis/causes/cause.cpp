@@ -13,13 +13,13 @@ using deflection::EffectKind, deflection::PlaceRule, deflection::Quantity;
 
 namespace {
 
-constexpr int kKneeLevels = 7;   // number of tried moments of a knee
-constexpr int kTimeLevels = 64;  // number of tried times of a step
-// Odds of all held stiffnesses together, which drawings seldom state well; also odds of all zeros of joints that follow
-// other joints, which no reading states.
+constexpr int kKneeLevels = 7;   // number of moments that are tried for the knee of a stiffness
+constexpr int kTimeLevels = 64;  // number of times that are tried for a step
+// Prior odds that one of the stiffnesses held by the fit is wrong, since drawings seldom state them well. The zeros of
+// joints that follow other joints, which no reading states, have the same prior odds.
 constexpr double kFreedOdds = 2;
-constexpr double kGeometryOdds = 2;  // odds of an error in the drawing's geometry as a whole
-constexpr double kAlikeShare = 0.3;  // fraction of an effect kind's odds for this effect at every joint
+constexpr double kGeometryOdds = 2;  // prior odds of an error in the drawing's geometry as a whole
+constexpr double kAlikeShare = 0.3;  // fraction of an effect kind's odds that goes to the effect at all joints together
 
 bool hasWeights(const deflection::Arm& arm) {
   const auto weighs = [](const auto& row) {
@@ -63,7 +63,7 @@ std::vector<double> quantiles(std::vector<double> sample, int count, double from
   return {levels.begin(), levels.end()};
 }
 
-/// Returns the absolute moments [N m] about the axis at `place`, for up to about 200 evenly spaced readings.
+/// Returns the absolute moments [N m] about the axis at `place`, for fewer than 400 evenly spaced readings.
 std::vector<double> momentsAt(const PlacedArm& placed, const std::vector<Measurement>& readings,
                               const deflection::Place& place) {
   constexpr std::size_t kMost = 200;
@@ -112,7 +112,7 @@ bool mayActAlike(const EffectKind& kind) {
          kind.parameters.size() == 1;
 }
 
-/// Adds a cause for each place of an effect kind, and one for every joint together; the kind's odds are divided among
+/// Adds one cause for each place of an effect kind, and one for all joints together. The kind's odds are divided among
 /// these causes.
 void addKind(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& readings,
              CauseList& list) {
@@ -139,8 +139,8 @@ bool isFree(const std::vector<Unknown>& free, const std::string& name) {
   return std::ranges::any_of(free, [&](const Unknown& unknown) { return unknown.name == name; });
 }
 
-/// Adds causes for parameters of the arm's file that the fit holds: each stiffness, each zero of a joint that follows
-/// another joint, and the drawing's geometry as a whole.
+/// Adds causes for parameters of the arm's file that the fit does not change: each stiffness, each zero of a joint that
+/// follows another joint, and the drawing's geometry as a whole.
 void addHeldNumbers(const PlacedArm& placed, const std::vector<Unknown>& free, CauseList& list) {
   std::vector<Cause> stiffnesses;
   Cause geometry{kFreedNumbers, "geometry", {}, {}};
@@ -235,7 +235,7 @@ Unknown numberUnknown(const deflection::Arm& arm, int effect, int value) {
   unknown.lower = number.lower - unknown.start;
   unknown.upper = number.upper - unknown.start;
   takeSizePrior(parameter, unknown);
-  if (parameter.is_shape) unknown.prior_mean = 0;  // a scanned parameter has no neutral value
+  if (parameter.is_shape) unknown.prior_mean = 0;  // a scanned parameter has no neutral value as its prior mean
   return unknown;
 }
 

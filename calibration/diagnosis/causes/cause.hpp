@@ -1,5 +1,5 @@
 // Possible causes of a lack of fit: effects of the catalogue at their places, one effect at every joint, or parameters
-// of the arm's file that the fit holds at the drawing's values.
+// of the arm's file that the fit leaves at the drawing's values.
 #pragma once
 
 #include <string>
@@ -21,7 +21,8 @@ inline constexpr const char* kAllJoints = "all joints";
 /// Empty if this kind of effect cannot act at every joint.
 [[nodiscard]] std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, const std::string& effect);
 
-/// Returns a description of the cause named `effect`: an effect of the catalogue, or freed parameters.
+/// Returns the description of the cause named `effect`, an effect of the catalogue or kFreedNumbers; empty if there is
+/// no such cause.
 [[nodiscard]] const char* causeWords(const std::string& effect);
 
 /// Returns the names of the variables that the effect's law may depend on, simplest first. Empty: the law may depend on
@@ -35,10 +36,10 @@ struct Cause {
   std::vector<std::string> frees;  ///< dotted names of the freed parameters of the arm's file
   int shape = -1;                  ///< index of the effect's parameter whose value is scanned; -1: none
   std::vector<double> levels{0};   ///< scanned values of parameter `shape` [internal units]
-  double prior = 0;                ///< probability of this cause if exactly one cause is missing
+  double prior = 0;                ///< prior probability of this cause if exactly one cause is missing
 };
 
-/// Returns true if both effects are of the same kind and at the same place, whatever their sizes.
+/// Returns true if both effects are of the same kind and at the same place, regardless of their values.
 [[nodiscard]] inline bool areOne(const deflection::Effect& a, const deflection::Effect& b) {
   return a.kind == b.kind && a.place == b.place;
 }
@@ -50,7 +51,7 @@ struct Cause {
 [[nodiscard]] bool isStep(const Cause& cause);
 
 /// Adds the cause to the arm, with its scanned parameter set to `level`. Returns the unknowns for the cause's other
-/// parameters. The unknowns are zero at the neutral values; the typical size of each is the largest value in real
+/// parameters. The unknowns are zero at the neutral values; the typical size of each is the largest value found on real
 /// machines.
 [[nodiscard]] std::vector<Unknown> placeCause(PlacedArm& placed, const Cause& cause, double level);
 
@@ -58,17 +59,17 @@ struct Cause {
 /// present value. Its typical size is the largest usual value of the parameter.
 [[nodiscard]] Unknown numberUnknown(const deflection::Arm& arm, int effect, int value);
 
-/// Returns the unknown for a scanned parameter that has a derivative (a knee), for a fit that starts at `level`.
-/// `effect` is the index in the arm of the cause's effect.
+/// Returns the unknown for a scanned parameter on which the residuals depend smoothly (a knee), for a fit that starts
+/// at `level`. `effect` is the index of the cause's effect among the effects of the arm.
 [[nodiscard]] Unknown shapeUnknown(const deflection::Arm& arm, const Cause& cause, int effect, double level);
 
-/// Returns the midpoints [s] between consecutive times of the readings, ascending. The time of a step between two
-/// consecutive readings does not change their values.
+/// Returns the midpoints [s] between consecutive times of the readings, ascending. One time in each interval suffices,
+/// because a step has the same effect on the readings wherever it lies between two of them.
 [[nodiscard]] std::vector<double> timesBetween(const std::vector<Measurement>& readings);
 
 struct CauseList {
   std::vector<Cause> causes;
-  /// Names of the causes that were left out, with the data that each would need: "hysteresis: no column <joint>_dir".
+  /// Effects that were left out, each with the reason: "payload-offset: no reading is under a load".
   std::vector<std::string> not_tried;
 };
 

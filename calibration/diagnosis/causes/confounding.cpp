@@ -28,8 +28,8 @@ Signature signatureOf(const MatrixXd& own, const MatrixXd& others) {
   return signature;
 }
 
-/// Returns the fraction of `one` that lies in the span of `other`, in squared length, in the direction where this
-/// fraction is smallest.
+/// Returns the squared cosine of the largest principal angle between the spans of two orthonormal bases: 1 if `one`
+/// lies in the span of `other`. Returns 0 if `other` has fewer columns.
 double shareOf(const MatrixXd& one, const MatrixXd& other) {
   if (one.cols() == 0 || other.cols() < one.cols()) return 0;
   const VectorXd cosines = (other.transpose() * one).jacobiSvd().singularValues();

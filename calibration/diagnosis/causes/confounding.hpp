@@ -11,7 +11,8 @@ namespace tubeplan::calibration {
 
 struct ConfoundedCause {
   std::string effect, at;
-  /// Shared fraction of the signature's squared length, in the direction where this fraction is smallest.
+  /// Fraction of the squared length of the confounded signature that this cause's signature reproduces, in the
+  /// direction that it reproduces worst.
   double share = 0;
 };
 
@@ -22,13 +23,13 @@ struct Confounding {
   std::vector<ConfoundedCause> confounded;
 };
 
-/// Least shared fraction for which a cause counts as confounded with another.
+/// Smallest shared fraction at which a cause counts as confounded with another.
 inline constexpr double kConfoundedShare = 0.98;
 inline constexpr double kHardlyKept = 1e-3;
 
-/// Finds the confounded causes of every cause that the readings could show. The model is linearised at `placed` with
-/// the unknowns `fitted`; scanned parameters are at the middle of their levels. Returns an empty list if the model
-/// cannot be evaluated.
+/// Finds, for every cause that the readings could show, the causes with which it is confounded. The model is linearised
+/// at `placed` with respect to the unknowns `fitted`; each scanned parameter is at the middle one of its levels.
+/// Returns an empty list if the model cannot be evaluated.
 [[nodiscard]] std::vector<Confounding> findConfounding(const PlacedArm& placed,
                                                        const std::vector<Measurement>& readings,
                                                        const std::vector<Unknown>& fitted);

@@ -13,7 +13,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr double kLeastOverlap = 0.05;
-constexpr double kLeastKept = 1e-4;  // relative length of the kept component below which a signature counts as zero
+// Fraction of its length below which the component of a signature that the fit cannot absorb counts as zero.
+constexpr double kLeastKept = 1e-4;
 
 std::vector<Unknown> numbersOf(const PlacedArm& placed, int effect) {
   std::vector<Unknown> unknowns;
@@ -29,8 +30,8 @@ std::vector<Unknown> numbersOf(const PlacedArm& placed, int effect) {
   return unknowns;
 }
 
-/// Returns the signature of a formula in the readings: one column for its present sizes, or one column per size if all
-/// sizes are zero.
+/// Returns the signature of a formula in the readings: one column for the present values of its parameters, or one
+/// column per parameter if all values are zero.
 MatrixXd signatureOf(const deflection::Effect& effect, const MatrixXd& columns) {
   const auto& parameters = deflection::numbersOf(effect);
   VectorXd sizes = VectorXd::Zero(columns.cols());
@@ -44,7 +45,7 @@ MatrixXd signatureOf(const deflection::Effect& effect, const MatrixXd& columns) 
   return sizes.isZero(0) ? each : MatrixXd((columns * sizes).stableNormalized());
 }
 
-/// Causes of the catalogue at the fitted model, with the weights of the readings.
+/// Fitted model with the weights of its readings, and the causes of the catalogue at this model.
 struct Setting {
   const PlacedArm& placed;
   const std::vector<Measurement>& readings;

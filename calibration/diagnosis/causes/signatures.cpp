@@ -34,8 +34,8 @@ int Signatures::addColumn(const Unknown& unknown) {
   return static_cast<int>(columns_.size()) - 1;
 }
 
-/// Adds layers of few causes each, because the derivative for each cause is evaluated with all other causes of its
-/// layer in the arm.
+/// Adds layers of few causes each. Every derivative is evaluated with all causes of the layer in the arm, so its cost
+/// grows with their number.
 void Signatures::addLayers(const PlacedArm& fitted, const std::vector<Cause>& causes) {
   std::size_t most_levels = 0;
   for (const Cause& cause : causes)
@@ -67,7 +67,7 @@ void Signatures::addStep(const PlacedArm& fitted, const Cause& cause, std::size_
   layers_.push_back(std::move(layer));
 }
 
-/// Assigns the columns of an effect at each single joint to the cause with this effect at every joint.
+/// Gives each cause that acts at every joint the columns of the same effect at the single joints.
 void Signatures::shareColumns(const std::vector<Cause>& causes) {
   for (std::size_t c = 0; c < causes.size(); ++c) {
     if (!actsAlike(causes[c])) continue;
@@ -85,7 +85,8 @@ void Signatures::shareColumns(const std::vector<Cause>& causes) {
 MatrixXd Signatures::columnsAt(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                const StopQuestion& stop) const {
   MatrixXd all(weights.rows, static_cast<Index>(columns_.size()));
-  ReadingWeights apart = weights;  // the component of a step that points absorb depends on the step's time
+  // Unknown points absorb a part of a step that depends on its time, so this part is removed from the finished columns.
+  ReadingWeights apart = weights;
   apart.points.clear();
   apart.shared.clear();
   for (const Layer& layer : layers_) {

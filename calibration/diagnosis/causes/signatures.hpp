@@ -1,5 +1,5 @@
-// Signatures of causes: first-order changes of the readings if a parameter of the cause has the largest value in real
-// machines.
+// Signatures of causes: first-order changes of the readings when a parameter of the cause takes the largest value found
+// on real machines.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,16 +11,18 @@
 
 namespace tubeplan::calibration {
 
-/// Column for one parameter of a cause at one level of its scanned parameter, in units of Unknown::typical.
+/// Properties of the column for one parameter of a cause, at one level of its scanned parameter. The column is the
+/// change of the readings per Unknown::typical.
 struct SignatureColumn {
   double lower = 0, upper = 0;  ///< bounds of the parameter, relative to its neutral value [Unknown::typical]
-  double prior_sigma = 1;       ///< prior standard deviation [Unknown::typical]; 1 for the size of an effect
+  double prior_sigma = 1;       ///< prior standard deviation [Unknown::typical]; 1 for a parameter of an effect
   bool is_of_effect = true;
 };
 
 class Signatures {
  public:
-  /// Lists the columns of the causes at the model `fitted`, one block of columns for each tried time of a step.
+  /// Prepares the columns of the causes, linearised about the model `fitted`. A step has one block of columns for each
+  /// time that is tried.
   Signatures(const PlacedArm& fitted, const std::vector<Cause>& causes);
 
   [[nodiscard]] const std::vector<SignatureColumn>& columns() const { return columns_; }
@@ -36,8 +38,8 @@ class Signatures {
                                           const StopQuestion& stop = {}) const;
 
  private:
-  /// Causes that are evaluated in one arm, each at one level. Two levels of one cause would add up in an arm, so they
-  /// are in different layers.
+  /// Causes that are evaluated together in one arm, each at one level. The effects of two levels would add up in one
+  /// arm, so the levels of a cause are in different layers.
   struct Layer {
     PlacedArm placed;
     std::vector<Unknown> unknowns;

@@ -20,9 +20,11 @@ namespace {
 constexpr int kWaves = 3;
 constexpr int kBumps = 10;
 constexpr int kSlowWaves = 4;
-constexpr int kManyJoints = 5;  // number of joints above which only products of neighbouring joints are used
-constexpr std::size_t kReadingsForScale = 300;  // number of readings for a term's root mean square
-// Amplitudes relative to a joint's first wave; rough functions have smaller amplitudes.
+// Number of joints above which products for two joints are left out, unless these are neighbours or one of them has the
+// error.
+constexpr int kManyJoints = 5;
+constexpr std::size_t kReadingsForScale = 300;  // number of readings that suffice for the root mean square of a term
+// Amplitudes relative to that of a joint's first wave; rougher functions have smaller amplitudes.
 constexpr double kBump = 0.5, kProduct = 0.5, kShift = 0.7, kTurn = 0.5, kMinor = 0.5;
 constexpr std::size_t kWeighingJoints = 3;  // number of joints, from the base, that move most of the arm's weight
 
@@ -52,8 +54,8 @@ Function product(const Function& a, const Function& b) {
   return [a, b](const Measurement& m) { return a(m) * b(m); };
 }
 
-/// Functions of one joint's reading: waves over a turn of a revolute joint, or over the travelled range of a prismatic
-/// joint.
+/// Functions of one joint's position. The first wave has the period of a turn for a revolute joint, and of twice the
+/// travelled range for a prismatic joint.
 class JointFeatures {
  public:
   JointFeatures(const deflection::Joint<double>& joint, Index index, const std::vector<Measurement>& readings)
@@ -83,7 +85,8 @@ class JointFeatures {
     return features;
   }
 
-  /// Returns errors that act near one angle only, such as those of a worn gear tooth.
+  /// Returns functions that differ from zero near one position of the joint only, as the error of a worn gear tooth
+  /// does.
   [[nodiscard]] std::vector<Feature> bumps() const {
     std::vector<Feature> features;
     const double width = (range_.high - range_.low) / kBumps;
@@ -161,7 +164,7 @@ struct Conditions {
   }
 };
 
-/// Builds the terms of the process, channel by channel.
+/// Builds the terms of the discrepancy process, channel by channel.
 class TermMaker {
  public:
   TermMaker(const deflection::Arm& arm, const std::vector<Measurement>& readings) : conditions_(readings) {
@@ -249,7 +252,7 @@ class TermMaker {
   std::vector<DiscrepancyTerm> terms_;
 };
 
-/// Returns the change of the reading's rows [m] due to a term of size 1.
+/// Returns the change of the reading's rows [m] due to a term with coefficient 1.
 VectorXd columnOf(const std::vector<Motion>& motions, const DiscrepancyTerm& term) {
   VectorXd column = motions.front().displacements.col(term.channel) * term.function(motions.front().at);
   for (std::size_t k = 1; k < motions.size(); ++k)
@@ -257,7 +260,8 @@ VectorXd columnOf(const std::vector<Motion>& motions, const DiscrepancyTerm& ter
   return column;
 }
 
-/// Scales every term to its fraction of a root-mean-square error of 1 m of the whole process.
+/// Scales the terms so that the whole process has a root-mean-square error of 1 m, of which each term has the fraction
+/// given by its amplitude. Removes terms that change no reading.
 void scaleTerms(const PlacedArm& placed, const std::vector<Measurement>& readings,
                 std::vector<DiscrepancyTerm>& terms) {
   std::vector<double> squares(terms.size());

@@ -4,10 +4,10 @@
 //
 // The process is a sum of functions with independent normal weights. Each function is an error of one joint's reading,
 // a shift of the tip in the tool's frame, or a shift or rotation of the base, multiplied by a smooth function of
-// quantities stated by the readings. These smooth functions are waves and local bumps of a joint's angle, products for
-// two joints, load, direction and conditions. The process competes with named causes and never names one. For a
-// displacement from another reading or from the unloaded tip, the difference of the functions at the two postures
-// applies.
+// quantities stated by the readings. These smooth functions are waves and local bumps in a joint's position, products
+// of waves for two joints, and functions of load, direction of motion and conditions. The process competes with named
+// causes and never names one. For a reading that measures a displacement, from another reading or from the unloaded
+// tip, the difference of the functions at the two postures applies.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,11 +27,11 @@ struct DiscrepancyTerm {
   int channel = 0;
   int source = 0;  ///< index of the term's source, shared by all terms of that source
   std::function<double(const Measurement&)> function;
-  double scale = 1;  ///< factor of the function, such that the whole process has a root-mean-square error of 1 m
+  double scale = 1;  ///< factor of the function that gives the whole process a root-mean-square error of 1 m
   double share = 0;  ///< fraction of the process's variance due to this term
 };
 
-/// Discrepancy process for the readings of a campaign.
+/// Discrepancy process for the readings of a measurement campaign.
 class Discrepancy {
  public:
   /// Builds the terms of the Gaussian process for the errors of the model `placed`. The terms cover the ranges of the

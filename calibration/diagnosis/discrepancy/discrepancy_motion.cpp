@@ -9,8 +9,8 @@ using Eigen::Index, Eigen::MatrixXd;
 
 namespace {
 
-/// Returns the displacements due to shifts of the tool, or of the measured point, and due to shifts and rotations of
-/// the base. The joints' columns are zero.
+/// Returns the change of the reading's rows per unit shift of the tool and per unit shift or rotation of the base; the
+/// columns of the joints are zero.
 MatrixXd rigidDisplacements(const MeasuredSlope& slope, const ToolPose& tool, const Eigen::Vector3d& base_W,
                             Index joints) {
   MatrixXd displacements = MatrixXd::Zero(slope.by_place.rows(), joints + 9);
@@ -22,7 +22,7 @@ MatrixXd rigidDisplacements(const MeasuredSlope& slope, const ToolPose& tool, co
 }
 
 /// Returns the motions at the two postures of a displacement: its own posture, and its reference posture with the
-/// opposite sign. An error at the reference posture depends on the value of the term's function at this posture.
+/// opposite sign. They are kept apart because the function of a term has different values at the two postures.
 std::vector<Motion> motionsOfDisplacement(ReadingPredictor& predictor, const PlacedArm& placed,
                                           const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                           const Departure& from) {

@@ -10,7 +10,7 @@ namespace tubeplan::calibration {
 /// Derivatives of a reading's rows [m] with respect to each channel at one posture: errors of the joints' readings
 /// [rad, m], shifts along the tool's axes [m], shifts of the base [m], rotations of the base [rad].
 struct Motion {
-  Measurement at;                 ///< reading with this posture
+  Measurement at;                 ///< the reading, or its reference, at this posture
   Eigen::MatrixXd displacements;  ///< rows of the reading x (joints + 9) channels
 };
 

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kMostCandidates = 24;
 constexpr double kTilt = 20 * std::numbers::pi / 180;  // tilt of the base in another set-up [rad]
 constexpr double kUnknownLoad = 0.25;                  // load relative to the arm's weight, if no load was measured yet
-constexpr double kSigmaStep = 1e-3;  // step of a difference quotient, relative to the sigma of the unknown
+constexpr double kSigmaStep = 1e-3;  // step of a difference quotient, relative to the unknown's standard deviation
 
 std::vector<ReadingCandidate> thinnedOut(const std::vector<ReadingCandidate>& candidates) {
   std::vector<ReadingCandidate> some;
@@ -30,7 +30,8 @@ std::vector<ReadingCandidate> thinnedOut(const std::vector<ReadingCandidate>& ca
   return some;
 }
 
-/// Returns the least expected criterion difference after the best choice among these candidates.
+/// Returns the smallest expected criterion difference between two rivals, after measuring up to `options.count` of
+/// these candidates, chosen greedily.
 double bestOf(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions,
               const DiscriminationOptions& options) {
   return leastExpected(rivals, predictions,
@@ -105,8 +106,8 @@ FrameForecast forecastFrames(const RivalModel& rival, const Measurement& reading
   return forecast;
 }
 
-/// Returns, for every row, the rivals' predictions of the origin of the row's end frame at each reading, with the
-/// precision of the tip's measurement.
+/// Returns, for every row and candidate, the rivals' predictions of the origin of the row's end frame, in standard
+/// deviations of the candidate's first reading.
 std::vector<std::vector<RivalPrediction>> predictFrames(const std::vector<RivalModel>& rivals,
                                                         const std::vector<ReadingCandidate>& candidates,
                                                         const StopQuestion& stop) {
@@ -131,7 +132,7 @@ std::vector<std::vector<RivalPrediction>> predictFrames(const std::vector<RivalM
   return of_row;
 }
 
-/// Returns a direct inspection that would show the effect.
+/// Returns the description of a direct inspection that would show the effect.
 std::string directCheck(const FoundEffect& found) {
   if (!found.frees.empty()) return "measure " + found.at + " by itself";
   switch (kindOf(found.fitted).stage) {

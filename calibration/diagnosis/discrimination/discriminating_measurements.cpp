@@ -31,7 +31,7 @@ Explanation nothingMissing(const Diagnosis& diagnosis) {
 /// Returns the standard normal distribution function.
 double below(double x) { return std::erfc(-x / std::numbers::sqrt2) / 2; }
 
-/// Returns the expected outcome for an ordered pair after the chosen readings are measured `times` times each.
+/// Returns the expected outcome for an ordered pair of rivals once each chosen reading has been measured `times` times.
 DiscriminatedPair pairAfter(const RivalForecast& forecast, int truth, int other, int times, double gap) {
   const ExpectedRise rise = expectedRise(forecast.rivals, forecast.predictions, forecast.steps, truth, other, times);
   DiscriminatedPair pair{truth, other,
@@ -84,7 +84,8 @@ std::vector<DiscriminatedPair> unlikelyPairs(const std::vector<double>& probabil
   return unlikely;
 }
 
-/// Counts the repeats of the chosen readings until every separable pair is decided with the assured probability.
+/// Sets the pairs that repeats cannot separate, and how often the chosen readings must be measured until all other
+/// pairs are decided with the probability `options.assured`.
 void countTimes(const RivalForecast& forecast, const std::vector<double>& probability,
                 const DiscriminationOptions& options, DiscriminatingMeasurements& result) {
   const double gap = separationNeeded(options.sure);
@@ -100,8 +101,8 @@ void countTimes(const RivalForecast& forecast, const std::vector<double>& probab
   }
 }
 
-/// Returns the indices of the explanations that no posture separates from some other explanation; all if no reading can
-/// be made.
+/// Returns the indices of the explanations that the chosen readings cannot separate from some other explanation; all
+/// indices if no reading could be chosen.
 std::vector<int> leftTogether(const DiscriminatingMeasurements& result) {
   std::set<int> some;
   for (const auto& pair : result.never) some.insert({pair.truth, pair.other});
@@ -110,7 +111,7 @@ std::vector<int> leftTogether(const DiscriminatingMeasurements& result) {
   return {some.begin(), some.end()};
 }
 
-/// Returns the columns to record for effects that the readings could not show.
+/// Returns advice on what to record with further readings, so that effects which were left out can be tried.
 std::vector<std::string> columnsMissing(const Diagnosis& diagnosis) {
   std::vector<std::string> approach_directions, columns;
   deflection::OfEachCondition<std::vector<std::string>> of_condition;

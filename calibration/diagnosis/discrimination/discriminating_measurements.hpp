@@ -1,10 +1,11 @@
 // Further readings that discriminate between the explanations that a diagnosis leaves open.
 //
 // Every explanation predicts a reading with its own parameters, as determined by the readings so far: mean f and
-// covariance S = I + H P H^T, in noise sigmas. If explanation a is true, a further reading raises -2 log of the
-// posterior of b relative to a on average by twice the Kullback-Leibler divergence,
+// covariance S = I + H P H^T, in standard deviations of the noise, with the sensitivity H to the parameters and their
+// covariance P. If explanation a is true, a further reading raises -2 log of the posterior of b relative to a on
+// average by twice the Kullback-Leibler divergence,
 //   d^T S_b^-1 d + tr(S_b^-1 S_a) - rows + ln det S_b - ln det S_a,   d = f_a - f_b,
-// without the component that the free parameters and sizes of b could absorb. Readings are chosen one by one to
+// without the component that the free parameters and effects of b could absorb. Readings are chosen one by one to
 // minimise the remaining odds of wrong explanations (Box and Hill 1967; Atkinson and Fedorov 1975).
 #pragma once
 
@@ -17,17 +18,20 @@
 namespace tubeplan::calibration {
 
 struct DiscriminationOptions {
-  int count = 6;  ///< number of readings, or of sets of touches of one unknown point
-  /// Probability from which an explanation counts as decided, against one rival and against all rivals.
+  int count = 6;  ///< number of readings to propose, or of sets of touches of one unknown point
+  /// Smallest probability at which an explanation counts as decided, against one rival and against all rivals.
   double sure = 0.98;
-  double assured = 0.9;  ///< probability of a correct decision from which the decision counts as assured
-  int most_repeats = 4;  ///< most repeats of all chosen readings; a pair that is still undecided counts as inseparable
-  int most_explanations = 8;  ///< most explanations that are compared, best first
+  /// Smallest probability of a correct decision at which the readings need no further repeats.
+  double assured = 0.9;
+  /// Maximum number of times that the chosen readings are measured; pairs that are still undecided count as
+  /// inseparable.
+  int most_repeats = 4;
+  int most_explanations = 8;  ///< maximum number of explanations that are compared; the best are kept
   WorkHooks hooks;
 };
 
-/// Returns the difference of -2 log of two posteriors for which the more probable explanation has the probability
-/// `sure`.
+/// Returns the difference between -2 log of the posteriors of two explanations at which the better one has the
+/// probability `sure`.
 [[nodiscard]] double separationNeeded(double sure);
 
 /// Expected outcome for an ordered pair of explanations, given that the first is true.
@@ -41,14 +45,14 @@ struct DiscriminatedPair {
 struct DiscriminatingMeasurement {
   int candidate = -1;  ///< index among the given candidates
   int a = -1, b = -1;  ///< indices of the two explanations that the reading separates most
-  /// Distance between the two predictions, given the readings chosen before [noise sigmas].
+  /// Distance between the two predictions, given the readings chosen before [standard deviations of the noise].
   double separation = kNotKnown;
 };
 
-/// Another kind of measurement, with the expected effect of the same number of readings.
+/// Another kind of measurement, and how well the same number of its readings is expected to separate the explanations.
 struct AlternativeMeasurements {
   std::string what;
-  double least_expected = kNotKnown;  ///< least expected criterion difference among the pairs; NaN: not computed
+  double least_expected = kNotKnown;  ///< smallest expected criterion difference among the pairs; NaN: not computed
 };
 
 enum class DiscriminationStatus { kNotRun, kNothingToDiscriminate, kNoCandidates, kDone, kStopped };
@@ -60,13 +64,14 @@ struct DiscriminatingMeasurements {
   std::vector<Explanation> explanations;
   std::vector<DiscriminatingMeasurement> readings;
   std::vector<DiscriminatedPair> pairs;
-  double least_expected = kNotKnown;  ///< least expected criterion difference among the pairs
+  double least_expected = kNotKnown;  ///< smallest expected criterion difference among the pairs
   double probability = kNotKnown;     ///< probability of naming the true explanation, averaged over the explanations
-  int times = 0;  ///< repeats of the chosen readings until every separable pair is decided; 0: no pair is separable
+  /// Number of times to measure the chosen readings until every separable pair is decided; 0: no pair is separable.
+  int times = 0;
   /// Pairs, in one order each, that `most_repeats` repeats probably do not separate.
   std::vector<DiscriminatedPair> never;
   std::vector<AlternativeMeasurements> alternative_measurements;  ///< measurements for the pairs in `never`, best first
-  std::vector<std::string> columns;  ///< further columns to record, for effects that could not be tried
+  std::vector<std::string> columns;  ///< advice on what else to record, for effects that could not be tried
 };
 
 /// Returns up to `most` explanations that a diagnosis leaves open. If the verdict is ambiguous: its alternatives; if

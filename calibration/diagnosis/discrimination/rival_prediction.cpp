@@ -65,8 +65,8 @@ RivalPrediction someRows(const RivalPrediction& all, Index first, Index count) {
 
 double logDeterminant(const Eigen::LDLT<MatrixXd>& factors) { return factors.vectorD().array().log().sum(); }
 
-/// Returns the expected rise for rows that rival a predicts with covariance S_a and rival b with S_b; d is the
-/// difference between the two means.
+/// Returns the expected rise due to measured values that rival a predicts with covariance S_a and rival b with S_b; d
+/// is the difference between their mean predictions.
 ExpectedRise riseBetween(const MatrixXd& S_a, const MatrixXd& S_b, const VectorXd& d) {
   const Eigen::LDLT<MatrixXd> a(S_a), b(S_b);
   const MatrixXd excess = b.solve(S_a) - MatrixXd::Identity(d.size(), d.size());
@@ -93,8 +93,8 @@ class Race {
       }
   }
 
-  /// Returns the odds of the wrong rivals, computed from mean log odds and averaged over the true rival with its
-  /// probability as weight; smaller is better.
+  /// Returns the odds of the wrong rivals after this candidate is measured, from their expected log odds. They are
+  /// averaged over the rivals, each taken as true with its probability; smaller is better.
   [[nodiscard]] double scoreWith(std::size_t candidate) const {
     double score = 0;
     forPairs(candidate, [&](std::size_t a, std::size_t b, double rise) {
@@ -108,7 +108,7 @@ class Race {
     step.candidate = static_cast<int>(candidate);
     double most = -1;
     forPairs(candidate, [&](std::size_t a, std::size_t b, double rise) {
-      // The smaller of the rises for the pair's two orders counts.
+      // Either rival may be true, so the pair is separated only as well as in the case with the smaller rise.
       const double both = std::min(rise, riseOf(candidate, b, a));
       if (both <= most) return;
       most = both;
@@ -196,7 +196,8 @@ std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& riva
     if (each[k].empty()) continue;
     Index rows = 0;
     for (const auto& reading : each[k]) rows += rowsOf(reading);
-    // Displacements from one reference reading share its encoder noise, so each is predicted separately.
+    // Displacements from the same reference reading share its encoder noise. They are predicted separately, or
+    // whitening would mix the candidates.
     const bool is_alone = together.value.empty() || referenceOf(each[k].front());
     predictions[k] = is_alone ? predictByAll(rivals, each[k], stop) : someRows(together, first, rows);
     first += rows;

@@ -1,4 +1,4 @@
-// Predictions of further readings by rival explanations, and the expected discrimination by such readings.
+// Predictions of further readings by rival explanations, and how well such readings are expected to discriminate.
 #pragma once
 
 #include <vector>
@@ -39,8 +39,8 @@ struct RivalPrediction {
     const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions, int count,
     const StopQuestion& stop = {});
 
-/// Expected rise of -2 log of the posterior of rival b relative to rival a, if a is true and each chosen candidate is
-/// measured `times` times.
+/// Mean and standard deviation of the rise of -2 log of the posterior of rival b relative to rival a, if a is true and
+/// each chosen candidate is measured `times` times.
 struct ExpectedRise {
   double mean = 0, sigma = 0;
 };
@@ -48,8 +48,8 @@ struct ExpectedRise {
                                         const std::vector<RivalPrediction>& predictions,
                                         const std::vector<DiscriminatingMeasurement>& steps, int a, int b, int times);
 
-/// Returns the least expected criterion difference after these steps: criterion of the other rival minus that of the
-/// true rival, over all ordered pairs.
+/// Returns the smallest expected criterion difference over all ordered pairs, after the readings in `steps`: criterion
+/// of the other rival minus that of the true rival.
 [[nodiscard]] double leastExpected(const std::vector<RivalModel>& rivals,
                                    const std::vector<RivalPrediction>& predictions,
                                    const std::vector<DiscriminatingMeasurement>& steps);

@@ -17,9 +17,10 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr Index kMostAxes = 120;     // most axes of the discrepancy; the axes with the largest size are kept
+constexpr Index kMostAxes = 120;     // maximum number of axes of the discrepancy; the largest are kept
 constexpr double kLeastAxis = 1e-5;  // fraction of the discrepancy's variance that may be left out
-// Squared fraction of a column's length below which its kept component is only rounding error.
+// Fraction of a column's squared length below which the component that the fitted parameters leave is only rounding
+// error.
 constexpr double kLeastLeft = 1e-8;
 constexpr Index kPanel = 64;         // number of columns that are multiplied at once
 constexpr Index kRowsAtOnce = 4096;  // number of rows that are copied for one multiplication
@@ -91,7 +92,8 @@ LinearEvidence::LinearEvidence(const EvidenceGram& gram, const std::vector<Unkno
   listLevels();
 }
 
-/// Uses H = J^T J + P^-1 and y minus J times the prior mean: a^T (I + J P J^T)^-1 b = a^T b - a^T J H^-1 J^T b.
+/// Replaces each product a^T b by a^T (I + J P J^T)^-1 b = a^T b - a^T J H^-1 J^T b with H = J^T J + P^-1, after J
+/// times the prior mean has been subtracted from y.
 void LinearEvidence::integrateFitted(const EvidenceGram& gram, const std::vector<Unknown>& fitted) {
   MatrixXd K = gram.products.selfadjointView<Eigen::Lower>();
   const Index n = gram.fitted, rest = K.rows() - n;
@@ -165,7 +167,7 @@ void LinearEvidence::listLevels() {
   }
 }
 
-/// Returns the level for a size of the discrepancy, without its prior.
+/// Returns the level for this size of the discrepancy; its prior is not set.
 LinearEvidence::Level LinearEvidence::levelOf(double size) const {
   Level level;
   level.size = size;

@@ -3,10 +3,10 @@
 //
 // About a fitted model, a hypothesis states y = J d + S p + s Z g + e. Here y is the whitened residual of the model, d
 // the change of the fitted parameters, p the sizes of causes, g the weights of the discrepancy (discrepancy.hpp), all
-// normally distributed. The discrepancy's size is s and the noise e. With C = I + J P J^T + S V S^T + s^2 Z Z^T the
-// evidence is the normal density N(y; 0, C), summed over a grid of s with its prior. This is Laplace's approximation,
-// exact for a linear model (MacKay 1992, "Bayesian interpolation"). All computations use the Gram matrix of the columns
-// [J S Z y], so their cost does not grow with the number of readings.
+// normally distributed with the prior covariances P, V and I. The discrepancy's size is s and the noise e. With C = I +
+// J P J^T + S V S^T + s^2 Z Z^T the evidence is the normal density N(y; 0, C), summed over a grid of s with its prior.
+// This is Laplace's approximation, exact for a linear model (MacKay 1992, "Bayesian interpolation"). All computations
+// use the Gram matrix of the columns [J S Z y], so their cost does not grow with the number of readings.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,10 +30,10 @@ struct EvidenceGram {
 };
 
 struct EvidenceOptions {
-  std::vector<double> discrepancies;  ///< tried root-mean-square sizes of a discrepancy [m], without zero
-  double discrepancy_prior = 0.1;     ///< prior probability of a discrepancy of all terms together
-  double source_prior = 0;            ///< prior probability of a discrepancy of a single source (single_source.hpp)
-  std::vector<double> noise_scales;   ///< tried noise scale factors, equally probable; empty: only 1
+  std::vector<double> discrepancies;  ///< root-mean-square sizes to try for a discrepancy [m], without zero
+  double discrepancy_prior = 0.1;     ///< prior probability of a discrepancy that has all terms
+  double source_prior = 0;            ///< prior probability of a discrepancy with only one source (single_source.hpp)
+  std::vector<double> noise_scales;   ///< noise scale factors to try, equally probable; empty: only 1
   double noise_rows = 0;              ///< degrees of freedom that the noise scale factor applies to
 };
 
@@ -45,18 +45,19 @@ struct Evidence {
   double noise_scale = 1;              ///< most probable noise scale factor
   double log_none = log;  ///< log evidence of the case without a discrepancy, including the prior of this case
   double none_scale = 1;  ///< most probable noise scale factor without a discrepancy
-  /// Sizes of the causes' columns, at the most probable discrepancy and noise scale, and their standard deviations
-  /// [units].
+  /// Most probable coefficients of the causes' columns and their standard deviations, for the most probable discrepancy
+  /// and noise scale factor.
   Eigen::VectorXd sizes, sigma;
 };
 
-/// Fit with the largest tried discrepancy, an unknown function of the readings that follows as much as possible.
+/// Fit with the largest discrepancy that is tried, and so the closest fit that an unknown function of the readings can
+/// give.
 struct RichestFit {
   double chi2 = 0;
   double numbers = 0;  ///< effective number of parameters
 };
 
-/// Column with its prior, normal about zero; restricted to one sign if `sign` is not 0.
+/// Column of a cause with the prior of its coefficient: normal about zero, restricted to one sign if `sign` is not 0.
 struct PriorSize {
   int column = -1;
   double sigma = 1;
@@ -68,11 +69,11 @@ struct PriorSize {
 
 class LinearEvidence {
  public:
-  /// Integrates the unknowns `fitted` of J out of the Gram matrix; these unknowns are zero at the fitted model.
+  /// Integrates the unknowns `fitted`, whose columns are J, out of the Gram matrix; they are zero at the fitted model.
   LinearEvidence(const EvidenceGram& gram, const std::vector<Unknown>& fitted, const EvidenceOptions& options);
 
-  /// Returns the evidence of a hypothesis with the columns of these causes; without causes, of the hypothesis that
-  /// nothing named is missing. The evidence is summed over all sizes of the discrepancy, or, for a quick estimate, over
+  /// Returns the evidence of a hypothesis with the columns of these causes; without causes, of the hypothesis that no
+  /// known cause is missing. The evidence is summed over all sizes of the discrepancy, or, for a quick estimate, over
   /// zero and the size with index `level`.
   [[nodiscard]] Evidence of(const std::vector<PriorSize>& causes, std::optional<std::size_t> level = {}) const;
 
@@ -81,8 +82,8 @@ class LinearEvidence {
   /// Returns the fraction of a column's length that the fitted parameters do not absorb.
   [[nodiscard]] double keptShare(int column) const;
 
-  /// Returns the decrease of chi-square with these columns at their best sizes, without priors or a discrepancy; 0
-  /// without columns.
+  /// Returns by how much these columns with their best coefficients lower chi-square, without priors or a discrepancy;
+  /// 0 without columns.
   [[nodiscard]] double fall(const std::vector<int>& columns) const;
 
   /// Returns the most probable weights of the discrepancy's terms for a given size of the discrepancy [m].
@@ -94,7 +95,7 @@ class LinearEvidence {
   /// that maps the columns Z to orthogonal columns which represent the discrepancy.
   [[nodiscard]] Eigen::MatrixXd principalTerms(Eigen::Index most) const;
 
-  /// Returns chi-square of the readings for their weights, at the most probable fitted parameters.
+  /// Returns chi-square of the readings at the most probable fitted parameters, without causes or a discrepancy.
   [[nodiscard]] double chi2() const { return S_y_.bottomRightCorner<1, 1>()(0, 0); }
 
  private:

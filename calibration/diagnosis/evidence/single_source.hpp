@@ -1,4 +1,4 @@
-// Unknown error of a single source: an error of one joint's reading, of the tip or of the base, as a function of one
+// Unknown error from a single source: an error of one joint's reading, of the tip or of the base, as a function of one
 // quantity that the readings state. Most errors of machines are of this form, known or not.
 //
 // Each source is a subset of the terms of the discrepancy process (discrepancy.hpp) with a separate size. A source has
@@ -12,7 +12,7 @@
 
 namespace tubeplan::calibration {
 
-/// Evidence of a model with one source added; all sources and sizes are equally probable.
+/// Evidence of a model with one source added; all sources and sizes are equally probable a priori.
 struct SourceEvidence {
   double log_factor = -std::numeric_limits<double>::infinity();  ///< log ratio to the model's evidence without a source
   int source = -1;                                               ///< most probable source; -1: none
@@ -36,8 +36,9 @@ class SingleSources {
   /// residual without any of these parameters.
   [[nodiscard]] SourceView viewOf(const Eigen::MatrixXd& W_y) const;
 
-  /// Returns the evidence with one source added to the model of `view`. `scale` contains the units of W's columns,
-  /// `information` the prior information on their parameters in these units, `sizes` the tried sizes [m].
+  /// Returns the evidence with one source added to the model of `view`. `scale` contains the units of the parameters of
+  /// W, `information` the prior information on them in these units, `sizes` the root-mean-square sizes to try for a
+  /// source [m].
   [[nodiscard]] SourceEvidence beside(const SourceView& view, const Eigen::VectorXd& scale,
                                       const Eigen::VectorXd& information, const std::vector<double>& sizes,
                                       double noise_scale) const;

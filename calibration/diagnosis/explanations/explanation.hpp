@@ -14,8 +14,8 @@ struct FoundNumber {
   deflection::Quantity quantity = deflection::Quantity::kNone;
   double value = 0;
   double sigma = kNotKnown;      ///< standard deviation of `value`; NaN for a scanned parameter
-  bool is_beyond_usual = false;  ///< true: larger than in real machines, by more than the uncertainty
-  /// Range of a size over all values that explain the readings equally well; NaN if only one value does.
+  bool is_beyond_usual = false;  ///< true: beyond the largest value on real machines, by more than the uncertainty
+  /// Range of the values that explain the readings equally well; NaN if there is only one such value.
   double lower = kNotKnown, upper = kNotKnown;
 };
 
@@ -40,9 +40,9 @@ struct Explanation {
   double chi2 = kNotKnown;       ///< chi-square relative to the stated noise
   double p_value = kNotKnown;    ///< p-value of `chi2`
   double criterion = kNotKnown;  ///< -2 log(prior x evidence); only differences are meaningful
-  double remainder_probability = 0;  ///< probability that something unnamed is missing as well
-  /// Root-mean-square error of each coordinate [m] that exceeds the stated noise and follows no function of the
-  /// readings.
+  double remainder_probability = 0;  ///< probability that an unknown effect is missing as well
+  /// Root-mean-square error of each coordinate [m] that exceeds the stated noise and depends on nothing that the
+  /// readings state.
   double model_error = 0;
   ErrorSize after, heldout;
   /// Error at the quarter of the poses with the farthest reach, predicted by a fit to the other poses.

@@ -26,8 +26,8 @@ double medianSigma(const std::vector<Measurement>& readings) {
   return median(std::move(sigmas));
 }
 
-/// Returns virtual readings of the tip at random postures over the arm's range, under the loads and conditions of the
-/// given readings.
+/// Returns virtual readings of the tip at random postures over the arm's range, without a load and under the heaviest
+/// load of the given readings. Conditions are those of readings drawn at random.
 std::vector<Measurement> readingsOverRange(const FittedBasis& basis, std::uint64_t seed) {
   RandomStream random(seed);
   const auto& arm = basis.fitted.arm;

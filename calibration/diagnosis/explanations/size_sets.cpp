@@ -13,9 +13,10 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double kWider = 1.2;  // least width of a range that is stated, in units of four standard deviations
+constexpr double kWider = 1.2;  // smallest width of a range that is stated, in units of four standard deviations
 
-/// Returns the model of an explanation with all sizes of one of its effects free, as the last of the unknowns.
+/// Returns the model of an explanation with all parameters of one of its effects free, except scanned ones; they are
+/// the last of the unknowns.
 ExplanationModel withEverySize(const FittedBasis& basis, const Explanation& explanation, int effect) {
   ExplanationModel model = modelOf(basis, explanation);
   std::erase_if(model.unknowns, [&](const Unknown& unknown) { return unknown.path.effect == effect; });
@@ -25,12 +26,12 @@ ExplanationModel withEverySize(const FittedBasis& basis, const Explanation& expl
   return model;
 }
 
-/// Sets one size from the modes. The value comes from the first mode. The range over all modes is set if there are
-/// several, or if it is wider than the standard deviation suggests.
+/// Sets one parameter of an effect from the modes. The value comes from the first mode. The range over all modes is set
+/// if there are several, or if it is wider than the standard deviation suggests.
 void takeSize(const std::vector<SizeMode>& modes, Index k, FoundNumber& number) {
   double lower = std::numeric_limits<double>::infinity(), upper = -lower;
   for (const SizeMode& mode : modes) {
-    // Zero in this mode, nonzero in another mode.
+    // A mode in which the parameter is zero within its uncertainty does not extend the range.
     if (mode.sigma[k] > 0 && std::abs(mode.values[k]) <= 2 * mode.sigma[k]) continue;
     lower = std::min(lower, mode.lower[k]);
     upper = std::max(upper, mode.upper[k]);

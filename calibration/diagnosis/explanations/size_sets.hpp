@@ -1,4 +1,4 @@
-// Sets of effect sizes of an explanation between which the readings cannot decide.
+// Sets of values for the parameters of an explanation's effects, between which the readings cannot decide.
 #pragma once
 
 #include "calibration/diagnosis/explanations/explanation.hpp"
@@ -6,9 +6,9 @@
 
 namespace tubeplan::calibration {
 
-/// Searches for other sizes of each effect of an explanation that explain the readings equally well. If any exist, the
-/// sets of sizes become the `modes` of the effect, most probable first. The explanation takes the first mode, and its
-/// parameters get ranges over all modes. Throws WorkStopped on a request to stop.
+/// Searches for other parameter values of each effect of an explanation that explain the readings equally well. If any
+/// exist, the sets of values become the `modes` of the effect, most probable first. The explanation takes the first
+/// mode, and its parameters get ranges over all modes. Throws WorkStopped on a request to stop.
 void findSizeSets(const FittedBasis& basis, Explanation& explanation);
 
 }  // namespace tubeplan::calibration

@@ -1,21 +1,23 @@
-// Claims of competing models about what is missing, with probabilities that sum to one.
+// Claims of competing models about which causes are missing, with probabilities that sum to one.
 #pragma once
 
 #include "calibration/diagnosis/model_selection/competing_models.hpp"
 
 namespace tubeplan::calibration {
 
-/// Claim of one model, or the claim that remains if one term of the model is only similar to an unknown effect.
+/// Causes that are missing according to one model, or according to the model without a term that may only resemble an
+/// unknown effect.
 struct Claim {
   std::vector<int> causes;
   double probability = 0;
   double remainder_probability = 0;
   double scatter_probability = 0;  ///< probability that the noise is larger than stated and nothing else remains
-  /// Most probable model with this claim; null if one term is only similar to an unknown effect.
+  /// Most probable model with this claim; null if a term was left out.
   const CompetingModel* model = nullptr;
 };
 
-/// Merges claim `one` into claim `to`: adds the probability and averages the conditional probabilities.
+/// Merges claim `one` into claim `to`: adds up the probabilities, and averages the conditional probabilities with them
+/// as weights.
 void mixIn(const Claim& one, Claim& to);
 
 /// Returns all claims of the models, with probabilities that sum to one. Models without a fit are penalised by the

@@ -7,7 +7,7 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr std::size_t kMostAlternatives = 8;
-// Probability that the alternatives cover together, relative to that of all named classes.
+// Probability that the listed alternatives must reach together, relative to that of all classes.
 constexpr double kCredible = 0.95;
 constexpr double kRemains = 0.5;
 
@@ -66,7 +66,7 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
     together += one.probability / missing;
   }
   const bool is_ambiguous = result.alternatives.size() > 1 || named < options.sure;
-  // If a single class competes only with something unknown, the second best class is named as well.
+  // If a single class competes only with an unknown effect, the second best class is named as well.
   if (is_ambiguous && result.alternatives.size() == 1 && classes.size() > 1)
     result.alternatives.push_back(classes[1].explanation);
   if (is_ambiguous)

@@ -13,20 +13,20 @@
 
 namespace tubeplan::calibration {
 
-/// Evidence of the readings for one cause.
+/// Evidence that the readings give for one cause.
 struct RankedEffect {
   std::string effect, at;
   /// Effects at their most probable sizes if no other cause is present; empty for freed parameters.
   std::vector<deflection::Effect> effects;
   double probability = 0;    ///< probability of all models that contain the cause
   double p_value = 1;        ///< probability that noise alone lowers chi-square as much as the cause does on its own
-  double fall = 0;           ///< decrease of chi-square, to first order or as fitted
-  FoundNumber size;          ///< first or largest parameter of the cause
+  double fall = 0;           ///< decrease of chi-square due to the cause, to first order
+  FoundNumber size;          ///< parameter of the cause that is largest relative to its standard deviation
   double kept_fraction = 0;  ///< fraction of the cause's signature that the free parameters do not absorb
   ErrorSize heldout_before, heldout_after;
 };
 
-/// Least size of an effect that these readings would show in four of five cases.
+/// Smallest size of an effect that these readings would reveal in four of five cases.
 struct DetectableEffect {
   std::string effect, at, number;
   deflection::Quantity quantity = deflection::Quantity::kNone;
@@ -45,35 +45,35 @@ struct Remainder {
 
 struct Diagnosis {
   Verdict verdict = Verdict::kNotRun;
-  std::string reason;                     ///< reason for no run or no verdict, and the data needed
+  std::string reason;                     ///< reason why there is no verdict, and the data needed for one
   Identification baseline;                ///< fit of the present model with its free parameters
   std::vector<Explanation> alternatives;  ///< explanations that the verdict names, most probable first
-  std::optional<Explanation> agreed;  ///< if ambiguous: the certain causes, if the alternatives contain further causes
-  std::vector<Explanation> closest;   ///< most probable fitted models, whatever the verdict
+  std::optional<Explanation> agreed;      ///< if ambiguous: the certain causes, if the alternatives have further ones
+  std::vector<Explanation> closest;       ///< most probable fitted models, regardless of the verdict
   std::vector<RankedEffect> ranking;
   std::vector<DetectableEffect> detectable;
   std::vector<std::string> not_tried;
   std::vector<int> set_aside;  ///< indices of the readings left out as outliers
   Remainder remainder;
-  /// Analysis of repeated readings, if scatter above the stated noise is all that remains; such scatter counts as
-  /// noise.
+  /// Analysis of repeated readings if only scatter above the stated noise remains, which then counts as noise.
   Repeats repeats;
   ErrorSize before, after, heldout_before, heldout_after, farthest_before;
   double noise_floor = kNotKnown;  ///< root mean square of the stated noise [m]
-  /// Root-mean-square error of each coordinate [m] that exceeds the stated noise and follows no function of the
-  /// readings.
+  /// Root-mean-square error of each coordinate [m] that exceeds the stated noise and depends on nothing that the
+  /// readings state.
   double model_error = 0;
   double chi2 = 0;  ///< chi-square of the baseline relative to the stated noise
   double p_value = kNotKnown;
   int degrees_of_freedom = 0;
   double nothing_probability = kNotKnown;  ///< probability that nothing is missing
   double nothing_criterion = kNotKnown;    ///< Explanation::criterion of the model with nothing missing
-  double unknown_probability = kNotKnown;  ///< probability that something is missing without any named cause
-  /// Probability that something is missing and follows no quantity that the readings state.
+  /// Probability that an unknown effect is missing that depends on quantities stated by the readings.
+  double unknown_probability = kNotKnown;
+  /// Probability that an unknown effect is missing that depends on no quantity stated by the readings.
   double scatter_probability = kNotKnown;
   DiagnosisViews views;
 
-  /// Returns true if the missing effect follows no quantity that the readings state, and so cannot be distinguished
+  /// Returns true if the missing effect depends on no quantity that the readings state, and so cannot be distinguished
   /// from a larger noise.
   [[nodiscard]] bool isScatterAlone() const {
     return verdict == Verdict::kUnexplained && scatter_probability > 0.5 && remainder.follows.empty();

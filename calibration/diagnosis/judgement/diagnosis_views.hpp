@@ -1,5 +1,5 @@
-// Plots of a diagnosis: the error at every reading before and after adding an explanation, and each effect's signature
-// against the unexplained errors (added-variable plots: Cook and Weisberg 1982, section 2.3).
+// Data for plots of a diagnosis: the error at every reading before and after adding an explanation, and each effect's
+// signature against the unexplained errors (added-variable plots: Cook and Weisberg 1982, section 2.3).
 #pragma once
 
 #include <Eigen/Core>
@@ -13,8 +13,8 @@ struct Diagnosis;
 struct FittedBasis;
 struct Explanation;
 
-/// Position of a reading and its error for each model: measured minus predicted, in the world frame; for a distance,
-/// along its line.
+/// Tip position at a reading, and the error of the reading for each model: measured minus predicted, in the world
+/// frame; for a distance, along its line.
 struct ReadingView {
   int reading = -1;        ///< index into the given readings
   Eigen::Vector3d p_WT;    ///< tip position predicted by the model without added effects, in the world frame [m]
@@ -39,11 +39,11 @@ struct AddedVariable {
   double slope = kNotKnown;           ///< slope of `left` against `signature`; near 1 if the size is correct
   double length = 0;                  ///< length of the signature [noise sigmas]
   double kept_fraction = 0;           ///< fraction of the signature's length that the free parameters do not absorb
-  std::vector<AddedVariablePoint> points;  ///< points of complete readings, evenly thinned out above a limit
+  std::vector<AddedVariablePoint> points;  ///< points of whole readings, thinned out evenly if there are too many
 };
 
 struct DiagnosisViews {
-  std::vector<ReadingView> readings;  ///< views of the fitted readings
+  std::vector<ReadingView> readings;  ///< one for each fitted reading
   std::vector<AddedVariable> added;
 };
 
@@ -51,7 +51,8 @@ struct DiagnosisViews {
 /// names none.
 [[nodiscard]] std::vector<Explanation> explanationsShown(const Diagnosis& result);
 
-/// Computes the views of a diagnosis with a verdict. `readings` are all given readings; `basis` holds the fitted ones.
+/// Computes the plot data of a diagnosis with a verdict. `readings` are all given readings; `basis` holds the fitted
+/// ones.
 [[nodiscard]] DiagnosisViews viewsOf(const FittedBasis& basis, const Diagnosis& result,
                                      const std::vector<Measurement>& readings, int most_points = 2000);
 

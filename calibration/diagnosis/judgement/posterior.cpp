@@ -13,9 +13,10 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kMostCompared = 12;  // number of classes that are compared for equal predictions
+constexpr std::size_t kMostCompared = 12;  // maximum number of classes that are compared for equal predictions
 
-/// Returns the single cause that each set contains and the other does not; nullopt if the sets differ in more causes.
+/// Returns the two causes that each belong to only one of the sets, if the sets differ in just one cause each;
+/// otherwise nullopt.
 std::optional<std::pair<int, int>> difference(const std::vector<int>& a, const std::vector<int>& b) {
   std::vector<int> only_a, only_b;
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(only_a));

@@ -17,12 +17,13 @@ inline constexpr double kLeastLikely = 0.02;
 
 struct Posterior {
   double nothing = 0;  ///< probability that nothing is missing
-  double unknown = 0;  ///< probability that an unnamed effect is missing that follows quantities stated by the readings
-  /// Probability that an unnamed effect is missing that follows no quantity stated by the readings.
+  /// Probability that an unknown effect is missing that depends on quantities stated by the readings.
+  double unknown = 0;
+  /// Probability that an unknown effect is missing that depends on no quantity stated by the readings.
   double scatter = 0;
   std::vector<ModelClass> classes;  ///< fitted classes with causes, most probable first
   std::vector<ModelClass> others;   ///< classes without a fitted model
-  ModelClass sure;                  ///< certain causes, whatever else is missing; empty: none
+  ModelClass sure;                  ///< certain causes, regardless of what else is missing; empty: none
   CompetingModel sure_model;        ///< model with the causes of `sure`
 };
 

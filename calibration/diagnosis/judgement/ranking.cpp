@@ -14,7 +14,7 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kNeverSeen = 1e-6;  // least visibility of a cause at its largest usual size [noise sigmas]
+constexpr double kNeverSeen = 1e-6;  // smallest visibility of a cause at its largest usual size [noise sigmas]
 
 /// Returns the gain of log evidence that makes a cause certain (odds of 19 to 1) in spite of its prior and its Occam
 /// factor.
@@ -24,7 +24,8 @@ double logLeastGain(const Cause& cause, double visibility) {
   return std::max(0., odds + occam + std::log(static_cast<double>(cause.levels.size())));
 }
 
-/// Returns the effects of a term at these sizes, which are in units of the typical sizes.
+/// Returns the effects of a term with the parameter values `sizes`, in units of Unknown::typical. The effects follow
+/// the first `before` effects of the arm.
 std::vector<deflection::Effect> effectsAt(const PlacedArm& placed, const ModelTerm& term,
                                           const std::vector<Unknown>& numbers, const VectorXd& sizes,
                                           std::size_t before) {

@@ -1,4 +1,5 @@
-// Ranking of single causes: the probability of each cause, and the least size that these readings would have shown.
+// Ranking of single causes by their probability, and the smallest size of each effect that these readings would have
+// revealed.
 #pragma once
 
 #include "calibration/diagnosis/judgement/diagnosis_result.hpp"
@@ -6,10 +7,10 @@
 
 namespace tubeplan::calibration {
 
-/// Sets `result.ranking`.
+/// Sets `result.ranking`: single causes, most probable first.
 void rankCauses(const DiagnosisWork& work, Diagnosis& result);
 
-/// Sets `result.detectable`.
+/// Sets `result.detectable`: the smallest detectable size of each effect at each place.
 void listDetectable(const DiagnosisWork& work, Diagnosis& result);
 
 }  // namespace tubeplan::calibration

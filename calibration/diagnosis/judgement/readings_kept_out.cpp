@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::size_t kMostJudged = 3;
 
-/// Drops alternatives that do not lower the error on held-out readings.
+/// Drops alternatives that do not lower the error on held-out readings, and adapts the verdict.
 void dropWhatDoesNotHelp(Diagnosis& result) {
   const std::size_t before = result.alternatives.size();
   std::erase_if(result.alternatives, [&](const Explanation& explanation) {
     return std::isfinite(explanation.heldout.rms) && explanation.heldout.rms >= result.heldout_before.rms;
   });
   if (result.alternatives.empty() && result.verdict == Verdict::kPartlyExplained) {
-    result.verdict = Verdict::kUnexplained;  // something is missing nevertheless
+    result.verdict = Verdict::kUnexplained;  // an effect is missing, although no cause is left
   } else if (result.alternatives.empty()) {
     result.verdict = Verdict::kInconclusive;
     result.reason =

@@ -17,7 +17,7 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-/// Errors of a model, with the Jacobian for all fitted parameters.
+/// Errors that a model leaves, with the Jacobian with respect to all fitted parameters.
 struct Left {
   PlacedArm placed;
   WhitenedResidual residual;
@@ -53,7 +53,7 @@ std::vector<std::pair<std::string, double>> patternsLeftBy(const DiagnosisWork& 
 }
 
 /// Replaces the followed variables by the results of a pattern search if the first two variables account for less than
-/// half. Many small terms do not indicate a variable.
+/// half of the remainder, because many small terms point to no variable.
 void preferPatterns(const DiagnosisWork& work, const CompetingModel& model, Remainder& remainder) {
   double first_two = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(2, remainder.follows.size()); ++k)

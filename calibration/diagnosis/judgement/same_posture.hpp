@@ -1,6 +1,6 @@
-// Errors that repeat at equal joint readings, under other loads, from other approach directions or at other times. The
-// cause of such errors follows the joints, though not as a smooth function of a few joints (discrepancy.hpp): the
-// errors are not scatter.
+// Errors that repeat at equal joint readings, under other loads, from other approach directions or at other times. Such
+// errors depend on the joints, though not as a smooth function of a few of them (discrepancy.hpp), so they are not
+// scatter.
 #pragma once
 
 #include "calibration/estimation/whitened_residual.hpp"

@@ -8,8 +8,8 @@ enum class Verdict {
   kAdequate,         ///< nothing is missing
   kExplained,        ///< one cause, or one set of causes, explains the errors
   kPartlyExplained,  ///< some causes are certain, and errors remain that no cause explains
-  kAmbiguous,        ///< these readings cannot distinguish several causes, or a cause from something unknown
-  kUnexplained,      ///< something is missing, and no cause is certain
+  kAmbiguous,        ///< these readings cannot distinguish several causes, or a cause from an unknown effect
+  kUnexplained,      ///< an effect is missing, and no cause is certain
   kInconclusive,     ///< too few readings, or too weak evidence
   kStopped,
 };

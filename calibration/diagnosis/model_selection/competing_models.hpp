@@ -32,17 +32,17 @@ struct Likeness {
 };
 
 struct CompetingModel {
-  std::vector<ModelTerm> terms;  ///< causes of the model; empty: nothing named is missing
+  std::vector<ModelTerm> terms;  ///< causes of the model; empty: no known cause is missing
   double log_share = 0;          ///< log prior fraction of these terms among all variants of their causes
   double log_prior = 0;
   double log_evidence = 0;             ///< log evidence, summed over noise assumptions and discrepancies
-  double discrepancy_probability = 0;  ///< probability that something unnamed is missing as well
+  double discrepancy_probability = 0;  ///< probability that an unknown effect is missing as well
   double discrepancy = 0;              ///< most probable root-mean-square size of the discrepancy [m]; 0: none
   std::size_t level = 0;               ///< index of `discrepancy` among the tried sizes
   double model_error = 0;              ///< most probable error of each coordinate beyond the stated noise [m]
   double more_noise_probability = 0;   ///< probability that the noise is larger than stated
   double scatter_probability = 0;      ///< probability that the noise is larger than stated and there is no discrepancy
-  /// Sizes of the terms' parameters, concatenated, and their standard deviations [units].
+  /// Values of the terms' parameters, concatenated, and their standard deviations, in units of Unknown::typical.
   Eigen::VectorXd sizes, sigma;
   SourceEvidence source;      ///< source of the discrepancy if a single source is most probable
   Eigen::VectorXd remainder;  ///< most probable whitened errors due to the discrepancy, for a fitted model; empty: none
@@ -72,14 +72,14 @@ struct NoiseHypothesis {
   ReadingWeights weights;
   Eigen::MatrixXd principal_terms;  ///< principal terms of the discrepancy (terms x principal terms)
   Eigen::MatrixXd discrepancy;      ///< whitened columns of the principal terms, with the rows of `weights`
-  /// Discrepancies of a single source each; null for very many readings, for which the discrepancy of all terms
+  /// Discrepancies with a single source each; null for very many readings, with which the discrepancy of all terms
   /// distinguishes equally well.
   std::unique_ptr<SingleSources> sources;
   EvidenceOptions options;
   std::unique_ptr<LinearEvidence> evidence;
 };
 
-/// All linearisations of one diagnosis about its baseline.
+/// Working data of one diagnosis, linearised about its baseline.
 struct DiagnosisWork {
   const DiagnosisOptions& options;
   FittedBasis basis;

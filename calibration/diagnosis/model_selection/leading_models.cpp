@@ -19,11 +19,11 @@ namespace {
 constexpr std::size_t kFitsAtOnce = 6;  // number of models that are fitted in parallel
 constexpr int kManyRows = 20000;        // number of rows above which fewer leading models are fitted
 constexpr double kLeaderWindow = 8;     // distance in log weight from the best model within which models are fitted
-// Distance in log weight within which models are fitted, relative to the best model's gain. The error of linear
-// evidence grows with this gain.
+// Distance in log weight from the best model within which models are fitted, relative to its gain over the model with
+// nothing missing. The error of linear evidence grows with this gain.
 constexpr double kLeaderShare = 0.075;
 
-/// Returns the terms that have at least one significant size in the fit.
+/// Returns the terms that have at least one significant parameter in the fit.
 std::vector<ModelTerm> significantTerms(const CompetingModel& model) {
   std::vector<ModelTerm> significant;
   Index first = 0;
@@ -50,8 +50,8 @@ std::vector<ModelTerm> bestTerms(const DiagnosisWork& work, const std::vector<in
   return terms;
 }
 
-/// Returns the values that these effects have for the terms' parameters, in units of the typical sizes; empty if all
-/// values are neutral.
+/// Returns the values of the terms' parameters in these effects, in units of Unknown::typical; empty if all values are
+/// neutral.
 VectorXd sizesIn(const DiagnosisWork& work, const std::vector<ModelTerm>& terms,
                  const std::vector<deflection::Effect>& effects) {
   std::vector<double> sizes;
@@ -72,8 +72,8 @@ VectorXd sizesIn(const DiagnosisWork& work, const std::vector<ModelTerm>& terms,
 }
 
 /// Returns an unfitted variant of the best fitted model, or null. One variant omits the causes without a significant
-/// size: linear evidence adds a cause if the tried time or knee of another cause was too coarse. The other variant has
-/// all parameters of the causes: linear evidence omits a parameter that is masked by a large error elsewhere.
+/// parameter, since linear evidence adds a cause to make up for a coarse time or knee of another one. The other variant
+/// has all parameters of its causes, since linear evidence omits a parameter that a larger error masks.
 CompetingModel* unfittedVariant(DiagnosisWork& work) {
   const CompetingModel& best = work.models.front();
   if (best.terms.empty() || !best.hasFit()) return nullptr;
@@ -97,7 +97,8 @@ void fitNearest(DiagnosisWork& work) {
       *std::ranges::find_if(models, [](const CompetingModel& model) { return model.terms.empty(); });
   const double nothing = of_nothing.logWeight();
   fitModel(work, of_nothing);
-  // With so many readings, models differ by far more than the error of linear evidence, and each fit takes seconds.
+  // With very many readings fewer fits suffice, since models differ by far more than the error of linear evidence; each
+  // fit takes seconds.
   const bool are_many = work.noise.front().weights.rows > kManyRows;
   const auto limit = static_cast<std::size_t>(are_many ? work.options.most_leaders / 3 : work.options.most_leaders);
   const std::size_t most = are_many ? limit : 2 * limit;

@@ -11,8 +11,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-// Prior of a size, as a mixture of normal distributions. Each pair is a sigma in units of the largest usual size and
-// its weight: any order of magnitude up to that of real machines, or rarely far beyond.
+// Prior of an effect's size, as a mixture of normal distributions. Each pair is a standard deviation, in units of the
+// largest usual size, and its weight. The mixture covers all orders of magnitude up to that of real machines, and
+// rarely far beyond.
 constexpr std::array<std::array<double, 2>, 5> kSizes{
     {{0.5, 0.3}, {0.15, 0.25}, {0.05, 0.2}, {0.012, 0.15}, {4, 0.1}}};
 
@@ -23,7 +24,7 @@ double logPriorOf(const DiagnosisWork& work, const std::vector<ModelTerm>& terms
   return log;
 }
 
-/// Adds the evidence for another noise assumption or scale of sizes to a model.
+/// Adds to a model its evidence for another noise assumption or another prior scale of its effects.
 void blend(CompetingModel& model, const WeighedDiscrepancy& evidence, double log_share, const NoiseHypothesis& noise) {
   const double log = evidence.log + log_share + noise.log_prior;
   const double after = logSum(model.log_evidence, log);

@@ -23,18 +23,22 @@ namespace {
 
 constexpr int kIterations = 20;
 constexpr double kSmallFall = 0.03;  // decrease of chi-square in one step below which the fit ends
-constexpr double kFarSize = 4;       // prior sigma of a size during the fit, in units of the largest usual size
-// Bound of a size, in units of the largest usual size. No machine exceeds it, and an arm may not shrink to a point.
+// Prior standard deviation of an effect's size during the fit, in units of the largest usual size.
+constexpr double kFarSize = 4;
+// Bound of an effect's size, in units of the largest usual size. No machine exceeds it, and it keeps the fit from
+// shrinking the arm to a point.
 constexpr double kMostSize = 10;
-// Length of the component of an unknown effect that resembles the most similar known effect, relative to the length of
-// the unexplained component; both lengths are in noise sigmas.
+// Typical length of the part of an unknown effect that the most similar known effect reproduces, relative to the length
+// of the part that stays unexplained; both lengths are in noise sigmas.
 constexpr double kLikeness = 0.7;
-constexpr double kOrders = 4.6;  // log of a hundred: range of magnitudes for the size of an independent cause
-// Probability that scatter is due to an unknown effect and not to an understated noise.
+// Logarithm of 100: the size of an independent cause lies anywhere within two orders of magnitude.
+constexpr double kOrders = 4.6;
+// Probability that scatter is due to an unknown effect rather than to understated noise.
 constexpr double kUnknownScatter = 0.5;
-constexpr double kHardlyLeft = 1e-3;  // least probability of an unexplained discrepancy that is considered
+constexpr double kHardlyLeft = 1e-3;  // smallest probability of unexplained errors that is considered
 
-/// Returns the unknowns of a model's fit, in this order: unknowns of the basis, sizes, scanned parameters.
+/// Returns the unknowns of a model's fit, in this order: unknowns of the basis, other parameters of the effects,
+/// scanned parameters.
 std::vector<Unknown> unknownsOf(const DiagnosisWork& work, const PlacedModel& placed) {
   std::vector<Unknown> unknowns = work.basis.unknowns;
   for (Unknown size : placed.sizes) {
@@ -49,7 +53,7 @@ std::vector<Unknown> unknownsOf(const DiagnosisWork& work, const PlacedModel& pl
   return unknowns;
 }
 
-/// Returns the start values of a fit, with the sizes from the linear evidence.
+/// Returns the start values of a fit, with the effects' sizes from the linear evidence.
 VectorXd startOfFit(const DiagnosisWork& work, const CompetingModel& model, const PlacedModel& placed,
                     const std::vector<Unknown>& unknowns) {
   const auto fitted = static_cast<Index>(work.basis.unknowns.size());
@@ -62,7 +66,7 @@ VectorXd startOfFit(const DiagnosisWork& work, const CompetingModel& model, cons
   return x;
 }
 
-/// Returns the most probable state for one noise assumption.
+/// Returns the fit that starts at `x`, under the noise assumption with index `by`.
 LeastSquaresResult minimize(const DiagnosisWork& work, std::size_t by, const PlacedModel& placed,
                             const std::vector<Unknown>& unknowns, const VectorXd& x) {
   const NoiseHypothesis& noise = work.noise[by];
@@ -72,7 +76,7 @@ LeastSquaresResult minimize(const DiagnosisWork& work, std::size_t by, const Pla
                           solver);
 }
 
-/// Returns true if a fitted size exceeds that of any machine.
+/// Returns true if an effect's fitted size exceeds that of any machine.
 bool isImpossible(const PlacedModel& placed, const VectorXd& x, std::size_t fitted) {
   for (std::size_t k = 0; k < placed.sizes.size(); ++k) {
     const Unknown& size = placed.sizes[k];
@@ -87,12 +91,12 @@ struct AtOptimum {
   WhitenedResidual residual;
   std::unique_ptr<LinearEvidence> evidence;
   SourceView sources;
-  /// Units and prior information: first fitted parameters and scanned parameters, then sizes.
+  /// Units and prior information of all parameters: fitted parameters, scanned parameters, then the effects' sizes.
   VectorXd scale, information;
 };
 
-/// Sets the view for single sources. The columns of all parameters are in units of their typical size; the columns of
-/// sizes are scaled by their priors later.
+/// Sets the inner products with the columns of single sources. Parameters are in units of Unknown::typical;
+/// evidenceAt() scales the effects' sizes by their priors.
 void viewSources(const MatrixXd& J, const MatrixXd& S, const VectorXd& y, const std::vector<Unknown>& others,
                  const NoiseHypothesis& noise, AtOptimum& at) {
   if (!noise.sources) return;
@@ -107,8 +111,8 @@ void viewSources(const MatrixXd& J, const MatrixXd& S, const VectorXd& y, const 
   at.sources = noise.sources->viewOf(W_y);
 }
 
-/// Linearises the model at `x` with the sizes relative to zero, so that y is the error of the model without these
-/// effects. Returns false if the model cannot be evaluated.
+/// Linearises the model at `x` with the effects' sizes relative to zero, so that y is the error of the model without
+/// these effects. Returns false if the model cannot be evaluated.
 bool linearizeAt(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<Unknown>& unknowns,
                  const VectorXd& x, const NoiseHypothesis& noise, AtOptimum& at) {
   at.residual = whitenedResidual(placed.arm, unknowns, work.basis.readings, noise.weights, x, true, work.basis.stop);
@@ -182,8 +186,8 @@ double lengthLeft(const DiagnosisWork& work, const AtOptimum& stated, std::size_
   return std::sqrt(std::max(0., stated.evidence->chi2() - stated.evidence->fall(columns) - expected));
 }
 
-/// Returns the length of a term in addition to the other terms, in noise sigmas: the square root of the term's decrease
-/// of chi-square minus the decrease expected from noise.
+/// Returns how much a term explains in addition to the other terms, as a length in noise sigmas: the square root of its
+/// decrease of chi-square minus the decrease expected from noise.
 double lengthOf(const LinearEvidence& evidence, std::size_t first, std::size_t count, std::size_t all) {
   std::vector<int> columns(all);
   std::iota(columns.begin(), columns.end(), 0);
@@ -194,18 +198,18 @@ double lengthOf(const LinearEvidence& evidence, std::size_t first, std::size_t c
   return std::sqrt(std::max(0., fall));
 }
 
-/// Returns the log odds of a length for a term that is only similar to an unknown effect, against an independent cause.
-/// If the term is only similar, the prior of its length is normal about zero with the scale of the unexplained length.
-/// For an independent cause, the prior spans two orders of magnitude.
+/// Returns the log ratio of the densities of a term's length if the term only resembles an unknown effect and if it is
+/// an independent cause. In the first case the density is normal about zero with the scale of the unexplained length
+/// `left`. In the second case it spans two orders of magnitude.
 double logOddsOfLikeness(double length, double left) {
   const double ratio = length / (kLikeness * left);
   if (!(ratio > 0)) return -std::numeric_limits<double>::infinity();
   return 0.5 * std::log(2 / std::numbers::pi) + std::log(ratio * kOrders) - 0.5 * ratio * ratio;
 }
 
-/// Weighs, for each term of a model with a discrepancy, the hypothesis that the term is only similar to an unknown
-/// effect. An unknown effect partly resembles known effects; the most similar known effect would be found, with a
-/// discrepancy. The size of the term is then of the order of the discrepancy, not of the order of an independent cause.
+/// Weighs, for each term of a model with a discrepancy, the hypothesis that the term only resembles an unknown effect.
+/// The search then finds the most similar known effect, with a discrepancy for the rest. The length of such a term is
+/// of the order of the discrepancy, whereas that of an independent cause may be of any order.
 void weighLikenesses(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<AtOptimum>& at,
                      CompetingModel& model) {
   const double remains = model.discrepancy_probability + kUnknownScatter * model.scatter_probability;
@@ -224,8 +228,8 @@ void weighLikenesses(const DiagnosisWork& work, const PlacedModel& placed, const
   }
 }
 
-/// Returns true if the fit that ended at `x` found at most one nonzero size for an effect at every joint. The effect at
-/// this joint alone is then an equivalent cause.
+/// Returns true if an effect that acts at every joint is significant at no more than one joint in the fit that ended at
+/// `x`. The effect at this joint alone is then an equivalent cause.
 bool saysOneOnly(const DiagnosisWork& work, const CompetingModel& model, const PlacedModel& placed, const VectorXd& x) {
   const std::size_t fitted = work.basis.unknowns.size();
   std::size_t k = 0;
@@ -249,7 +253,7 @@ void describeFit(const DiagnosisWork& work, const PlacedModel& placed, const std
   fit.after = errorSize(work.basis.readings, work.basis.weights, at.front().residual.error);
   const auto numbers = static_cast<double>(placed.sizes.size() + placed.shapes.size());
   fit.p_value = chiSquareTail(fit.chi2, work.noise.front().options.noise_rows - numbers);
-  // The sizes stay at their fitted values, so their standard deviations are computed with the prior of the fit.
+  // The parameters stay at their fitted values, so their standard deviations are computed with the prior of the fit.
   const VectorXd sigma = evidenceAt(at[likely], work.noise[likely], priorsOf(placed, kFarSize)).sigma;
   std::size_t first = 0;
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
@@ -291,7 +295,7 @@ void fitModel(const DiagnosisWork& work, CompetingModel& model) {
   VectorXd x = startOfFit(work, model, placed, unknowns);
   std::vector<AtOptimum> at(work.noise.size());
   const auto giveUp = [&] { model.log_evidence = -std::numeric_limits<double>::infinity(); };
-  // An error that counted as noise before the fit may be explained after it, so the sizes are fitted again if another
+  // An error that counted as noise before the fit may be explained after it, so the model is fitted again if another
   // noise assumption has become more probable.
   constexpr int kPasses = 2;
   for (int pass = 0; pass < kPasses; ++pass) {

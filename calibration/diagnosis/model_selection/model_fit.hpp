@@ -1,11 +1,11 @@
-// Fit of a competing model together with all free parameters, and the model's evidence about this fit.
+// Fit of a competing model together with all free parameters, and the model's evidence, linearised about this fit.
 #pragma once
 
 #include "calibration/diagnosis/model_selection/competing_models.hpp"
 
 namespace tubeplan::calibration {
 
-inline constexpr double kFoundSigmas = 2;  ///< least fitted size [standard deviations] that counts as nonzero
+inline constexpr double kFoundSigmas = 2;  ///< smallest fitted value [standard deviations] that counts as nonzero
 
 /// Fits the model and recomputes its evidence, which is zero if the model cannot be fitted. Throws WorkStopped on a
 /// request to stop.

@@ -17,13 +17,16 @@ namespace tubeplan::calibration {
 
 namespace {
 
-// The search ends if the best model with one cause is this far below nothing missing in log weight.
+// The search ends if the log weight of the best model with one cause is farther than this below that of the model with
+// nothing missing.
 constexpr double kHopeless = 5;
-constexpr std::size_t kMostSeeds = 20;   // most models that are extended by another cause
-constexpr std::size_t kMostLooked = 40;  // most extensions that are kept after the quick estimate
+// Maximum number of models, of single and of collective causes each, that are extended by another cause.
+constexpr std::size_t kMostSeeds = 20;
+// Maximum number of extensions, of single and of collective causes each, that are kept after the quick estimate.
+constexpr std::size_t kMostLooked = 40;
 
-/// Returns quick estimates of every cause's best term added to each seed: for each seed in turn, one estimate per
-/// cause.
+/// Returns quick estimates of each seed extended by the best term of every cause: for each seed in turn, one estimate
+/// per cause.
 std::vector<Looked> lookBeside(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
   const std::size_t causes = work.causes.causes.size();
   std::vector<Looked> looked(seeds.size() * causes);
@@ -43,8 +46,8 @@ std::vector<Looked> lookBeside(const DiagnosisWork& work, const std::vector<Comp
 }
 
 /// Returns indices of the most probable estimates, in descending order, without repeated sets of causes. At most `most`
-/// estimates with only single causes and at most `most` with collective causes are kept, so that neither kind excludes
-/// the other.
+/// estimates with only single causes are kept, and at most `most` with collective causes (saysManyAtOnce()), so that
+/// neither kind excludes the other.
 std::vector<std::size_t> mostProbable(const DiagnosisWork& work, const std::vector<Looked>& looked, std::size_t most) {
   std::vector<std::size_t> order(looked.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -80,8 +83,8 @@ std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vecto
 }
 
 /// Returns the models to extend. A cause that is improbable on its own may belong to the best set of several causes. A
-/// collective cause gains as much as several single causes together, but more than any of them alone. Single causes are
-/// therefore compared only with single causes.
+/// collective cause gains more than each of the single causes that it contains. Models with collective causes are
+/// therefore compared only with one another.
 std::vector<CompetingModel> leadersOf(const DiagnosisWork& work, const std::vector<CompetingModel>& models,
                                       std::size_t most) {
   std::vector<CompetingModel> leaders;
@@ -112,7 +115,8 @@ void compareModels(DiagnosisWork& work) {
   const CompetingModel nothing = weigh(work, {}, 0);
   work.models = {nothing};
   std::vector<CompetingModel> level{nothing};
-  // With a collective cause, a further cause gains little, but a few single causes may still be better.
+  // Best log weights without and with collective causes. A further cause adds little to a collective cause, but several
+  // single causes may still become better, so the search ends only when neither improves.
   std::array<double, 2> best{nothing.logWeight(), nothing.logWeight()};
   for (int depth = 1; depth <= work.options.most_causes; ++depth) {
     reportProgress(work.options.hooks, "causes", static_cast<std::size_t>(depth),

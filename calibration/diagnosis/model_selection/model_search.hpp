@@ -1,5 +1,5 @@
-// Search for competing models about the baseline's linearisation: starts with nothing missing and adds one cause at a
-// time.
+// Search for competing models by evidence that is linearised about the baseline. It starts with nothing missing and
+// adds one cause at a time.
 #pragma once
 
 #include <limits>
@@ -8,8 +8,8 @@
 
 namespace tubeplan::calibration {
 
-/// Finds the competing models about the baseline's linearisation and sets `work.models`. Throws WorkStopped on a
-/// request to stop.
+/// Finds the competing models by their evidence linearised about the baseline, and sets `work.models`. Throws
+/// WorkStopped on a request to stop.
 void compareModels(DiagnosisWork& work);
 
 /// Model extended by one cause, with its estimated weight.

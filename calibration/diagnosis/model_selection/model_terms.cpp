@@ -8,10 +8,10 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kLeastVisible = 1;  // least visibility of a cause at its largest usual size [noise sigmas]
-constexpr int kMostNumbers = 8;      // most parameters of a cause for which subsets are tried
+constexpr double kLeastVisible = 1;  // smallest visibility of a cause at its largest usual size [noise sigmas]
+constexpr int kMostNumbers = 8;      // largest number of parameters of a cause of which subsets are tried
 
-/// Returns the tried subsets of a cause's parameters. For up to four parameters: all subsets. For more: each parameter
+/// Returns the subsets of a cause's parameters to try. For up to four parameters: all subsets. For more: each parameter
 /// alone, and all together. For a cause of several effects, or with more than kMostNumbers parameters: only all
 /// together.
 std::vector<std::vector<int>> choicesOf(const Cause& cause, int numbers) {

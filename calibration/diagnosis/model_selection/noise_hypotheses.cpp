@@ -17,15 +17,17 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// Prior probabilities of an unknown discrepancy of all terms together, of a discrepancy of a single source, and of a
-// larger noise than stated.
+// Prior probabilities of a discrepancy that has all terms, of one that has only one source, and of a larger noise than
+// stated.
 constexpr double kDiscrepancy = 0.05;
 constexpr double kSingleSource = 0.05;
 constexpr double kMoreNoise = 0.1;
-constexpr std::size_t kReadingsInMemory = 1024;  // most readings whose columns are in memory at once
+// Maximum number of readings whose columns are in memory at once.
+constexpr std::size_t kReadingsInMemory = 1024;
 constexpr Eigen::Index kPrincipalTerms = 80;  // number of principal terms of the discrepancy in the evidence of a fit
-constexpr double kMostKept = 5e7;             // most elements of the causes' columns that are kept in memory
-constexpr double kMostForSources = 2e6;       // product of rows and terms above which single sources are not weighed
+// Maximum number of elements of the causes' columns that are kept in memory.
+constexpr double kMostKept = 5e7;
+constexpr double kMostForSources = 2e6;  // product of rows and terms above which single sources are not weighed
 
 std::vector<double> discrepancySizes(double noise) {
   std::vector<double> sizes;
@@ -103,7 +105,8 @@ bool fillBlock(DiagnosisWork& work, const std::vector<int>& which, Block& block)
   return block.S.rows() == block.y.size() && block.Z.rows() == block.y.size();
 }
 
-/// Adds the block's columns for the noise with this model error, without the components that points absorb.
+/// Adds the block's columns to the Gram matrix, whitened for the stated noise plus `model_error` [m], without the
+/// components that unknown points absorb.
 void addTo(EvidenceGram& gram, const Block& block, double model_error) {
   const ReadingWeights weights = reweighted(block.weights, block.readings, model_error);
   gram.log_density += logDensityOf(weights);
@@ -120,7 +123,8 @@ double degreesLeft(const DiagnosisWork& work) {
          numbersDetermined(posteriorCovariance(work.basis.residual.jacobian, work.basis.unknowns), work.basis.unknowns);
 }
 
-/// Stores the discrepancy at all readings for the evidence of separate fits: principal terms and single sources.
+/// Stores the discrepancy's columns at all readings for the evidence of separate fits: those of principal terms and of
+/// single sources.
 void keepDiscrepancy(const DiagnosisWork& work, NoiseHypothesis& noise) {
   const auto& terms = work.discrepancy->terms();
   noise.principal_terms = noise.evidence->principalTerms(kPrincipalTerms);
@@ -159,9 +163,9 @@ double errorBeyondNoise(const DiagnosisWork& work, double chi2, double freedom) 
   return noiseOfCoordinate(work) * std::sqrt(std::max(0.1, chi2 / freedom - 1));
 }
 
-/// Returns scale factors for the noise with this model error, from below 1 up to the error of the model without any
-/// discrepancy. With few readings an unknown function absorbs much of any noise, so the model error estimated with such
-/// a function is too small.
+/// Returns scale factors to try for the noise with this model error, from below 1 to beyond the error of the model
+/// without a discrepancy. With few readings an unknown function absorbs much of any noise, so a model error that was
+/// estimated with such a function is too small.
 std::vector<double> noiseScales(const DiagnosisWork& work, double model_error) {
   constexpr double kLeast = 0.7, kMost = 1.5, kFarthest = 6, kStep = 1.08;
   const double per_coordinate = noiseOfCoordinate(work);
@@ -223,7 +227,7 @@ bool linearize(DiagnosisWork& work) {
 }
 
 double errorBeyondBest(const DiagnosisWork& work) {
-  // `work.models` always includes the model with nothing missing.
+  // Models are sorted by weight, so the first one with a fit is the best.
   const auto best = std::ranges::find_if(work.models, &CompetingModel::hasFit);
   if (best == work.models.end()) return 0;
   double numbers = 0;

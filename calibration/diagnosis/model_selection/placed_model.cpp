@@ -10,9 +10,9 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kBeyondUsual = 2;      // margin above the largest usual size [sigmas of the size]
-constexpr double kShapePrior = 3;       // prior sigma of a knee, in units of its typical step
-constexpr std::size_t kMostTimes = 12;  // most times of a step that are tried at once
+constexpr double kBeyondUsual = 2;      // margin above the largest usual size [standard deviations of the size]
+constexpr double kShapePrior = 3;       // prior standard deviation of a knee, in units of Unknown::typical
+constexpr std::size_t kMostTimes = 12;  // maximum number of times of a step that are tried at once
 
 FoundNumber foundNumber(const Unknown& unknown, const std::string& name, double value, double sigma) {
   FoundNumber number{name, unknown.quantity, value, sigma};

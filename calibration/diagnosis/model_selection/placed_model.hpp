@@ -10,15 +10,15 @@ struct PlacedModel {
   PlacedArm arm;
   std::vector<Unknown> sizes, shapes;
   std::vector<int> first_effect;    ///< index in the arm of each term's first effect
-  std::vector<std::size_t> counts;  ///< number of sizes of each term
+  std::vector<std::size_t> counts;  ///< number of each term's unknowns in `sizes`
 };
 
 /// Returns the baseline's arm with the model's effects. A step is placed at the best time that the readings can
 /// resolve.
 [[nodiscard]] PlacedModel placeModel(const DiagnosisWork& work, const CompetingModel& model);
 
-/// Appends the effects of a fitted term to `fit.effects`. `sigma` contains the standard deviations of all sizes, in
-/// units of their typical sizes.
+/// Appends the effects of a fitted term to `fit.effects`. `sigma` contains the standard deviations of all
+/// `placed.sizes`, in units of Unknown::typical.
 void describeTerm(const DiagnosisWork& work, const ModelTerm& term, const PlacedModel& placed, std::size_t index,
                   const Eigen::VectorXd& sigma, std::size_t first_size, Explanation& fit);
 
