@@ -64,8 +64,8 @@ ModelLackOfFit lackOfFitOf(const Evaluation& model, int fitted_numbers, double l
   return lack_of_fit;
 }
 
-/// Returns measured minus predicted in the world frame [m]: along the line for a reading measured along a line, zero
-/// for a reading of rotation alone.
+/// Returns the error of a reading, measured minus predicted, in the world frame [m]: along the line for a reading along
+/// a line, zero for a reading of rotation alone.
 Vector3d errorInWorld(const Evaluation& model, std::size_t k) {
   const auto& reading = model.scene.readings[k];
   const Index row = model.weights.first_row[k];

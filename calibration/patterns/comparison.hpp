@@ -13,9 +13,9 @@
 namespace tubeplan::calibration {
 
 struct ComparisonOptions {
-  IdentificationOptions refit;   ///< options of the refit, with its free parameters, of which there may be none
-  double level = kPatternLevel;  ///< significance level of each test that may reject a correct model
-  WorkHooks hooks;               ///< hooks of the comparison, also used by the refit
+  IdentificationOptions refit;               ///< options of the refit, which is left out if no parameter is free
+  double level = kPatternLevel;              ///< significance level of each test that may reject a correct model
+  WorkHooks hooks;                           ///< hooks of the comparison, also used by the refit
   const Identification* refitted = nullptr;  ///< result of the refit, if it exists already; null: the refit is made
 };
 
@@ -30,12 +30,12 @@ enum class Adequacy { kNotRun, kAdequate, kInadequate, kInconclusive };
 /// Returns a verdict as a clause, such as "The model falls short".
 [[nodiscard]] const char* wordsOf(Adequacy adequacy);
 
-/// Lack of fit of a model to the readings that a fit may use.
+/// Lack of fit of a model to the readings that are not held out.
 struct ModelLackOfFit {
   ErrorSize errors;
   double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms error due to noise alone [m]
   double chi2 = std::numeric_limits<double>::quiet_NaN();
-  /// Rows of the readings less the number of parameters that they determine; may not be positive.
+  /// Number of measured values less the number of parameters that they determine; can be zero or negative.
   int degrees_of_freedom = 0;
   double p_value = std::numeric_limits<double>::quiet_NaN();  ///< p-value of chi-square with the stated noise
   /// Reason why the readings allow no verdict, and what is needed for one; empty if they allow one.
@@ -44,7 +44,7 @@ struct ModelLackOfFit {
   Adequacy adequacy = Adequacy::kNotRun;
 };
 
-/// A reading compared with the model before and after the refit, in the order of the file.
+/// Comparison of one reading with the model before and after the refit.
 struct ComparedReading {
   bool is_held_out = false;  ///< true: not used in the fit
   /// Predicted tip in the world frame [m], before and after the refit.
@@ -76,7 +76,7 @@ struct Comparison {
   std::vector<int> used;                 ///< indices of the readings that are not held out
   Adequacy verdict = Adequacy::kNotRun;  ///< verdict after the refit
   std::vector<std::string> grounds;      ///< reasons for any verdict other than kAdequate, one clause each
-  bool noise_disagrees = false;          ///< true: repeats reject the stated noise, and their noise is used instead
+  bool noise_disagrees = false;          ///< true: the scatter of repeats rejects the stated noise and replaces it
 };
 
 /// Returns the lack of fit of an identified model to its own readings, judged as by compare(). Adequacy::kNotRun if the

@@ -1,5 +1,5 @@
-// Error that is the same at every reading: in the world frame, in axes around the base's gravity axis, or in the tool
-// frame.
+// Error that is the same at every reading: in the world frame, in radial axes around the vertical through the base, or
+// in the tool frame.
 //
 // Basis: 1.
 #pragma once

@@ -12,7 +12,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// Least squared lever arm of a direction, relative to the largest, for conversion to joint angles.
+// Smallest squared lever arm of the joints, relative to the largest, at which an error in a direction is converted to
+// joint angles.
 constexpr double kLeastLever = 1e-4;
 
 struct Turned {

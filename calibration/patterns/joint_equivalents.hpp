@@ -1,7 +1,7 @@
 // The residual converted to joint angles: the error of every joint reading if there were no other cause.
 //
 // With J the tip's Jacobian with respect to the joints, S the encoders' covariance and e the residual, dq = -S J^T (J S
-// J^T)^+ e is the least correction of the joint readings, in encoder sigmas, that moves the predicted tip to the
+// J^T)^+ e is the smallest correction of the joint readings, in encoder sigmas, that moves the predicted tip to the
 // measured tip.
 #pragma once
 
@@ -18,7 +18,7 @@ struct JointEquivalents {
   Eigen::MatrixXd corrections;   ///< corrections to be added to the joint readings, joints x readings
   Eigen::VectorXd mean, spread;  ///< mean and standard deviation of each joint's corrections over the readings
   Eigen::VectorXd sigma;         ///< stated standard deviation of each encoder; 0 if not stated
-  /// Chi-square of the corrections with encoder noise alone; NaN if no encoder noise is stated.
+  /// Chi-square of the residual if encoder noise were its only cause; NaN if no encoder noise is stated.
   double chi2 = std::numeric_limits<double>::quiet_NaN();
   int degrees_of_freedom = 0;
   double p_value = std::numeric_limits<double>::quiet_NaN();

@@ -1,6 +1,7 @@
-// Error that depends on the moment about a row's axis, where the arm has compliance or clearance.
+// Error that depends on the moment about an axis of a row, as compliance or clearance would cause.
 //
-// Basis: the moment; also its sign if both signs occur. Moments that are multiples of one another are tested once.
+// Basis: the moment; also its sign if both signs are frequent. Moments that are multiples of one another are tested
+// once.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +11,11 @@
 
 namespace tubeplan::calibration::patterns::moment {
 
-inline constexpr double kSameCourse = 1e-6;    // largest 1 - |correlation| of two moments that count as proportional
-inline constexpr double kLeastShare = 1e-3;    // least moment that is tested, as a fraction of the arm's largest moment
-inline constexpr double kFewestOfSign = 0.05;  // least fraction of readings with either sign for a test of the sign
+inline constexpr double kSameCourse = 1e-6;  // largest 1 - |correlation| of two moments that count as proportional
+// Smallest variation of a moment that is tested, as a fraction of the arm's largest moment.
+inline constexpr double kLeastShare = 1e-3;
+// Smallest fraction of readings with each of the two signs at which the sign is tested.
+inline constexpr double kFewestOfSign = 0.05;
 
 inline Eigen::VectorXd momentsAbout(const ReadingScene& scene, Eigen::Index row, int axis) {
   Eigen::VectorXd moments(static_cast<Eigen::Index>(scene.readings.size()));

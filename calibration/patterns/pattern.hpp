@@ -1,5 +1,5 @@
-// Variables on which a residual may depend: the open table of the respects in which readings differ. Each kind is one
-// file in this folder and one row of the table in patterns.cpp; nothing else names it.
+// Variables on which a residual may depend, as an extensible table of the ways in which readings differ. Each kind is
+// one file in this folder and one row of the table in patterns.cpp; nothing else names it.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@
 
 namespace tubeplan::calibration {
 
-/// The readings, and what the model predicts of them besides the residual.
+/// The readings, and predictions of the model for them other than the residual.
 struct ReadingScene {
   bool ok = false;  ///< false: a deflected shape did not converge, and the other members are invalid
   PlacedArm placed;
@@ -27,15 +27,15 @@ struct ReadingScene {
   std::vector<Eigen::Matrix3Xd> moments_L;
 };
 
-/// Returns the derivatives of a reading's rows with respect to the tip's position in the world frame: all three
-/// coordinates, or the direction of the measured line.
+/// Returns the derivatives of a reading's rows with respect to the tip's position in the world frame. For a distance,
+/// they are the unit vector along the measured line.
 [[nodiscard]] inline MeasuredRows placeSlope(const ReadingScene& scene, std::size_t k) {
   return predictedSlope(scene.readings[k], {scene.seen.col(static_cast<Eigen::Index>(k)), scene.tools[k]}).by_place;
 }
 
 [[nodiscard]] ReadingScene observe(const PlacedArm& placed, const std::vector<Measurement>& readings);
 
-/// A variable at all readings, and the small basis of functions to test.
+/// Values of a variable at all readings, and the few basis functions to test.
 struct Variable {
   std::string name;  ///< name, such as "theta3" or "moment forearm.z"
   deflection::ValueUnit unit;
@@ -64,12 +64,12 @@ const std::vector<PatternKind>& patternKinds();
 /// Returns true if the stated values differ beyond rounding.
 [[nodiscard]] bool varies(const Eigen::VectorXd& value);
 
-/// Returns the slowest waves over the variable's range: cos(k pi s), k = 1 to 3, with s the fraction of the range. They
-/// represent a drift, a step and a slow oscillation alike.
+/// Returns the slowest waves over the variable's range: cos(k pi s), k = 1 to 3, with s the fraction of the range.
+/// Together they represent a drift, a step or a slow oscillation.
 [[nodiscard]] Eigen::MatrixXd slowWaves(const Eigen::VectorXd& value);
 
-/// Returns the next faster waves: up to one cycle per eight readings, and at most twelve cycles; empty if these would
-/// not exceed the slow waves.
+/// Returns the next faster waves: up to one cycle per eight readings, and at most twelve cycles; empty if none of these
+/// is faster than the slow waves.
 [[nodiscard]] Eigen::MatrixXd fasterWaves(const Eigen::VectorXd& value);
 
 /// Returns the name for errors that go through several cycles over a variable's range.

@@ -27,7 +27,8 @@ const Eigen::Matrix3d& axesOf(const ReadingScene& scene, PatternFrame frame, std
   return frame == PatternFrame::kTool ? scene.tools[k] : kWorldAxes;
 }
 
-/// Returns orthonormal columns that span the residual columns, given the norms of the original columns.
+/// Returns an orthonormal basis of columns that remain after a projection. `lengths` are the norms before the
+/// projection; remainders that are only rounding errors are dropped.
 MatrixXd orthonormal(const MatrixXd& columns, const VectorXd& lengths) {
   if (columns.cols() == 0) return columns;
   const MatrixXd scaled = columns * lengths.cwiseMax(1e-300).cwiseInverse().asDiagonal();
@@ -37,7 +38,7 @@ MatrixXd orthonormal(const MatrixXd& columns, const VectorXd& lengths) {
   return scaled * kept * gram.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
-/// The scene, and the columns that the fitted unknowns absorb.
+/// The readings to search, and what the fitted unknowns absorb of their residual.
 struct SearchedScene {
   const ReadingScene& scene;
   const ReadingWeights& weights;
@@ -48,8 +49,8 @@ struct SearchedScene {
 
   [[nodiscard]] Index rowOf(int reading) const { return weights.first_row[static_cast<std::size_t>(reading)]; }
 
-  /// Returns orthonormal columns of a basis in a frame, without the components that `others` (orthonormal) and the
-  /// touched points absorb.
+  /// Returns orthonormal columns for basis functions in the axes of a frame, without the components that `others`
+  /// (orthonormal) and the touched points absorb.
   [[nodiscard]] MatrixXd columnsOf(const MatrixXd& basis, PatternFrame frame, const MatrixXd& others) const {
     goOn(stop);
     MatrixXd columns(weights.rows, 3 * basis.cols());
@@ -72,8 +73,8 @@ MatrixXd joined(const MatrixXd& a, const MatrixXd& b) {
   return both;
 }
 
-/// Returns lots of readings with neighbouring values: equal values always share a lot, and many different values form
-/// at most kTrendSteps lots.
+/// Divides the readings into bins of neighbouring values: equal values always share a bin, and many different values
+/// form at most kTrendSteps bins.
 std::vector<std::vector<int>> lotsOf(const Variable& variable) {
   std::vector<int> order;
   for (int k = 0; k < static_cast<int>(variable.value.size()); ++k)
@@ -92,8 +93,8 @@ std::vector<std::vector<int>> lotsOf(const Variable& variable) {
   return lots;
 }
 
-/// Returns, for each reading, the error component that follows the pattern in addition to the fit, in the axes of the
-/// frame [m].
+/// Returns, for each reading, the component of its error that follows the pattern beyond what the fit absorbs, in the
+/// axes of the frame [m].
 Eigen::Matrix3Xd followedErrors(const SearchedScene& search, PatternFrame frame, const VectorXd& followed) {
   const auto& scene = search.scene;
   Eigen::Matrix3Xd errors(3, static_cast<Index>(scene.readings.size()));
@@ -135,7 +136,7 @@ double tailOfF(double F, int numbers, int rest) {
   return fisherTail(F, numbers, rest);
 }
 
-/// A variable in one frame, to be tested in addition to others.
+/// A variable whose effect is to be tested in the axes of one frame.
 struct Question {
   const PatternKind* kind;
   const Variable* variable;
@@ -150,8 +151,8 @@ struct Followed {
   int numbers = 0;
 };
 
-/// Returns a column of ones and zeros for each group. This suits few groups, and allows readings that share components
-/// with readings of other groups.
+/// Returns a column of ones and zeros for each group. This suits few groups, and allows readings to share a touched
+/// point or noise with readings of other groups.
 MatrixXd membershipOf(const Variable& variable) {
   MatrixXd basis = MatrixXd::Zero(variable.value.size(), static_cast<Index>(variable.groups.size()));
   for (Index k = 0; k < variable.value.size(); ++k) basis(k, static_cast<Index>(variable.value[k])) = 1;
@@ -176,8 +177,8 @@ std::vector<std::vector<int>> membersOf(const Variable& variable) {
 
 /// Analyses the variance by groups, where each group's mean is a parameter. With B the projection onto the groups'
 /// means and Q the fitted unknowns, r^T B r has tr B - tr Q^T B Q degrees of freedom. The computation runs group by
-/// group, so that many groups cost no more than one group of all readings. Components that readings of a group share
-/// with other groups are not removed.
+/// group, so that many groups cost no more than one group of all readings. A touched point or noise that readings share
+/// with other groups is not removed.
 Followed followGroups(const SearchedScene& search, const Variable& variable, const MatrixXd& beside,
                       const VectorXd& r) {
   Followed followed{VectorXd::Zero(r.size()), 0};
@@ -212,7 +213,8 @@ Followed followGroups(const SearchedScene& search, const Variable& variable, con
   return followed;
 }
 
-/// Tests a question. `PatternTest::numbers` is 0 if no column or no degree of freedom remains.
+/// Tests a variable in one frame, in addition to the columns `others`. `PatternTest::numbers` is 0 if no column or no
+/// degree of freedom remains.
 PatternTest ask(const SearchedScene& search, const Question& question, const MatrixXd& others) {
   PatternTest test;
   const Variable& variable = *question.variable;
@@ -248,7 +250,7 @@ void correctByHolm(std::vector<PatternTest>& tests, double level) {
   }
 }
 
-/// Returns the findings by variable, each tested again in addition to all stronger independent findings.
+/// Returns one finding for each variable, tested again in addition to all stronger independent findings.
 std::vector<PatternTest> distinctFindings(const SearchedScene& search, const std::vector<Question>& questions,
                                           const std::vector<PatternTest>& tests, double level) {
   std::vector<PatternTest> findings;

@@ -27,7 +27,7 @@ struct TrendStep {
 };
 
 struct PatternTest {
-  std::string kind;      ///< name of the kind of pattern, in its table
+  std::string kind;      ///< name of the kind of pattern, as in patternKinds()
   std::string variable;  ///< name of the variable
   deflection::ValueUnit unit;
   PatternFrame frame = PatternFrame::kWorld;
@@ -40,10 +40,10 @@ struct PatternTest {
   double share = 0;        ///< fraction of chi-square that the pattern explains
   bool is_finding = false;
   std::string goes_with;  ///< stronger finding that also explains this pattern; empty if this pattern is independent
-  std::vector<TrendStep> trend;     ///< mean errors, by rising value of the variable
-  std::vector<std::string> groups;  ///< names of the groups, if the variable is a grouping; else empty
+  std::vector<TrendStep> trend;     ///< mean errors, in ascending order of the variable's value
+  std::vector<std::string> groups;  ///< names of the groups, if the variable divides readings into groups; else empty
   int component = -1;               ///< index of the frame's axis along which the trend is largest; -1: none
-  /// Indices of the trend steps with the least and the largest error along the axis `component`; -1: none.
+  /// Indices of the trend steps with the smallest and the largest error along the axis `component`; -1: none.
   int low = -1, high = -1;
   /// Difference between the errors of the trend steps `high` and `low` [m]; for a constant, the root mean square error.
   double size = std::numeric_limits<double>::quiet_NaN();
@@ -52,7 +52,7 @@ struct PatternTest {
 };
 
 struct PatternSearch {
-  std::vector<PatternTest> tests;  ///< all tests, least p-value first
+  std::vector<PatternTest> tests;  ///< all tests, smallest p-value first
   /// One finding per variable, in the frame that shows the dependence best; strongest first.
   std::vector<PatternTest> findings;
   std::vector<std::string> not_tested;  ///< variables that were not tested, and the reason

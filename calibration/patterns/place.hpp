@@ -1,7 +1,7 @@
 // Error that depends on the tip's position in the world frame.
 //
-// Basis: a coordinate and its square, relative to the mean of the readings. For a touch, the position is that of the
-// touched point, because the predicted tip is the touched point plus the error. A coordinate that hardly varies is not
+// Basis: a coordinate and its square, relative to the mean of the readings. For a touch of a known point, the position
+// is that of the point, because the predicted tip position contains the error. A coordinate that hardly varies is not
 // tested, because it would show only noise.
 #pragma once
 
@@ -10,7 +10,8 @@
 
 namespace tubeplan::calibration::patterns::place {
 
-inline constexpr double kLeastShare = 0.002;  // least range of a coordinate, as a fraction of the arm's reach
+// Smallest range of a coordinate that is tested, as a fraction of the arm's reach.
+inline constexpr double kLeastShare = 0.002;
 
 inline Eigen::Matrix3Xd places(const ReadingScene& scene) {
   Eigen::Matrix3Xd places = scene.tips;
