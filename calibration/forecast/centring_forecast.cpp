@@ -35,7 +35,7 @@ void append(const std::vector<Unknown>& unknowns, MatrixXd covariance, Uncertain
   uncertain.about.unknowns.insert(uncertain.about.unknowns.end(), unknowns.begin(), unknowns.end());
 }
 
-/// Returns the six unknowns of the last base pose, in order.
+/// Returns the six unknowns of the last base pose: three shifts, then three rotations.
 std::vector<Unknown> baseUnknowns(const PlacedArm& placed) {
   PlacedArm last = placed;
   for (auto& base_pose : last.base_poses) base_pose.is_known = true;

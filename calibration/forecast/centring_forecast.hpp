@@ -1,5 +1,5 @@
 // Forecast of the lateral tip error of a fitted arm at its goals: from the covariance of the fit and, separately, from
-// the noise of the joint readings at the goal. Errors that the model lacks are not included.
+// the noise of the joint readings at the goal. Effects that the model lacks are not included.
 #pragma once
 
 #include <Eigen/Core>
@@ -44,7 +44,7 @@ struct CentringForecast {
   ForecastFigure median, p95, worst;  ///< errors that 50 %, 95 % and all of the postures do not exceed
   int worst_posture = -1;             ///< index of the posture with the largest root mean square error; -1: none
   EncoderShare encoders;
-  int numbers = 0;  ///< number of uncertain parameters included, those of the base too
+  int numbers = 0;  ///< number of uncertain parameters, including those of the base
 };
 
 /// Forecasts the error perpendicular to the world's z axis, the axis of the holes, for the arm at its latest base pose.

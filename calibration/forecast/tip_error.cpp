@@ -18,7 +18,7 @@ struct ModelVariance {
 };
 
 std::vector<ModelVariance> modelVariances(const std::optional<StatedModelError>& error) {
-  constexpr int kParts = 8;  // parts of equal probability, each represented by its median
+  constexpr int kParts = 8;  // number of parts of equal probability, each represented by its median
   if (!error) return {{1, 0}};
   const double variance = error->sigma * error->sigma;
   const int freedom = error->degrees_of_freedom;

@@ -1,13 +1,13 @@
 // Lateral error of the true tip at the goals of a calibrated arm: due to the joint readings, the uncertainty of the
 // base and the arm's parameters, and the model error.
 //
-// Base and parameters are uncertain jointly: touches or a campaign determine both, and errors that compensate each
-// other do not move the tip. With J the tip's Jacobian with respect to base and parameters and P their covariance, the
-// covariance of the tip is
+// Base and parameters are uncertain jointly: touches or a measurement campaign determine both, and errors that
+// compensate each other do not move the tip. With J the tip's Jacobian with respect to base and parameters and P their
+// covariance, the covariance of the tip is
 //     J P J^T + E + m^2 I,
 // where E is the covariance due to the joint readings and m the model error, independent in each posture. If m was
-// estimated with few degrees of freedom, it has a chi-square distribution, and the distribution of the tip error is a
-// mixture.
+// estimated with few degrees of freedom, m^2 has a scaled inverse chi-square distribution, and the distribution of the
+// tip error is a mixture.
 #pragma once
 
 #include <optional>
@@ -28,7 +28,7 @@ struct TipErrorQuestion {
   const deflection::Arm& arm;
   Eigen::Isometry3d X_WB;
   double load = 0;               ///< load hung from the tip [N]
-  JointUncertainty uncertainty;  ///< joint uncertainty about `arm` and X_WB
+  JointUncertainty uncertainty;  ///< uncertainty of base and parameters together, about X_WB and `arm`
   std::optional<StatedModelError> model_error;
   std::vector<Eigen::VectorXd> postures;
 };
