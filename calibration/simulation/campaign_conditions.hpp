@@ -9,8 +9,9 @@
 namespace tubeplan::calibration {
 
 struct CampaignPace {
-  double shortest = 60, longest = 180;  ///< least and largest time between two readings [s]
-  /// Longest period of the conditions' oscillations [s]; a campaign covers at least half a period.
+  double shortest = 60, longest = 180;  ///< smallest and largest time between two readings [s]
+  /// Longest period of the conditions' oscillations [s]; it is shortened so that a campaign covers about half a period
+  /// or more.
   double longest_period = 28800;
   double overshoot = 0.5;  ///< probability that a joint passes its goal and returns to it
 };
@@ -20,14 +21,14 @@ struct ReadingConditions {
   deflection::ConditionValues stated;  ///< stated conditions; time counts from the start of the campaign
   /// Arrival of each joint: +1 if the joint stops at its goal, -1 if it passes the goal and returns.
   std::vector<int> turns;
-  std::vector<int> rests;  ///< direction of each joint's last motion if the joint need not move
+  std::vector<int> rests;  ///< direction stated as each joint's last motion if the joint need not move
   Eigen::Vector3d coordinate_noise = Eigen::Vector3d::Zero();  ///< noise of the coordinates [m]
   Eigen::Vector3d turn_noise = Eigen::Vector3d::Zero();        ///< noise of the angles [rad]
   Eigen::VectorXd encoder_noise;                               ///< noise of the joint readings [rad or m]
   Eigen::VectorXd side_q;                                      ///< positions of the side chains' joints [rad or m]
   Eigen::Vector3d push = Eigen::Vector3d::Zero();              ///< additional force on the tip, in world axes [N]
 
-  /// Returns the sign of each joint's last motion between two postures.
+  /// Returns the sign of each joint's last motion on the way between two postures.
   [[nodiscard]] std::vector<int> approach_directions(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
 };
 

@@ -48,7 +48,7 @@ constexpr std::array<NamedDesign, 3> kDesigns{{
 
 int readingsPerPoint(const CampaignDesign& design) { return readingsPerPosture(design) * design.postures_per_point; }
 
-/// Returns the least number of readings of a surface that give information on the arm.
+/// Returns the smallest number of readings of a surface that gives information on the arm.
 int leastOfSurface(const MeasurementKindRow& kind) { return kind.place_numbers({}) + 1; }
 
 std::string findNoiseProblem(const CampaignDesign& design) {
@@ -128,8 +128,8 @@ int readingsPerPosture(const CampaignDesign& design) {
 
 int pointsOf(const CampaignDesign& design, int readings) {
   const int each = readingsPerPoint(design), points = readings / each, left = readings % each;
-  // A single touch of an unknown point, or too few touches of a surface, give no information: such touches are added to
-  // the preceding point.
+  // A single touch of an unknown point gives no information, nor do too few touches of a surface. Such touches are
+  // added to the preceding point.
   const MeasurementKindRow& kind = kindOf(design.kind);
   const int least = kind.settle ? leastOfSurface(kind) : design.points_known ? 1 : 2;
   const bool is_kept = left >= least || (left > 0 && points == 0);

@@ -1,5 +1,5 @@
-// Design of a measurement campaign: what is measured, where and under which loads. Predefined designs are the bench,
-// the bowl and touch points; users may state their own.
+// Design of a measurement campaign: what is measured, where and under which loads. Predefined designs are `bench`,
+// `bowl` and `touch`; users may state their own.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,11 +16,11 @@ namespace tubeplan::calibration {
 /// Target of the tip for a reading.
 enum class CampaignPlace {
   kAnywhere,  ///< wherever the tip of a random posture is
-  kPlane,     ///< in a horizontal plane, at the height that half of the arm's postures exceed
+  kPlane,     ///< in the horizontal plane at the median height of the tip over random postures
   kHoles,     ///< at holes of the sheet: in them for a touch, below them for other kinds
 };
 
-/// Standard deviation of an inclinometer or a six-degree probe [rad] (0.005 deg).
+/// Standard deviation of an angle from an inclinometer or a six-degree-of-freedom probe [rad] (0.005 deg).
 inline constexpr double kAngleSigma = 8.7e-5;
 
 struct CampaignDesign {
@@ -30,13 +30,15 @@ struct CampaignDesign {
   bool points_known = true;   ///< true: the positions of touched points are known
   std::vector<double> loads;  ///< loads hung from the tip; every posture is measured under each load in turn [N]
   double push = 0;            ///< largest additional force of random direction on the tip [N]
-  /// Rows of the arm whose frames are measured at every posture, for kinds that may be fixed to a row; empty: the tool.
+  /// Rows of the arm whose frames are measured at every posture, for instruments that may be fixed to a row; empty: the
+  /// tool.
   std::vector<int> rows;
   int postures_per_point = 1;                  ///< number of postures that touch the same point, for kind touch
-  int setups = 1;                              ///< number of base poses, which follow one another
+  int setups = 1;                              ///< number of base poses, used one after another
   std::optional<Eigen::Vector3d> anchor_W;     ///< position of the anchor, for kinds that measure from an anchor [m]
   std::optional<Eigen::Vector3d> direction_W;  ///< unit vector, for kinds that measure along a direction
-  /// Box within which the tip stays [m]; empty: the half-space in front of the base's own plane.
+  /// Box within which the tip stays [m]; empty: the half-space above the xy plane of the base frame, or any place at
+  /// holes.
   std::optional<Eigen::AlignedBox3d> region_W;
   double sigma = kPositionSigma;  ///< standard deviation of a coordinate [m]; 0: noise-free readings
   /// Separate standard deviations of x, y and z [m], for kinds that measure them; overrides `sigma`.
@@ -47,7 +49,7 @@ struct CampaignDesign {
   double held_out = 0;    ///< fraction of the points or postures that are held out from the fit
 };
 
-/// A named design: one row of an open table in campaign_design.cpp.
+/// A named design: one row of the table in campaign_design.cpp.
 struct NamedDesign {
   const char* name;
   const char* summary;

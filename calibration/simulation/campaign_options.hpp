@@ -10,8 +10,8 @@
 
 namespace tubeplan::calibration {
 
-/// Function that returns true if the true arm is clear of all obstacles in the set-up of that index (from 0) under
-/// `load` [N].
+/// Function that returns true if the true arm at `q` under `load` [N] is clear of all obstacles. `setup` is the index
+/// of the set-up, from 0.
 using CampaignClearance = std::function<bool(int setup, double load, const Eigen::VectorXd& q)>;
 
 struct CampaignOptions {
@@ -21,7 +21,7 @@ struct CampaignOptions {
   std::vector<CampaignPoint> holes;  ///< holes of the sheet, for designs that measure at holes [m]
   Eigen::Vector3d hole_axis_W = Eigen::Vector3d::UnitZ();  ///< direction into a hole, in the world frame
   double standoff = 0.0254;  ///< distance of the tip below a hole that is not touched, along the hole's axis [m]
-  /// Least distance of the tip from the base's origin if the design has no region, as a fraction of the arm's reach.
+  /// Smallest distance of the tip from the base's origin if the design has no region, as a fraction of the arm's reach.
   double least_reach = 0.2;
   int max_draws = 2000;        ///< largest number of postures tried for one point
   CampaignClearance is_clear;  ///< collision check; empty: there are no obstacles

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNoiseMargin = 4;  // margin between a posture and its joint limits, in encoder sigmas
 
-/// Accuracy of a start posture; the reading itself is placed exactly later.
+/// Accuracy of a start posture; the tip is brought exactly to its target later.
 constexpr deflection::InverseKinematicsOptions kNear{.position_tolerance = 1e-5, .pitch_tolerance = 1e-4};
 
 }  // namespace

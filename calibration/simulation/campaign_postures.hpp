@@ -44,14 +44,14 @@ class PostureSource {
   PostureSource(const deflection::Arm& arm, std::uint64_t seed);
 
   /// Returns a random posture within the joint limits, with a margin for noisy readings. Joints without limits range
-  /// over half a turn to either side, prismatic joints over the arm's reach.
+  /// over half a turn on either side of zero, prismatic ones over the arm's reach.
   [[nodiscard]] Eigen::VectorXd anywhere();
 
   /// Returns a random unit vector; all directions are equally likely.
   [[nodiscard]] Eigen::Vector3d direction();
 
-  /// Returns one of the arm's postures at a random hole, with the tool along the axis and the tip `below` [m] under the
-  /// hole.
+  /// Returns one of the arm's postures at a random hole, with the tool along the axis and the tip a distance `below`
+  /// [m] under the hole.
   [[nodiscard]] HoleStart atHole(const CampaignSite& site, const std::vector<CampaignPoint>& holes,
                                  const Eigen::Vector3d& axis_W, double below, double load);
 

@@ -1,5 +1,5 @@
-// The random numbers of a simulated campaign: one stream per purpose, so that more noise or another arm does not change
-// the series of postures.
+// The random numbers of a simulated campaign: one stream per purpose, so that more noise, for instance, does not change
+// the postures.
 #pragma once
 
 #include <boost/random/seed_seq.hpp>

@@ -17,13 +17,15 @@ std::optional<ToolPose> toolIn(const deflection::Arm& arm, const CampaignSite& s
   return toolAt(arm, site.X_WB, reading, kShapeExactly);
 }
 
-/// Returns the known target positions of readings of that point.
+/// Returns the target of readings as far as the design states it: the point, unless its position is unknown, anchor and
+/// direction.
 KnownPlaces knownPlaces(const deflection::Arm& arm, const CampaignDesign& design,
                         const std::optional<Vector3d>& point_W) {
   return {design.points_known ? point_W : std::nullopt, design.anchor_W, design.direction_W, -arm.gravity_W};
 }
 
-/// Returns the noise of each row [m]; zero for kinds with a centred tip, whose noise is in the tip position.
+/// Returns the noise of each row [m]; angles are multiplied by kTurnLever. Touches ignore this noise, since theirs is
+/// in the tip position.
 MeasuredValue noiseOf(const MeasurementKindRow& kind, const ReadingConditions& conditions) {
   MeasuredValue noise = MeasuredValue::Zero(kind.rows);
   const int turns = kind.turn_rows;
@@ -32,7 +34,7 @@ MeasuredValue noiseOf(const MeasurementKindRow& kind, const ReadingConditions& c
   return noise;
 }
 
-/// Takes the reading with the tool at the pose `tool`.
+/// Records the values that `reading` measures with the tool at the pose `tool`.
 PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, const ReadingConditions& conditions,
                        ToolPose tool, const std::optional<Surface>& surface, Measurement& reading) {
   const MeasurementKindRow& kind = kindOf(reading);
@@ -48,7 +50,7 @@ PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, con
   }
   reading.surface = surface;
   kind.record(tool, deflection::measurementScale(arm), noiseOf(kind, conditions), reading);
-  reading.surface.reset();  // the position of the surface is unknown to the readings
+  reading.surface.reset();  // a reading does not state where the surface is
   return isPossible(reading) ? PostureRefusal::kNone : PostureRefusal::kOutsideRegion;
 }
 
@@ -134,8 +136,8 @@ PostureRefusal CampaignStation::begin(const CampaignSite& site, StationReadings&
   return PostureRefusal::kNone;
 }
 
-/// Draws a start posture at a surface. The first posture of a surface puts the surface at its tip; further postures are
-/// near the surface.
+/// Draws a start posture at a surface. The first posture places the surface at its tip; further postures are near the
+/// surface.
 PostureRefusal CampaignStation::beginAtSurface(const CampaignSite& site, StationReadings& taken, VectorXd& q) {
   constexpr int kMostPostures = 200;
   constexpr double kNear = 0.15;  // largest distance from the surface, as a fraction of the reach

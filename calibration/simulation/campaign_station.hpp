@@ -28,13 +28,13 @@ struct TipTrial {
   ToolPose tool;
 };
 
-/// The true arm at work. The arm's last posture is kept, because it decides the direction from which joints arrive at
-/// the next posture. The constructor's arguments must outlive this object.
+/// The true arm, which takes readings. Its last posture is kept, because it decides from which direction joints arrive
+/// at the next one. The constructor's arguments must outlive this object.
 class CampaignStation {
  public:
   CampaignStation(const deflection::Arm& arm, const CampaignDesign& design, const CampaignOptions& options);
 
-  /// Draws the point or posture of index `number` (from 1) once, and takes one reading under each of the conditions. A
+  /// Draws the point or posture number `number` (from 1) once, and takes one reading under each of the conditions. A
   /// hole that has been measured is not drawn again.
   [[nodiscard]] StationReadings read(const CampaignSite& site, int number,
                                      const std::vector<ReadingConditions>& conditions);
@@ -42,7 +42,7 @@ class CampaignStation {
   /// Allows holes that have been measured to be drawn again.
   void renewHoles() { fresh_holes_ = options_.holes; }
 
-  /// Draws a random posture under the first load.
+  /// Draws a random posture, and returns the pose of the tool in it under the first load.
   [[nodiscard]] TipTrial tryAnywhere(const CampaignSite& site);
 
   /// Sets the height of the plane in the world frame, against gravity, for designs in a plane [m].

@@ -15,7 +15,7 @@ struct TrueBase {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
 };
 
-/// The truth by which readings are simulated. All other true behaviour, such as effects, is part of `arm`.
+/// True arm and base poses from which readings are simulated. Hidden effects are part of `arm`.
 struct CampaignTruth {
   deflection::Arm arm;
   std::vector<TrueBase> bases;  ///< base pose of each set-up
@@ -30,7 +30,8 @@ struct TruthOptions {
   std::uint64_t seed = 1;
 };
 
-/// Draws a truth. Without spread and base errors, the truth is the stated arm and base for every set-up.
+/// Draws a true arm and true base poses. Without spread and base errors, they are the stated arm and, for every set-up,
+/// the stated base.
 [[nodiscard]] CampaignTruth drawTruth(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                       const TruthOptions& options = {});
 

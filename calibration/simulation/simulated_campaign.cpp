@@ -18,7 +18,7 @@ namespace {
 using RefusalCounts = std::array<int, kPostureRefusals>;
 
 constexpr int kHeightDraws = 101;
-constexpr int kFreshDraws = 200;  // failed draws after which hardly any hole in reach can be unread
+constexpr int kFreshDraws = 200;  // number of failed draws after which hardly any hole in reach is left
 
 std::vector<CampaignSite> sitesOf(const CampaignTruth& truth) {
   std::vector<CampaignSite> sites;
@@ -28,7 +28,7 @@ std::vector<CampaignSite> sitesOf(const CampaignTruth& truth) {
   return sites;
 }
 
-/// Returns a text such as "2000 postures were drawn: 1400 not clear of the scene, 600 past a joint limit".
+/// Returns a string such as "2000 postures were drawn: 1400 in collision with the scene, 600 past a joint limit".
 std::string explain(const RefusalCounts& counts) {
   int drawn = 0;
   std::string text;
@@ -89,7 +89,7 @@ class CampaignMaker {
     return false;
   }
 
-  /// Sets the height of the measuring plane, which half of the arm's postures exceed.
+  /// Sets the height of the plane of touched points, which the tip exceeds in half of the arm's random postures.
   bool findPlane() {
     RefusalCounts counts{};
     std::vector<double> heights;
@@ -134,8 +134,8 @@ class CampaignMaker {
     if (hooks_.progress) hooks_.progress(result_.readings.size(), static_cast<std::size_t>(options_.readings));
   }
 
-  /// Turns readings into displacements from the preceding reading of the same set-up. The first reading of a set-up
-  /// refers to its last reading.
+  /// Converts readings into displacements from the preceding reading of the same set-up. The first reading of a set-up
+  /// refers to the last one.
   void relate() {
     auto& readings = result_.readings;
     if (!kindOf(design_.kind).is_from_reading) return;
@@ -151,8 +151,8 @@ class CampaignMaker {
     linkReferences(readings);
   }
 
-  /// Holds out whole points or postures, because readings of the same point or posture are no independent test of one
-  /// another.
+  /// Holds out whole points or postures, because readings of the same point or posture do not test one another
+  /// independently.
   void holdOut() {
     if (design_.held_out == 0 || names_.size() < 2) return;
     std::vector<std::string> names(names_.begin(), names_.end());

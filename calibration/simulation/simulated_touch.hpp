@@ -34,17 +34,18 @@ struct TouchSimulation {
   std::vector<Measurement> touches;  ///< touches of points with known positions
 };
 
-/// Returns the inverse-kinematics branches by which the arm, with its base at X_WB, brings its deflected tip to each of
-/// these points, each from a nearby start posture.
+/// Returns, for each of the points `places_W` [m], the inverse kinematics solution that brings the deflected tip there,
+/// found from the nearby start posture of the same index. The base is at X_WB, and `axis_W` is the axis of the holes.
 [[nodiscard]] std::vector<deflection::Branch> reachPlaces(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                                           const std::vector<Eigen::Vector3d>& places_W,
                                                           const std::vector<Eigen::VectorXd>& starts, double load,
                                                           const Eigen::Vector3d& axis_W);
 
-/// Returns the reading of a planned touch with joints [rad, m], load [N] and centring noise of each coordinate [m].
+/// Returns the reading of a planned touch at the joint readings `q` [rad, m] under `load` [N], with the centring noise
+/// `sigma` of each coordinate [m].
 [[nodiscard]] Measurement plannedTouch(const TouchPlan& plan, const Eigen::VectorXd& q, double load, double sigma);
 
-/// Returns the touches that the arm `truth`, with its base at X_WB, would give for each plan.
+/// Simulates one touch for each plan by the arm `truth` with its base at X_WB. Fails if a hole is out of reach.
 [[nodiscard]] TouchSimulation simulateTouches(const deflection::Arm& truth, const Eigen::Isometry3d& X_WB,
                                               const std::vector<TouchPlan>& plans,
                                               const TouchSimulationOptions& options = {});
