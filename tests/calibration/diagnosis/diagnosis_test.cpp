@@ -1,5 +1,5 @@
-// Hidden effects are named, the error of held-out readings falls to the noise, and no effect is named where none is
-// hidden.
+// A diagnosis must name hidden effects, lower the error of held-out readings to the noise, and name no effect where
+// none is hidden.
 #include "calibration/diagnosis/diagnosis.hpp"
 
 #include <gtest/gtest.h>
@@ -115,8 +115,8 @@ TEST(Diagnosis, RanksCausesWithTheirOwnSizes) {
   EXPECT_NEAR(both->size.value, 0.0009, 0.0002) << "the number that is largest beside its doubt";
 }
 
-/// A compliance of the forearm's tube has the same effect as one of its bearing in all postures: one cause with two
-/// names.
+/// A compliance of the forearm's tube acts like one of its bearing in all postures, so the diagnosis must report one
+/// cause with two names.
 TEST(Diagnosis, CausesThatNoReadingTellsApartAreOneWithBothNames) {
   const Diagnosis found = diagnosisOf("joint-compliance", "forearm.y", {4e-5}, 5);
   ASSERT_EQ(found.verdict, Verdict::kExplained);
@@ -134,11 +134,11 @@ TEST(Diagnosis, NamesNothingWhereNothingIsHidden) {
   int alarms = 0;
   constexpr int kSets = 12;
   for (std::uint64_t seed = 1; seed <= kSets; ++seed) alarms += !diagnosisOf("", "", {}, seed, 60).alternatives.empty();
-  EXPECT_LE(alarms, 2);  // one in twenty is allowed; three of twelve would have a probability below 2 %
+  EXPECT_LE(alarms, 2);  // at a rate of one in twenty, three or more alarms have a probability below 2 %
 }
 
-// An error that repeats at each posture under every load is not scatter, even if no smooth function of few joints fits
-// it.
+// An error that repeats at each posture under every load must be reported to follow the posture, not as scatter, even
+// if no smooth function of few joints fits it.
 TEST(Diagnosis, SaysThatWhatRepeatsAtAPostureFollowsIt) {
   const auto cell = shippedBench();
   std::vector<Measurement> readings;
@@ -161,7 +161,8 @@ TEST(Diagnosis, SaysThatWhatRepeatsAtAPostureFollowsIt) {
   EXPECT_EQ(found.remainder.follows.front().first, "posture");
 }
 
-// With noise twice as large as stated the fit is inadequate, but no function of the readings and no effect explains it.
+// If the noise is twice as large as stated, the diagnosis must report scatter that no effect and no function of the
+// readings explains.
 TEST(Diagnosis, SaysThatReadingsScatterBeyondTheirNoise) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 90, 4);
@@ -174,8 +175,8 @@ TEST(Diagnosis, SaysThatReadingsScatterBeyondTheirNoise) {
   EXPECT_GT(found.remainder.size, 0.5 * found.noise_floor);
 }
 
-// With few readings and slightly understated noise, the prior may favour no cause, but the chi-square shows a lack of
-// fit.
+// With few readings and slightly understated noise, the prior may favour that nothing is missing. The verdict must
+// still not be adequate if chi-square shows a lack of fit.
 TEST(Diagnosis, IsNotAdequateAtAChiSquareThatNoiseHardlyGives) {
   const auto cell = shippedBench();
   int hardly = 0;
@@ -189,7 +190,7 @@ TEST(Diagnosis, IsNotAdequateAtAChiSquareThatNoiseHardlyGives) {
   EXPECT_GE(hardly, 3);
 }
 
-// Repeated readings reveal that the noise is twice as large as stated, so nothing is missing.
+// If repeated readings show that the noise is twice as large as stated, the verdict must be that nothing is missing.
 TEST(Diagnosis, TakesTheScatterOfRepeatedReadingsForNoise) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 40, 4);
@@ -209,7 +210,8 @@ TEST(Diagnosis, TakesTheScatterOfRepeatedReadingsForNoise) {
   EXPECT_GT(found.nothing_probability, 0.9);
 }
 
-// Waves too short for the smooth unknown function: an error whose pattern `compare` finds is not called scatter.
+// An error in waves too short for the smooth discrepancy must not be called scatter if a pattern search finds the
+// variable that it follows.
 TEST(Diagnosis, DoesNotCallScatterWhatFollowsAPattern) {
   const auto cell = shippedBench();
   for (const auto& [cycles, follows] : {std::pair(3, "time"), std::pair(7, "cycles of time")}) {
@@ -239,7 +241,8 @@ TEST(Cause, FreesNumbersWithThePriorsOfTheFit) {
   EXPECT_EQ(placeCause(placed, cause, 0).front().prior_sigma, 1e-5);
 }
 
-// An unknown function of the joints could fit the noise of so few readings, so the evidences of both are compared.
+// An unknown function of the joints could fit the larger noise of so few readings, but the diagnosis must consider
+// scatter more probable.
 TEST(Diagnosis, SaysThatFewReadingsMayOnlyScatter) {
   const auto cell = shippedBench();
   for (const std::uint64_t seed : {4, 5, 6}) {
@@ -251,8 +254,8 @@ TEST(Diagnosis, SaysThatFewReadingsMayOnlyScatter) {
   }
 }
 
-// An error with three waves per turn of a joint: no effect of the catalogue fits it, but two known effects together
-// come near.
+// An error with three waves per turn of a joint must be reported to follow this joint, although two known effects
+// together nearly fit it.
 TEST(Diagnosis, SaysWhatAnUnknownErrorFollows) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 90, 6);
@@ -311,8 +314,8 @@ TEST(Diagnosis, TellsWhichEffectsTheReadingsCannotShow) {
   EXPECT_FALSE(mentions("joint-offset"));
 }
 
-// The catalogue tries 64 of 1,000 times. A slip between two tried times once required a spurious link length in
-// addition.
+// Only 64 of 1000 times are tried for a slip. A slip between two of them must be named alone, without a spurious link
+// length that makes up for the coarse time.
 TEST(Diagnosis, LeavesOutWhatOnlyACoarseTimeAskedFor) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 1000, 1);
@@ -329,7 +332,8 @@ TEST(Diagnosis, LeavesOutWhatOnlyACoarseTimeAskedFor) {
   EXPECT_NEAR(found.alternatives.front().effects.front().fitted.values[4], 499.5 * 60, 31);
 }
 
-// Backlash and stiffening of one axis are confounded in these readings; hysteresis is certain with either of them.
+// Backlash and stiffening of one axis are confounded in these readings. Hysteresis, which is certain with either, must
+// be reported as what the alternatives agree on.
 TEST(Diagnosis, SaysWhatTheAlternativesAgreeOn) {
   const auto cell = shippedBench();
   auto with_backlash = cell;
@@ -345,8 +349,8 @@ TEST(Diagnosis, SaysWhatTheAlternativesAgreeOn) {
   EXPECT_LT(found.agreed->heldout.rms, found.heldout_before.rms);
 }
 
-// Freeing the complete geometry explains the three errors with 24 more parameters; naming only the three is more
-// probable.
+// Freeing the complete geometry would also explain the three errors, with 24 more parameters, but the diagnosis must
+// name only the three.
 TEST(Diagnosis, FindsThreeErrorsOfGeometryAmongAllOfIt) {
   auto hidden = shippedBench();
   const auto hide = [&](const char* effect, const char* at, double value) {
@@ -365,7 +369,7 @@ TEST(Diagnosis, FindsThreeErrorsOfGeometryAmongAllOfIt) {
   EXPECT_EQ(names, (std::vector<std::string>{"joint-offset@theta2", "joint-offset@theta4", "link-length@forearm"}));
 }
 
-// A usual base drift is millimetres per hour; a tenth of a millimetre per hour is still recognised as drift.
+// A base usually drifts by millimetres per hour, but a drift of a tenth of a millimetre per hour must still be named.
 TEST(Diagnosis, NamesASlowDrift) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 90, 4);
@@ -384,7 +388,8 @@ TEST(Diagnosis, SaysOneJointWhereTheOthersShowNothing) {
   for (const Explanation& explanation : found.alternatives) EXPECT_EQ(explanation.effects.size(), 1U);
 }
 
-// Two touches of one unknown point share an outlier, so neither stands out, and a slip between them would explain both.
+// If one of two touches of an unknown point is an outlier, neither stands out, and a slip between them would explain
+// both. The two must be set aside, and no slip named.
 TEST(Diagnosis, AnOutlierAmongTouchesIsNoSlip) {
   const PlacedArm start = cobra();
   ReadingMaker maker(start, 3, ReadingMaker::Noise::kStated);
@@ -400,7 +405,8 @@ TEST(Diagnosis, AnOutlierAmongTouchesIsNoSlip) {
   EXPECT_EQ(found.set_aside, (std::vector<int>{40, 41}));
 }
 
-// With touches of unknown points, residuals shrink with the arm's size, so no length may grow beyond plausible values.
+// A length error of 6 times the largest usual size must be named as unusually large, but one of 14 times must not be
+// named, because no machine has it.
 TEST(Diagnosis, NamesNoSizeThatNoMachineHas) {
   const auto& kinds = deflection::effectKinds();
   const auto kind =

@@ -1,4 +1,4 @@
-// An effect that the readings do not need causes a warning; the true effect does not.
+// An effect that the readings do not need must cause a warning; the true effect must not.
 #include "calibration/diagnosis/effect_warnings.hpp"
 
 #include <gtest/gtest.h>
@@ -103,7 +103,8 @@ TEST(EffectWarnings, TwoRightEffectsAreBothNeeded) {
   EXPECT_TRUE(both.diagnosed(readings).empty());
 }
 
-/// The diagnosis proposes no formulas; a user's formula is judged by how much it reduces chi-square.
+/// A diagnosis proposes no formulas, so a user's formula is judged by how much it lowers chi-square: a superfluous
+/// formula must cause a warning, the right one must not.
 TEST(EffectWarnings, AFormulaOfTheUsersIsNeededWhereItIsRight) {
   const WithEffects wave("theta3 += c*sin(theta3) + d*cos(theta3)");
   const auto readings = benchReadings(shippedBench(), "encoder-eccentricity", "theta3", {0.001, 0.0012}, 60, 7);

@@ -1,5 +1,5 @@
-// Similarity between an unknown effect and a known effect does not make the latter a cause, and an improvement that
-// exists only in the linearised model counts for nothing.
+// A known effect that only resembles an unknown one must not be named as the cause, and an improvement that exists only
+// in the linearised model must not count.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,8 +17,8 @@ Diagnosis diagnosisOf(const app::Cell& cell, const std::vector<Measurement>& rea
   return diagnose(benchStart(cell, readings), readings, options);
 }
 
-/// Adds a memory of the previous position to the last joint. On average this error is a wave of the joint's angle; the
-/// rest depends on nothing that a reading states.
+/// Adds an error to the last joint that depends on its previous position. On average the error is a wave in the joint's
+/// angle; the rest depends on nothing that a reading states.
 std::vector<Measurement> withMemory(std::vector<Measurement> readings, double size) {
   double before = readings.front().q[3];
   for (Measurement& reading : readings) {
@@ -50,8 +50,8 @@ TEST(Likeness, IsNotWhatExplainsNearlyAll) {
   EXPECT_EQ(found.alternatives.front().effects.front().effect, "tool-offset");
 }
 
-// An instrument whose scale varies with the distance by a hundred times the noise. In the linearised model, three
-// causes improve the fit, but no nonlinear fit confirms the improvement.
+// If the scale of the instrument varies with the distance by a hundred times the noise, three causes improve the
+// linearised fit, but no nonlinear fit confirms them. None of them may be named.
 TEST(Likeness, AndLinearisationMakeNoCauseOfAGrossUnknown) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 120, 2);

@@ -1,4 +1,4 @@
-// The centring error due to the fit's own uncertainty, compared with closed forms.
+// The forecast centring error due to the uncertainty of the fit must agree with closed forms.
 #include "calibration/forecast/centring_forecast.hpp"
 
 #include <gtest/gtest.h>
@@ -35,8 +35,8 @@ std::vector<Eigen::VectorXd> somePostures(int count) {
   return postures;
 }
 
-// A shift of the base moves all tips equally. The length of a plane normal vector has the median sigma sqrt(2 ln 2) and
-// the quantiles sigma sqrt(-2 ln(1 - p)).
+// A shift of the base moves all tips equally, so each figure must have the distribution of the length of a plane normal
+// vector: the median sigma sqrt(2 ln 2), the quantiles sigma sqrt(-2 ln(1 - p)).
 TEST(CentringForecast, aShiftOfTheBaseIsRayleighAtEveryHole) {
   constexpr double kSigma = 1e-3;
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
@@ -52,7 +52,7 @@ TEST(CentringForecast, aShiftOfTheBaseIsRayleighAtEveryHole) {
   }
 }
 
-// A vertical shift of the base does not move a tip sideways.
+// A vertical shift of the base must not move a tip sideways.
 TEST(CentringForecast, aLiftOfTheBaseMovesNoTipSideways) {
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
   covariance(2, 2) = 1e-6;
@@ -60,7 +60,8 @@ TEST(CentringForecast, aLiftOfTheBaseMovesNoTipSideways) {
   EXPECT_LT(forecast.worst.upper, 1e-9);
 }
 
-// A yaw moves a tip in proportion to its distance from the base's axis, so the farthest tip has the largest error.
+// A yaw moves a tip in proportion to its distance from the base's axis, so the farthest tip must have the largest
+// error.
 TEST(CentringForecast, aYawMovesTheFurthestTipMost) {
   constexpr double kSigma = 1e-3;
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
@@ -99,7 +100,8 @@ TEST(CentringForecast, aLargerCovarianceWidensItAndAKnownBaseMayBringItsOwn) {
   EXPECT_NEAR(forecastCentring(known, postures, options).median.value, plain, 1e-9 * plain);
 }
 
-// With noise in one joint only, the error is its lever arm times its sigma.
+// With noise in one encoder only, the error must be the lever arm of its joint times the standard deviation of the
+// noise.
 TEST(CentringForecast, theEncodersShareIsTheirNoiseThroughTheJacobian) {
   auto fit = baseFit(Eigen::Matrix<double, 6, 6>::Identity() * 1e-8);
   fit.fitted.base_poses.front().X_WB = Eigen::Isometry3d::Identity();

@@ -1,4 +1,5 @@
-// The error of a calibrated arm's tip at commanded postures.
+// The predicted covariance of a calibrated arm's tip error must agree with closed forms and with simulated
+// calibrations.
 #include "calibration/forecast/tip_error.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// Returns postures under holes other than the touched ones.
+/// Returns postures at holes other than the touched ones.
 std::vector<Eigen::VectorXd> otherPostures() {
   std::vector<Eigen::VectorXd> postures;
   for (const auto& plan : touchedCell({{-20, 20}, {0, 30}, {25, 15}, {-30, 35}}).plans)

@@ -1,4 +1,5 @@
-// Patterns of the residual are found where they were planted, with no more false findings than promised.
+// Patterns that were planted in the residual must be found, with no more false findings than the significance level
+// allows.
 #include "calibration/patterns/comparison.hpp"
 
 #include <gtest/gtest.h>
@@ -59,7 +60,8 @@ struct LinearWorld {
   }
 };
 
-// The error of a relative reading's length lies along its vector, for any position of the tip.
+// For a relative reading, `seen` must be the displacement from the reference, because the error of its length lies
+// along this vector.
 TEST(Comparison, theErrorOfAWayLiesAlongIt) {
   ReadingMaker maker(cobra(), 4, ReadingMaker::Noise::kNone);
   maker.add(MeasurementKind::kRelative, 6);
@@ -139,7 +141,7 @@ TEST(Comparison, plantedHysteresisIsFoundByTheJointsSense) {
     EXPECT_EQ(first.variable, std::string("sense of ") + joint);
     EXPECT_TRUE(first.goes_with.empty());
     ASSERT_EQ(first.trend.size(), 2u);
-    // The two approach directions together move the tip by two half widths times the lever.
+    // Between the two approach directions, the tip moves by two half-widths of the hysteresis times its lever arm.
     const double lever = 2 * 0.03 * kDegree * deflection::reachOf(deflection::cobraArm());
     EXPECT_GT(first.size, 0.1 * lever);
     EXPECT_LT(first.size, lever);
@@ -203,8 +205,8 @@ TEST(Comparison, nothingFreeIsJudgedAsItStands) {
 }
 
 TEST(Comparison, whatOnlyNoiseMovesIsNotAsked) {
-  // For touches of holes in a flat sheet, the predicted height is the sheet's height plus the error. Some joints stand
-  // still.
+  // For touches of holes in a flat sheet, the predicted height varies only with the error, so the height must not be
+  // tested. Neither may joints and positions that do not vary beyond noise.
   auto readings = makeCampaign(deflection::cobraArm(), 21);
   for (auto& reading : readings) {
     const Vector3d tip = *reading.p_W;
@@ -252,7 +254,8 @@ TEST(Comparison, refusesWhatCannotBeFitted) {
 }
 
 TEST(Repeats, closedFormOfPureErrorAndLackOfFit) {
-  // Two readings of one posture and a single one; stated sigma s, exact encoders. Errors of +-d about 0, and of 3 s.
+  // Two readings of one posture have the errors d and -d, and a reading of another posture has the error 3 s. The
+  // stated standard deviation is s, and the encoders are exact.
   auto arm = deflection::cobraArm();
   for (auto& row : arm.rows) row.joint.encoder_sigma = 0;
   auto readings = makeCampaign(arm, 1, {2, 1, 0, kReadingSigma});

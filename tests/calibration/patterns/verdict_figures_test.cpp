@@ -1,4 +1,4 @@
-// No verdict contradicts the figures reported with it, whatever was done to the readings.
+// No verdict may contradict the figures reported with it, no matter how the readings were spoilt.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-constexpr double kSlack = 1.2;  // random variation allowed for an rms
+constexpr double kSlack = 1.2;  // allowed random variation of a root mean square
 
 class VerdictFigures : public testing::TestWithParam<std::size_t> {
  protected:

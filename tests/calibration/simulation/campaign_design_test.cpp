@@ -1,4 +1,5 @@
-// Simulated campaigns: set-ups, held-out points, the random true arm, and refused designs.
+// Simulated campaigns must keep set-ups together, hold out whole points, vary only the stiffnesses of the true arm, and
+// refuse invalid designs.
 #include <gtest/gtest.h>
 
 #include <algorithm>

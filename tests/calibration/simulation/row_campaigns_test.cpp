@@ -1,4 +1,4 @@
-// Campaigns of inclinometers on rows of the arm: their simulation, and the hidden effects that they reveal.
+// Campaigns with inclinometers on rows of the arm must be simulated exactly, and must reveal hidden effects.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -80,8 +80,8 @@ int expectNamed(const Diagnosis& found, const std::string& effect, const std::st
 
 const std::vector<const char*> kFourRows{"base-link", "latch-link", "forearm", "tool"};
 
-// Under load theta2 rotates by the compliance of its joint or of its cable. Tilts hardly show a compliance of the
-// preceding joint, whose axis is vertical.
+// Every alternative must contain a compliance of theta2's joint or of its cable, both of which rotate theta2 under
+// load. Tilts hardly show a compliance of the preceding joint, whose axis is vertical.
 TEST(RowCampaigns, NameAHiddenCompliance) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const auto found = diagnosisOfTilts(benchCell().arm, "joint-compliance", "latch-link.z", {1e-5}, kFourRows, seed);
@@ -102,7 +102,7 @@ TEST(RowCampaigns, NameAHiddenSagByGravity) {
   EXPECT_GE(alone, 5) << "one in twenty may have something beside it";
 }
 
-// The next readings are proposed on the same rows, at postures that the arm can reach.
+// The next readings must be proposed on the same rows, at postures that the arm can reach.
 TEST(RowCampaigns, AreGoneOnWithOnTheSameRows) {
   const auto& cell = benchCell();
   const CampaignDesign design = tiltsOfRows(cell.arm, {"base-link", "forearm"});

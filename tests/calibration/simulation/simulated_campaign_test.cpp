@@ -1,4 +1,4 @@
-// Simulated campaigns: readings match the true arm, noise is as stated, and conditions are plausible.
+// Readings of simulated campaigns must match the true arm, with noise as stated and plausible conditions.
 #include "calibration/simulation/simulated_campaign.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Returns the true tip position in the world at the readings of the joints.
+/// Returns the tip position of the true arm in the world frame [m] for the joint readings of `reading`, under `load`
+/// [N].
 Vector3d tipOf(const CampaignTruth& truth, const Measurement& reading, double load) {
   const auto base =
       std::find_if(truth.bases.begin(), truth.bases.end(), [&](const auto& b) { return b.setup == reading.setup; });
@@ -169,7 +170,7 @@ TEST(SimulatedCampaign, EncoderNoiseHasTheStatedDeviation) {
   const double sigma = 3.5e-5;
   const auto campaign = simulate(benchTruth(1, sigma), designOf(MeasurementKind::kPosition, 1e-4), 6000);
   ASSERT_EQ(campaign.status, CampaignStatus::kDone);
-  // The three loads are read at one posture, so their joint readings differ only by the encoders' noise.
+  // The three loads are measured at one posture, so their joint readings differ only by the encoders' noise.
   std::vector<double> differences;
   for (std::size_t k = 0; k + 2 < campaign.readings.size(); k += 3) {
     const Eigen::VectorXd d = campaign.readings[k + 1].q - campaign.readings[k].q;

@@ -1,4 +1,4 @@
-// The unknown discrepancy of relative readings: the difference between its values at both ends.
+// The discrepancy of a relative reading must be the difference between the discrepancies at its two postures.
 #include "calibration/diagnosis/discrepancy/discrepancy.hpp"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(Discrepancy, OfWaysIsTheDifferenceAtBothEnds) {
   EXPECT_GT(shareTaken(placed, readings), 0.99);
 }
 
-// A relative reading from a posture to itself is zero, whatever the discrepancy.
+// A relative reading from a posture to itself must not change with the discrepancy.
 TEST(Discrepancy, OfAWayToWhereItBeganIsNothing) {
   const PlacedArm placed = cobra();
   auto readings = ways(placed, 40, 4, ReadingMaker::Noise::kNone);

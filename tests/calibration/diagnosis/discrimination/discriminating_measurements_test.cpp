@@ -1,5 +1,5 @@
-// Measurements proposed to discriminate between open explanations: simulated with the true arm, they lead to the hidden
-// effect where the same number of random readings does not.
+// Measurements that are proposed to discriminate between open explanations must lead to the hidden effect more often
+// than the same number of random readings, if they are simulated with the true arm.
 #include "calibration/diagnosis/discrimination/discriminating_measurements.hpp"
 
 #include <gtest/gtest.h>
@@ -143,14 +143,14 @@ TEST(DiscriminatingMeasurements, AreToldWhatTheyWouldDo) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(few.readings[k].candidate, many.readings[k].candidate);
   EXPECT_GT(few.readings.front().separation, 3);
   EXPECT_GT(many.probability, few.probability);
-  // The divergence between two explanations is never negative and never decreases with more readings, whichever is
-  // true.
+  // Whichever of two explanations is true, the expected divergence between them must not be negative or decrease with
+  // more readings.
   for (const auto& pair : few.pairs) EXPECT_GE(pair.expected, pair.now - 1e-9);
   for (std::size_t k = 0; k < few.pairs.size(); ++k) EXPECT_GE(many.pairs[k].expected, few.pairs[k].expected - 1e-9);
 }
 
 TEST(DiscriminatingMeasurements, OfOnePostureCannotSplitWhatDiffersElsewhere) {
-  // At a constant joint reading all errors of that joint's reading are indistinguishable.
+  // If a joint stays at one angle in all candidates, no candidate can distinguish different errors of its encoder.
   Bench bench("encoder-eccentricity", "theta4", {0.0012, 0.0012}, 1);
   const Diagnosis diagnosis = bench.diagnosed();
   auto candidates = candidatesOf(bench, diagnosis);

@@ -1,5 +1,5 @@
-// The evidence from inner products of columns, compared with the evidence from the definition, with every covariance
-// written out and every determinant and inverse computed from it.
+// The evidence computed from inner products of columns must equal the evidence by definition, computed from explicit
+// covariances with their determinants and inverses.
 #include "calibration/diagnosis/evidence/linear_evidence.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ MatrixXd drawn(std::mt19937_64& random, Index rows, Index columns) {
   return matrix;
 }
 
-/// Readings, columns and priors, and all results of the evidence computed from the definition.
+/// Readings, columns and priors, with all results of the evidence computed by definition.
 struct KnownReadings {
   MatrixXd J, S, Z;
   VectorXd y;
@@ -96,7 +96,7 @@ struct KnownReadings {
       if (causes[k].sign != 0) {
         const auto x = static_cast<long double>(causes[k].sign * sizes.best[static_cast<Index>(k)] /
                                                 sizes.sigma[static_cast<Index>(k)]);
-        log += static_cast<double>(std::log(std::erfc(-x / std::numbers::sqrt2_v<long double>)));  // two tails
+        log += static_cast<double>(std::log(std::erfc(-x / std::numbers::sqrt2_v<long double>)));  // 2 Phi(x)
       }
     return log - options.noise_rows * std::log(scale) - std::log(static_cast<double>(options.noise_scales.size()));
   }
@@ -149,7 +149,7 @@ TEST(LinearEvidence, AtOneSizeCountsThatOneAndNoneAlone) {
   }
 }
 
-/// Without options for a discrepancy and noise scales, the evidence includes neither.
+/// If the options state no sizes of a discrepancy and no noise scales, the evidence must include neither.
 TEST(LinearEvidence, HasNoDiscrepancyWhereNoSizeIsTried) {
   KnownReadings readings(5);
   readings.options = {};
@@ -161,8 +161,8 @@ TEST(LinearEvidence, HasNoDiscrepancyWhereNoSizeIsTried) {
   EXPECT_EQ(found.noise_scale, 1);
 }
 
-/// A sign that contradicts the readings by many sigmas costs the normal distribution's tail probability, even when the
-/// probability underflows.
+/// If a required sign contradicts the readings by many standard deviations, the log evidence must fall by the log of
+/// the normal tail probability, even where that probability underflows.
 TEST(LinearEvidence, ASignAgainstAllReadingsCostsItsTail) {
   for (const double far : {5., 20., 29., 31., 60.}) {
     KnownReadings readings(6);
@@ -179,7 +179,8 @@ TEST(LinearEvidence, ASignAgainstAllReadingsCostsItsTail) {
   }
 }
 
-/// The difference between two hypotheses does not depend on the unknown prior widths of the fitted parameters.
+/// The difference in log evidence between two hypotheses must be the same for flat and for very wide priors of the
+/// fitted parameters.
 TEST(LinearEvidence, NeedsNoPriorOfFittedNumbers) {
   KnownReadings flat(7), wide(7);
   for (auto& unknown : flat.fitted)
@@ -252,12 +253,12 @@ TEST(LinearEvidence, PrincipalTermsAreSquareToOneAnotherAndStandForAll) {
   EXPECT_TRUE(readings.evidence().principalTerms(2).isApprox(terms.leftCols(2), 1e-12));
 }
 
-/// Redundant or zero terms of the discrepancy change nothing; of many terms, the largest are kept.
+/// Redundant or zero terms of the discrepancy must change nothing; of many terms, the largest must be kept.
 TEST(LinearEvidence, TermsOfTheDiscrepancyMayBeAlike) {
   KnownReadings readings(12), alike(12);
   alike.Z.resize(20, 40);
   std::mt19937_64 random(12);
-  // W^T W = I: forty terms with the covariance of four.
+  // Because W^T W = I, the forty terms have the covariance of the original four.
   const MatrixXd W = Eigen::HouseholderQR<MatrixXd>(drawn(random, 40, 4)).householderQ() * MatrixXd::Identity(40, 4);
   alike.Z = readings.Z * W.transpose();
   EXPECT_EQ(alike.evidence().principalTerms(100).cols(), 4);
@@ -270,7 +271,8 @@ TEST(LinearEvidence, TermsOfTheDiscrepancyMayBeAlike) {
   KnownReadings many(13, 200);
   many.Z = drawn(random, 200, 150);
   EXPECT_EQ(many.evidence().principalTerms(1000).cols(), 120);
-  // Omitted terms are small: a last column with a hundredth of the variance is kept, one with a millionth is not.
+  // Only small terms may be omitted: a last column with a hundredth of the variance must be kept, one with a millionth
+  // must not.
   KnownReadings small(14);
   small.Z.col(3) *= 0.1;
   EXPECT_EQ(small.evidence().principalTerms(100).cols(), 4);

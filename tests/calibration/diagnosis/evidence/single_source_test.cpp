@@ -1,4 +1,5 @@
-// The evidence of a single unknown source added to a model, compared with the normal densities.
+// The evidence of a single source added to a model must equal the ratio of the normal densities with and without the
+// source.
 #include "calibration/diagnosis/evidence/single_source.hpp"
 
 #include <gtest/gtest.h>

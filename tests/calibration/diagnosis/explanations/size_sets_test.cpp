@@ -1,5 +1,5 @@
-// An effect has a set of sizes if the readings do not tell the direction of the tip's offset; one camera offset
-// decides.
+// An effect must have several sets of values if the readings do not show the direction of the tip's offset, and one set
+// if they do.
 #include "calibration/diagnosis/explanations/size_sets.hpp"
 
 #include <gtest/gtest.h>
@@ -49,8 +49,8 @@ const FoundNumber& numberOf(const FoundEffect& effect, const std::string& name) 
   return *std::ranges::find(effect.numbers, name, &FoundNumber::name);
 }
 
-/// Returns true if a parameter agrees with the truth: within its range, else within 3.5 sigma, else (without sigma)
-/// exactly.
+/// Returns true if a parameter agrees with the truth: within its range, else within 3.5 standard deviations, else
+/// (without a standard deviation) exactly.
 bool holds(const FoundNumber& number, double truth) {
   if (std::isfinite(number.lower)) return number.lower <= truth && truth <= number.upper;
   return std::isfinite(number.sigma) ? std::abs(number.value - truth) <= 3.5 * number.sigma : number.value == truth;
@@ -72,8 +72,8 @@ TEST(SizeSets, OfStepsHoldTheTruthWhicheverWayTheBaseSlipped) {
   EXPECT_GE(told, 2);
 }
 
-/// Returns visits with the tip at its predicted position: in the first half all steps enter, in the second half two of
-/// three.
+/// Returns visits to holes at the predicted tip positions: all steps of the tool enter in the first half of the visits,
+/// two of three steps in the second half.
 std::vector<Measurement> countsAtPredictedTips(const app::Cell& cell, int visits, double beyond, double within) {
   ReadingMaker maker({cell.arm, {{"", cell.X_WB, true}}}, 5, ReadingMaker::Noise::kNone);
   std::vector<Measurement> readings;
@@ -92,8 +92,8 @@ std::vector<Measurement> countsAtPredictedTips(const app::Cell& cell, int visits
   return readings;
 }
 
-// A slip of any size between two tolerances, in any horizontal direction, gives the same step counts. The answer is the
-// set of all these slips, however many visits were counted; one camera reading decides.
+// A slip of any size between two tolerances, in any horizontal direction, gives the same step counts. The diagnosis
+// must report the range of all these slips, and that the offset in a camera image would decide between them.
 TEST(SizeSets, OfEqualCountsAreARing) {
   app::Cell cell = shippedCell("mockup.yaml");
   cell.base_known = true;
@@ -112,7 +112,7 @@ TEST(SizeSets, OfEqualCountsAreARing) {
   EXPECT_TRUE(std::ranges::count(found->decided_by, MeasurementKind::kOffset));
 }
 
-// Camera offsets have a sign, so the answer is unique.
+// Offsets in a camera image show the direction of a slip, so the diagnosis must report a single set of values.
 TEST(SizeSets, OfOffsetsAreOne) {
   for (const auto* slip : {"x=0.04in,time=60"}) {
     const auto result = diagnosisOf(slippedSet(slip, MeasurementKind::kOffset, 60, 3));

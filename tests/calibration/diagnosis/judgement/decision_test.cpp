@@ -1,4 +1,4 @@
-// Decision from probabilities of causes to the verdict: each case has probabilities that can be added by hand.
+// The verdict must follow from the probabilities of the causes, which in each case can be added up by hand.
 #include "calibration/diagnosis/judgement/decision.hpp"
 
 #include <gtest/gtest.h>
@@ -75,7 +75,7 @@ TEST(Decide, NamesNothingUnlessItIsAllButSureThatSomethingIsMissing) {
 }
 
 TEST(Decide, NamesOneCauseThatIsSureOfAllThatIsMissing) {
-  // The cause has 0.86 of the total probability of 0.95 that something is missing, which is more than 0.9.
+  // The cause has 0.86 of the total probability of 0.95 that something is missing, a fraction of more than 0.9.
   const Diagnosis one = decided(posteriorWith(0.05, {classOf({1}, 0.86), classOf({2}, 0.09)}));
   EXPECT_EQ(one.verdict, Verdict::kExplained);
   EXPECT_EQ(alternativesOf(one), Names{"1"});
@@ -114,7 +114,7 @@ TEST(Decide, CausesBeyondThoseOfAMoreProbableClassCountToIt) {
   const Diagnosis both = decided(posteriorWith(0.05, {classOf({1, 2}, 0.5), classOf({1}, 0.4)}));
   EXPECT_EQ(both.verdict, Verdict::kAmbiguous);
   EXPECT_EQ(alternativesOf(both), (Names{"1+2", "1"}));
-  // For the class {1}, the part that the added cause 2 or 3 would explain remains unexplained.
+  // For the class {1}, what the added cause 2 or 3 would explain must count as unexplained.
   EXPECT_EQ(decided(posteriorWith(0, {classOf({1}, 0.4, 0), classOf({1, 2}, 0.39), classOf({1, 3}, 0.2)})).verdict,
             Verdict::kUnexplained);
   Posterior others = posteriorWith(0, {classOf({1}, 0.5), classOf({2}, 0.25)});
@@ -123,7 +123,7 @@ TEST(Decide, CausesBeyondThoseOfAMoreProbableClassCountToIt) {
   const Diagnosis with = decided(others);  // 0.95 is named; cause 3 alone has no fitted model
   EXPECT_EQ(with.verdict, Verdict::kAmbiguous);
   EXPECT_EQ(alternativesOf(with), (Names{"1", "2"}));
-  // A class becomes the first one if classes that extend it raise its probability above the others.
+  // A class must become the first one if classes that extend it raise its probability above the others.
   Posterior overtaken = posteriorWith(0, {classOf({1}, 0.45), classOf({2}, 0.3), classOf({2, 3}, 0.25)});
   EXPECT_EQ(alternativesOf(decided(overtaken)), (Names{"2", "1"}));
 }
@@ -133,8 +133,8 @@ TEST(Decide, ListsAlternativesUntilTheyAreCredibleTogether) {
             (Names{"1", "2"}));
   EXPECT_EQ(alternativesOf(decided(posteriorWith(0.05, {classOf({1}, 0.6), classOf({2}, 0.25), classOf({3}, 0.1)}))),
             (Names{"1", "2", "3"}));
-  // 0.7 of 0.752 is not yet credible. Classes with less than a fiftieth of 0.7 are left out, except the second most
-  // probable class: with a single class nothing would be ambiguous.
+  // The first class has 0.7 of 0.752, less than the credible fraction. Classes with less than a fiftieth of 0.7 must
+  // still be left out, except the second, because a single class would not be ambiguous.
   const auto first_and_four = [](double each) {
     std::vector<ModelClass> classes{classOf({1}, 0.7)};
     for (int k = 2; k < 6; ++k) classes.push_back(classOf({k}, each));

@@ -83,7 +83,7 @@ TEST(DiagnosisViews, anEffectThatIsThereHasSlopeOneAtItsSize) {
   }
   EXPECT_NEAR(std::sqrt(squares), added.length, 1e-9 * added.length);
   EXPECT_NEAR(product / squares, added.slope, 1e-9);
-  // The squared length explained by the plot's line equals the decrease of chi-square due to the effect.
+  // The squared length explained by the plot's line must equal the decrease of chi-square due to the effect.
   const double fall = all.result.chi2 - all.result.alternatives.front().chi2;
   EXPECT_NEAR(added.slope * added.slope * squares, fall, 0.03 * fall);
 }
