@@ -1,5 +1,5 @@
-// Distances of body points from the origins of the arm's rows, independent of where along its joint axis the arm file
-// puts an origin: the basis of bounds on the travel of the bodies.
+// Largest distances of body points from the origins of the arm's rows, for bounds on the travel of bodies. The origins
+// are first moved along the joint axes, so that it does not matter where on its axis the arm file puts an origin.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,12 @@
 namespace tubeplan::planner {
 
 struct AnchoredReach {
-  deflection::Arm arm;  ///< the arm, with the rows' origins moved along the joint axes so that they are near each other
-  std::vector<double> body_reach;  ///< greatest distance of a body point from the moved origin of each row [m]
+  deflection::Arm arm;  ///< the arm, with the rows' origins moved along the joint axes so that they are close together
+  std::vector<double> body_reach;  ///< largest distance of a body point from the moved origin of each row [m]
 };
 
-/// Moves the rows' origins along the joint axes. `body_reach` has the greatest distances from the origins as the arm
-/// has them; distances of rows whose origin does not move are kept.
+/// Moves the rows' origins along the joint axes. `body_reach` has the largest distance [m] of a body point from each
+/// row's original origin; values of rows whose origin does not move are kept.
 [[nodiscard]] AnchoredReach anchoredReachOf(const deflection::Arm& arm, const Scene& scene,
                                             std::vector<double> body_reach);
 

@@ -24,7 +24,8 @@ using Eigen::Isometry3d, Eigen::Vector3d;
 constexpr double kLeastDeflectionFactor = 1.1;
 constexpr int kSampledPostures = 96;
 
-/// Returns the scene for travel between tubes: without the contacts that `allow` lists permit the tool on approach.
+/// Returns the scene for travel between tubes: the tool may not touch even obstacles that `allow` lists permit on
+/// approach.
 Scene travelScene(Scene scene) {
   if (scene.links.empty()) return scene;
   const std::string& tool = scene.links.back().name;
@@ -53,7 +54,7 @@ std::vector<LinkReach> linksOf(const AnchoredReach& anchored) {
                  : joint.type == deflection::JointType::kPrismatic ? LinkReach::Joint::kPrismatic
                                                                    : LinkReach::Joint::kRevolute;
     link.follows = joint.follows;
-    // A slide lengthens the step between the origin of the row before the slide and the origin of the slide's own row.
+    // A prismatic joint lengthens the step from the origin of the row before it to the origin of its own row.
     if (!links.empty()) links.back().step += deflection::slideLength(joint);
     links.push_back(link);
   }
@@ -86,8 +87,8 @@ double deflectionFactor(const Workcell& cell) {
     if (bent.kinematics.status != deflection::KinematicsStatus::kConverged) continue;
     for (int k = 0; k < bent.position_B.cols(); ++k) {
       const double extra = (bent.position_B.col(k) - straight.position_B.col(k)).norm();
-      // Levers below a quarter of the reach are not used: a lever that is short here is longer in another posture,
-      // which determines the bound of its joint.
+      // The rigid motion per rad is taken as at least a quarter of the reach: a joint whose lever is short here has a
+      // longer one in another posture, which determines the bound of the joint.
       most = std::max(most, 1 + extra / std::max(straight.position_B.col(k).norm(), reach / 4));
     }
   }

@@ -14,24 +14,25 @@ namespace tubeplan::planner {
 class NearestPairs;
 struct NearestPair;
 
-/// Rule for contact of the tool with the sheet. The tool may enter holes only while it approaches or retreats; during a
-/// travel it keeps clear of the sheet like every other body.
+/// Rule for contact of the tool with the sheet. The tool may enter holes only while it approaches or retreats; while it
+/// travels between tubes it keeps clear of the sheet like every other body.
 enum class ContactRule { kTravel, kApproach };
 
-/// Bound on the travel of any body point, including changes of the deflection (deflection_travel.hpp). If the
-/// deflection's bound is not proved, the largest change over sampled postures replaces it.
+/// Bound on the travel of any body point while joints move, including changes of the deflection
+/// (deflection_travel.hpp). If the bound on these changes is not proved, a factor found over sampled postures replaces
+/// it (deflectionFactor()).
 struct ArmTravel {
   TravelBound bound;
-  double jump = 0;  ///< distance subtracted from every margin [m]
+  double jump = 0;  ///< distance that a point may jump within the play of joints, subtracted from every margin [m]
   bool is_proved = false;
   std::string reason;  ///< reason why the bound is not proved; empty if the bound is proved
 };
 [[nodiscard]] ArmTravel armTravelOf(const Workcell& cell, const std::vector<double>& body_reach);
 
-/// Joint values of many postures [rad, m], one column for each.
+/// Joint values of many postures [rad, m], one column per posture.
 using PostureColumns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Margins of many postures, and the full clearance of the posture with the least margin, or of a posture with a NaN
+/// Margins of many postures, and the full clearance of the posture with the smallest margin, or of a posture with a NaN
 /// margin if there is one.
 struct MarginsSideBySide {
   std::vector<double> margins;  ///< margin of each posture [m]
@@ -42,29 +43,29 @@ struct MarginsSideBySide {
 /// Clearance of postures of one workcell. Const use from several threads is safe.
 class ArmClearance {
  public:
-  /// `padding`: number of standard deviations of the base's pose to subtract from every distance to fixed obstacles,
-  /// propagated to each body in each posture.
+  /// `padding`: how many standard deviations of the base's pose, propagated to each body in each posture, are
+  /// subtracted from its distance to fixed obstacles.
   explicit ArmClearance(const Workcell& cell, double padding = 0);
   ~ArmClearance();
 
   [[nodiscard]] const BasePadding& padding() const { return padding_; }
 
-  /// Returns the least margin of the deflected shape at the joint readings q, reduced by the bow of bent members
-  /// between their frames. A shape that does not converge has a NaN margin, with the reason in `other`.
+  /// Returns the clearance of the deflected arm at joint values q, reduced by the bow of bent members between their
+  /// frames. If the deflected shape does not converge, the margin is NaN and `other` states the reason.
   [[nodiscard]] Clearance at(const Eigen::VectorXd& q, ContactRule rule) const;
 
   /// Returns the clearance with `spare` [m] subtracted from the margin. The planner keeps this reserve so that a proof
   /// by another method succeeds too.
   [[nodiscard]] Clearance withSpare(const Eigen::VectorXd& q, ContactRule rule, double spare) const;
 
-  /// Returns the margins of one or more postures, computed side by side in the kernel lanes of the processor. Each
-  /// margin has the same bits as if its posture were computed alone.
+  /// Returns the margins of one or more postures, computed side by side in the SIMD lanes of the processor. Each margin
+  /// has the same bits as if its posture were computed alone.
   [[nodiscard]] MarginsSideBySide together(const PostureColumns& q, ContactRule rule) const;
 
-  /// Returns the bound on any body point's travel, including changes of the deflection.
+  /// Returns the bound on the travel of any body point, including changes of the deflection.
   [[nodiscard]] const TravelBound& travel() const { return travel_.bound; }
 
-  /// Returns the bound on travel with its proof, or with the reason why it is not proved.
+  /// Returns the bound on travel, and whether it is proved or the reason why not.
   [[nodiscard]] const ArmTravel& armTravel() const { return travel_; }
 
   [[nodiscard]] const Workcell& cell() const { return cell_; }
@@ -82,12 +83,12 @@ class ArmClearance {
 };
 
 /// Returns the factor by which a point may move faster than on a rigid arm, because the deflection changes with the
-/// joints. The factor is the largest ratio found for the tip over a lattice of postures under this load, with the
+/// joints. The factor is the largest ratio found for the tip over a lattice of postures under the cell's load, with the
 /// excess over 1 increased by a tenth; at least 1.1. Sampled, not proved.
 [[nodiscard]] double deflectionFactor(const Workcell& cell);
 
 /// Returns the poses of the rows' bodies in the world: each row's frame, turned so that its member lies along the chord
-/// of the bent member. Empty if the deflected shape does not converge. `bow` receives the greatest distance of a bent
+/// of the bent member. Empty if the deflected shape does not converge. `bow` receives the largest distance of a bent
 /// member from its chord [m]; may be null.
 std::vector<Eigen::Isometry3d> bodyFrames(const Workcell& cell, const Eigen::VectorXd& q, double* bow);
 

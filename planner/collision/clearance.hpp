@@ -26,7 +26,7 @@ struct Clearance {
 /// Returns a sentence such as "forearm is 0.0021 m from divider, 0.0064 m required".
 [[nodiscard]] std::string describe(const Clearance& clearance);
 
-/// Returns for each link the greatest distance of a body point from the origin of the link's frame [m]; 0 for a link
+/// For each link, returns the largest distance of a body point from the origin of the link's frame [m]; 0 for a link
 /// without bodies.
 [[nodiscard]] std::vector<double> bodyReachOf(const Scene& scene);
 

@@ -15,21 +15,22 @@ namespace {
 
 using deflection::Arm;
 
-constexpr double kMostBending = 0.1;  // greatest bending of one element for which its law of bending is valid [rad]
+constexpr double kMostBending = 0.1;  // largest rotation of one element for which the bound is proved [rad]
 constexpr int kMostTerms = 200;
-// change of a member's bow from its chord, as a fraction of the motion of the member's end
+// Change of a member's bow from its chord, as a fraction of the motion of the member's end.
 constexpr double kBowShare = 0.3;
 
-/// A flexible element, with the greatest values over all postures with every slide fully extended. The element of a
-/// joint is at its row's origin; the element of a beam is at the far end of its member.
+/// A flexible element, with the largest moment, weight, reach and rotation over all postures, taken with every
+/// prismatic joint fully extended. The element of a joint is at its row's origin, that of a beam at the far end of its
+/// member.
 struct FlexiblePlace {
   int row;
   double compliance;  ///< compliance of the element [rad/(N m)]
-  double length;      ///< length of the member or of a slide's bar; 0 for a joint [m]
-  double moment;      ///< greatest first moment of all weight beyond the near end, about the near end [N m]
+  double length;      ///< length of the member, or of the bar of a prismatic joint; 0 for the element of a joint [m]
+  double moment;      ///< largest first moment of all weight beyond the near end, about the near end [N m]
   double weight;      ///< weight beyond the near end [N]
-  double reach;       ///< greatest distance of a body point beyond the near end from that end [m]
-  double bending;     ///< greatest rotation of the element [rad]
+  double reach;       ///< largest distance of a body point beyond the near end from that end [m]
+  double bending;     ///< largest rotation of the element [rad]
 };
 
 double weightOf(const deflection::Row<double>& row, double length) {
@@ -38,8 +39,8 @@ double weightOf(const deflection::Row<double>& row, double length) {
   return weight;
 }
 
-/// Returns the first moment of a row's weight about its origin [N m]. Lumps are `lumps` [m] further out than their own
-/// distances.
+/// Returns the first moment of a row's weight about its origin [N m], with its lumped weights moved outwards by `lumps`
+/// [m].
 double momentOf(const deflection::Row<double>& row, double length, double lumps) {
   double moment = row.weight.distributed * length * length / 2 + row.weight.end * length;
   for (const auto& lump : row.weight.lumps) moment += std::abs(lump.weight) * (lumps + lump.at.norm());
@@ -84,8 +85,8 @@ class Bound {
     return std::ranges::all_of(places_, [](const FlexiblePlace& place) { return place.bending <= kMostBending; });
   }
 
-  /// Returns the travel per radian that a row turns, or per metre that it slides; infinite if the series does not
-  /// converge.
+  /// Returns how far changes of the deflection move a point per radian or metre of a row's joint [m]; infinite if the
+  /// Neumann series does not converge.
   [[nodiscard]] double travelBy(int row) const {
     const bool is_slide = arm_.rows[static_cast<std::size_t>(row)].joint.type == deflection::JointType::kPrismatic;
     Eigen::VectorXd sum(static_cast<Eigen::Index>(places_.size()));
@@ -105,24 +106,25 @@ class Bound {
 
  private:
   struct Hanging {
-    double moment, weight;  ///< first moment about the row's origin [N m]; weight beyond it [N]
+    double moment, weight;  ///< first moment about the row's origin [N m], and weight [N], of the loads beyond it
   };
 
-  /// Returns the vector along the bending length of a row, with slides fully extended [m].
+  /// Returns the vector along the part of a row that bends [m]: the member, or the fully extended bar of a prismatic
+  /// joint.
   static Eigen::Vector3d barOf(const deflection::Row<double>& row, const Eigen::Vector3d& member) {
     if (row.joint.type != deflection::JointType::kPrismatic) return member;
     return deflection::slideLength(row.joint) * Eigen::Vector3d::UnitZ();
   }
 
-  /// Returns an element's rotation per joint rotation before the coupling between elements [rad/rad]. The joint turns
-  /// everything beyond it; an element further out carries only the loads beyond that element.
+  /// Returns an element's rotation per rotation of the joint of `row`, without the coupling between elements [rad/rad].
+  /// The joint turns everything beyond it, of which an element further out carries only the loads beyond itself.
   [[nodiscard]] double gainedByTurn(const FlexiblePlace& place, int row) const {
     return place.compliance * std::min(place.moment, at_origin_[static_cast<std::size_t>(row)].moment);
   }
 
-  /// Returns an element's rotation per slide travel before the coupling between elements [rad/m]. A longer bar bends
-  /// more, because its compliance grows with its length. Elements before the bar carry its load further out, and carry
-  /// the added weight of the bar.
+  /// Returns an element's rotation per travel of the prismatic joint of `row`, without the coupling between elements
+  /// [rad/m]. A longer bar bends more, because its compliance grows with its length. Elements before the bar carry its
+  /// load further out, and the added weight of the bar.
   [[nodiscard]] double gainedBySlide(const FlexiblePlace& place, int row) const {
     if (place.row > row) return 0;
     if (place.row == row && place.length > 0) return kLengthening * place.compliance / place.length * place.moment;
@@ -130,7 +132,7 @@ class Bound {
     return place.compliance * (at_origin_[static_cast<std::size_t>(row)].weight + bar_weight * place.reach);
   }
 
-  /// Returns the displacement of a member's end per rotation of the member [m/rad].
+  /// Returns the largest displacement of a member's end per rotation of the member [m/rad].
   static double displacement(const FlexiblePlace& place) { return place.length * (1 + 2 * place.bending); }
 
   void add(FlexiblePlace place) {
@@ -139,7 +141,8 @@ class Bound {
     places_.push_back(place);
   }
 
-  /// Fills the matrix of the rotation of each element per rotation of each other element.
+  /// Fills `spread_`: entry (e, other) is the rotation of element e caused by a unit rotation of element `other`
+  /// [rad/rad].
   void spread() {
     const auto count = static_cast<Eigen::Index>(places_.size());
     spread_ = Eigen::MatrixXd::Zero(count, count);
@@ -148,14 +151,15 @@ class Bound {
         const FlexiblePlace& here = places_[static_cast<std::size_t>(e)];
         const FlexiblePlace& there = places_[static_cast<std::size_t>(other)];
         const double by_displacement = there.weight * displacement(there);
-        // Rotations before an element, and its own rotation, turn gravity relative to the loads beyond the element.
+        // An element before this one turns gravity relative to the loads beyond this one. An element beyond it, or this
+        // one itself, turns and displaces the loads beyond that element.
         const double moment = other < e ? here.moment : there.moment + by_displacement;
         spread_(e, other) = here.compliance * moment;
       }
   }
 
-  /// Returns the motion of a point beyond all elements [m], including the rotation of frames along bent chords and the
-  /// bow of members.
+  /// Returns the motion of a point beyond all elements [m] for these rotations per joint motion, including the rotation
+  /// of frames along bent chords and the bow of members.
   [[nodiscard]] double moved(const Eigen::VectorXd& rotations) const {
     double travel = 0;
     for (std::size_t e = 0; e < places_.size(); ++e) {

@@ -1,18 +1,19 @@
-// Proved bound, valid in every posture, on the motion of a point of the arm by deflection while the joints move.
+// Proved bound, valid in every posture, on how far a point of the arm moves because deflections change while joints
+// move.
 //
 // A joint that turns by dq turns the loads beyond it, and turns gravity in the frames of the elements beyond it. The
-// moment on every element changes by no more than first moments allow, and the rotation of each element changes the
-// moments on the other elements again. Let x_e be the rotation that element e gains per dq, C_e the compliance of e, m
-// the first moment of the loads beyond an element, and W the weight of these loads. Then
+// moment on each element changes by at most dq times a first moment of loads, and the rotation of each element changes
+// the moments on the other elements again. Let x_e be the rotation that element e gains per dq, C_e the compliance of
+// e, m the first moment of the loads beyond an element, and W the weight of these loads. Then
 //      x_e <= C_e ( m_joint or m_e  +  sum over elements beyond (m x + W y)  +  m_e sum over elements before (x)
 //                   + W_e y_e ),
-// where y <= l x (1 + 2 theta) is the displacement at the end of a member of length l that bends by theta at most. All
-// factors are positive and small, so that the inequalities are solved by summing a Neumann series.
+// where y <= l x (1 + 2 theta) is the displacement at the end of a member of length l that bends by at most theta. All
+// factors are positive and small, so that a Neumann series solves the inequalities.
 //
-// A slide that extends by ds moves everything beyond it further out. Elements before the slide first gain C_e (W + w
-// r_e), where W is the weight on the bar, w the weight of the bar per metre, and r_e the distance of the bar's end from
+// A prismatic joint that extends by ds moves everything beyond it further out. Elements before it first gain C_e (W + w
+// r_e), where W is the weight on its bar, w the weight of the bar per metre, and r_e the distance of the bar's end from
 // e. The bar itself gains C_e m_e / l, because its compliance grows with its length l. All other terms are taken with
-// every slide fully extended.
+// every prismatic joint fully extended.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,18 +30,18 @@ struct DeflectionTravel {
   /// motion per rad (or m) of each joint [m], in addition to the motion of the arm frozen in its bent shape; includes
   /// changes of the members' bow
   Eigen::VectorXd per_joint;
-  double jump = 0;  ///< motion independent of any travel, when the mechanical play of joints snaps over [m]
+  double jump = 0;  ///< motion when the mechanical play of joints snaps over, however little the joints move [m]
   /// Factor on all rigid lengths, because the chord of a bent member may be longer than the member.
   double stretch = 1;
 };
 
 /// Returns the distance that a point can jump when the mechanical play of joints snaps over [m]: the sum over all
 /// joints of the play times the reach beyond the joint. This distance is subtracted from the margin of every posture.
-/// `body_reach`: greatest distance of a body point from each row's frame [m].
+/// `body_reach`: largest distance of a body point from each row's frame [m].
 [[nodiscard]] double gapJumpOf(const Workcell& cell, const std::vector<double>& body_reach);
 
-/// Computes the bound; `body_reach` as for gapJumpOf(). The bound is not proved for an arm with effects, with slides
-/// without limits, or so compliant that members may bend by more than 0.1 rad.
+/// Returns the bound; `body_reach` as for gapJumpOf(). The bound is not proved for an arm with effects, with prismatic
+/// joints without limits, or so compliant that members may bend by more than 0.1 rad.
 [[nodiscard]] DeflectionTravel deflectionTravelOf(const Workcell& cell, const std::vector<double>& body_reach);
 
 }  // namespace tubeplan::planner

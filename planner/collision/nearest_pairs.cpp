@@ -52,7 +52,7 @@ KnownObstacle cylinderOf(const CylinderSolid& cylinder, PlainObstacle& plain) {
   return {PairKind::kCylinder, true};
 }
 
-/// Returns the description of a shape that the kernels do not support: a sphere of infinite radius around the shape.
+/// Describes a shape that the kernels do not support by a sphere of infinite radius around the shape.
 KnownObstacle unknown(PlainObstacle& plain) {
   return capsuleOf({Vector3d::Zero(), Vector3d::Zero(), std::numeric_limits<double>::infinity()}, false, plain);
 }
@@ -145,8 +145,8 @@ Separation NearestPairs::separationOf(const deflection::PlacedRows& placed, int 
                                     : obstacle.separationFrom(X_WB, *solids_[body]);
 }
 
-/// Returns true if the obstacle is known to be farther than `distance`: shapes that are not solids may have a better
-/// bound than the kernel's.
+/// Returns true if the obstacle of a pair is known to be farther than `distance` [m] from the body. Some shapes, such
+/// as meshes, have a better bound than the kernel's.
 bool NearestPairs::isFarther(const deflection::PlacedRows& placed, int lane, const kernels::PlainPair& pair,
                              double distance) const {
   if (pair.kind == PairKind::kBodyAndBody) return false;

@@ -1,9 +1,9 @@
-// Pair of bodies, or of a body and an obstacle, with the least margin in each of many postures, found side by side.
+// Nearest pair, of two bodies or of a body and an obstacle, in each of many postures, found side by side.
 //
 // Kernels compute the distances of capsules from planes, spheres, boxes, cylinders and each other
 // (kernels/distance_kernel.hpp). For every other pair (a mesh, or a body of the arm that is not a capsule) a kernel
-// computes a lower bound from the capsule around the body and the box around the mesh. The distance of such a pair
-// itself is computed only if its lower bound is less than the least distance so far, posture by posture.
+// computes a lower bound from the capsule around the body and the box around the mesh. Posture by posture, the distance
+// of such a pair is computed only if its lower bound is smaller than the smallest distance so far.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@
 
 namespace tubeplan::planner {
 
-/// The nearest approach of one posture.
+/// The nearest pair of one posture.
 struct NearestPair {
   double distance = std::numeric_limits<double>::quiet_NaN();  ///< distance with the meaning of Clearance::distance [m]
   int pair = -1;  ///< index of the nearest pair among the pairs of the scene; -1 if there is nothing to touch
@@ -25,7 +25,7 @@ struct NearestPair {
 /// A scene prepared for many queries. Queries are const, and safe from several threads at once.
 class NearestPairs {
  public:
-  /// The scene must be free of problems (findSceneProblems()).
+  /// `scene` must have no problems (findSceneProblems()).
   explicit NearestPairs(Scene scene);
 
   /// Finds the nearest pair of each placed posture; its distance is NaN if the shape does not converge or a pose is not
@@ -55,9 +55,10 @@ class NearestPairs {
   std::vector<kernels::PlainBody> bodies_;
   std::vector<kernels::PlainObstacle> obstacles_;
   std::vector<kernels::PairKind> obstacle_kinds_;
-  /// True if the kernel has the obstacle itself, false if it has a solid around the obstacle.
+  /// For each obstacle, true if the kernel measures the obstacle itself, false if it measures a solid around the
+  /// obstacle.
   std::vector<bool> obstacle_is_plain_;
-  std::vector<kernels::PlainPair> pairs_;  ///< pairs with an exact kernel distance first
+  std::vector<kernels::PlainPair> pairs_;  ///< pairs; those whose distance the kernel computes exactly come first
   int exact_ = 0;
 };
 

@@ -1,6 +1,6 @@
 // Uncertainty of a body's position caused by the uncertainty of the base's calibration.
 //
-// A point p moves by t + w x (p - p_WB) if the base has an error of a shift t and a small rotation w. The standard
+// If the base is wrong by a shift t and a small rotation w, a point p moves by t + w x (p - p_WB). The standard
 // deviation of this motion, in every direction, is a convex function of p. Within a capsule it therefore never exceeds
 // its value at the capsule's ends plus the rotation's standard deviation times the capsule's radius. Per metre that p
 // moves, it changes by no more than the rotation's standard deviation.
@@ -11,8 +11,8 @@
 
 namespace tubeplan::planner {
 
-/// A multiple `sigmas` of the standard deviation of a base's pose, propagated to the bodies of a posture. Const use
-/// from several threads is safe.
+/// Padding of the distances of bodies: `sigmas` times the standard deviation of the base's pose, propagated to each
+/// body in a posture. Const use from several threads is safe.
 class BasePadding {
  public:
   BasePadding() = default;

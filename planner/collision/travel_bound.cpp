@@ -7,8 +7,8 @@
 namespace tubeplan::planner {
 namespace {
 
-/// Returns for each link the greatest distance of any point of this link or the links beyond from the origin of the
-/// link's frame [m].
+/// For each link, returns the largest distance from the origin of its frame to any point of this link or of the links
+/// beyond [m].
 std::vector<double> reachesBeyond(std::span<const LinkReach> links) {
   std::vector<double> beyond(links.size());
   for (std::size_t i = links.size(); i-- > 0;) {

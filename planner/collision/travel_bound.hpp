@@ -10,10 +10,10 @@
 namespace tubeplan::planner {
 
 /// Bound on the travel during a straight motion in joint space: the sum of |dq_j| times `reach_per_joint[j]`. For a
-/// revolute joint, `reach_per_joint` is the greatest distance of any body point beyond the joint from its axis [m/rad],
-/// plus the distance beyond each frame that follows the joint times the ratio of that frame. For a sliding joint it is
-/// 1 [m/m]. The sum also bounds the approach of two bodies of the arm towards each other, because only the joints
-/// between them matter.
+/// revolute joint, `reach_per_joint` is an upper bound of the distance of any body point beyond the joint from its axis
+/// [m/rad]. For a prismatic joint it is 1 [m/m]. Each frame that follows the joint adds the same distance for that
+/// frame, times its ratio. The sum also bounds how far two bodies of the arm approach each other, because only the
+/// joints between them matter.
 struct TravelBound {
   Eigen::VectorXd reach_per_joint;
 
@@ -25,14 +25,13 @@ struct TravelBound {
 
 /// Lengths of a link that determine the travel of its points.
 struct LinkReach {
-  /// Greatest distance between the origins of this link's frame and the next link's frame [m]; unused for the last
-  /// link.
+  /// Largest distance between the origins of this link's frame and the next link's frame [m]; unused for the last link.
   double step = 0;
-  double body = 0;  ///< greatest distance of a body point from the origin of the link's frame (bodyReachOf()) [m]
+  double body = 0;  ///< largest distance of a body point from the origin of the link's frame (bodyReachOf()) [m]
   enum class Joint {
     kNone,
     kRevolute,
-    /// Slide along the z axis of this frame; a revolute joint turns about that axis.
+    /// Translates along the z axis of this frame; a revolute joint turns about that axis.
     kPrismatic
   } joint = Joint::kNone;
   /// Joints of other links that also turn this link's frame, with their ratios.

@@ -16,7 +16,7 @@ namespace {
 using namespace tubeplan::planner::kernels;
 
 constexpr double kContactGap = 1e-9;   // a smaller gap counts as contact [m]
-constexpr double kFinestStep = 1e-15;  // smallest Newton step, as a fraction of the segment
+constexpr double kFinestStep = 1e-15;  // smallest Newton step, as a fraction of the segment's length
 constexpr int kMostSteps = 100;
 
 struct Segment {
@@ -26,8 +26,8 @@ struct Segment {
 inline Real squared(Vec v) { return dot(v, v); }
 inline Real clamped(Real x, Real low, Real high) { return least(greatest(x, low), high); }
 
-/// Returns the squared distance of two segments (Ericson 2005, 5.1.9). The nearest points include an end of a segment,
-/// or lie on the common perpendicular; all these candidates are computed.
+/// Returns the squared distance between two segments (Ericson 2005, 5.1.9). The nearest points include an end of a
+/// segment, or lie on the common perpendicular; all these candidates are compared.
 inline Real squaredDistance(const Segment& a, const Segment& b) {
   const Real zero = constant(0), one = constant(1);
   const Vec along_a = a.to - a.from, along_b = b.to - b.from, offset = a.from - b.from;
@@ -49,7 +49,8 @@ struct Slope {
   Real slope, curvature;
 };
 
-/// Returns the position along the segment, from 0 to 1, where the slope is zero. `asked`: lanes whose result is used.
+/// Returns the position along the segment, from 0 to 1, where the slope is zero; an end if the slope has one sign
+/// throughout. `asked`: lanes whose result is used.
 template <class SlopeAt>
 inline Real levelPlace(Bits asked, const SlopeAt& slope_at) {
   const Real zero = constant(0), one = constant(1);
@@ -73,8 +74,8 @@ inline Real levelPlace(Bits asked, const SlopeAt& slope_at) {
   return select(at_start, zero, select(at_end, one, s));
 }
 
-/// Returns the gap between segment and solid along the line through the two points found. `reach` returns the solid's
-/// extent towards the segment along a unit vector.
+/// Returns the gap between a capsule and a solid along the line through the points found on the capsule's segment and
+/// on the solid. `reach` returns the solid's extent from the origin along a unit vector.
 template <class Reach>
 inline Real gapAcross(const Segment& segment, Vec on_segment, Vec on_solid, Real radius, const Reach& reach) {
   const Vec way = on_solid - on_segment;
@@ -84,7 +85,7 @@ inline Real gapAcross(const Segment& segment, Vec on_segment, Vec on_solid, Real
   return select(isLess(constant(kContactGap), distance), gap, -greatest(radius, constant(kContactGap)));
 }
 
-/// Returns the distance of a capsule from a box of half dimensions `half` centred on the origin.
+/// Returns the distance of a capsule from a box with half edge lengths `half`, centred on the origin.
 inline Real distanceFromBox(Bits asked, const Segment& segment, Real radius, Vec half) {
   const Real zero = constant(0);
   const Vec along = segment.to - segment.from;
@@ -109,8 +110,8 @@ inline Real distanceFromBox(Bits asked, const Segment& segment, Real radius, Vec
   });
 }
 
-/// Returns the distance of a capsule from a cylinder along z centred on the origin. `thick`: radius of the cylinder
-/// [m].
+/// Returns the distance of a capsule from a cylinder of radius `thick` and half length `half` [m], along z and centred
+/// on the origin.
 inline Real distanceFromCylinder(Bits asked, const Segment& segment, Real radius, Real thick, Real half) {
   const Real zero = constant(0);
   const Vec along = segment.to - segment.from;
@@ -132,7 +133,7 @@ inline Real distanceFromCylinder(Bits asked, const Segment& segment, Real radius
   });
 }
 
-/// Returns the squared distance of a point outside the box from the box; zero inside.
+/// Returns the squared distance of a point from a box centred on the origin; zero inside the box.
 inline Real squaredBeyondBox(Vec p, Vec half) {
   const Real zero = constant(0);
   return squared({greatest(absolute(p.x) - half.x, zero), greatest(absolute(p.y) - half.y, zero),

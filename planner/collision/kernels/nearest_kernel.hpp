@@ -1,9 +1,9 @@
-// Nearest pair of each of several postures computed side by side. See plain_cell.hpp for the input.
+// Nearest pair in each of several postures, computed side by side. See plain_cell.hpp for the input.
 //
-// Pairs are computed one after the other, each for all postures at once. Before an iterative search, or a distance of
-// two segments, the sphere around the capsule decides whether the pair can be nearer than the nearest pair so far. A
-// lane where it cannot is left unchanged even if other lanes continue, so that the bits of a posture's result do not
-// depend on the other lanes.
+// Pairs are computed one after the other, each for all postures at once. Before an iterative search, or the distance
+// between two segments, the sphere around the capsule shows whether the pair can be nearer than the nearest pair so
+// far. A lane where it cannot is left unchanged even if other lanes continue, so that the bits of a posture's result do
+// not depend on the other lanes.
 #pragma once
 
 #include "planner/collision/kernels/distance_kernel.hpp"
@@ -25,7 +25,7 @@ inline Vec inFrame(const PlainPose& X_CW, Vec p) { return same(X_CW.p) + turnedB
 
 struct Found {
   Real distance;
-  Bits asked;  ///< lanes where the distance may be less than the limit
+  Bits asked;  ///< lanes where the distance may be smaller than the limit
 };
 
 inline Found capsulesApart(const Segment& a, const PlainBody& body, const Segment& b, double radius, double half_length,
@@ -87,7 +87,7 @@ inline Found look(const PlainScene& scene, const PlainPair& pair, const FoundPai
   }
 }
 
-/// Finds the nearest pair of each lane. `frames` has the layout of PlacedRows and the stride of `out`.
+/// Finds the nearest pair of each lane's posture. `frames` has the layout of PlacedRows and the stride of `out`.
 inline void findNearest(const PlainScene& scene, const double* frames, const FoundPairs& out) {
   for (int i = 0; i < scene.body_count; ++i) {
     const PlainBody& body = scene.bodies[i];

@@ -3,8 +3,8 @@
 // Postures are side by side: entry l of each array belongs to lane l, and consecutive values of a posture are `stride`
 // apart.
 //
-// This header is included by sources that are compiled for different processors: nothing here may generate code of its
-// own.
+// This header is included by sources that are compiled for different processors, so nothing here may generate code of
+// its own.
 #pragma once
 
 #include "deflection/revolute_chain/plain_rows.hpp"
@@ -26,7 +26,7 @@ struct PlainObstacle {
   double normal[3];       ///< normal of a plane, of length 1
   /// Radius of a sphere, or radius and half length of a capsule or of a cylinder about z of C.
   double radius, half_length;
-  double half[3];  ///< half dimensions of a box along the axes of C
+  double half[3];  ///< half edge lengths of a box along the axes of C
   PlainPose X_CW;
 };
 
@@ -48,10 +48,10 @@ struct PlainScene {
 
 struct FoundPairs {
   double* ends;      ///< six values for each body: both ends of its capsule in the world [m]
-  double* distance;  ///< least distance over the exact pairs [m]
-  double* nearest;   ///< index of the exact pair with the least distance; -1 if there is none
+  double* distance;  ///< smallest distance over the exact pairs [m]
+  double* nearest;   ///< index of the exact pair with the smallest distance; -1 if there is none
   /// Lower bounds of the distances of the pairs after the exact pairs, one for each pair [m]; infinite where the bound
-  /// is no less than `distance`.
+  /// is not below `distance`.
   double* bounds;
   long stride;
 };

@@ -82,7 +82,7 @@ TEST(BodyFrames, MembersRunFromTheirFrameToTheNextOnTheDeflectedShape) {
     const auto frames = bodyFrames(cell, q, &bow);
     EXPECT_GT(bow, 0);
     EXPECT_LT(bow, 0.1 * kInch);
-    // The latch-link bends: its far end, 26.406 in along its x axis, is the forearm's frame.
+    // The far end of the bent latch-link, 26.406 in along its x axis, is at the origin of the forearm's frame.
     const Vector3d end = frames[3] * Vector3d(26.406 * kInch, 0, 0);
     EXPECT_LT((end - frames[4].translation()).norm(), 1e-3 * kInch);
     const Vector3d tip = frames.back() * cell.arm.p_LT;
@@ -90,7 +90,7 @@ TEST(BodyFrames, MembersRunFromTheirFrameToTheNextOnTheDeflectedShape) {
   }
 }
 
-/// Least and greatest height of the arm's bodies [m].
+/// Heights of the lowest and the highest point of the arm's bodies [m].
 struct Span {
   double lowest, highest;
 };
@@ -110,8 +110,8 @@ Span heightsOf(const Workcell& cell, const VectorXd& q) {
 }
 
 TEST(ArmClearance, ItIsTheDeflectedShapeThatIsChecked) {
-  // An arm stretched out horizontally sags. A shelf and a ceiling within the sag distinguish the deflected from the
-  // rigid shape.
+  // An arm stretched out horizontally sags. Only the deflected shape is too close to a shelf placed just below the
+  // rigid shape, and only the rigid shape is too close to a ceiling just above it.
   const Workcell bent = testing::alone(mockup()), rigid = testing::rigid(bent);
   const VectorXd q = Eigen::Vector4d(0.3, 0, 0, 0);
   const Span bent_span = heightsOf(bent, q), rigid_span = heightsOf(rigid, q);

@@ -35,14 +35,14 @@ TEST(CollisionWorld, NamesTheNearestPairAndItsPoint) {
 TEST(CollisionWorld, SelfCollisionOfLinksThatShareNoJoint) {
   const ToyArm arm{{1, 1, 1}, 0.05};
   const CollisionWorld world(arm.scene({}));
-  // The links form a triangle: the third link ends at the start of the first link.
+  // The links form a triangle: the third link ends at the start of the first, so the two overlap.
   const double turn = 2 * std::numbers::pi / 3;
   const Clearance folded = world.closest(arm.frames(posture({0, turn, turn})));
   EXPECT_NEAR(folded.distance, -0.1, 1e-12);
   EXPECT_EQ(folded.body, "link3");
   EXPECT_EQ(folded.other, "link1");
   EXPECT_NEAR(world.closest(arm.frames(posture({0, 0, 0}))).distance, 1 - 0.1, 1e-12);
-  // The links form a square bracket: the first and third links are parallel, one length apart.
+  // The links form a square bracket: the axes of the first and third links are parallel, one length apart.
   const double square = std::numbers::pi / 2;
   EXPECT_NEAR(world.closest(arm.frames(posture({0.3, square, square}))).distance, 1 - 0.1, 1e-12);
 }

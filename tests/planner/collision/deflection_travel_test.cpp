@@ -25,8 +25,7 @@ std::vector<Vector3d> pointsAt(const Workcell& cell, const VectorXd& q, double* 
   return points;
 }
 
-/// Expects that no point of a body moves, including the change of the bow, by more than the bound, for large and small
-/// steps.
+/// Expects that no point of a body moves by more than the bound, changes of the bow included, in large and small steps.
 void expectBounded(const Workcell& cell, std::uint64_t seed) {
   const ArmTravel travel = armTravelOf(cell, bodyReachOf(cell.scene));
   ASSERT_TRUE(travel.is_proved) << travel.reason;
@@ -58,7 +57,7 @@ TEST(DeflectionTravel, BoundsArmsTenTimesAsSoft) {
   expectBounded(cell, 2);
 }
 
-/// The linkage turns the forearm with the two joints before it, faster than these joints turn.
+/// The bound also holds if a linkage turns the forearm with the two joints before it, faster than these joints turn.
 TEST(DeflectionTravel, BoundsAnArmWhoseForearmALinkageTurns) {
   for (const bool is_rigid : {true, false}) {
     Workcell cell = is_rigid ? testing::rigid(testing::mockup()) : testing::mockup();
@@ -69,8 +68,8 @@ TEST(DeflectionTravel, BoundsAnArmWhoseForearmALinkageTurns) {
   }
 }
 
-/// An arm on a vertical and on a horizontal slide; the bar of the slide bends under the arm, the load and its own
-/// weight.
+/// The bound holds for an arm on a vertical or horizontal prismatic joint, whose bar bends under the arm, the load and
+/// its own weight.
 TEST(DeflectionTravel, BoundsAnArmWithASlide) {
   for (const bool is_level : {false, true})
     for (const double load : {0., 200.}) {
@@ -82,7 +81,7 @@ TEST(DeflectionTravel, BoundsAnArmWithASlide) {
     }
 }
 
-/// With only one compliant element at a time, its travel bound is compared with differences of the deflected shape.
+/// With only one compliant element at a time, the bound holds for finite differences of the deflected shape.
 TEST(DeflectionTravel, BoundsEachElementsOwnPart) {
   const Workcell nominal = testing::mockup();
   const Workcell rigid = testing::rigid(nominal);
@@ -107,8 +106,8 @@ TEST(DeflectionTravel, BoundsEachElementsOwnPart) {
           for (std::size_t p = 0; p < bent0.size(); ++p) {
             const double sag = (bent0[p] - rigid0[p]).norm();
             const double extra = ((bent1[p] - bent0[p]) - (rigid1[p] - rigid0[p])).norm();
-            // The joint's own rotation also moves the sag: this is motion of the frozen deflected shape, not
-            // deflection.
+            // The joint also turns the sag. This is motion of the frozen bent shape, not a change of the deflection, so
+            // `sag` is added to the bound.
             EXPECT_LE(extra, 1e-5 * (travel.per_joint[j] + sag) + 1e-11);
           }
         }
@@ -116,8 +115,8 @@ TEST(DeflectionTravel, BoundsEachElementsOwnPart) {
     }
 }
 
-/// A horizontal slide on a bar or bearing that is compliant: motion in addition to the travel along the end of the bent
-/// bar.
+/// A horizontal prismatic joint with a compliant bar or bearing moves points by no more than the bound, apart from the
+/// travel along the end of the bent bar.
 TEST(DeflectionTravel, BoundsWhatASlideGains) {
   for (const bool bar_bends : {true, false}) {
     Workcell cell = testing::rigid(testing::mockup("column.yaml"));
@@ -142,8 +141,8 @@ TEST(DeflectionTravel, BoundsWhatASlideGains) {
   }
 }
 
-/// Two joints and a beam of length `beam`, all compliant. The rotation added by one element rotates the others, and so
-/// on; the geometric series of these rounds sums to the inverse of the identity minus one round.
+/// Two joints and a beam of length `beam`, all compliant. A rotation gained by one element causes rotations of the
+/// others, and so on; the geometric series of these rounds sums to the inverse of the identity minus one round.
 struct ThreeElements {
   Vector3d compliance, moment, weight, reach;
   double beam = 0;
@@ -159,8 +158,8 @@ struct ThreeElements {
   }
 };
 
-/// Returns a joint in a compliant bearing, followed by joint `outer` in a compliant bearing on a beam with compliances
-/// `bends` about its axes.
+/// Returns a cell whose arm has a revolute joint in a compliant bearing, then joint `outer` in a compliant bearing with
+/// a beam that has the compliances `bends` about its axes.
 Workcell twoRows(const deflection::Joint<double>& outer, const Vector3d& bends) {
   deflection::Row<double> first, second;
   first.placement = deflection::Origin<double>{};
@@ -197,7 +196,8 @@ TEST(DeflectionTravel, CountsWhatElementsTurnInEachOtherToTheEnd) {
   EXPECT_NEAR(travel.per_joint[1], elements.travelBy(compliance * M1), 1e-10);
   EXPECT_EQ(travel.stretch, stretch);
 
-  // With 13 such joints at one place, each within its own limit, the series diverges.
+  // With 13 such joints at one place the series diverges, so no bound is proved, although each joint turns by less than
+  // its limit.
   auto upper = cell.arm.rows[0], fore = cell.arm.rows[1];
   upper.joint_stiffness.setConstant(1000);
   upper.weight.end = 0;
@@ -213,7 +213,8 @@ TEST(DeflectionTravel, CountsWhatElementsTurnInEachOtherToTheEnd) {
   EXPECT_NE(without.reason.find("compliant"), std::string::npos) << without.reason;
 }
 
-/// A joint, and a slide in a compliant bearing on a bending bar.
+/// The bound for a prismatic joint in a compliant bearing, with a bending bar and behind a revolute joint, equals the
+/// closed form.
 TEST(DeflectionTravel, CountsWhatASlideAddsToEachElement) {
   Workcell cell =
       twoRows({.name = "slide", .type = deflection::JointType::kPrismatic, .offset = 0.1, .lower = -0.3, .upper = 0.6},
@@ -232,7 +233,7 @@ TEST(DeflectionTravel, CountsWhatASlideAddsToEachElement) {
   EXPECT_NEAR(travel.per_joint[1], elements.travelBy(first), 1e-10);
 }
 
-/// A joint that moves across its clearance makes all rows beyond the joint jump.
+/// The jump is the sum over all joints of the play times the reach of everything beyond the joint.
 TEST(DeflectionTravel, AGapLetsEverythingBeyondItJump) {
   Workcell cell = testing::mockup();
   const std::vector<double> thin(cell.arm.rows.size(), 0);
@@ -251,7 +252,7 @@ TEST(DeflectionTravel, AGapLetsEverythingBeyondItJump) {
   const auto travel = deflectionTravelOf(cell, thin);
   EXPECT_FALSE(travel.is_proved);
   EXPECT_EQ(travel.jump, gapJumpOf(cell, thin));
-  // A slide adds its greatest extension to the reach of the rows beyond it.
+  // A prismatic joint adds its largest extension to the reach beyond its own row and the rows before it.
   auto& slide = cell.arm.rows[5].joint;
   slide.type = deflection::JointType::kPrismatic;
   slide.offset = 0.1;

@@ -56,7 +56,7 @@ TEST(Inseparable, WithinTheClearanceCountsAsNear) {
   EXPECT_EQ(inseparableBodies(arm, scene), Pairs{});
 }
 
-/// The hand folds back onto the forearm: the contact is found although the wrist between them has no shape.
+/// Contact of a hand folded back onto the forearm is found, although the wrist between them has no body.
 TEST(CollisionWorld, JudgesBodiesAcrossALinkWithoutShapes) {
   const testing::ToyArm toy{{1, 1, 1}, 0.05};
   Scene scene = toy.scene({});

@@ -88,7 +88,8 @@ Capsule anyCapsule(std::mt19937_64& random, int trial) {
   return {from, from + along, trial % 5 ? uniform(random, 0.01, 0.2) : 1e-12};
 }
 
-/// Returns the least distance from evenly spaced points of the capsule's axis, computed by pointDistance alone.
+/// Returns the smallest distance of a capsule from the obstacle, sampled by `pointDistance` at evenly spaced points of
+/// the capsule's axis.
 double leastSampled(const Shape& obstacle, const Capsule& body) {
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k <= 400; ++k)
@@ -139,7 +140,8 @@ TEST(NearestPairs, TouchingAndCrossingCountAsContact) {
   EXPECT_NEAR(distanceOf(capsule({0.5, 0.5, 0}, {0.5, 0.5, 0}, 0.25), bar), 0, 1e-15);
 }
 
-/// Returns scenes with bodies of every kind, one scene with a mesh; some random poses are almost in contact.
+/// Returns four scenes: capsules among obstacles, bodies of every kind among obstacles, the same with a mesh, and
+/// bodies alone.
 std::vector<Scene> manyScenes() {
   const std::vector<ShapePointer> bodies = {
       capsule({0, 0, 0}, {0.3, 0, 0}, 0.05), shape("box", {0.1, 0, 0, 0.2, 0.1, 0.08, 0.2, 0, 0}),

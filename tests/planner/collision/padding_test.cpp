@@ -81,8 +81,8 @@ TEST(Padding, IsTakenOffInEachPostureAlikeByThePlannersDistancesAndTheProofs) {
     double bow = 0;
     const auto frames = bodyFrames(cell, q, &bow);
     EXPECT_NEAR(proof.at(frames, 1e-7, 0, nullptr) - bow, with.margin, 1e-6);
-    // The margin of the arm moved by two standard deviations along any axis of the covariance is at least the padded
-    // margin.
+    // If the base, and the arm with it, is off by two standard deviations along any axis of the covariance, the margin
+    // is at least the padded margin.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> axes(cell.base_covariance);
     for (int axis = 0; axis < 6; ++axis) {
       const Eigen::Matrix<double, 6, 1> step =

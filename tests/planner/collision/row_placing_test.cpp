@@ -15,8 +15,8 @@ using Eigen::Index, Eigen::VectorXd;
 using testing::mockup;
 using testing::randomPosture;
 
-/// Returns the mock-up, the mock-up with divided members under a load, and a rigid arm; also arms that no kernel
-/// supports: with a joint compliant about two axes, and with an effect.
+/// Returns cells with the mock-up's arm, the same with divided members under a load, and a rigid arm; also two with
+/// arms that no kernel supports, one with a joint compliant about two axes and one with an effect.
 std::vector<Workcell> cells() {
   std::vector<Workcell> cells{mockup(), mockup(), testing::rigid(mockup()), mockup(), mockup()};
   for (auto& row : cells[1].arm.rows)
