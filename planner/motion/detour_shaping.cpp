@@ -14,13 +14,13 @@ namespace {
 
 using Eigen::VectorXd;
 
-// Displacements by one joint, as travel of the arm's furthest point [m]: offsets from the straight move at which a
+// Displacements by one joint, as travel of the arm's farthest point [m]: offsets from the straight move at which a
 // detour is searched, and step sizes for shaping the detour.
 constexpr std::array kSideways{0.03, 0.06, 0.12, 0.25, 0.5, 1.0};
 constexpr std::array kFinerAndFiner{0.8, 0.4, 0.2, 0.1, 0.05, 0.025, 0.012};
 constexpr int kAttemptsForOneMore = 8;    // one attempt in this many adds a waypoint
 constexpr long kMostChecks = 200'000;     // largest number of postures checked for one detour
-constexpr double kLeastTimeSaved = 1e-3;  // least saving for which a shape is replaced [s]
+constexpr double kLeastTimeSaved = 1e-3;  // smallest saving for which waypoints are replaced [s]
 
 bool isWithinLimits(const VectorXd& q, const MotionProblem& problem) {
   return (q.array() >= problem.lower.array()).all() && (q.array() <= problem.upper.array()).all();
@@ -28,7 +28,7 @@ bool isWithinLimits(const VectorXd& q, const MotionProblem& problem) {
 
 bool isFree(const MotionCheckResult& check) { return check.status == MotionCheckStatus::kFree; }
 
-/// Returns joint steps that move the arm's furthest point by about one metre each; zero for a joint that moves no
+/// Returns joint steps that move the arm's farthest point by about one metre each; zero for a joint that moves no
 /// point.
 VectorXd stepsPerMetre(const MotionProblem& problem) {
   const VectorXd& reach = problem.travel.reach_per_joint;
@@ -70,7 +70,8 @@ struct Shaping {
 
   [[nodiscard]] bool isSpent() const { return checks - checks_before > kMostChecks; }
 
-  /// Replaces the best waypoints with `shape` if its flow is faster and proved free. Returns true if it did.
+  /// Replaces the best waypoints with `shape` if the motion through it without stops is faster and proved free. Returns
+  /// true if it did.
   bool take(Waypoints shape) {
     if (isSpent()) return false;
     const double now = flowTime(shape, problem);

@@ -1,5 +1,5 @@
-// Optimisation of detours around an obstacle: found through one posture if possible, and shaped by local search so that
-// the arm passes through the waypoints in the least time.
+// Detours around obstacles: found through a single posture if possible, and shaped by local search so that the motion
+// through the waypoints is as fast as possible.
 #pragma once
 
 #include <vector>
@@ -13,13 +13,13 @@ using Waypoints = std::vector<Eigen::VectorXd>;
 /// Returns the duration of the motion without stops at the waypoints [s]; the problem must have joint speeds.
 [[nodiscard]] double flowTime(const Waypoints& waypoints, const MotionProblem& problem);
 
-/// Checks the motion without stops at the waypoints. Returns its least proved margin [m] and the tightest posture met;
-/// blocked if any part is not proved free. `checks` is increased by the number of postures checked.
+/// Checks the motion without stops at the waypoints. Returns its smallest proved margin [m] and the tightest posture
+/// met; blocked if any part is not proved free. `checks` is increased by the number of postures checked.
 [[nodiscard]] MotionCheckResult checkFlow(const Waypoints& waypoints, const MotionProblem& problem,
                                           const MotionCheckOptions& options, long& checks);
 
-/// Returns the fastest proved detour through one posture near the middle of the straight move; empty if no posture
-/// tried gives a free detour.
+/// Returns the fastest detour that is proved free and passes through one posture near the middle of the straight move;
+/// empty if no posture tried gives one.
 [[nodiscard]] Waypoints detourByOnePosture(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1,
                                            const MotionProblem& problem, const MotionCheckOptions& options,
                                            long& checks);

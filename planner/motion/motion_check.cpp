@@ -12,7 +12,7 @@ namespace tubeplan::planner {
 namespace {
 
 constexpr std::size_t kLanes = 8;          // largest number of kernel lanes on any processor
-constexpr std::size_t kMostTogether = 64;  // postures computed together; postures behind a blocked one are wasted
+constexpr std::size_t kMostTogether = 64;  // most postures computed together; those after a blocked one are wasted
 
 struct Sample {
   double s;       ///< position along the motion, from 0 to 1
@@ -52,7 +52,7 @@ class MotionProof {
     const Sample start = sampleAt(0), goal = travel_ > 0 ? sampleAt(1) : start;
     if (isBlocked()) return;
     result_.proved_margin = std::min(start.margin, goal.margin);
-    // Breadth first: a blocked motion is mostly found within the first few bisections.
+    // Breadth first, because a blocked motion is usually found within the first few bisections.
     std::deque<Stretch> open;
     if (travel_ > 0) open.push_back({start, goal});
     for (std::size_t left = 0; !open.empty(); --left) {
@@ -108,8 +108,8 @@ class MotionProof {
     named_.push_back({places[found.tightest], std::move(found.clearance)});
   }
 
-  /// Computes the midpoints of the next segments to be bisected. Unused lanes compute the midpoints of the halves that
-  /// will probably be bisected again.
+  /// Computes the margins at the midpoints of the next segments to be bisected. Unused lanes compute those of the
+  /// halves that will probably be bisected again.
   void askForMiddles(const std::deque<Stretch>& open, std::size_t count) {
     if (!side_by_side_) return;
     std::vector<double> places, further;
@@ -131,7 +131,8 @@ class MotionProof {
     askTogether(places);
   }
 
-  /// Returns true if both halves would be proved if the margin at the midpoint were the mean of the two ends' margins.
+  /// Returns true if both halves would be proved if the margin at the midpoint were the mean of the margins at the two
+  /// ends.
   [[nodiscard]] bool halvesWillDo(const Stretch& stretch) const {
     const Sample middle{middleOf(stretch), 0.5 * (stretch.a.margin + stretch.b.margin)};
     return isProved({stretch.a, middle}, middle.margin - 0.25 * travelOf(stretch));
@@ -168,7 +169,7 @@ class MotionProof {
     is_named_ = true;
   }
 
-  /// Returns true, and records the result, if the least margin so far is negative or NaN.
+  /// Returns true, and records the result, if the smallest margin so far is negative or NaN.
   bool isBlocked() {
     if (result_.tightest.margin >= 0) return false;
     block("");

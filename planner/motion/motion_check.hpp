@@ -1,6 +1,6 @@
 // Proof that a straight motion in joint space is free, by adaptive bisection (Schwarzer, Saha and Latombe 2005). A
-// segment is free if the sum of the margins at its two ends exceeds the travel of any point along it. Thin obstacles
-// are not missed.
+// segment is free if the sum of the margins at its two ends exceeds the travel of any point along it, so that even thin
+// obstacles are not missed.
 #pragma once
 
 #include <functional>
@@ -19,8 +19,8 @@ using PostureClearance = std::function<Clearance(const Eigen::VectorXd& q)>;
 struct MotionCheckOptions {
   /// Travel below which a segment is not bisected [m]; a shorter segment that is not proved counts as blocked.
   double least_travel = 1e-4;
-  /// Largest difference between the proved margin and the least margin met [m]; bisection continues until this accuracy
-  /// is reached. Infinite: bisection stops as soon as the motion is proved free.
+  /// Largest difference between the proved margin and the smallest margin met [m]; bisection continues until this
+  /// accuracy is reached. Infinite: bisection stops as soon as the motion is proved free.
   double accuracy = std::numeric_limits<double>::infinity();
   /// Largest number of postures checked; a motion that is not proved by then counts as blocked.
   int max_checks = 100000;

@@ -79,7 +79,8 @@ class Shortcutter {
     shorter.push_back(at(waypoints, b));
     shorter.insert(shorter.end(), waypoints.begin() + b.stretch + 1, waypoints.end());
     if (!(costOf(problem_, shorter) < costOf(problem_, waypoints))) return;
-    // Parts of proved segments are proved except for rounding; they are checked again to exclude rounding errors.
+    // The remaining parts of proved segments are free except for the rounding of their new ends, so they are checked
+    // again.
     const std::size_t i = a.stretch;
     if (isFree(shorter[i + 1], shorter[i + 2]) && isFree(shorter[i], shorter[i + 1]) &&
         isFree(shorter[i + 2], shorter[i + 3]))
@@ -230,8 +231,8 @@ MotionPlan planMotion(const VectorXd& q0, const VectorXd& q1, const MotionProble
     letFlow(problem, options, plan);
     return plan;
   }
-  // Every segment was proved when it was added; a repeated proof succeeds if the clearance depends on the posture
-  // alone.
+  // Every segment was proved when it was added, so a repeated proof fails only if the clearance does not depend on the
+  // posture alone.
   plan.waypoints.clear();
   return stopAt(MotionPlanStatus::kNoPath,
                 "a motion proved free was not free when checked again: its clearance changes between calls");

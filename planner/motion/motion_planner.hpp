@@ -15,8 +15,8 @@ namespace tubeplan::planner {
 
 struct RoadmapWay;
 
-/// Problem of a motion between two postures, with joint values in rad (m for a sliding joint). A joint limit may be
-/// infinite: the search then stays within half a turn beyond start and goal.
+/// A motion planning problem, with joint values in rad (m for a prismatic joint). A joint limit may be infinite: the
+/// search then stays within half a turn beyond start and goal.
 struct MotionProblem {
   Eigen::VectorXd lower, upper;
   PostureClearance clearance_of;
@@ -50,7 +50,7 @@ struct MotionPlan {
   /// Waypoints, with start and goal included. Each straight segment between them, or the motion without stops, is
   /// proved free.
   std::vector<Eigen::VectorXd> waypoints;
-  bool straight = false;  ///< true if the path has start and goal alone
+  bool straight = false;  ///< true if the path consists of start and goal alone
   /// True if there is no path because the roadmap has start and goal in disconnected parts of the free space.
   bool apart = false;
   bool flows = false;  ///< true if the motion passes the waypoints without stops; that motion is then proved free
@@ -58,7 +58,7 @@ struct MotionPlan {
   /// the tip need not follow a line.
   double line_deviation = std::numeric_limits<double>::quiet_NaN();
   double cost = std::numeric_limits<double>::quiet_NaN();
-  double proved_margin = std::numeric_limits<double>::quiet_NaN();  ///< least proved margin over all segments [m]
+  double proved_margin = std::numeric_limits<double>::quiet_NaN();  ///< smallest proved margin over all segments [m]
   /// Clearance of the tightest posture met on the path; if there is no path, of the posture that blocks the straight
   /// move.
   Clearance tightest;
@@ -66,8 +66,8 @@ struct MotionPlan {
   long checks = 0;     ///< number of postures checked
 };
 
-/// Makes the motion through `flow` without stops the plan's path, with its proved margin. The plan has no path if any
-/// part of the motion is not proved free. The problem must have joint speeds.
+/// Sets the plan's path to the motion through the waypoints `flow` without stops, and sets its proved margin. The plan
+/// has no path if any part of the motion is not proved free. The problem must have joint speeds.
 void takeFlow(std::vector<Eigen::VectorXd> flow, const MotionProblem& problem, const MotionCheckOptions& options,
               MotionPlan& plan);
 

@@ -25,7 +25,7 @@ namespace og = ompl::geometric;
 using Eigen::VectorXd;
 using Space = ob::RealVectorStateSpace;
 
-/// Coordinates of the search in metres of travel, so that one step length suits revolute and sliding joints, near the
+/// Coordinates of the search in metres of travel, so that one step length suits revolute and prismatic joints, near the
 /// base or the tip.
 struct TravelCoordinates {
   VectorXd scale;  ///< travel per rad (or m) of each joint [m]
@@ -79,7 +79,8 @@ class SeededSampler : public ob::StateSampler {
   std::mt19937_64 generator_;
 };
 
-/// Shared data of the posture and motion checkers: the problem, the counts of postures checked and of blocking pairs.
+/// Data shared by the posture and motion checkers: the problem, and the numbers of postures checked and of blocking
+/// pairs.
 struct Referee {
   const MotionProblem& problem;
   const MotionPlannerOptions& options;

@@ -10,7 +10,7 @@
 
 namespace tubeplan::planner {
 
-/// Number of times that each pair of names blocked the search.
+/// Number of times that each pair blocked the search: the names of a body and of the obstacle or body in its way.
 using BlockerCounts = std::map<std::pair<std::string, std::string>, int>;
 
 struct MotionSearchResult {

@@ -22,7 +22,7 @@ using Eigen::VectorXd;
 
 constexpr int kMostDrawsPerPosture = 50;
 constexpr int kEnoughAttachments = 6;
-constexpr int kBridgeAttempts = 3;  // searches between two parts of the roadmap
+constexpr int kBridgeAttempts = 3;  // number of searches between two parts of the roadmap
 
 VectorXd randomPosture(const MotionProblem& problem, std::mt19937_64& generator) {
   VectorXd q(problem.lower.size());
@@ -126,7 +126,8 @@ std::vector<Roadmap::Edge> Roadmap::attach(const VectorXd& q, long& checks) cons
   return joined;
 }
 
-/// Returns the nodes on Dijkstra's shortest path from any node of `from` to any node of `to`; empty if there is none.
+/// Returns the nodes on the cheapest path (Dijkstra) that begins with an edge of `from` and ends with an edge of `to`;
+/// empty if there is none.
 std::vector<int> Roadmap::quickest(const std::vector<Edge>& from, const std::vector<Edge>& to) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<double> cost(postures_.size(), kInfinity), last(postures_.size(), kInfinity);
@@ -202,8 +203,8 @@ std::vector<int> Roadmap::partsOf(const std::vector<VectorXd>& postures) const {
   return parts;
 }
 
-/// Searches for a path between some pairs of nearest nodes of two parts, starting with the nearest pair. Returns
-/// straight segments; empty if none is found.
+/// Searches for a path of straight moves between two parts, from some of their pairs of nearest nodes, the nearest pair
+/// first. Returns its waypoints; empty if none is found.
 std::vector<VectorXd> Roadmap::wayBetween(const std::vector<int>& from, const std::vector<int>& to,
                                           MotionPlannerOptions options) const {
   std::vector<Candidate> nearest;

@@ -1,8 +1,8 @@
 // Free postures connected by straight moves that are proved free: built once for an arm and its obstacles, and used for
 // every detour (probabilistic roadmap: Kavraki, Svestka, Latombe and Overmars 1996).
 //
-// A roadmap's answers depend on the scene, the seed and the postures that bridge() was called with, never on earlier
-// queries.
+// The results of a roadmap depend on the scene, the seed and the postures that bridge() was called with, never on
+// earlier queries.
 #pragma once
 
 #include <cstdint>
@@ -41,15 +41,17 @@ class Roadmap {
   /// problem must have a cost function.
   Roadmap(const MotionProblem& problem, std::vector<Eigen::VectorXd> postures, const RoadmapOptions& options = {});
 
-  /// Returns the quickest path along the edges. Const use from several threads is safe if the problem's functions are.
+  /// Returns the fastest path from q0 to q1 along the edges, and adds the number of postures checked to `checks`. Const
+  /// use from several threads is safe if the problem's functions are.
   [[nodiscard]] RoadmapWay between(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, long& checks) const;
 
-  /// Returns for each posture the number, from 0, of the part of the free space that it lies in, as connected by edges
-  /// and by the postures themselves; -1 for a posture that cannot be attached.
+  /// For each posture, returns the number, from 0, of the connected part of the roadmap that it is attached to; -1 if
+  /// it cannot be attached. A posture that is attached to two parts connects them.
   [[nodiscard]] std::vector<int> partsOf(const std::vector<Eigen::VectorXd>& postures) const;
 
-  /// Searches connections between the disconnected parts that contain `postures`: from each part to the part with the
-  /// most postures, between nodes near each other. Returns true if a connection was found; its moves become edges.
+  /// Searches for connections between the disconnected parts that `postures` are attached to: from each part to the
+  /// part with the most of these postures, between nodes close to each other. Returns true if a connection was found;
+  /// its moves become edges.
   bool bridge(const std::vector<Eigen::VectorXd>& postures, const MotionPlannerOptions& options);
 
   [[nodiscard]] int postures() const { return static_cast<int>(postures_.size()); }
@@ -69,7 +71,7 @@ class Roadmap {
   [[nodiscard]] std::vector<Candidate> candidates() const;
   void join();
   [[nodiscard]] std::vector<std::vector<Edge>> attachAll(const std::vector<Eigen::VectorXd>& postures) const;
-  /// Returns for each node the lowest node of its part; parts to which the same posture is attached are merged.
+  /// For each node, returns the lowest node index in its part; parts to which the same posture is attached are merged.
   /// `joined`: attachments of each posture.
   [[nodiscard]] std::vector<int> rootsWith(const std::vector<std::vector<Edge>>& joined) const;
   [[nodiscard]] std::vector<Eigen::VectorXd> wayBetween(const std::vector<int>& from, const std::vector<int>& to,

@@ -12,7 +12,7 @@ namespace tubeplan::planner::testing {
 
 struct MotionTally {
   int free = 0, blocked = 0;
-  int refuted = 0;  ///< motions found free although a sampled posture is nearer than the proved distance
+  int refuted = 0;  ///< motions found free although a sampled margin is smaller than the proved margin
 
   /// Counts a motion; `least_sampled` is computed only for a motion found free.
   void add(const MotionCheckResult& result, const std::function<double()>& least_sampled) {

@@ -7,7 +7,8 @@ namespace {
 
 class AdversarialScene : public ::testing::TestWithParam<int> {};
 
-/// studies/motion_proofs.cpp repeats this test with more motions and finer sampling.
+/// No motion found free has a sampled margin smaller than the proved one. studies/motion_proofs.cpp repeats this test
+/// with more motions and finer sampling.
 TEST_P(AdversarialScene, NoMotionCalledFreeIsRefutedByFineSteps) {
   const auto tally = testing::tallyMotions(GetParam(), 1, 200, 500);
   EXPECT_EQ(tally.refuted, 0);

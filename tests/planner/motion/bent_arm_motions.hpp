@@ -21,7 +21,7 @@ inline Workcell amongThinPlates(Workcell cell, std::mt19937_64& generator) {
   return cell;
 }
 
-/// Checks `motions` random motions, `motions_each` of them in each scene.
+/// Checks and counts at least `motions` random motions, `motions_each` of them in each scene.
 inline MotionTally tallyBentArmMotions(std::uint64_t seed, int motions, int samples, int motions_each = 20) {
   std::mt19937_64 generator(seed);
   const Workcell bare = mockup();

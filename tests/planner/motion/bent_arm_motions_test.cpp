@@ -5,7 +5,8 @@
 namespace tubeplan::planner {
 namespace {
 
-/// studies/motion_proofs.cpp repeats this test with more motions and finer sampling.
+/// No motion found free has a sampled margin smaller than the proved one. studies/motion_proofs.cpp repeats this test
+/// with more motions and finer sampling.
 TEST(BentArmAmongThinPlates, NoMotionCalledFreeIsRefutedByFineSteps) {
   const auto tally = testing::tallyBentArmMotions(1, 200, 500);
   EXPECT_EQ(tally.refuted, 0);

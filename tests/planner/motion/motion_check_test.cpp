@@ -88,8 +88,8 @@ TEST(CheckMotion, GivesUpHonestlyWhenPosturesRunOut) {
   EXPECT_NE(result.reason.find("5 postures"), std::string::npos) << result.reason;
 }
 
-/// Motions across plates 10 micrometres thick at random positions, seldom at a point of bisection. The arm is as thin
-/// as a hair, so only about a hundred-thousandth of a motion is in contact.
+/// Motions across a plate 10 micrometres thick are found blocked. The plate is at a random position, seldom at a point
+/// of bisection, and the arm is as thin as a hair, so that only about a hundred-thousandth of a motion is in contact.
 TEST(CheckMotion, NoThinPlateIsSteppedOver) {
   const ToyArm hair{{0.6, 0.5, 0.4}, 1e-6};
   std::mt19937_64 generator(77);
@@ -137,7 +137,8 @@ TEST(CheckMotion, AgreesWithFineStepsOnRandomMotions) {
   EXPECT_GT(blocked, 15);
 }
 
-/// Returns the check of a motion with constant margin `margin` whose points travel by `travel`.
+/// Returns the result of checking a motion whose margin is `margin` [m] everywhere and whose points travel by at most
+/// `travel` [m].
 MotionCheckResult evenlyFree(double margin, double travel, const MotionCheckOptions& options = {}) {
   const auto clearance_of = [margin](const VectorXd&) {
     Clearance clearance;
@@ -150,7 +151,7 @@ MotionCheckResult evenlyFree(double margin, double travel, const MotionCheckOpti
 TEST(CheckMotion, HalvesUntilTheEndsHaveMoreToSpareThanTheTravelBetween) {
   EXPECT_EQ(evenlyFree(1, 1.5).checks, 2);
   EXPECT_EQ(evenlyFree(1, 1.5).proved_margin, 0.25);
-  EXPECT_EQ(evenlyFree(1, 2).checks, 3);  // a travel equal to the margin does not exclude contact
+  EXPECT_EQ(evenlyFree(1, 2).checks, 3);  // a travel equal to the sum of the two margins does not exclude contact
   EXPECT_EQ(evenlyFree(1, 2).proved_margin, 0.5);
   EXPECT_EQ(evenlyFree(1, 5).checks, 5);
 }
