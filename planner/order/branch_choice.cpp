@@ -20,7 +20,7 @@ std::string orderProblem(const Route& route, const std::vector<int>& order) {
   return "";
 }
 
-// Computes the least time to reach each posture of `node` from the postures of the node before, and records the best
+// Computes the shortest time to reach each posture of `node` from the postures of the node before, and records the best
 // predecessor of each posture of `node`.
 void extendLayer(const PostureTable& table, int before, int node, const Eigen::ArrayXd& times_before,
                  Eigen::ArrayXd& times, std::vector<int>& came_from) {

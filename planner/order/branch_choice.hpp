@@ -15,7 +15,8 @@ struct BranchChoice {
   BranchChoiceStatus status = BranchChoiceStatus::kNotRun;
   std::string reason;
   std::vector<int> branches;  ///< index of the branch chosen for each visit, in the order of visits
-  /// Travel time with moves from start and to end, and extra times [s]; infinite if every choice has a forbidden move.
+  /// Travel time, including the moves from start and to end and extra times [s]; infinite if every choice has a
+  /// forbidden move.
   double travel_time = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -25,8 +26,9 @@ struct BranchChoice {
 
 class PostureTable;
 
-/// Chooses the posture of each node for the least time. `node_order` has the nodes of the table in order, with start
-/// and end nodes if there are any. Returns the time [s], in which a forbidden move counts `kForbiddenTime`.
+/// Chooses the posture of each node so that the total time is shortest. `node_order` has the nodes of the table in
+/// order, with start and end nodes if there are any. Returns the time [s], in which a forbidden move counts
+/// `kForbiddenTime`.
 double choosePostures(const PostureTable& table, const std::vector<int>& node_order, std::vector<int>& posture_of_node);
 
 /// Returns the order of visits with the start node added before it and the end node after it, if there are any.

@@ -20,7 +20,7 @@ Eigen::MatrixXd timesBy(const PostureTable& table, double (PostureTable::*time)(
   return times;
 }
 
-/// Returns for each visit the visits that must precede it. `zones`: zone of each visit; empty if there are none.
+/// For each visit, returns the visits that must precede it. `zones`: zone of each visit; empty if there are none.
 std::vector<VisitSet> visitsBefore(int visits, const std::vector<int>& zones) {
   std::vector<VisitSet> before(static_cast<std::size_t>(visits), 0);
   if (zones.empty()) return before;
@@ -115,7 +115,7 @@ class Programme {
   std::vector<VisitSet> before_;
   int standing_;  // number of postures of all visits
   VisitSet all_;
-  Eigen::ArrayXXd least_;      // least time by last posture and set of visits [s]
+  Eigen::ArrayXXd least_;      // shortest time by last posture and set of visits [s]
   Eigen::ArrayXXi came_from_;  // previous posture, by last posture and set of visits; -1 if there is none
 };
 

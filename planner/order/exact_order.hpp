@@ -10,8 +10,8 @@
 
 namespace tubeplan::planner {
 
-/// Largest work of an exact order: sets of visits times pairs of postures. This amount takes some hundredths of a
-/// second.
+/// Largest work for which an exact order is computed: the number of sets of visits times the number of pairs of
+/// postures. This much work takes a few hundredths of a second.
 inline constexpr double kMostExactWork = 2e7;
 
 [[nodiscard]] bool isForExactOrder(const PostureTable& table, double most_work = kMostExactWork);
@@ -27,8 +27,8 @@ struct ExactOrder {
   double time = std::numeric_limits<double>::quiet_NaN();  ///< travel time [s]
 };
 
-/// Finds the quickest of all orders. `zones` has one number for each visit: all visits of a zone come before any visit
-/// of a zone with a higher number. Empty: any order is allowed.
+/// Finds the quickest of all permitted orders. `zones` has one number for each visit: all visits of a zone come before
+/// any visit of a zone with a higher number. Empty: any order is permitted.
 [[nodiscard]] ExactOrder exactOrder(const PostureTable& table, const Eigen::MatrixXd& times,
                                     const std::vector<int>& zones = {});
 

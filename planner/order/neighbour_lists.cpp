@@ -47,7 +47,7 @@ class BestNodes {
   std::vector<Neighbour> list_;
 };
 
-// Postures sorted by the value of one joint; no move takes less time than the difference of that joint at full speed.
+// Postures sorted by the value of one joint; no move takes less time than this joint needs at full speed.
 struct Sweep {
   explicit Sweep(const PostureTable& table)
       : joint(widestJoint(table)), sorted(table.postures()), place(table.postures()) {

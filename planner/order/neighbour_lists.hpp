@@ -1,5 +1,5 @@
-// The nearest other nodes of each node of a route, sorted by the least straight time over the branches of both nodes.
-// Internal to the ordering.
+// The nearest other nodes of each node of a route, sorted by the time of the shortest straight move over the branches
+// of both nodes. Internal to the ordering.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace tubeplan::planner {
 
 struct Neighbour {
   int node;
-  double time;  ///< least time of a straight move over the branches of both nodes, without extra time [s]
+  double time;  ///< time of the shortest straight move over the branches of both nodes, without extra time [s]
 };
 
 /// Returns up to `count` neighbours for each node, nearest first, ties in the order of node numbers. The lists are

@@ -14,21 +14,22 @@ namespace {
 constexpr double kFirstStep = 1;
 constexpr int kPatience = 10;  // steps without improvement before the step fraction is reduced
 constexpr double kFall = 0.8;
-// Weight of the latest tree in the running mean. Prices of postures can change the posture of a whole node, and need a
-// long memory.
+// Weight of the latest tree in the running mean. Prices of postures can change the posture of a whole node, so they
+// need a longer memory.
 constexpr double kMeanShareByNodes = 0.3, kMeanShareByPostures = 0.03;
 constexpr std::size_t kCutsOfRound = 10;
 constexpr int kMostPosturesToCut = 1000;
-// improvement by cuts in a round, or still possible in all, as a fraction of the bound
+// Smallest improvement worth a round of cuts, as a fraction of the bound: gained in a round, or still possible in
+// total.
 constexpr double kWorthwhile = 2e-3;
-// successive rounds with less improvement; several are allowed, because cuts take effect together
+// Number of successive rounds with less improvement after which cuts end; several, because cuts take effect together.
 constexpr int kIdleCutRounds = 3;
 
 enum class Detail { kNodes, kPostures };
 
 // Returns how much a tree violates each condition, in the order of the prices. With Detail::kNodes, the edge ends of
-// all postures of a node are counted together: this is complete with one posture per node, and best for the first steps
-// with several.
+// all postures of a node are counted together: with one posture per node this covers every condition, with several it
+// is best for the first steps.
 std::vector<double> violations(const PostureTable& table, const PairGraph& graph, const PricedTree& tree,
                                Detail detail) {
   const std::size_t first_cut = tree.ends.size() + tree.pair_ends.size();
@@ -131,7 +132,7 @@ class Ascent {
     return prices;
   }
 
-  // Returns false for the price of a pair or a cut that is zero and cannot decrease further.
+  // Returns false if price k belongs to a pair or a cut, is zero, and could only decrease.
   bool counts(std::size_t k, double mean) const {
     const std::size_t postures = best_.of_posture.size(), first_cut = postures + best_.of_pair.size();
     return k < postures || mean > 0 || (k < first_cut ? best_.of_pair[k - postures] : best_.of_cut[k - first_cut]) > 0;
@@ -153,7 +154,7 @@ class Ascent {
   std::vector<std::vector<Neighbour>> neighbours_;
   PairGraph graph_;
   Prices best_;
-  EdgeUse use_;  // use of edges by the trees of the climb so far, divided by the scale; the latest trees weigh most
+  EdgeUse use_;  // use of edges by the trees of the climb so far, divided by `use_scale_`; the latest trees weigh most
   double use_scale_ = 1;
   double proved_ = 0;  // a valid bound, because times are never negative
   int iterations_ = 0;
@@ -176,7 +177,7 @@ OneTreeBound oneTreeBound(const Route& route, const OneTreeOptions& options) {
   }
   const PostureTable table(route);
   Ascent ascent(table, options);
-  // A tree on the complete graph takes a quarter of a second for 4,674 visits: none is started after a stop.
+  // A tree on the complete graph takes a quarter of a second for 4,674 visits, so none is started after a stop.
   const auto is_stopped = [&] { return options.stop && options.stop(); };
   if (!is_stopped()) ascent.prove();
   const int rounds = std::max(1, options.rounds);

@@ -7,9 +7,9 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr double kLeastUse = 1e-3;   // least mean use of an edge that is considered
+constexpr double kLeastUse = 1e-3;   // smallest mean use of an edge that is considered
 constexpr double kEnough = 0.95;     // flow that counts as one crossing
-constexpr double kLeastFlow = 1e-6;  // least residual capacity of an edge that a path may use
+constexpr double kLeastFlow = 1e-6;  // smallest residual capacity of an edge that a path may use
 constexpr int kSources = 4;          // number of visits from which flows start
 
 /// Flow network of the used edges; all postures of a visit together form one source or sink.

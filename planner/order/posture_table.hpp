@@ -16,7 +16,7 @@ inline constexpr double kForbiddenTime = 1e6;
 
 class PostureTable {
  public:
-  /// The route must be free of problems and outlive the table.
+  /// `route` must have no problems (findRouteProblems()), and must outlive the table.
   explicit PostureTable(const Route& route);
 
   [[nodiscard]] int visits() const { return visits_; }
@@ -28,8 +28,8 @@ class PostureTable {
   [[nodiscard]] int last(int node) const { return first_[node + 1]; }  ///< one past the node's last posture
   [[nodiscard]] int nodeOf(int posture) const { return node_of_[posture]; }
   [[nodiscard]] int joints() const { return joints_; }
-  /// Returns the joint value divided by the greatest speed of the joint [s]: the difference of two postures is a lower
-  /// bound on the time of a move.
+  /// Returns the joint value divided by the maximum speed of the joint [s]: its difference between two postures is a
+  /// lower bound on the time of a move between them.
   [[nodiscard]] double scaled(int posture, int joint) const { return by_speed_[posture * stride_ + joint]; }
 
   /// Returns the time of the straight move between two postures [s], without extra time.
@@ -44,7 +44,7 @@ class PostureTable {
   void costsTo(int node, int posture, Eigen::ArrayXd& times) const;
   /// Returns 1 if all postures of `node` are in the set, 0 if none is, -1 if only some are.
   [[nodiscard]] int sideOf(int node, const std::vector<char>& inside) const;
-  /// Returns the posture of `node` with the least cost from `posture`.
+  /// Returns the posture of `node` that costs least to reach from `posture`.
   [[nodiscard]] int nearestPosture(int posture, int node) const;
 
  private:

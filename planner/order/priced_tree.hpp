@@ -32,8 +32,8 @@ struct Prices {
 struct PricedTree {
   double bound = 0;          ///< lower bound of the travel time, valid if the tree was found on the complete graph [s]
   std::vector<double> ends;  ///< number of edge ends at each posture
-  std::vector<double> pair_ends;  ///< number of edge ends with each pair price
-  std::vector<double> taken;      ///< fraction of a node that each of its postures takes according to the prices
+  std::vector<double> pair_ends;  ///< number of edge ends to which each pair price applies
+  std::vector<double> taken;      ///< share of each posture in its node according to the prices; they add up to 1
   std::vector<double> crossings;  ///< number of edges across each cut
   std::vector<std::pair<int, int>> edges;  ///< edges of the tree as pairs of postures
 };

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kNarrowView = 3, kWideView = 60;  // rounds of averaging over neighbours
 
-// Returns for each node the posture from which neighbouring nodes are quickest to reach, averaged over a region that
+// For each node, returns the posture from which neighbouring nodes are quickest to reach, averaged over a region that
 // grows with the number of rounds.
 std::vector<int> locallyQuickest(const PostureTable& table, const std::vector<std::vector<Neighbour>>& neighbours,
                                  int rounds) {

@@ -7,7 +7,7 @@
 namespace tubeplan::planner {
 namespace {
 
-constexpr int kLongestKick = 30;  // largest number of positions in the tour
+constexpr int kLongestKick = 30;  // longest part of the tour that a kick moves or switches, in positions
 constexpr int kBranchKickEvery = 16;
 
 // Returns a random number below `bound`. The standard distributions differ between libraries; the small bias of the
@@ -43,7 +43,8 @@ bool TourSearch::swapSegments(std::mt19937_64& random) {
   return true;
 }
 
-// Puts a visit in another branch, and puts each following visit in its nearest posture.
+// Switches a random visit to another branch, and each visit after it to the posture nearest to that of the visit
+// before.
 bool TourSearch::switchBranches(std::mt19937_64& random) {
   const int start = below(size(), random), length = 1 + below(std::min(kLongestKick, size() - 2), random);
   int node = tour_[start];

@@ -10,7 +10,7 @@
 namespace tubeplan::planner {
 namespace {
 
-// least gain of a move [s]; above the rounding errors of sums that include forbidden moves
+// smallest gain for which a move is made [s]; above the rounding errors of sums that include forbidden moves
 constexpr double kLeastGain = 1e-8;
 
 }  // namespace
@@ -49,8 +49,8 @@ std::vector<int> TourSearch::order() const {
 }
 
 double TourSearch::costAt(int node_a, int posture_a, int node_b) const {
-  // Infinitely cheap: breaking this edge never gains, and comparisons with the NaN of breaking and remaking it are
-  // false.
+  // An edge between anchors is infinitely cheap, so that breaking it never gains. A move that breaks it and makes it
+  // again gains NaN, which compares false.
   if (node_a >= visits_ && node_b >= visits_) return -std::numeric_limits<double>::infinity();
   if (node_a == free_anchor_ || node_b == free_anchor_) return 0;
   return table_.cost(posture_a, posture_of_node_[node_b]);
@@ -104,8 +104,8 @@ bool TourSearch::changeBranch(int node) {
   return false;
 }
 
-// Replaces the edge from `a` to its neighbour on one side by a shorter edge to `c`. Tries every method of closing the
-// tour again.
+// Replaces the edge from `a` to its neighbour on one side by a shorter edge to `c`. Tries every way of closing the tour
+// again.
 bool TourSearch::moveFrom(int a, Side side) {
   const int b = beside(a, side);
   const double now = cost(a, b);

@@ -1,7 +1,7 @@
 // Local search on the order of a route: 2-opt, Or-opt and branch changes, with local kicks. Internal to the ordering.
 //
-// The open route is stored as a closed tour. Its ends are anchors: the start and end postures, and one free anchor at
-// no cost unless both ends are given. Edges between anchors are so cheap that no move gains by breaking them.
+// The open route is stored as a closed tour, joined by anchors: the start and end postures and, unless both are given,
+// one free anchor that costs nothing to reach. Edges between anchors are so cheap that no move gains by breaking them.
 #pragma once
 
 #include <cstdint>
@@ -52,7 +52,7 @@ class TourSearch {
   [[nodiscard]] double cost(int node_a, int node_b) const { return costAt(node_a, posture_of_node_[node_a], node_b); }
   [[nodiscard]] double costAt(int node_a, int posture_a, int node_b) const;
 
-  /// Computes the cost from each posture of `node_a` to the present posture of `node_b` [s].
+  /// Computes the cost from each posture of `node_a` to the current posture of `node_b` [s].
   void costsFrom(int node_a, int node_b, Eigen::ArrayXd& times) const;
 
   void improveDirty();

@@ -92,8 +92,8 @@ struct Searched {
   double lower_bound = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Returns the number of kicks. A kick tries every branch of the visits near it: with many branches, fewer kicks are
-/// made in the same time.
+/// Returns the number of kicks. A kick tries every branch of the visits near it, so fewer kicks are made if there are
+/// many branches.
 long kicksFor(const PostureTable& table, const VisitOrderOptions& options) {
   const long kicks = std::clamp<long>(static_cast<long>(options.kicks_per_visit) * table.visits(), options.least_kicks,
                                       std::max(options.least_kicks, options.most_kicks));
@@ -101,7 +101,7 @@ long kicksFor(const PostureTable& table, const VisitOrderOptions& options) {
   return std::lround(static_cast<double>(kicks) * std::min(1., std::sqrt(kFewBranches / branches)));
 }
 
-/// Searches an order, and computes the bound in parallel: the bound only needs a time near the best.
+/// Searches for an order and, in parallel, computes the bound, which needs only a travel time close to the best.
 Searched searched(const Route& route, const PostureTable& table, const VisitOrderOptions& options) {
   const auto neighbours = nearestNeighbours(table, options.neighbours);
   const long kicks = kicksFor(table, options);

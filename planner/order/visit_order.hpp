@@ -1,4 +1,4 @@
-// Order and branches of the visits with the least travel time.
+// Search for the order and branches of the visits with the shortest travel time.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ namespace tubeplan::planner {
 
 struct VisitOrderOptions {
   std::uint64_t seed = 1;
-  /// Local perturbations per visit; the effort is a count, so that a run can be repeated exactly.
+  /// Local perturbations per visit; a count and not a time, so that a run can be repeated exactly.
   int kicks_per_visit = 30;
-  int least_kicks = 20'000;    ///< least number of kicks, for small problems
+  int least_kicks = 20'000;    ///< smallest number of kicks, for small problems
   int most_kicks = 2'000'000;  ///< largest number of kicks, for large problems
   int neighbours = 8;          ///< number of nearest other visits that the local search may connect to a visit
   double most_exact_work = kMostExactWork;  ///< largest work up to which problems are solved exactly (exact_order.hpp)
-  /// False: lower_bound and optimality_gap stay NaN (the bound does not depend on extra times).
+  /// If false, lower_bound and optimality_gap stay NaN (the bound does not depend on extra times).
   bool with_bound = true;
   OneTreeOptions bound;
   /// An order of all visits to start from; it is improved by local search alone, without other starts or kicks. May be
@@ -29,7 +29,8 @@ struct VisitOrderOptions {
   std::vector<int> start;
   /// An order of all visits, found before, as an additional start of the search; may be empty.
   std::vector<int> hint;
-  /// Called now and then, from several threads. Once it returns true, the search stops before its best result.
+  /// Called from time to time, from several threads. Once it returns true, the search ends early with its result so
+  /// far.
   std::function<bool()> stop;
 };
 
@@ -39,8 +40,8 @@ struct VisitOrder {
   VisitOrderStatus status = VisitOrderStatus::kNotRun;
   std::string reason;
   std::vector<int> order;     ///< indices of visits, first to last
-  std::vector<int> branches;  ///< index of the branch at visit order[k]
-  /// Time of straight moves and extra times, with the moves from start and to end [s].
+  std::vector<int> branches;  ///< branches[k]: index of the branch at visit order[k]
+  /// Time of straight moves and extra times, including the moves from start and to end [s].
   double travel_time = std::numeric_limits<double>::quiet_NaN();
   double lower_bound = std::numeric_limits<double>::quiet_NaN();     ///< proved lower bound of the travel time [s]
   double optimality_gap = std::numeric_limits<double>::quiet_NaN();  ///< (travel_time - lower_bound) / lower_bound

@@ -30,8 +30,8 @@ Route partOf(const Route& route, const std::vector<int>& visits) {
   return part;
 }
 
-/// Returns the extra times with visit indices of the part. The part's start posture represents visit `before` of the
-/// whole route, unless that is the whole route's start.
+/// Returns the extra times of the route, for visit indices of the part. The part's start posture stands for visit
+/// `before` of the whole route, which may be the whole route's start posture.
 ExtraTime extraOf(const Route& route, const std::vector<int>& visits, int before, int branch_before) {
   if (!route.extra_time) return {};
   return [&whole = route.extra_time, visits, before, branch_before](int a, int branch_a, int b, int branch_b) {
@@ -47,7 +47,7 @@ ExtraTime extraOf(const Route& route, const std::vector<int>& visits, int before
   };
 }
 
-/// Returns the order of the zone's visits in `start`, as indices within the zone.
+/// Returns the zone's visits in the order that they have in `start`, as indices within the zone.
 std::vector<int> startOf(const std::vector<int>& start, const std::vector<int>& visits) {
   std::vector<int> order;
   for (const int visit : start) {
@@ -57,7 +57,7 @@ std::vector<int> startOf(const std::vector<int>& start, const std::vector<int>& 
   return order;
 }
 
-/// Returns the least straight time [s] from any posture of one set of visits to any posture of another set.
+/// Returns the shortest time [s] of a move from any posture of one set of visits to any posture of another set.
 double quickestWay(const Route& from, const Route& to) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& a : from.visits)
@@ -96,7 +96,7 @@ VisitOrder orderByZones(const Route& route, const std::vector<int>& zones, const
     for (const int visit : order.order) whole.order.push_back(visits[static_cast<std::size_t>(visit)]);
     whole.branches.insert(whole.branches.end(), order.branches.begin(), order.branches.end());
   }
-  // The branches of each zone were chosen without regard to the next zone.
+  // The branches of each zone were chosen without regard to the next zone, so all branches are chosen again.
   const BranchChoice together = bestBranches(route, whole.order);
   whole.branches = together.branches;
   whole.travel_time = together.travel_time;

@@ -14,8 +14,8 @@ namespace tubeplan::planner {
 [[nodiscard]] VisitOrder orderByZones(const Route& route, const std::vector<int>& zones,
                                       const VisitOrderOptions& options);
 
-/// Returns a proved lower bound [s] of every route that completes one zone before the next: the sum of the bounds of
-/// the zones and of the quickest moves from each zone to the next.
+/// Returns a proved lower bound [s] on the time of every route that completes one zone before the next: the sum of the
+/// bounds of the zones and of the quickest moves from each zone to the next.
 [[nodiscard]] double zonedBound(const Route& route, const std::vector<int>& zones, const OneTreeOptions& options = {});
 
 /// Returns the travel time [s] of the usual order, row after row within each zone, with the best branches; NaN if a

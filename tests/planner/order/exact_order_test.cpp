@@ -11,7 +11,7 @@
 namespace tubeplan::planner {
 namespace {
 
-/// Returns the least time [s] over all orders that respect the zones, each order with its best postures.
+/// Returns the shortest time [s] of all orders that respect the zones, each order with its best postures.
 double quickestOfAll(const Route& route, const std::vector<int>& zones) {
   std::vector<int> order(route.visits.size());
   std::iota(order.begin(), order.end(), 0);

@@ -55,7 +55,7 @@ std::vector<char> randomCut(std::mt19937_64& random, const PostureTable& table) 
   return inside;
 }
 
-// Every set of prices gives a valid bound: its validity must not depend on a good choice of prices.
+// Every set of prices gives a valid bound: the bound must hold however badly the prices are chosen.
 TEST(PairGraph, AnyPricesGiveABound) {
   std::mt19937_64 random(21);
   for (int i = 0; i < 20; ++i) {
@@ -113,8 +113,8 @@ TEST(OneTreeBound, IsWithinTwoPercentForOneBranchEach) {
   EXPECT_GE(near, 18);
 }
 
-// Some visits have postures of one family, some of a distant second family, and some of both. A tree can change
-// families at the visits with both without paying for the move between families; a route cannot.
+// Some visits have postures of one family, some of a distant second family, and some of both. A tree changes families
+// at no cost at visits with both, but a route cannot: the bound counts that move only with cuts.
 TEST(OneTreeBound, CountsTheMoveBetweenTwoFamiliesOfPostures) {
   std::mt19937_64 random(5);
   for (int trial = 0; trial < 5; ++trial) {

@@ -7,7 +7,7 @@
 namespace tubeplan::planner {
 namespace {
 
-/// Returns extra times for some moves between visits divisible by three, and for one move from the start.
+/// Returns extra times for some moves between visits with an index divisible by three, and for one move from the start.
 EdgePenalties somePenalties(const Route& route, std::mt19937_64& random) {
   EdgePenalties penalties;
   const int visits = static_cast<int>(route.visits.size());

@@ -25,8 +25,8 @@ inline JointSpeeds evenSpeeds(int joints) {
   return {Eigen::VectorXd::Constant(joints, 6 * kDegree), Eigen::VectorXd::Constant(joints, 12 * kDegree)};
 }
 
-/// Returns one to `most_branches` postures for each visit, with different joints, and with a start and an end if
-/// requested.
+/// Returns a route with one to `most_branches` random postures for each visit, different limits for each joint, and a
+/// start and an end posture if requested.
 inline Route randomRoute(std::mt19937_64& random, int visits, int most_branches, bool start, bool end) {
   Route route;
   route.speeds = {Eigen::Vector3d(1, 0.5, 2), Eigen::Vector3d(2, 4, 1)};
@@ -89,7 +89,7 @@ inline double timeOf(const Route& route, const std::vector<int>& order, const st
   return time;
 }
 
-/// Returns the least time [s] over all choices of branches for an order, by exhaustive search.
+/// Returns the shortest time [s] over all choices of branches for an order, by exhaustive search.
 inline double exhaustiveBranches(const Route& route, const std::vector<int>& order) {
   std::vector<int> branches(order.size(), 0);
   double best = std::numeric_limits<double>::infinity();

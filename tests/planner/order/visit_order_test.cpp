@@ -229,7 +229,7 @@ TEST(OrderVisits, BeatsRowByRow) {
 TEST(OrderVisits, KeepsClearOfAForbiddenCrossing) {
   Route route = latticeRoute(6, 0.1, 1);
   const auto side = [](int visit) { return visit >= 0 && visit % 6 >= 3; };
-  // Two halves of the lattice, connected by a single gate.
+  // Only the move between visits 14 and 15 connects the two halves of the lattice, so the order crosses once.
   route.extra_time = [&](int a, int, int b, int) {
     if (a < 0 || b < 0 || side(a) == side(b) || (std::min(a, b) == 14 && std::max(a, b) == 15)) return 0.0;
     return std::numeric_limits<double>::infinity();

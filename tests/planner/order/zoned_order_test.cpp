@@ -24,7 +24,7 @@ std::vector<int> zonesByTurn(std::size_t visits, int count) {
   return zones;
 }
 
-/// Returns the least time [s] over all branches and all orders that respect the zones.
+/// Returns the shortest time [s] over all branches and all orders that respect the zones.
 double exhaustive(const Route& route, const std::vector<int>& zones) {
   std::vector<int> order(route.visits.size());
   std::iota(order.begin(), order.end(), 0);
