@@ -29,7 +29,7 @@ const CompensationRow& rowOf(Compensation mode) {
 }
 
 /// Approach to the goal of one branch. Via points lie at equal spacing from the goal down to the standoff. Their number
-/// is doubled until the tip of the placer's model stays on the vertical midway between via points.
+/// is doubled until the placer's model has its tip close enough to the vertical midway between via points.
 class Approach {
  public:
   Approach(const Vector3d& goal_W, TubeBranch& branch) : goal_W_(goal_W), branch_(&branch), postures_{branch.q} {}
@@ -38,7 +38,7 @@ class Approach {
   [[nodiscard]] const VectorXd& lowest() const { return postures_.back(); }
   [[nodiscard]] const std::vector<VectorXd>& middles() const { return middles_; }
 
-  /// Returns the point below the goal by a fraction `share` of the standoff [m].
+  /// Returns the point that lies below the goal by the fraction `share` of the standoff [m].
   [[nodiscard]] Vector3d placeAt(double share, double standoff) const {
     return goal_W_ - share * standoff * kHoleAxis_W;
   }
@@ -66,7 +66,7 @@ class Approach {
     for (std::size_t k = 0; k + 1 < postures_.size(); ++k) middles_.push_back((postures_[k] + postures_[k + 1]) / 2);
   }
 
-  /// Ends the refinement if the tip is near enough to the vertical at every midpoint, or if no more via points are
+  /// Ends the refinement if the tip is close enough to the vertical at every midpoint, or if no more via points are
   /// allowed.
   void judge(std::span<const Vector3d> tips_W, const CompensationOptions& options) {
     double worst = 0;
@@ -118,7 +118,7 @@ void goDown(ToolPlacer& placer, double standoff, std::vector<Approach>& approach
   }
 }
 
-/// Judges all approaches by the tip positions midway between via points.
+/// Judges each approach by the tip positions midway between its via points, and drops those that are finished.
 void judgeMiddles(ToolPlacer& placer, const CompensationOptions& options, std::vector<Approach>& approaches) {
   std::vector<VectorXd> postures;
   for (Approach& approach : approaches) {
@@ -182,8 +182,8 @@ class Modes {
     ToolPlacer& via = options_.mode == Compensation::kViaPoint ? flexible() : rigid();
     std::vector<Approach> approaches;
     for (TubeBranch& branch : branches)
-      // The goal on the approach's model: for goal-point compensation, the rigid model's tip at the flexible goal
-      // posture.
+      // The approach ends where its own model has the tip in the goal posture. With goal-point compensation this is the
+      // tip of the rigid model, although the flexible model found the posture.
       if (branch.status == BranchStatus::kConverged) approaches.emplace_back(via.tipsAt({branch.q}).front(), branch);
     addApproaches(via, options_, std::move(approaches));
     for (TubeBranch& branch : branches)

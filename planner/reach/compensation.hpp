@@ -1,5 +1,5 @@
-// Joint readings that bring the tool under a hole and up to the lower face, by the three methods of the thesis (Calkins
-// 1994, section 4.3).
+// Joint readings that bring the tool under a hole and up to the sheet's lower face, by the three methods of Calkins
+// (1994, section 4.3).
 #pragma once
 
 #include <optional>
@@ -13,11 +13,11 @@
 namespace tubeplan::planner {
 
 enum class Compensation {
-  kNone,  ///< rigid kinematics throughout
-  /// The goal on the flexible model; the path to the goal by rigid kinematics, from the goal posture's rigid tip
+  kNone,  ///< goal and approach by rigid kinematics
+  /// Goal by the flexible model; approach by rigid kinematics, relative to the rigid model's tip in the goal posture
   /// (4.3.1).
   kGoalPoint,
-  kViaPoint,  ///< every via point on the flexible model (4.3.2)
+  kViaPoint,  ///< every via point by the flexible model (4.3.2)
 };
 
 /// Returns the name of a mode in files and options: none, goal-point or via-point.
@@ -32,7 +32,7 @@ struct CompensationOptions {
   /// Largest distance of the tip from the straight line between via points [m] (0.001 in).
   double path_tolerance = 2.54e-5;
   int max_via_points = 129;
-  bool with_approach = true;  ///< false: only the posture at the hole is found, without an approach
+  bool with_approach = true;  ///< if false, only the posture at the hole is found, without an approach
   deflection::InverseKinematicsOptions inverse;
 };
 
@@ -48,11 +48,11 @@ struct TubeBranch {
   double path_deviation = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Returns all branches for one goal, converged branches first. Empty: the goal is out of reach.
+/// Returns all branches for one goal, converged branches first. An empty result means that the goal is out of reach.
 [[nodiscard]] std::vector<TubeBranch> compensate(const Workcell& cell, const Eigen::Vector3d& hole_W,
                                                  const CompensationOptions& options = {});
 
-/// Returns only the branch that the start posture leads to.
+/// Returns only the branch that a search from `q_start` leads to.
 [[nodiscard]] TubeBranch compensateFrom(const Workcell& cell, const Eigen::Vector3d& hole_W,
                                         const Eigen::VectorXd& q_start, const CompensationOptions& options = {});
 
@@ -64,7 +64,7 @@ struct PredictedTip {
 };
 PredictedTip predictTip(const Workcell& cell, const Eigen::VectorXd& q);
 
-/// Returns the greatest distance [m] of the tip from the line through `hole_W` along the holes' axis. The joints move
+/// Returns the largest distance [m] of the tip from the line through `hole_W` along the holes' axis. The joints move
 /// straight from posture to posture; each such segment is divided into `samples` steps.
 double lateralDeviation(const Workcell& cell, const Eigen::Vector3d& hole_W,
                         const std::vector<Eigen::VectorXd>& postures, int samples = 4);

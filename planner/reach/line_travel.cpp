@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
 
-// Shortest segment as a fraction of the line; postures that still need a via point there belong to different branches.
+// Shortest segment, as a fraction of the line; if a segment this short still needs a via point, the branches differ.
 constexpr double kShortest = 1. / 2048;
 constexpr int kMostTries = 6;  // attempts, each with via points refined to half the tolerance of the previous attempt
 
@@ -49,9 +49,9 @@ double LineTravels::deviationOf(const std::vector<VectorXd>& corners, const Vect
   return worst;
 }
 
-/// Adds a via point on the line in the middle of every segment on which the tip leaves the line. Returns false, with
-/// the reason in `travel`, if a via point cannot be reached. `shares`: position of each waypoint along the line, from 0
-/// to 1.
+/// Adds a via point on the line in the middle of every segment where the tip is more than `tolerance` [m] off the line,
+/// until there is none. Returns false, with the reason in `travel`, if a via point cannot be reached. `shares`:
+/// position of each waypoint along the line, from 0 to 1.
 bool LineTravels::refine(double tolerance, const Vector3d& from_W, const Vector3d& to_W, std::vector<double>& shares,
                          LineTravel& travel) {
   const auto fail = [&travel](LineTravelStatus status, std::string reason) {

@@ -1,4 +1,4 @@
-// Straight travel of the tool from one standoff to another, such as for a camera that moves along a row at constant
+// Straight travel of the tool from one standoff to another, for example of a camera along a row of tubes at constant
 // height. The deflected tip stays on the line: every via point is solved on the flexible model (Calkins 1994, section
 // 4.3.2).
 #pragma once
@@ -13,7 +13,7 @@
 namespace tubeplan::planner {
 
 struct LineTravelOptions {
-  /// Largest distance of the deflected tip from the line, cut corners included [m] (0.002 in).
+  /// Largest distance of the deflected tip from the line, also where corners between via points are cut [m] (0.002 in).
   double tolerance = 5.08e-5;
   int most_waypoints = 1025;
 };
@@ -23,13 +23,13 @@ enum class LineTravelStatus { kNotRun, kOnLine, kNotReached, kOtherPosture, kToo
 struct LineTravel {
   LineTravelStatus status = LineTravelStatus::kNotRun;
   std::string reason;                      ///< reason why there is no straight travel; empty if there is one
-  std::vector<Eigen::VectorXd> waypoints;  ///< start and goal included; to be passed without stops
+  std::vector<Eigen::VectorXd> waypoints;  ///< from start to goal, both included; to be passed without stops
   /// Largest distance of the tip from the line during the motion without stops [m].
   double deviation = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Straight travels between postures. Postures of different branches cannot be connected along a line: kOtherPosture.
-/// Collisions are not checked.
+/// Straight travels of the tip between postures. Postures of different branches cannot be connected along a line, and
+/// give kOtherPosture. Collisions are not checked.
 class LineTravels {
  public:
   LineTravels(const Workcell& cell, JointSpeeds speeds, const deflection::InverseKinematicsOptions& inverse = {},

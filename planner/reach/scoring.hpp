@@ -18,22 +18,21 @@ struct Centring {
   double approach_deviation = std::numeric_limits<double>::quiet_NaN();
   /// Tilt of the tool at the goal: lateral shift per unit length along the hole's axis.
   Eigen::Vector2d lean = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
-  /// Number of the tool's steps that enter the hole, with the tilt over the steps' lengths included; -1 if not
-  /// computed.
+  /// Number of the tool's steps that enter the hole, allowing for the tilt over the steps' lengths; -1 if not computed.
   int steps = -1;
 };
 
-/// Scores one visit against the true arm. `tip_error_W` [m] is the tip error of the true arm that its model `truth`
-/// does not include, in this posture.
+/// Returns how well the true arm centres the tool in one visit. `tip_error_W` [m] is the error of the true tip in this
+/// posture that `truth`, the model of the true arm, does not include.
 [[nodiscard]] Centring scoreVisit(const Workcell& truth, const Eigen::Vector3d& hole_W, const TubeBranch& visit,
                                   const Eigen::Vector3d& tip_error_W = Eigen::Vector3d::Zero());
 
-/// Scores one visit with a prepared prediction of the true arm's tips; `tips` must belong to `truth`.
+/// Returns the same, with a prepared prediction of the true arm's tips; `tips` must belong to `truth`.
 [[nodiscard]] Centring scoreVisit(TipPrediction& tips, const Workcell& truth, const Eigen::Vector3d& hole_W,
                                   const TubeBranch& visit,
                                   const Eigen::Vector3d& tip_error_W = Eigen::Vector3d::Zero());
 
-/// Returns the number of scored visits in which 0, 1, ..., `steps` steps of the tool entered.
+/// Returns the number of scored visits in which 0, 1, ..., `steps` steps of the tool entered the hole.
 [[nodiscard]] std::vector<int> countSteps(const std::vector<Centring>& scores, int steps);
 
 }  // namespace tubeplan::planner

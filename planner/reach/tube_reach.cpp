@@ -19,13 +19,13 @@ struct BranchVerdict {
   Clearance blocking;
 };
 
-constexpr double kSameTilt = 0.0044;  ///< a quarter of a degree [rad]
+constexpr double kSameTilt = 0.0044;  ///< difference below which tilts count as equal, a quarter of a degree [rad]
 
-/// Least number of joints that control the tilt: three hold the tip's position, two more tilt the tool.
+/// Smallest number of joints that control the tilt: three hold the tip's position, two more tilt the tool.
 constexpr Eigen::Index kJointsThatTilt = 5;
 
-/// Removes branches with more tilt than the least. An arm with fewer joints does not control its tilt, so that all its
-/// branches are kept.
+/// Removes branches that are tilted more than the most upright branch. An arm with fewer than kJointsThatTilt joints
+/// does not control its tilt, so that all its branches are kept.
 void keepUpright(const deflection::Arm& arm, std::vector<TubeBranch>& branches) {
   if (branches.size() < 2 || arm.jointCount() < kJointsThatTilt) return;
   const double least = std::ranges::min_element(branches, {}, &TubeBranch::tilt)->tilt;
@@ -67,7 +67,7 @@ TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOpti
   Hurdle furthest = Hurdle::kNone;
   const Workcell& cell = clearance.cell();
   const Eigen::Vector3d hole_W = holeCentre(cell.sheet.tubes.at(tube));
-  // `options.compensation.standoff` is below the face, not below the goal
+  // `options.compensation.standoff` is measured from the face, the standoff of compensate() from the goal.
   CompensationOptions compensation = options.compensation;
   compensation.standoff += cell.insertion + clearance.padding().along(kHoleAxis_W, {hole_W, hole_W, 0});
   for (auto& branch : compensate(cell, visitPlace(cell, cell.sheet.tubes.at(tube)), compensation)) {

@@ -1,4 +1,4 @@
-// Tubes that the arm can serve, with their branches; for all other tubes, the reason.
+// Reachability of tubes: the usable branches of the arm at a tube, or the reason why there are none.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace tubeplan::planner {
 struct TubeReachOptions {
   CompensationOptions compensation;
   MotionCheckOptions check;
-  /// Number of standard deviations of the base's pose that are kept in addition to the scene's clearance. A standoff is
+  /// Number of standard deviations of the base's pose by which the scene's clearance is increased. A standoff is
   /// lowered by the same number of deviations along the hole's axis, so that `compensation.standoff` remains.
   double padding = 0;
   double spare = 5.08e-4;  ///< reserve of a plan in addition to the scene's clearance [m] (0.020 in)

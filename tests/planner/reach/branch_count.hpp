@@ -1,9 +1,9 @@
 // Branches of the inverse kinematics compared with postures from many random starts, for any arm under the holes of its
 // cell.
 //
-// For an arm with more joints than its goals require, the postures form a continuum. A posture then counts as found if
-// the search has a posture with equal readings of the redundant joints. If a wrist rotates the tool, the roll must
-// agree too; if two axes of the wrist are aligned, also the rotation between them.
+// If an arm has more joints than its goals require, each goal has a continuous family of postures. A posture then
+// counts as found if the search finds one with equal values of the redundant joints. If a wrist rotates the tool, the
+// roll must agree too; if two axes of the wrist are aligned, also the rotation between them.
 #pragma once
 
 #include <chrono>
@@ -18,10 +18,10 @@ namespace tubeplan::planner::testing {
 
 struct BranchCount {
   int goals = 0;
-  long brute = 0;      ///< different postures from the random starts that are within the limits
+  long brute = 0;      ///< distinct postures from the random starts that are within the limits
   long missed = 0;     ///< postures of `brute` that the search does not find
   long branches = 0;   ///< usable branches of the flexible arm
-  long wrong = 0;      ///< postures of `branches` with the tip not on the goal, or beyond the limits
+  long wrong = 0;      ///< those of `branches` whose tip misses the goal, or that exceed the limits or the tilt
   int without = 0;     ///< goals that random starts reach within the allowed tilt and the search does not
   double seconds = 0;  ///< processor time for all branches of all goals of the flexible arm [s]
 
@@ -41,7 +41,7 @@ inline double apartOf(const deflection::Arm& arm, const Eigen::VectorXd& a, cons
   return most;
 }
 
-/// Returns the different postures of the rigid arm that `starts` random starts lead to.
+/// Returns the distinct postures of the rigid arm that `starts` random starts lead to.
 inline std::vector<Eigen::VectorXd> bruteForce(const deflection::Arm& rigid, const deflection::ToolGoal& goal,
                                                const Eigen::Vector3d& gravity_B, double max_tilt, int starts,
                                                std::mt19937_64& generator) {
@@ -60,8 +60,8 @@ inline std::vector<Eigen::VectorXd> bruteForce(const deflection::Arm& rigid, con
   return found;
 }
 
-/// Returns true if the search finds a posture with the readings of `q` in the joints that the search holds fixed while
-/// its roots are refined to the goal.
+/// Returns true if the search finds posture `q`, given the values of `q` for the joints that it samples. The other
+/// joints of its roots are first refined to the goal.
 inline bool isFound(const deflection::RigidSearch& search, const deflection::Arm& arm, const deflection::ToolGoal& goal,
                     const Eigen::VectorXd& q) {
   using namespace deflection;
@@ -139,7 +139,8 @@ inline BranchCount countBranches(const Workcell& cell, std::span<const Eigen::Ve
   return count;
 }
 
-/// Returns a random arm of `joints` joints with any geometry, limits and base; joint `slide` is a slide (-1: none).
+/// Returns a cell with a random arm of `joints` joints, with any geometry, limits and base; joint `slide` is prismatic
+/// (-1: none).
 inline Workcell drawnArm(int joints, int slide, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const auto angle = [&](double most) { return uniform(generator, -most, most); };
@@ -164,7 +165,8 @@ inline Workcell drawnArm(int joints, int slide, std::uint64_t seed) {
   return cell;
 }
 
-/// Returns positions [m] at which a posture within the limits has the tool upright, refined from random postures.
+/// Returns tip positions [m] that a posture within the limits reaches with the tool upright, refined from random
+/// postures.
 inline std::vector<Eigen::Vector3d> placesOf(const Workcell& cell, int count, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const Eigen::Vector3d gravity_B = deflection::gravityInBase(cell.arm, cell.X_WB);
@@ -189,7 +191,7 @@ struct CountedArm {
   std::vector<Eigen::Vector3d> places_W;
 };
 
-/// Returns eight arms, six shipped and two random, each with `count` holes.
+/// Returns eight arms, six shipped and two random, each with `count` goals.
 inline std::vector<CountedArm> countedArms(int count) {
   std::vector<CountedArm> arms;
   for (const char* file :

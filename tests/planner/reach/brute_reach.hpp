@@ -1,4 +1,4 @@
-// Reachability of a tube by random starts: a free posture below the tube, and a free motion up.
+// Reachability of a tube by random starts: one must lead to a free posture below the tube and a free motion up.
 #pragma once
 
 #include "planner/motion/side_by_side.hpp"
@@ -18,7 +18,7 @@ inline bool servesFreely(const ArmClearance& clearance, const TubeBranch& branch
   return true;
 }
 
-/// Returns true if `starts` random starts reach the tube; for a cell whose tool stays below the face.
+/// Returns true if one of `starts` random starts reaches the tube. Only for a cell whose tool stays below the face.
 inline bool isReachedByBruteForce(const ArmClearance& clearance, int tube, int starts) {
   const Workcell& cell = clearance.cell();
   const TubeReachOptions options;

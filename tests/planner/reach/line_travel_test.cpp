@@ -32,8 +32,8 @@ double distanceFromLine(const Vector3d& p, const Vector3d& a, const Vector3d& b)
   return (p - a - along * along.dot(p - a)).norm();
 }
 
-/// Returns the largest distance [m] of the tip from the straight line, sampled along the timed motion by kinematics
-/// alone.
+/// Returns the largest distance [m] of the tip from the straight line, from forward kinematics sampled along the timed
+/// motion.
 double sampledDeviation(const Workcell& cell, const LineTravel& line, const JointSpeeds& speeds) {
   const Vector3d a = deflectedTip(cell, line.waypoints.front()), b = deflectedTip(cell, line.waypoints.back());
   double worst = 0;

@@ -72,8 +72,8 @@ TEST(ReachTube, ABoxUnderTheHoleIsNamedWithWhatComesTooNear) {
 }
 
 TEST(ReachTube, WhatIsMetOnlyOnTheWayUpBlocksTheApproach) {
-  // A small ball above the middle of each branch's horizontal tool, half an inch clear at the standoff. The approach
-  // rises by an inch, so it collides with the ball.
+  // A small ball is placed above the middle of each branch's horizontal tool, half an inch away at the standoff. The
+  // approach rises by an inch, so the tool meets the ball.
   const Workcell cell = mockup();
   const int tube = tubeAt(cell, "R20C40");
   const TubeReach before = reachTube(ArmClearance(cell), tube);
