@@ -17,17 +17,19 @@ double leastOfBox(const AlignedBox3d& box, const Vector3d& direction) {
   return direction.dot(box.center()) - 0.5 * direction.cwiseAbs().dot(box.sizes());
 }
 
-/// Search for the triangle nearest to a body, in the mesh's frame. The plane that separates the nearest triangle so far
-/// from the body excludes most triangles that are no nearer.
+/// Search for the triangle nearest to a body, in frame F. The plane that separates the body from the nearest triangle
+/// found so far rules out most of the triangles that are farther away.
 class NearestTriangle {
  public:
-  /// The body lies within `radius` of the segment; triangles at a distance of `enough` or more are ignored [m].
+  /// The body lies within `radius` [m] of the segment; triangles whose gap to the body is `enough` [m] or more are
+  /// ignored.
   NearestTriangle(const Vector3d& from, const Vector3d& to, double radius, double enough)
       : from_(from), to_(to), around_(from.cwiseMin(to), from.cwiseMax(to)), radius_(radius) {
     least.distance = enough;
   }
 
-  /// Searches with `gap_to(triangle)` in frame F; `reach(direction)` returns the body's extent in that direction.
+  /// Searches the triangles, which are in frame F. `gap_to(triangle)` returns the gap between a triangle and the body,
+  /// `reach(direction)` the largest coordinate of the body along a direction.
   template <class GapTo, class Reach>
   void search(const TriangleTree& tree, const GapTo& gap_to, const Reach& reach) {
     const auto bound = [&](const AlignedBox3d& box, double enough) {
@@ -50,10 +52,10 @@ class NearestTriangle {
   const Vector3d &from_, &to_;
   AlignedBox3d around_;
   double radius_;
-  double reach_ = std::numeric_limits<double>::infinity();  ///< extent of the body along `least.across`
+  double reach_ = std::numeric_limits<double>::infinity();  ///< largest coordinate of the body along `least.across`
 };
 
-/// Returns the triangle nearest to a segment.
+/// Returns the gap between a segment and the triangle nearest to it; the gap is `enough` [m] if no triangle is nearer.
 TriangleGap nearestTriangle(const TriangleTree& tree, const Vector3d& from, const Vector3d& to, double enough) {
   NearestTriangle nearest(from, to, 0, enough);
   nearest.search(

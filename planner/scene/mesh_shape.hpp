@@ -1,4 +1,4 @@
-// A triangle mesh as an obstacle or a body.
+// A triangle mesh as an obstacle.
 #pragma once
 
 #include "planner/scene/shape.hpp"
@@ -10,7 +10,7 @@ namespace tubeplan::planner {
 /// surface without thickness.
 class MeshShape : public Shape {
  public:
-  /// `mesh` must be free of problems; its frame M is placed at X_FM.
+  /// `mesh` must be usable (findMeshProblem()); X_FM is the pose of its frame M in F.
   MeshShape(const TriangleMesh& mesh, const Eigen::Isometry3d& X_FM);
 
   [[nodiscard]] double pointDistance(const Eigen::Vector3d& p_F) const override;

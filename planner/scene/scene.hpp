@@ -9,8 +9,8 @@
 
 namespace tubeplan::planner {
 
-/// A row of the arm, in order from the base. A row that does not move (passive) forms one rigid part with the row
-/// before it.
+/// A row of the arm; `Scene::links` has all rows, in order from the base. A passive row does not move: it forms one
+/// rigid part with the row before it.
 struct Link {
   std::string name;
   bool moves = true;
@@ -26,7 +26,7 @@ struct Obstacle {
 /// A solid carried by a link, in the link's own frame.
 struct Body {
   std::string link;
-  int frame_index = -1;            ///< index of the link in Scene::links, and of the link's frame among the given poses
+  int frame_index = -1;            ///< index of the link in Scene::links, and of its pose in the poses of all links
   std::string name;                ///< name in reports; if empty, the link's name is used
   ShapePointer shape;              ///< shape of the body; must be a Solid
   std::vector<std::string> allow;  ///< names of obstacles, links or bodies that may touch this body
@@ -36,9 +36,9 @@ struct Scene {
   std::vector<Link> links;
   std::vector<Obstacle> obstacles;
   std::vector<Body> bodies;
-  double clearance = 0;  ///< least distance to keep between bodies and obstacles that may not touch [m]
-  /// Pairs of bodies that are always too near (inseparableBodies()), as indices with the smaller first. They are
-  /// reported, but not checked.
+  double clearance = 0;  ///< smallest permitted distance [m] of a body from anything that it may not touch
+  /// Pairs of bodies that are too close in every posture (inseparableBodies()), as indices into `bodies`, the smaller
+  /// first. They are reported, but not checked.
   std::vector<std::pair<int, int>> inseparable = {};
 };
 
@@ -49,9 +49,9 @@ struct SceneProblem {
   std::string expected = {};  ///< value expected; empty unless a value is wrong
 };
 
-/// Returns every problem of a scene: repeated or missing names, a link that the arm lacks, a shape that is missing or
-/// unfit for a body, an unknown name in `allow`, a clearance that is negative or not finite. Empty: the scene is
-/// usable.
+/// Returns every problem of a scene: repeated or missing names, a body on a link that the arm lacks, a shape that is
+/// missing or unfit for a body, an unknown name in `allow`, a clearance that is negative or not finite. An empty result
+/// means that the scene is usable.
 [[nodiscard]] std::vector<SceneProblem> findSceneProblems(const Scene& scene);
 
 /// Returns the name of a body in reports: the body's own name or, if empty, the link's name.
@@ -61,8 +61,8 @@ struct SceneProblem {
 [[nodiscard]] bool mayTouch(const Obstacle& obstacle, const Body& body);
 [[nodiscard]] bool mayTouch(const Body& a, const Body& b);
 
-/// Returns true if two bodies, given by index, are checked against each other unless they may touch. Bodies on one
-/// rigid part or on both sides of a single joint are not checked, because they always touch; nor are inseparable pairs.
+/// Returns true if two bodies, given by index, are checked against each other unless they may touch. Not checked are
+/// inseparable pairs, and bodies on one rigid part or on the two sides of a single joint, because these always touch.
 /// Rows that do not move form one rigid part with the row before them.
 [[nodiscard]] bool areJudged(const Scene& scene, int a, int b);
 

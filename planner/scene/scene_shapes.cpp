@@ -90,7 +90,7 @@ const std::vector<ShapeRow> kSceneShapes = {
      makeHalfSpace},
 };
 
-/// Returns the problem of a field's values; empty if they are valid.
+/// Returns a message that says why a field's values are invalid; empty if they are valid.
 std::string fieldProblem(const ShapeField& field, Numbers numbers) {
   const auto finite = [](double number) { return std::isfinite(number); };
   const auto zero = [](double number) { return number == 0; };

@@ -1,5 +1,5 @@
-// The open table of scene shapes: one row per kind, with everything that file readers, help pages and drawings need. A
-// new shape is a row in scene_shapes.cpp, and a class if no present class fits; no other code names a kind.
+// The extensible table of scene shapes: one row per kind, with everything that file readers, help pages and drawings
+// need. A new shape is a row in scene_shapes.cpp, and a class if no existing class fits; no other code names a kind.
 #pragma once
 
 #include <span>
@@ -12,33 +12,33 @@
 
 namespace tubeplan::planner {
 
-/// Meaning of a field's values, which decides their conversion by a file reader and their valid range.
+/// Meaning of a field's values, which determines how a file reader converts them and which values are valid.
 enum class ShapeQuantity {
   kPosition,   ///< any value [m]
   kSize,       ///< above zero [m]
   kDirection,  ///< no unit, any length except zero
   kAngle,      ///< any value [rad]
-  kMesh,       ///< name of a file, whose triangles [m] the file reader supplies; no value
-  kUnit,       ///< name of the unit of length in the mesh file; no value
+  kMesh,       ///< name of a mesh file, no values; the file reader supplies its triangles [m]
+  kUnit,       ///< name of the unit of length in the mesh file, no values
 };
 
 struct ShapeField {
   std::string_view name;
   ShapeQuantity quantity;
   int count;             ///< number of values; 0 for a name
-  bool required = true;  ///< an optional field that is left out is all zeros
+  bool required = true;  ///< if false, the field may be left out and is then all zeros
 };
 
 struct MadeShape {
-  ShapePointer shape;   ///< the shape; empty if there is a problem
-  std::string problem;  ///< name of the field and reason; empty if there is no problem
+  ShapePointer shape;   ///< the shape; null if there is a problem
+  std::string problem;  ///< name of the faulty field, and the reason; empty if there is no problem
 };
 
 struct ShapeRow {
   std::string_view key;   ///< key of the shape in a file; nested keys are separated by a dot (`inside_of.sphere`)
   std::string_view help;  ///< description for help pages, one sentence
   std::vector<ShapeField> fields;
-  bool may_be_body;  ///< true: a link can have this shape, which must be a solid
+  bool may_be_body;  ///< true if a link can have this shape, which must then be a solid
   MadeShape (*make)(std::span<const double> numbers, const TriangleMesh* mesh);
 };
 
@@ -47,15 +47,15 @@ struct ShapeRow {
 /// Returns the row with this key, or null if there is none.
 [[nodiscard]] const ShapeRow* findSceneShape(std::string_view key);
 
-/// Returns the number of values that a row needs.
+/// Returns the number of values in all fields of a row.
 [[nodiscard]] int numberCount(const ShapeRow& row);
 
 /// Returns the field of a row that names a mesh, or null if there is none.
 [[nodiscard]] const ShapeField* findMeshField(const ShapeRow& row);
 
 /// Builds a shape from its values, [m] and [rad], in the order of the row's fields, and from the mesh [m] if the row
-/// has a mesh field. The problem reports a wrong count, a value that is not finite, a size not above zero, a zero
-/// direction, an unusable mesh, or a fault that the row's own function finds.
+/// has a mesh field. The problem reports a wrong number of values, a value that is not finite, a size not above zero, a
+/// zero direction, an unusable mesh, or a fault found by the row's `make`.
 [[nodiscard]] MadeShape makeShape(const ShapeRow& row, std::span<const double> numbers,
                                   const TriangleMesh* mesh = nullptr);
 

@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFinestStep = 1e-15;  // smallest Newton step, as a fraction of the segment
+constexpr double kFinestStep = 1e-15;  // smallest Newton step, as a fraction of the segment's length
 constexpr int kMostSteps = 100;
 
 /// Half the slope of the squared distance along the segment, and its derivative.
@@ -16,7 +16,8 @@ struct Slope {
   double slope, curvature;
 };
 
-/// Returns the position along the segment, from 0 to 1, where the slope is zero.
+/// Returns the position along the segment, from 0 to 1, where the slope is zero; an end if the slope has one sign
+/// throughout.
 template <class SlopeAt>
 double levelPlace(const SlopeAt& slope_at) {
   const Slope start = slope_at(0.0), end = slope_at(1.0);

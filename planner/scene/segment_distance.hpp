@@ -1,7 +1,8 @@
 // Nearest points of a line segment and a box or a cylinder.
 //
-// Along a segment the squared distance from a convex solid is convex, so its slope increases, and the nearest point is
-// where the slope is zero. It is found by Newton steps kept within a bracket that shrinks at each step.
+// The squared distance from a convex solid is a convex function of the position along the segment, so that its slope
+// never decreases. The nearest point is where the slope is zero, or else at an end. Newton steps find it, kept within a
+// bracket that shrinks at each step.
 #pragma once
 
 #include <Eigen/Core>

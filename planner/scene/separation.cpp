@@ -18,8 +18,8 @@ using Eigen::Vector3d;
 constexpr double kLibraryTolerance = 1e-12;
 // Gap below which two bodies cannot be distinguished from touching; a smaller gap counts as contact [m].
 constexpr double kContact = 1e-9;
-// The library's second solver is called as well if the proved gap is less than the library's distance by more than this
-// [m].
+// The library's second solver is called as well if the gap between the supporting planes is smaller than the library's
+// distance by more than this [m].
 constexpr double kGoodEnough = 1e-9;
 
 double squaredLength(const Vector3d& v) { return v.squaredNorm(); }
@@ -29,7 +29,7 @@ struct Proposal {
   Vector3d on_a, on_b;
 };
 
-/// Returns the library's nearest points of the cores; none if the library finds contact, or fails.
+/// Returns the nearest points of the cores according to the library; nothing if the library finds contact or fails.
 std::optional<Proposal> askLibrary(const Isometry3d& X_WCa, const RoundedCore& a, const Isometry3d& X_WCb,
                                    const RoundedCore& b, fcl::GJKSolverType solver) {
   const fcl::DistanceRequestd request(true, false, 0.0, 0.0, kLibraryTolerance, solver);
@@ -43,8 +43,8 @@ std::optional<Proposal> askLibrary(const Isometry3d& X_WCa, const RoundedCore& a
   return Proposal{result.min_distance, result.nearest_points[0], result.nearest_points[1]};
 }
 
-/// Returns the gap between the planes that support a and b, perpendicular to the line through the two proposed points.
-/// The gap never exceeds the distance between a and b.
+/// Returns the gap between two planes perpendicular to the line through the proposed points, one supporting a and one
+/// supporting b. The gap never exceeds the distance between a and b.
 Separation gapAcross(const Proposal& proposal, const Isometry3d& X_WA, const Solid& a, const Isometry3d& X_WB,
                      const Solid& b) {
   const Vector3d across = (proposal.on_b - proposal.on_a).normalized();
@@ -59,7 +59,7 @@ Proposal between(const Vector3d& on_a, const Vector3d& on_b) { return {(on_b - o
 
 Proposal swapped(const Proposal& proposal) { return {proposal.distance, proposal.on_b, proposal.on_a}; }
 
-/// Returns the nearest points of a segment in W and the core of b.
+/// Returns the nearest points of a segment and the core of b, in W.
 Proposal fromSegment(const Vector3d& from_W, const Vector3d& to_W, const Isometry3d& X_WB, const Solid& b) {
   const Isometry3d X_BW = X_WB.inverse();
   const auto [on_a, on_b] = b.nearestTo(X_BW * from_W, X_BW * to_W);
@@ -94,7 +94,7 @@ Proposal fromBox(const Isometry3d& X_WA, const Box& a, const Isometry3d& X_WB, c
   return best;
 }
 
-/// Returns the nearest points of the cores if b is a capsule, or a or b is a box; none if the library is needed.
+/// Returns the nearest points of the cores if b is a capsule, or a or b is a box; nothing if the library is needed.
 std::optional<Proposal> proposalOf(const Isometry3d& X_WA, const Solid& a, const Isometry3d& X_WB, const Solid& b) {
   if (b.isCapsule()) return swapped(fromSegment(X_WB * b.around().from, X_WB * b.around().to, X_WA, a));
   if (a.box()) return fromBox(X_WA, *a.box(), X_WB, b);
@@ -114,8 +114,8 @@ SegmentPair nearestPoints(const Vector3d& a0, const Vector3d& a1, const Vector3d
   const double ab = along_a.dot(along_b), ao = along_a.dot(offset), bo = along_b.dot(offset);
   const auto onA = [&](double t) { return aa > 0 ? std::clamp((ab * t - ao) / aa, 0.0, 1.0) : 0.0; };
   const auto onB = [&](double s) { return bb > 0 ? std::clamp((ab * s + bo) / bb, 0.0, 1.0) : 0.0; };
-  // The nearest pair includes an end of a segment, or lies on the common perpendicular. Computing all these candidates
-  // keeps every digit; the determinant of nearly parallel segments is nearly zero and cannot decide between them.
+  // The nearest pair includes an end of a segment, or lies on the common perpendicular. All these candidates are
+  // compared, because the determinant of nearly parallel segments is nearly zero and too inaccurate to choose one.
   const double determinant = aa * bb - ab * ab;
   const double s_inner = determinant > 0 ? std::clamp((ab * bo - ao * bb) / determinant, 0.0, 1.0) : 0.0;
   const double t_inner = onB(s_inner);

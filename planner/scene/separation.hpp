@@ -14,22 +14,23 @@ struct SegmentPair {
 
 [[nodiscard]] Capsule transformed(const Eigen::Isometry3d& X_WF, const Capsule& capsule_F);
 
-/// Returns the exact distance of two capsules, negative if they overlap. The point is on the surface of a.
+/// Returns the exact distance between two capsules, negative if they overlap. The returned point is on the surface of
+/// a.
 [[nodiscard]] Separation separation(const Capsule& a, const Capsule& b);
 
-/// Returns the distance of a capsule, given in the frame of b, from b, by the same method as for two solids.
+/// Returns the distance between solid b and capsule a, which is given in b's frame, by the same method as for two
+/// solids.
 [[nodiscard]] Separation separation(const Capsule& a, const Solid& b);
 
 /// Returns the distance between solids a and b placed in W, exact for two capsules (including spheres). For other
-/// solids, nearest points are proposed, in closed form if a or b is a capsule or a box. The result is the gap between
-/// two supporting planes perpendicular to the line through the proposed points: a lower bound of the distance for any
-/// proposal. The distance of the proposed points is an upper bound, so that a wrong proposal can only lose clearance.
-/// The returned point is on a, in W.
+/// solids, the nearest points are estimated, in closed form if a or b is a capsule or a box. The result is the gap
+/// between two planes perpendicular to the line through these points, one supporting a and one supporting b. It never
+/// exceeds the true distance, so that inaccurate points can only lose clearance. The returned point is on a, in W.
 [[nodiscard]] Separation separation(const Eigen::Isometry3d& X_WA, const Solid& a, const Eigen::Isometry3d& X_WB,
                                     const Solid& b);
 
-/// Returns the distance with points proposed by the distance library: used for two flat-ended cylinders, and for
-/// comparison with separation().
+/// Returns the same distance, but with nearest points found by the distance library (FCL). Used for two flat-ended
+/// cylinders, and for comparison with separation().
 [[nodiscard]] Separation separationByLibrary(const Eigen::Isometry3d& X_WA, const Solid& a,
                                              const Eigen::Isometry3d& X_WB, const Solid& b);
 

@@ -56,11 +56,12 @@ using ShapePointer = std::shared_ptr<const Shape>;
 /// A box centred on C's origin, with edges along C's axes.
 struct Box {
   Eigen::Isometry3d X_FC = Eigen::Isometry3d::Identity();
-  Eigen::Vector3d half;  ///< half dimensions of the box [m]
+  Eigen::Vector3d half;  ///< half the edge lengths [m]
 };
 
-/// Core of a solid for the distance library, placed in the shape's frame, with a rounding around the core. Distances
-/// are computed between cores and reduced by the roundings, so that bodies in contact still have well separated cores.
+/// A solid as a core, placed in the solid's frame, with a rounding of constant thickness around it. The distance
+/// library computes distances between cores, which are then reduced by the roundings, so that the cores of rounded
+/// solids are well apart even if the solids touch.
 struct RoundedCore {
   std::shared_ptr<const fcl::CollisionGeometry<double>> geometry;
   Eigen::Isometry3d X_FC = Eigen::Isometry3d::Identity();

@@ -21,7 +21,7 @@ Vector3d normalOf(const Corners& t) {
   return normal / length;
 }
 
-/// Returns true if the perpendicular projection of p onto the plane lies within the triangle.
+/// Returns true if the perpendicular projection of p onto the triangle's plane lies within the triangle.
 bool isOver(const Corners& t, const Vector3d& normal, const Vector3d& p) {
   for (std::size_t k = 0; k < 3; ++k)
     if (normal.dot((t[(k + 1) % 3] - t[k]).cross(p - t[k])) < 0) return false;
@@ -39,7 +39,7 @@ struct Segment {
   }
 };
 
-/// A solid without its rounding; the caller adds the rounding again.
+/// A solid without its rounding, which the caller subtracts from the gap.
 struct Core {
   const Solid& solid;
   [[nodiscard]] SegmentNearest nearestTo(const Vector3d& a, const Vector3d& b) const { return solid.nearestTo(a, b); }
@@ -49,9 +49,9 @@ struct Core {
   }
 };
 
-/// Returns the gap between a convex body and a triangle. The triangle's nearest point is on an edge, or the body's
-/// nearest point is the point farthest towards the face. If the two meet but no edge of the triangle meets the body,
-/// the face cuts the body completely.
+/// Returns the gap between a convex body and a triangle. Either the triangle's nearest point is on an edge, or the
+/// body's nearest point is the point that reaches farthest towards the face. A body that meets the triangle but none of
+/// its edges is cut right through by the face.
 template <class Body>
 TriangleGap gapBetween(const Corners& t, const Body& body) {
   TriangleGap best{-std::numeric_limits<double>::infinity(), {}};

@@ -1,9 +1,9 @@
 // Distance of a triangle from a point, a segment and a convex solid.
 //
-// Each distance is the greatest width of a gap between two parallel planes, one supporting the triangle and the other
-// the point, segment or solid, over the directions in which the nearest points may lie. Such a width never exceeds the
-// distance, and equals it in the right direction. For triangles that are nearly lines, whose normal is not well
-// defined, an error can therefore only lose clearance.
+// Each distance is computed as the width of a gap between two parallel planes, one supporting the triangle and the
+// other the point, segment or solid. The widest gap is taken over the directions in which the nearest points may lie.
+// No such gap is wider than the distance, and the gap along the line of the nearest points is just as wide. Errors in
+// the normal of a triangle that is nearly a line can therefore only lose clearance.
 #pragma once
 
 #include "planner/scene/shape.hpp"

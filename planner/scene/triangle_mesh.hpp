@@ -15,25 +15,26 @@ struct TriangleMesh {
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// Largest number of triangles; reading more would take seconds at every command.
+/// Largest permitted number of triangles; a larger mesh would take seconds to read in every command.
 inline constexpr std::size_t kMostTriangles = 2'000'000;
 
-/// Returns the problem of a mesh; empty if the mesh is usable. A usable mesh has triangles, at most kMostTriangles and
-/// not all degenerate, and their corners exist and have finite coordinates of at most a million.
+/// Returns the reason why a mesh is unusable; an empty string if it is usable. A usable mesh has at least one and at
+/// most kMostTriangles triangles, not all degenerate; their corners exist and have finite coordinates of at most a
+/// million.
 [[nodiscard]] std::string findMeshProblem(const TriangleMesh& mesh);
 
 /// Topology of a mesh. Corners at the same coordinates count as one.
 struct MeshSurvey {
   std::size_t open_edges = 0;  ///< edges that belong to an odd number of triangles
-  /// Edges whose triangles traverse them more often in one direction: adjacent triangles have opposite orientations.
+  /// Other edges, which their triangles traverse more often in one direction: adjacent triangles have opposite
+  /// orientations.
   std::size_t turned_edges = 0;
   Eigen::AlignedBox3d bounds;
-  /// Returns true if the surface has an inside: at every edge, as many triangles traverse it in one direction as in the
-  /// other.
+  /// Returns true if the surface has an inside: every edge is traversed equally often in both directions.
   [[nodiscard]] bool isClosed() const { return open_edges == 0 && turned_edges == 0; }
 };
 
-/// Surveys a mesh, which must be free of problems (findMeshProblem()).
+/// Returns the topology of a mesh, which must be usable (findMeshProblem()).
 [[nodiscard]] MeshSurvey surveyMesh(const TriangleMesh& mesh);
 
 /// Returns a phrase to follow "it is ", such as "solid" or "a surface: 12 of its edges are open".

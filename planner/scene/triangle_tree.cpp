@@ -11,9 +11,9 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kLeafTriangles = 4;
 constexpr std::size_t kBins = 12;
-// depth beyond which the triangles are split into halves of equal count, so that the recursion terminates
+// Depth beyond which the triangles are split into halves of equal count, so that the recursion terminates.
 constexpr int kDeepestSearch = 40;
-// Least signed area spanned by an edge, as seen along a ray, relative to the lengths from which it is computed.
+// Smallest triple product whose sign is certain despite rounding, relative to the lengths of its vectors.
 constexpr double kTellable = 1e-12;
 
 /// Directions of rays for the winding number. They are arbitrary, but no edge or face of a mesh is likely to be
@@ -35,7 +35,8 @@ bool rayMeets(const AlignedBox3d& box, const Vector3d& p, const Vector3d& invers
   return leave + slack >= 0 && enter <= leave + slack;
 }
 
-/// Returns 1 or -1 if the ray passes through the triangle, 0 if it misses the triangle, nothing if that is uncertain.
+/// Returns 1 or -1 if the ray passes through a triangle that faces along or against it, 0 if it misses the triangle,
+/// nothing if that is uncertain.
 std::optional<int> crossing(const Corners& corners, const Vector3d& p, const Vector3d& direction) {
   const Vector3d a = corners[0] - p, b = corners[1] - p, c = corners[2] - p;
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
@@ -47,7 +48,8 @@ std::optional<int> crossing(const Corners& corners, const Vector3d& p, const Vec
     negative += sides[k] < -floors[k];
   }
   if (positive > 0 && negative > 0) return 0;
-  // The side of the face that p is on decides whether the triangle is ahead of p or behind it.
+  // The sign of `height` tells on which side of the face p lies, and so whether the triangle is ahead of p or behind
+  // it.
   const double height = a.dot(b.cross(c)), floor = kTellable * la * lb * lc;
   const bool is_behind = positive > 0 ? height < -floor : negative > 0 && height > floor;
   if (is_behind) return 0;
@@ -77,8 +79,8 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh, const Eigen::Isometry3d& X_
   build(items, 0);
 }
 
-/// Partitions the triangles so that boxes of small area hold most of them (Wald 2007, binned). Returns the number of
-/// triangles in the first part; 0 if the triangles cannot be separated.
+/// Partitions the triangles in two so that the sum of box area times number of triangles is small (surface area
+/// heuristic, Wald 2007, binned). Returns the number of triangles in the first part; 0 if they cannot be separated.
 std::size_t TriangleTree::splitByArea(std::span<Item> items, const AlignedBox3d& middles, Eigen::Index axis) {
   const double low = middles.min()[axis], length = middles.sizes()[axis];
   if (!(length > 0)) return 0;

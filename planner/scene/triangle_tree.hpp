@@ -14,30 +14,30 @@ namespace tubeplan::planner {
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
-/// Returns the least coordinate of the triangle's corners along a direction.
+/// Returns the smallest coordinate of the triangle's corners along a direction.
 [[nodiscard]] inline double leastAlong(const Corners& triangle, const Eigen::Vector3d& direction) {
   return std::min({direction.dot(triangle[0]), direction.dot(triangle[1]), direction.dot(triangle[2])});
 }
 
 class TriangleTree {
  public:
-  /// `mesh` must be free of problems (findMeshProblem()); its frame M is placed at X_FM.
+  /// `mesh` must be usable (findMeshProblem()); X_FM is the pose of its frame M in F.
   TriangleTree(const TriangleMesh& mesh, const Eigen::Isometry3d& X_FM);
 
   [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return nodes_.front().box; }
   [[nodiscard]] std::span<const Corners> triangles() const { return triangles_; }
 
-  /// Calls `look(corners)` for triangles, nearest boxes first. `distance_of(box, least)` returns a lower bound of the
-  /// result for the triangles in a box; boxes with a bound of `least` or more are skipped. `look` itself lowers
-  /// `least`.
+  /// Calls `look(corners)` for triangles, those in the nearest boxes first. `distance_of(box, least)` returns a lower
+  /// bound of the distance of the triangles in a box; boxes with a bound of `least` or more are skipped. `look` lowers
+  /// `least` when it finds a nearer triangle.
   template <class DistanceOf, class Look>
   void nearestFirst(const DistanceOf& distance_of, const Look& look, const double& least) const {
     descend(0, distance_of(nodes_.front().box, least), distance_of, look, least);
   }
 
   /// Returns the winding number of the surface around p_F, which is not zero inside a closed mesh. It is the number of
-  /// triangles along a ray from p_F that face in the ray's direction minus the number that face against it. Nothing if
-  /// every ray that was tried passes too near an edge, such as for a point on the surface.
+  /// triangles along a ray from p_F that face in the ray's direction minus the number that face against it. Returns
+  /// nothing if all rays tried pass too close to an edge, for example if the point is on the surface.
   [[nodiscard]] std::optional<int> windingNumber(const Eigen::Vector3d& p_F) const;
 
  private:

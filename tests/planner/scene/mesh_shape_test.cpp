@@ -37,8 +37,7 @@ Corners anyTriangle(std::mt19937_64& generator, int kind) {
   return t;
 }
 
-/// Points spread over a triangle, with `spacing` [m] as an upper bound on the distance of any point of the triangle
-/// from the nearest of them.
+/// Points spread over a triangle, so that every point of the triangle is within `spacing` [m] of one of them.
 struct Spread {
   std::vector<Vector3d> points;
   double spacing;
@@ -106,7 +105,7 @@ TEST(MeshSurvey, SaysWhetherASurfaceHasAnInside) {
   box.triangles.pop_back();
   EXPECT_EQ(surveyMesh(box).open_edges, 3u);
   EXPECT_NE(describe(surveyMesh(box)).find("3 of its edges are open"), std::string::npos);
-  // Each triangle has its own copies of its corners, as in an STL file.
+  // A box is closed even if each triangle has its own copies of its corners, as in an STL file.
   TriangleMesh apart;
   const TriangleMesh whole = testing::boxMesh({1, 2, 3});
   for (const auto& triangle : whole.triangles) {
@@ -134,8 +133,8 @@ TEST(MeshSurvey, MeshesThatMakeNoSenseAreTold) {
   EXPECT_NE(findMeshProblem(mesh).find("more than"), std::string::npos);
 }
 
-/// Compares distances of random bodies from a mesh with their distances from the exact shape. The exact surface lies
-/// nowhere more than `sagitta` outside the mesh [m].
+/// Expects random bodies to be as far from the mesh as from the exact shape, or farther by at most `sagitta` [m], the
+/// largest distance of the exact surface from the mesh.
 void expectAsFarAs(const MeshShape& mesh, const Shape& exact, double sagitta, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const auto box = testing::shape("box", {0, 0, 0, 0.4, 0.2, 0.1, 0, 0, 0});
@@ -219,7 +218,8 @@ TEST(MeshShape, OverlappingShellsAreOneSolidAndATurnedOneWithinIsARoom) {
 }
 
 TEST(MeshShape, InsideAndOutsideAreToldFromEveryPlace) {
-  // Rays from lattice points meet corners, edges and faces of the mesh along every axis and diagonal.
+  // Inside and outside are distinguished even at lattice points, many of which are in line with corners, edges and
+  // faces of the mesh.
   const MeshShape box = meshShape(testing::boxMesh({1, 1, 1}));
   const MeshShape ball = meshShape(testing::ballMesh(1, 12));
   for (int i = -7; i <= 7; ++i)
@@ -347,13 +347,14 @@ TEST(MeshShape, TheDistanceLibraryFindsTheSame) {
     for (const Body& body : bodies) {
       const Isometry3d X = uniformPose(generator, 1);
       const Separation found = mesh.separationFrom(X, solid(body.own));
-      // FCL reports no contact for a body inside a mesh.
+      // FCL reports no contact for a body wholly inside a mesh, so bodies that overlap it are not compared.
       if (found.distance < 0) continue;
       ++compared;
-      // The distance is a proved lower bound; the nearest point shows that the bound is attained.
+      // `found.distance` is a proved lower bound; a point of the body at this distance from the mesh shows that it is
+      // attained.
       EXPECT_NEAR(body.own->pointDistance(X.inverse() * found.point), 0, 1e-9);
       EXPECT_NEAR(mesh.pointDistance(found.point), found.distance, 1e-8);
-      // FCL's distances have known errors, but only towards larger values.
+      // Known errors of FCL make its distances too large, never too small.
       const double other = byLibrary(*body.library, X, model);
       EXPECT_GE(other, found.distance - 1e-7);
       alike += other < found.distance + 2e-5;

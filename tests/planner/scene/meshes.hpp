@@ -29,7 +29,7 @@ inline TriangleMesh boxMesh(const Eigen::Vector3d& half, const Eigen::Vector3d& 
   return mesh;
 }
 
-/// Returns a prism about z with its corners on the cylinder, so the prism lies inside the cylinder.
+/// Returns a prism about z that is inscribed in the cylinder.
 inline TriangleMesh cylinderMesh(double radius, double half_length, int sides) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, -half_length}, {0, 0, half_length}};
@@ -47,7 +47,7 @@ inline TriangleMesh cylinderMesh(double radius, double half_length, int sides) {
   return mesh;
 }
 
-/// Returns a mesh with corners on the sphere, arranged by latitude and longitude.
+/// Returns a mesh with corners on a sphere about the origin, arranged by latitude and longitude.
 inline TriangleMesh ballMesh(double radius, int rings) {
   TriangleMesh mesh;
   const int sides = 2 * rings;
@@ -68,7 +68,7 @@ inline TriangleMesh ballMesh(double radius, int rings) {
   return mesh;
 }
 
-/// Returns random triangles of any size and position; some degenerate almost to lines, some to lines, some to points.
+/// Returns random triangles, of which some are almost lines, some are lines and some are points.
 inline TriangleMesh looseMesh(std::mt19937_64& generator, int triangles) {
   TriangleMesh mesh;
   for (int k = 0; k < triangles; ++k) {

@@ -10,7 +10,7 @@
 namespace tubeplan::planner {
 namespace {
 
-/// Returns a valid value for each field of a shape's row.
+/// Returns valid values for all fields of a shape's row.
 std::vector<double> plainNumbers(const ShapeRow& row) {
   std::vector<double> numbers;
   for (const ShapeField& field : row.fields)
@@ -55,7 +55,8 @@ TEST(SceneShapes, EverySolidKeepsItsPromises) {
       EXPECT_LE(testing::shape("capsule", {from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), radius})
                     ->pointDistance(farthest),
                 1e-9);
-      // No point of the solid extends farther along the direction, or lies farther from the point.
+      // No point of the solid extends farther along `direction` than `support`, or lies farther from `p` than
+      // `farthest`.
       const Eigen::Vector3d inside = testing::uniformVector(generator, -1, 2);
       if (solid.pointDistance(inside) > 0) continue;
       EXPECT_LE(direction.dot(inside), direction.dot(support) + 1e-12);

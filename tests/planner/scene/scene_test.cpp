@@ -22,7 +22,7 @@ Scene plainScene() { return ToyArm{{1, 1, 1}}.scene({{"wall", shape("keep_side",
 
 TEST(SceneProblems, NoneInASoundScene) {
   Scene scene = plainScene();
-  scene.links.push_back({"bare", true});  // a link without shapes may be listed too
+  scene.links.push_back({"bare", true});  // a link without bodies may be listed too
   scene.obstacles[0].allow = {"link3", "bare"};
   scene.bodies[0].allow = {"wall", "link3"};
   EXPECT_TRUE(findSceneProblems(scene).empty());
@@ -55,7 +55,7 @@ TEST(AreJudged, BodiesWithMoreThanOneJointBetweenThem) {
   for (int b = 0; b < 5; ++b)
     for (int a = 0; a < b; ++a)
       if (areJudged(scene, a, b)) judged.emplace(a, b);
-  // The wrist has no body, so the bracket and the hand are checked although no body lies between them.
+  // Two joints lie between bracket and hand, so these are checked although the wrist between them has no body.
   EXPECT_EQ(judged, (std::set<std::pair<int, int>>{{0, 3}, {0, 4}, {1, 3}, {1, 4}, {2, 3}, {2, 4}}));
   scene.inseparable = {{2, 3}};
   EXPECT_FALSE(areJudged(scene, 2, 3));

@@ -37,8 +37,7 @@ TEST(NearestToCylinder, SideEndRimAndThrough) {
   EXPECT_EQ(distanceOf(nearestToCylinder({0, 0, -9}, {0, 0, 9}, 2, 5)), 0);
 }
 
-/// Returns the least point distance along the segment by ternary search; the point distance is convex along the
-/// segment.
+/// Returns the distance of a segment from a convex shape, found by ternary search along the segment; 0 if they meet.
 double byThirds(const Shape& shape, Vector3d a, Vector3d b) {
   for (int i = 0; i < 200; ++i) {
     const Vector3d third = a + (b - a) / 3, two_thirds = b - (b - a) / 3;
@@ -48,7 +47,7 @@ double byThirds(const Shape& shape, Vector3d a, Vector3d b) {
   return std::max(0.0, shape.pointDistance(0.5 * (a + b)));
 }
 
-/// Returns a random segment: long or short, along an axis or nearly so, near or far.
+/// Returns a random segment, long or short; some are parallel or almost perpendicular to an axis.
 std::pair<Vector3d, Vector3d> segmentOf(std::mt19937_64& generator, int trial) {
   const Vector3d from = uniformVector(generator, -1.5, 1.5);
   Vector3d along = uniformVector(generator, -2, 2) * std::pow(10, uniform(generator, -6, 0));
@@ -88,8 +87,9 @@ ShapePointer randomSolid(const std::string& kind, std::mt19937_64& generator) {
   return shape(kind.c_str(), {0, 0, -length / 2, 0, 0.2, length / 2, radius});
 }
 
-/// Returns an upper bound of the distance by alternating projections: each point is replaced by the nearest point to
-/// the other body's. For convex bodies the bound converges to the distance. `starts` is the number of random starts.
+/// Returns an upper bound of the distance between a and b, found by alternating projections: each body's point is
+/// replaced by the one nearest to the other body's point. For convex bodies the bound converges to the distance.
+/// `starts` is the number of random starts.
 double fromAbove(const Isometry3d& X_AB, const Solid& a, const Solid& b, std::mt19937_64& generator, int starts) {
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < starts; ++k) {
@@ -107,7 +107,8 @@ double fromAbove(const Isometry3d& X_AB, const Solid& a, const Solid& b, std::mt
 
 class OfKinds : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
 
-/// Alternating projections decide where our distance and the library's differ by more than a micro-inch.
+/// The distance is never larger than that between two points of the bodies, nor smaller than the library's by more than
+/// a micro-inch. Where the two distances differ by more, alternating projections find the points.
 TEST_P(OfKinds, NeverFurtherThanTwoPointsNorNearerThanTheLibrary) {
   std::mt19937_64 generator(5);
   int apart = 0, differ = 0, too_near = 0;
@@ -122,7 +123,7 @@ TEST_P(OfKinds, NeverFurtherThanTwoPointsNorNearerThanTheLibrary) {
     ++differ;
     const double above = fromAbove(X_AB, solid(a), solid(b), generator, 5);
     most_over = std::max(most_over, own - above);
-    // If the library finds the cores in contact, only contact is guaranteed, so the case does not count.
+    // Negative distances only say that the bodies overlap, so the library's distance counts only if it is positive.
     if (own < other - 2.54e-8 && other > 0) ++too_near;
   }
   EXPECT_LE(most_over, 1e-12);

@@ -69,7 +69,7 @@ TEST(NearestPoints, NoSampledPairIsNearer) {
       sampled = std::min(sampled, (b0 + t * along - p).norm());
     }
     EXPECT_LE(distance, sampled + 1e-12);
-    EXPECT_GE(distance, sampled - 2e-3);  // at most half the spacing of the samples
+    EXPECT_GE(distance, sampled - 2e-3);  // the samples are less than 2e-3 apart
   }
 }
 
@@ -110,8 +110,8 @@ TEST(SphereInteriorSeparation, ExactForEveryBody) {
   EXPECT_NEAR(bowl->separationFrom(at(3, 0, 0), solid(shape("sphere", {0, 0, 0, 0.25}))).distance, -1.25, 1e-15);
 }
 
-/// Compares the distance of capsules in poses all around an obstacle, some nearly in contact, with a distance computed
-/// from the obstacle's point distance.
+/// Expects the distances of random capsules around an obstacle, some nearly in contact, to equal those found by ternary
+/// search on the obstacle's point distance.
 void expectRightAgainstCapsules(const ShapePointer& obstacle, int poses, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   double worst_over = 0, worst_under = 0;
@@ -159,7 +159,7 @@ TEST(LibrarySeparation, BoxesBySupportAndByCorners) {
   for (int i = 0; i < 3000; ++i) {
     const Isometry3d X = uniformPose(generator, 1.2);
     const double found = obstacle->separationFrom(X, solid(body)).distance;
-    // Upper bound of the true distance: the least distance from the edges of the body.
+    // Upper bound of the true distance: the smallest distance of the body's edges from the obstacle.
     double sampled = 1e9;
     for (int edge = 0; edge < 12; ++edge) {
       const int axis = edge / 4;
