@@ -12,7 +12,7 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr int kChords = 8;  // number of chords for a curved phase
-// each repair lengthens the legs that are too short; a leg as long as its ramps always fits
+// Each repair lengthens the legs that are too short for their corners by the factor kRepair.
 constexpr int kMostRepairs = 1000;
 constexpr double kRepair = 1.02;
 
@@ -37,8 +37,8 @@ Legs legsOf(const std::vector<VectorXd>& waypoints, const JointSpeeds& speeds) {
     const VectorXd way = waypoints[k] - waypoints[k - 1];
     if (way.isZero(0)) continue;
     legs.ways.push_back(way);
-    // A leg with speed at both ends may take less time than from rest to rest: repairs begin at half the rest-to-rest
-    // time.
+    // A leg that is entered and left at speed may take less time than from rest to rest, so repairs begin with half the
+    // rest-to-rest time of the leg.
     legs.times.push_back(
         std::max(slowest(way, speeds.max_speed), 0.5 * std::sqrt(slowest(way, speeds.max_acceleration))));
   }
@@ -53,8 +53,8 @@ std::vector<double> cornerTimes(const Legs& legs, const JointSpeeds& speeds) {
   return times;
 }
 
-/// Lengthens legs until half of the corner at each end fits into every leg; returns the corner durations [s], empty if
-/// that fails. All legs are lengthened together, so that the reverse path takes the same times.
+/// Lengthens legs until each has time for half of the corner at either end. Returns the corner durations [s], or an
+/// empty vector if that fails. All legs are lengthened in the same pass, so that the reverse path takes the same times.
 std::vector<double> fitCorners(Legs& legs, const JointSpeeds& speeds) {
   std::vector<double> corners = cornerTimes(legs, speeds);
   for (int repair = 0; repair < kMostRepairs; ++repair) {

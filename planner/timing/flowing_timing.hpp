@@ -3,7 +3,7 @@
 //
 // A parabola of duration b begins b/2 before the waypoint's time and ends b/2 after it. Its distance from the corner is
 // at most |v' - v| b / 8, with speeds v before and v' after the corner. The arm moves, and is proved free, along chords
-// of the parabolas, because consecutive rows of a path are connected by straight lines.
+// of the parabolas, because consecutive samples of a path are connected by straight lines.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ namespace tubeplan::planner {
 /// A phase of the motion with constant acceleration, from `start` until the next phase.
 struct FlowPhase {
   double start = 0, duration = 0;  ///< start time and duration of the phase [s]
-  /// Joint values at the start [rad], speeds there [rad/s] and accelerations [rad/s^2] (m for a slide).
+  /// Joint values at the start [rad], speeds there [rad/s] and accelerations [rad/s^2] (m for a prismatic joint).
   Eigen::VectorXd from, speed, acceleration;
 
   [[nodiscard]] Eigen::VectorXd at(double time_in_phase) const;
@@ -29,7 +29,7 @@ struct TimedFlow {
 };
 
 /// Times a motion from rest at the first waypoint to rest at the last, within the limits of all joints. There must be
-/// one waypoint or more; a single waypoint gives a flow without phases. Asserts that the limits are usable
+/// at least one waypoint; a single waypoint gives a flow without phases. Asserts that the limits are usable
 /// (findSpeedProblems()).
 [[nodiscard]] TimedFlow timeFlow(const std::vector<Eigen::VectorXd>& waypoints, const JointSpeeds& speeds);
 
@@ -37,7 +37,7 @@ struct TimedFlow {
 /// chords of each curved phase. Times are strictly increasing. Empty for a flow without phases.
 [[nodiscard]] std::vector<TimedPosture> sampleFlow(const TimedFlow& flow, double max_step);
 
-/// Returns the ends of phases and chords: the postures between which samples of any step lie on straight lines.
+/// Returns the ends of phases and chords: samples at any step lie on the straight lines between these postures.
 [[nodiscard]] std::vector<Eigen::VectorXd> cornersOf(const TimedFlow& flow);
 
 }  // namespace tubeplan::planner

@@ -13,8 +13,8 @@ TimedMove timeMove(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, const J
   move.to = q1;
   const Eigen::ArrayXd distance = (q1 - q0).array().abs();
   if (!(distance > 0).any()) return move;
-  const double cruise_seconds = (distance / speeds.max_speed.array()).maxCoeff();        // 1 / greatest s' [s]
-  const double ramp_seconds2 = (distance / speeds.max_acceleration.array()).maxCoeff();  // 1 / greatest s'' [s^2]
+  const double cruise_seconds = (distance / speeds.max_speed.array()).maxCoeff();        // 1 / largest s' [s]
+  const double ramp_seconds2 = (distance / speeds.max_acceleration.array()).maxCoeff();  // 1 / largest s'' [s^2]
   const bool triangle = ramp_seconds2 > cruise_seconds * cruise_seconds;
   move.ramp_time = triangle ? std::sqrt(ramp_seconds2) : ramp_seconds2 / cruise_seconds;
   move.cruise_time = triangle ? 0 : std::max(0.0, cruise_seconds - move.ramp_time);

@@ -17,7 +17,7 @@ struct TimedMove {
   Eigen::VectorXd to;      ///< end posture [rad]
   double ramp_time = 0;    ///< duration of the acceleration, and of the deceleration [s]; 0 with infinite acceleration
   double cruise_time = 0;  ///< duration at constant speed [s]; 0 in a triangular profile
-  double peak_speed = 0;   ///< greatest rate s' of the profile [1/s]
+  double peak_speed = 0;   ///< largest rate s' of the profile [1/s]
   double duration = 0;     ///< 2 ramp_time + cruise_time [s]; 0 if no joint moves
 };
 

@@ -12,8 +12,8 @@ namespace {
 
 using testing::randomPosture, testing::uniform;
 
-// Checks speeds along chords, and accelerations between the midpoints of neighbouring chords; both are averages of the
-// true values.
+// Expects speeds and accelerations within the limits: mean speeds along chords, and mean accelerations between the
+// midpoints of neighbouring chords.
 void expectWithinLimits(const std::vector<TimedPosture>& samples, const JointSpeeds& speeds) {
   for (std::size_t k = 1; k < samples.size(); ++k) {
     const double step = samples[k].time - samples[k - 1].time;
