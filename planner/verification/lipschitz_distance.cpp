@@ -31,13 +31,13 @@ double lipschitzDistance(const Capsule& capsule, const Shape& shape, const Lipsc
   assert(options.accuracy > 0);
   const Eigen::Vector3d along = capsule.to - capsule.from;
   const double length = along.norm();
-  // A capsule at an undefined position is clear of nothing.
+  // A capsule at an undefined position counts as touching everything.
   if (!std::isfinite(length)) return -std::numeric_limits<double>::infinity();
   const auto at = [&](double s) { return shape.pointDistance(capsule.from + s * along) - capsule.radius; };
   std::vector<CapsuleStretch> open{{0, 1, at(0), at(1)}};
   double least = std::min(open.front().distance_from, open.front().distance_to);
   double proved = least;
-  // Coarse segments before fine segments: `least` is then soon near its final value, and most segments need no
+  // Coarse segments come before fine ones, so that `least` is soon near its final value and most segments need no
   // bisection.
   for (std::size_t next = 0; next < open.size(); ++next) {
     const CapsuleStretch stretch = open[next];
@@ -80,8 +80,8 @@ LipschitzMargins::Look LipschitzMargins::lookAt(const Pair& pair, std::span<cons
   return {&pair, capsule, &other, padding, middle - half_length - capsule.radius - padding};
 }
 
-/// Returns the gap of a body whose capsule is only a bound. Supporting planes on both sides of the gap prove it, in any
-/// direction.
+/// Returns the gap between a body that is not a capsule and the other shape of the pair. It is proved by supporting
+/// planes on both sides of the gap, whatever their direction.
 double LipschitzMargins::gapOf(const Look& look, std::span<const Eigen::Isometry3d> X_WL) const {
   const auto frameOf = [&](const Body& body) { return X_WL[static_cast<std::size_t>(body.frame_index)]; };
   const Body& body = scene_.bodies[look.pair->body];

@@ -1,9 +1,10 @@
 // Clearance computed by a different method from the planner's: only the distance of a point from a shape is used.
 //
-// If a point moves by h, its distance changes by at most h. The least distance along a capsule's axis is therefore
-// found to any accuracy by bisecting the axis where the distance could still be less (Piyavskii 1972). The method is
-// short and has no special cases, as suits a check. Boxes and other solids of the arm are first replaced by the capsule
-// around them; the solid itself is tested, with a pair of separating planes, only if the capsule is not clear.
+// If a point moves by h, its distance changes by at most h. The smallest distance along a capsule's axis is therefore
+// found to any accuracy by bisecting the axis where the distance could still be smaller (Piyavskii 1972). The method is
+// short and has no special cases, which suits an independent check. Boxes and other solids of the arm are first
+// replaced by the capsule around them; the solid itself is tested, with a pair of separating planes, only if the
+// capsule is not clear.
 #pragma once
 
 #include <limits>
@@ -17,11 +18,11 @@ namespace tubeplan::planner {
 
 /// Accuracy of the distance. The result never exceeds the true distance.
 struct LipschitzOptions {
-  double accuracy = 1e-6;  ///< largest difference below the true distance [m]
-  /// Alternative accuracy, as a fraction of the distance beyond `required`; the larger of both applies.
+  double accuracy = 1e-6;  ///< largest amount by which the result may fall below the true distance [m]
+  /// Alternative accuracy, as a fraction of the distance beyond `required`; the larger of the two applies.
   double share = 0;
   double required = 0;  ///< distance from which `share` counts [m]
-  /// Distance above which a lower bound of at least `enough` is accurate enough [m].
+  /// A lower bound of at least `enough` [m] counts as accurate enough.
   double enough = std::numeric_limits<double>::infinity();
 };
 
@@ -37,8 +38,8 @@ class LipschitzMargins {
   /// obstacles.
   explicit LipschitzMargins(const Scene& scene, const BasePadding& padding = {});
 
-  /// Returns a lower bound of the least margin [m] (distance minus the scene's clearance) over all pairs that may not
-  /// touch, with the rows' bodies at X_WL. `accuracy` [m] and `share` (fraction of the margin) are as in
+  /// Returns a lower bound of the smallest margin [m] (distance minus the scene's clearance) over all pairs that may
+  /// not touch, with the rows' bodies at X_WL. `accuracy` [m] and `share` (fraction of the margin) are as in
   /// LipschitzOptions. `names` receives the tightest pair, such as "tool, divider"; may be null.
   double at(std::span<const Eigen::Isometry3d> X_WL, double accuracy, double share, std::string* names);
 

@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
 
-/// Returns the scene for travels between holes: without the contacts that `allow` lists permit between tool and
-/// obstacles.
+/// Returns the scene for travels between holes, in which the tool may not touch obstacles even where `allow` lists
+/// permit it.
 Scene withoutContact(Scene scene) {
   if (scene.links.empty()) return scene;
   std::set<std::string> tool{scene.links.back().name}, obstacles;
@@ -34,7 +34,7 @@ Scene withoutContact(Scene scene) {
   return scene;
 }
 
-/// Returns the greatest distance of a body point from its row's origin [m], with the origin moved along the row's z
+/// Returns the largest distance of a body point from its row's origin [m], with the origin moved along the row's z
 /// axis.
 double thickestBody(const Scene& scene, const std::vector<double>& slid) {
   double thick = 0;
@@ -47,7 +47,7 @@ double thickestBody(const Scene& scene, const std::vector<double>& slid) {
 }
 
 /// Returns the sum of the lengths of all rows beyond a row's axis, plus the thickest body [m]. No point of the arm
-/// beyond the axis is further from it.
+/// beyond the axis is farther from it than this.
 double reachBeyond(const deflection::Arm& arm, int row, double thick) {
   double reach = thick;
   for (std::size_t next = static_cast<std::size_t>(row) + 1; next < arm.rows.size(); ++next)
@@ -56,8 +56,8 @@ double reachBeyond(const deflection::Arm& arm, int row, double thick) {
   return reach;
 }
 
-/// Returns for each joint the greatest motion of a point per unit of joint motion, with all rows that turn with the
-/// joint; 1 for a slide.
+/// For each joint, returns the largest displacement of any point per unit of joint motion, including all rows that turn
+/// with the joint; 1 for a prismatic joint.
 VectorXd leversOf(const deflection::Arm& arm, double thick) {
   const auto active = deflection::activeRows(arm);
   VectorXd lever = VectorXd::Zero(static_cast<Eigen::Index>(active.size()));
@@ -129,14 +129,16 @@ class PathClearance {
  private:
   [[nodiscard]] bool isStopped() const { return hooks_.stop && hooks_.stop(); }
 
-  /// Returns true if a row is within the joint limits. Any other row is refuted, and travel to it may be unbounded.
+  /// Returns true if a row is within the joint limits. Rows beyond them are refuted anyway, and travel to them may be
+  /// unbounded.
   [[nodiscard]] bool isWithinLimits(const VectorXd& q) const {
     for (int j = 0; j < q.size(); ++j)
       if (isPastLimit(arm_.joint(j), q[j])) return false;
     return true;
   }
 
-  /// Checks the stated clearance. A margin computed at a row is a lower bound of the true margin, with a limited error.
+  /// Checks the stated clearance against the smallest margin met. That margin is a lower bound of the true margin at
+  /// its posture, so `slack` allows for its error.
   void checkStated() {
     if (!plan_.least_clearance || plan_.path.empty()) return;
     const double stated = *plan_.least_clearance - travel_scene_.clearance;
@@ -215,7 +217,7 @@ class PathClearance {
   std::vector<Isometry3d> frames_;
   VectorXd lever_;
   double jump_ = 0;
-  double least_met_ = std::numeric_limits<double>::infinity();  ///< least margin of any posture so far [m]
+  double least_met_ = std::numeric_limits<double>::infinity();  ///< smallest margin of any posture so far [m]
 };
 
 }  // namespace

@@ -11,8 +11,8 @@ using TellFinding = std::function<void(std::string what)>;
 [[nodiscard]] bool isPastLimit(const deflection::Joint<double>& joint, double q);
 
 /// Checks the clearance at the path's rows and everywhere between consecutive rows that are within the joint limits.
-/// All joint values must exist and be finite. `find` is called for each fault; `result` receives the least margin and
-/// the tightest pair.
+/// All joint values must exist and be finite. `find` is called for each fault; `result` receives the smallest margin
+/// and the tightest pair.
 void checkPathClearance(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options,
                         const PlanHooks& hooks, const TellFinding& find, PlanCheck& result);
 

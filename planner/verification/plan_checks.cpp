@@ -96,7 +96,7 @@ class Checker {
       checkStatics(name, tube.q, tip);
       if (!((tip - tube.predicted_tip_W).norm() <= options_.stated_tolerance))
         find(name + ": the stated tip is not the model's");
-      // The lateral offset decides whether a step of the tool enters.
+      // A centring error is lateral only, because the lateral offset decides whether a step of the tool enters.
       const double sideways = (tip - tube.hole_W).head<2>().norm();
       if (tube.centring_error && !(std::abs(*tube.centring_error - sideways) <= options_.stated_tolerance))
         find(name + ": the stated centring error is not the model's");

@@ -38,22 +38,22 @@ struct PlanCheckOptions {
   double stated_tolerance = 2.54e-8;    ///< largest difference between stated and recomputed values [m]
   /// Largest distance between the model's tip and the tip computed by segmented_statics.hpp [m] (0.002 in).
   double statics_tolerance = 5.08e-5;
-  /// Largest excess of the tilt over the tilt at which the tool's first step enters, and difference from a stated tilt
-  /// [rad].
+  /// Tolerance [rad]: by how much the tilt may exceed the largest tilt at which the tool's first step still enters, and
+  /// by how much it may differ from a stated tilt.
   double tilt_tolerance = 1e-6;
-  bool limits_tilt = true;  ///< true: the tilt must let the tool's first step enter
+  bool limits_tilt = true;  ///< if true, the tilt must be small enough for the tool's first step to enter
   /// Largest difference of a joint value between a tube and the end of its approach [rad].
   double joint_tolerance = 1e-9;
   /// Largest distance of the tip from the hole's axis during the approach [m] (0.0011 in); applies only with
   /// via_points.
   double approach_tolerance = 2.8e-5;
-  bool via_points = true;  ///< true: the approach was compensated at every via point
-  /// Number of standard deviations of the base's pose to keep in addition to the scene's clearance.
+  bool via_points = true;  ///< true if the approach was compensated at every via point
+  /// Number of standard deviations of the base's pose by which the scene's clearance is increased.
   double padding = 0;
   double least_travel = 1e-4;        ///< travel below which the clearance proof does not bisect a segment [m]
   double distance_accuracy = 1e-5;   ///< accuracy of each posture's margin [m]
-  double distance_share = 0.05;      ///< alternative accuracy as a fraction of the margin; the larger of both applies
-  double report_accuracy = 2.54e-4;  ///< accuracy of the reported least margin [m] (0.010 in)
+  double distance_share = 0.05;      ///< alternative accuracy, as a fraction of the margin; the larger one applies
+  double report_accuracy = 2.54e-4;  ///< accuracy of the reported smallest margin [m] (0.010 in)
 };
 
 enum class PlanCheckStatus { kNotRun, kProved, kRefuted };
@@ -65,16 +65,16 @@ struct PlanCheck {
   double worst_centring = 0;  ///< largest distance of the tip from its goal at a tube [m]
   double worst_approach = 0;  ///< largest distance of the tip from the hole's axis during approaches and retreats [m]
   double worst_tilt = 0;      ///< largest angle between the tool axis and the hole's axis [rad]
-  /// Largest distance at tubes between the tips of both methods [m].
+  /// Largest distance at a tube between the tips computed by the two methods [m].
   double worst_statics = std::numeric_limits<double>::quiet_NaN();
   std::string statics_not_covered;  ///< reason why the second method does not apply to this arm; empty if it does
   /// Reason why the bound on travel by deflection is sampled, not proved; empty if it is proved.
   std::string deflection_travel_sampled;
   double worst_speed_share = 0;  ///< largest joint speed as a fraction of its limit
   double worst_acceleration_share = 0;
-  /// Least clearance of the tool in a tube [m]; infinite if the tool enters no tube.
+  /// Smallest clearance of the tool in a tube [m]; infinite if the tool enters no tube.
   double least_play = std::numeric_limits<double>::infinity();
-  /// Least margin along the path, proved between rows [m].
+  /// Smallest margin along the path, at its rows and between them [m].
   double least_margin = std::numeric_limits<double>::infinity();
   std::string tightest;
 };

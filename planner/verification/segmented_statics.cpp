@@ -93,7 +93,7 @@ class SegmentedArm {
     const Vector3d& g = posture_.gravity_B;
     const auto tip = arm_.tip_load.value_or(deflection::TipLoad<double>{});
     Vector3d force = (posture_.load - tip.contact_force) * g + tip.force;
-    // The moment is about the tip.
+    // The moment is about the tip; each step inwards then moves its reference point.
     Vector3d moment = posture_.load * (frames_.back() * tip.payload_offset).cross(g) + tip.moment;
     double change = 0;
     for (std::size_t k = steps_.size(); k-- > 0;) {
@@ -109,7 +109,7 @@ class SegmentedArm {
     return change;
   }
 
-  /// Returns the tip position for the present rotations of the springs [m].
+  /// Returns the tip position for the current rotations of the springs [m].
   Vector3d tip() {
     place();
     return tip_;
@@ -157,7 +157,7 @@ class SegmentedArm {
     }
   }
 
-  /// Adds the lumps of a row: the lumps of a rigid row hang from its frame, a lump along a flexible member from the
+  /// Adds the lumped weights of a row: those of a rigid row hang from its frame, one along a flexible member from the
   /// nearest piece.
   void addLumps(const Row& row, const Vector3d& member) {
     const bool gives = member.squaredNorm() > 0 && !curvatureOf(row, member.normalized()).isZero(0);
@@ -233,7 +233,7 @@ class SegmentedArm {
   const deflection::Posture& posture_;
   int pieces_;
   std::vector<Step> steps_;
-  /// Lumps along the next member, with their positions as a fraction of its length.
+  /// Lumped weights along the next member, with their positions as a fraction of its length.
   std::vector<std::pair<double, deflection::Lump<double>>> pending_;
   std::vector<Matrix3d> frames_;  ///< orientation of each step, after the rotation of its spring
   Vector3d tip_;

@@ -1,6 +1,6 @@
 // The deflected tip computed by a different method from the plan's: members are cut into many rigid pieces with a
 // spring in the middle of each. No code of the flexible kinematics' kernels, elements or derivatives is used. The
-// method is slow and simple: an independent result for the plan check.
+// method is slow and simple, and gives the plan check an independent result.
 #pragma once
 
 #include <optional>

@@ -111,7 +111,7 @@ TEST_P(ByOtherMeans, EveryPairOfTheCellIsAsFarAsTheCollisionWorldSays) {
     const auto distances = pairDistances(world, frames);
     for (const auto& body : cell.scene.bodies)
       for (const auto& obstacle : cell.scene.obstacles) {
-        // Bodies of one label share one entry, so pairs of the base-link are skipped.
+        // The bodies of the base-link share one label, and so one entry of `distances`; their pairs are skipped.
         if (mayTouch(obstacle, body) || body.link == "base-link") continue;
         const auto& capsule = static_cast<const Solid&>(*body.shape).around();
         const auto& X_WL = frames[static_cast<std::size_t>(body.frame_index)];
@@ -150,7 +150,7 @@ Workcell withOtherSolids(Workcell cell) {
   return cell;
 }
 
-/// Distances of boxes and cylinders are exact: the capsules around these solids would give smaller margins.
+/// The smallest margin of boxes and cylinders is exact, not that of the capsules around them, which is smaller.
 TEST_P(ByOtherMeans, TheLeastMarginOfOtherSolidsIsTheCollisionWorlds) {
   const Workcell cell = withOtherSolids(mockup());
   const CollisionWorld world(cell.scene);

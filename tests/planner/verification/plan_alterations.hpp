@@ -14,7 +14,7 @@ namespace tubeplan::planner::testing {
 using Eigen::Vector3d, Eigen::VectorXd;
 using Generator = std::mt19937_64;
 
-/// Cell and its plan, both to be altered.
+/// A cell and its plan, both to be altered.
 struct Work {
   Workcell cell;
   StatedPlan plan;
@@ -53,7 +53,7 @@ inline std::size_t firstRowOf(const StatedPlan& plan, int segment) {
 
 inline Vector3d direction(Generator& generator) { return uniformPose(generator, 1).linear().col(0); }
 
-/// Alteration that breaks a rule; `apply` returns false if the alteration happens to break none, so that it does not
+/// Alteration that breaks a rule; `apply` returns false if it happens to break none, and the alteration then does not
 /// count.
 struct Alteration {
   const char* name;
@@ -85,8 +85,8 @@ inline bool turnUpOrDownRow(Work& work, Generator& generator) {
   return sideways(deflectedTip(work.cell, q), before) > 0.0022 * kInch;
 }
 
-/// Moves the joint that limits the speed, so that the move to a neighbouring row is too fast. Other joints and path
-/// segments tolerate a hundredth of a degree, and the clearance is proved for the altered path.
+/// Changes a random joint in a row of a travel. Returns false unless this joint moves at its speed limit before and
+/// after the row, so that one of the two moves becomes too fast; otherwise the change may break no rule.
 inline bool turnTheFastestJoint(Work& work, Generator& generator) {
   const JointSpeeds limits = jointSpeedsOf(work.cell.arm);
   auto& path = work.plan.path;
@@ -183,7 +183,7 @@ inline bool loseJointValue(Work& work, Generator& generator) {
   return true;
 }
 
-/// Puts a ball the size of a thumb at the tool or the forearm in a random row of the path.
+/// Puts a ball of 1 cm radius at the tool or the forearm in a random row of the path.
 inline bool standInTheWay(Work& work, Generator& generator) {
   const auto& row = work.plan.path[static_cast<std::size_t>(pick(generator, work.plan.path.size()))];
   const auto frames = bodyFrames(work.cell, row.q, nullptr);
@@ -192,7 +192,8 @@ inline bool standInTheWay(Work& work, Generator& generator) {
   return true;
 }
 
-/// Puts a needle where the thin tool tip passes midway between two rows that are too far apart to touch the needle.
+/// Puts a needle where the thin tool tip passes midway between two rows, in both of which the tip is too far away to
+/// touch it.
 inline bool standBetweenRows(Work& work, Generator& generator) {
   const auto k = anyRow(work.plan, SegmentKind::kTravel, generator);
   const auto needleAt = [&](const VectorXd& q) -> Vector3d {
@@ -295,7 +296,7 @@ inline bool callNoTubeUnreachable(Work& work, Generator& generator) {
   return true;
 }
 
-/// Moves the tip through the sheet between two holes, with a complete and sufficiently slow path.
+/// Moves the tip through the sheet between two holes, on a path that is complete and slow enough.
 inline bool driveThroughTheSheet(Work& work, Generator& generator) {
   const int segment = work.plan.path[anyRow(work.plan, SegmentKind::kTravel, generator)].segment;
   for (auto& row : work.plan.path) {
@@ -320,8 +321,8 @@ inline bool stateMoreTime(Work& work, Generator&) {
   return true;
 }
 
-/// Raises the stated least clearance by a tenth of an inch; a clearance stated at a row may be a twentieth of an inch
-/// too small.
+/// Raises the stated smallest clearance by a tenth of an inch, more than the twentieth of an inch by which a clearance
+/// stated at a row may be too small.
 inline bool stateMoreClearance(Work& work, Generator&) {
   *work.plan.least_clearance += 0.1 * kInch;
   return true;

@@ -55,7 +55,7 @@ TEST_F(Checked, AnUntouchedPlanIsProvedWithThePlannersOwnFigures) {
   EXPECT_GT(check.worst_approach, 0);
   EXPECT_NEAR(check.worst_speed_share, 1, 1e-9);
   EXPECT_NEAR(check.worst_acceleration_share, 1, 1e-6);
-  // Both proofs give lower bounds of the same least margin, each within 0.010 in.
+  // Both proofs give lower bounds of the same smallest margin, each within 0.010 in.
   EXPECT_NEAR(check.least_margin, plan_->min_margin, 0.011 * kInch);
   EXPECT_GE(check.least_margin, 0);
   EXPECT_FALSE(check.tightest.empty());
@@ -83,8 +83,8 @@ TEST_F(Checked, EveryAlterationThatBreaksARuleIsCaught) {
 }
 
 TEST_F(Checked, WhatIsLetPassBreaksNoRule) {
-  // Changes any row by a hundredth of a degree: where the check still proves the plan, the tip is on the axis and no
-  // joint is too fast.
+  // If a random row is changed by a hundredth of a degree and the check still proves the plan, the tip is on the axis
+  // and no joint is too fast.
   const JointSpeeds limits = jointSpeedsOf(work_->cell.arm);
   int passed = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -177,8 +177,8 @@ Workcell twoLinks() {
 }
 
 TEST(CheckPlan, NothingThinIsSteppedOverHoweverFarApartTheRowsAre) {
-  // The first joint sweeps the stretched arm, or the second joint the last link, past a needle: either within the
-  // clearance of the arm's end or just outside it.
+  // The first joint sweeps the stretched arm, or the second joint the last link, past a needle. The check must find the
+  // needle if the arm's end touches it, and must not if it is just out of reach.
   for (int joint : {0, 1})
     for (double step : {0.02, 0.1, 0.5, 1.5})
       for (double where : {0.3, 0.5, 0.8}) {
@@ -282,7 +282,8 @@ TEST_F(Checked, AStopIsNoProof) {
   EXPECT_EQ(check.findings.back(), "stopped before the clearance was proved");
 }
 
-// Fuzzing found a plan with a row 200,000 turns away: the check bisected the move for six minutes and did not stop.
+// A row 1e6 rad away is refuted without bisecting the move to it, which once took six minutes (a plan found by
+// fuzzing).
 TEST_F(Checked, ARowFarPastItsLimitIsRefutedAtOnce) {
   Work work = *work_;
   work.plan.path[7].q[0] = 1e6;

@@ -1,5 +1,5 @@
-// The flexible kinematics of random arms compared with the checker's independent statics, which shares no elements or
-// sweeps.
+// The flexible kinematics of random arms compared with the checker's independent statics, which uses none of its
+// elements and sweeps.
 #include <gtest/gtest.h>
 
 #include "planner/verification/segmented_statics.hpp"

@@ -43,7 +43,7 @@ TEST(SegmentedStatics, ACantileverSagsByTheClosedForm) {
   EXPECT_NEAR(solved(heavy, 0, 512).p_BD.z(), -50. * 16 / (8 * 2e5), 1e-8);
 }
 
-// Bisshopp and Drucker (1945): at P L^2 / EI = 1 the tip of a cantilever sags by 0.3017 L and moves 0.0566 L inwards.
+// Bisshopp and Drucker (1945): at P L^2 / EI = 1 the tip of a cantilever sags by 0.3017 L and moves 0.0564 L inwards.
 TEST(SegmentedStatics, ALargeDeflectionIsTheElastica) {
   const auto shape = solved(cantilever(2e11, 1e-6), 2e5 / 4, 512);
   ASSERT_EQ(shape.status, SegmentedStaticsStatus::kConverged) << shape.reason;
@@ -68,7 +68,7 @@ VectorXd anyPosture(const Arm& arm, std::mt19937_64& random) {
   return q;
 }
 
-/// Returns the largest distance between the tips of both methods over random postures and loads [m].
+/// Returns the largest distance between the tips computed by the two methods over random postures and loads [m].
 double worstDifference(const Arm& arm, const Eigen::Isometry3d& X_WB, double largest_load, int seed) {
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   double worst = 0;
