@@ -9,11 +9,12 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr int kEstimates = 20, kEstimatesPerPair = 10;  // number of estimates: per visit, ends included, and per pair
+// Number of estimates: kEstimates, and kEstimatesPerPair more for each pair of nodes.
+constexpr int kEstimates = 20, kEstimatesPerPair = 10;
 constexpr long kMostChecks = 1'000'000;  // largest number of postures checked: as many as for five optimised detours
 constexpr double kRounding = 1e-12;      // rounding error of a sum of times in a different order
-// Fraction of a rough detour's excess over its straight line that remains after optimisation: 0.6 to 0.7 on average for
-// three arms, with a standard deviation of 0.2.
+// Fraction of a rough detour's excess over its straight line that remains after optimisation, for expected times,
+// optimistic times and lower bounds. On average it is 0.6 to 0.7 for three arms, with a standard deviation of 0.2.
 constexpr std::array kExcessLeft{0.6, 0.2, 0.0};
 // Number of these fractions that are used in turn; the last fraction is used once the orders for the other fractions
 // are known.
@@ -125,7 +126,8 @@ void FewTubes::noteApart(bool is_apart, const Clearance& tightest) {
   between_ = tightest;
 }
 
-/// Marks all moves between disconnected parts once one such move is found, so that the others need not be tried singly.
+/// Marks all moves between disconnected parts once one such move is found, so that the others need not be tried one by
+/// one.
 void FewTubes::takePartsAsApart() {
   has_parts_ = true;
   const std::vector<int> parts = network_.partsOf(stops_);
@@ -137,7 +139,8 @@ void FewTubes::takePartsAsApart() {
     }
 }
 
-/// Sets the times of unknown moves with the ratio of known to straight times, once all estimates are used.
+/// Once all estimates are used, sets the times of unknown moves to their straight times, scaled by the ratio of known
+/// to straight times of the other moves.
 void FewTubes::expectTheUnknownToBeAsTheKnown() {
   const auto isKnown = [this](int p, int q) { return knowledgeOf(p, q) != Knowledge::kStraight; };
   for (Eigen::MatrixXd& times : times_) {

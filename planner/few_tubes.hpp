@@ -1,10 +1,11 @@
-// The quickest order of a few tubes: exact for the known times of moves, which are refined until all moves of the
-// chosen order are known. Internal to the planning of visits.
+// The quickest order of a few tubes: exact for the times of moves known so far, and repeated until all moves of the
+// chosen order are planned. Internal to the planning of visits.
 //
 // The time of a move along the straight line is known at once. The rough time of a detour takes some computing time,
 // and the time of the optimised detour ten times as much. Each is therefore computed only if the quickest order depends
-// on it. The gain of optimising a rough detour varies. Orders are searched with expected and with optimistic times in
-// turn, and finally with lower bounds of the times. The result is the quickest of all orders that were planned in full.
+// on it. Because the gain from optimising a detour varies, orders are searched with expected and with optimistic times
+// in turn, and finally with lower bounds of the times. The result is the quickest of all orders that were planned in
+// full.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,7 +24,7 @@ class FewTubes {
            const std::vector<int>& zones, TravelNetwork& network);
 
   /// Returns the order, as orderWithRealMoves() does. A move between disconnected parts of the free space is avoided
-  /// like any impossible move; the order is parted if every order has such a move.
+  /// like any impossible move; `is_parted` is true if every order has such a move.
   [[nodiscard]] RealOrder order();
 
  private:
@@ -49,7 +50,7 @@ class FewTubes {
   void takePartsAsApart();
   void expectTheUnknownToBeAsTheKnown();
   void showProgress(const std::vector<int>& postures, std::size_t open) const;
-  /// Time of moves that are all known exactly [s].
+  /// Returns the time of moves that are all known exactly [s].
   [[nodiscard]] double timeOf(const std::vector<int>& postures) const;
   [[nodiscard]] std::vector<Stop> stopsOf(const std::vector<int>& postures) const;
 

@@ -21,7 +21,7 @@ struct TubePosture {
 /// Ends of a travel between the standoffs of two tubes; if both ends are the same tube, of the approach to the tube.
 using MotionEnds = std::pair<TubePosture, TubePosture>;
 
-/// Proved least clearance of a segment.
+/// Proved smallest margin along a segment.
 struct SegmentProof {
   /// Margin beyond the clearance that the scene requires [m].
   double margin = std::numeric_limits<double>::quiet_NaN();
@@ -32,7 +32,7 @@ struct PlanCache {
   std::map<int, TubeReach> reach;             ///< reach of each tube, keyed by tube index
   std::map<MotionEnds, MotionPlan> travels;   ///< travels by their ends, with the smaller end first
   std::map<MotionEnds, SegmentProof> proofs;  ///< proofs of segments, keyed by their ends in the direction of travel
-  /// Order of each round, as indices among the reachable tubes of the present work list.
+  /// Order of each round, as indices among the reachable tubes of the current work list.
   std::vector<VisitOrder> orders;
   /// Tubes in the order of the last completed plan. The next search starts from this order if most tubes are the same.
   std::vector<int> visiting_order;
@@ -42,7 +42,7 @@ struct PlanCache {
 struct KeptWork {
   int reach = 0;    ///< number of tubes whose reach was reused
   int travels = 0;  ///< number of travels along the path that were reused
-  int proofs = 0;   ///< number of segments whose proofs were reused, without retreats
+  int proofs = 0;   ///< number of segments whose proofs were reused, not counting retreats
 };
 
 }  // namespace tubeplan::planner

@@ -14,7 +14,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr int kLaterKicksShare = 10;  // divisor of the number of kicks: rounds after the first start from a good order
+constexpr int kLaterKicksShare = 10;  // divisor of the number of kicks in later rounds, which start from a good order
 
 /// Returns the index of a visit's branch in its reach; 0 for the start and end postures.
 int branchOf(const VisitChoice& choice, int visit, int branch) {

@@ -44,7 +44,8 @@ struct RealOrder {
 };
 
 /// Finds an order with straight times, plans its moves, sets their true times, and repeats until no move's time
-/// changes. Returns the quickest order of all rounds. `rounds_done` counts the orders stored in the cache.
+/// changes. Returns the quickest order of all rounds. `rounds_done` counts the rounds, each of which has its order in
+/// the cache.
 [[nodiscard]] RealOrder orderWithRealMoves(const PlanContext& context, const VisitChoice& choice,
                                            TravelNetwork& network, bool gives_up_if_parted, std::size_t& rounds_done);
 

@@ -6,7 +6,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-/// A point of a move's profile: its time, the speed there, and the acceleration from there on, all for the progress s.
+/// A point of a move's profile: its time, the rate of the progress s there, and the acceleration of s from there on.
 struct MovePlace {
   double time, speed, acceleration;
 };
@@ -55,7 +55,7 @@ std::vector<TrajectoryPoint> trajectoryOf(const VisitPlan& plan, const JointSpee
   }
   if (plan.segments.empty()) return points;
   const Eigen::VectorXd end = plan.segments.back().waypoints.back(), none = Eigen::VectorXd::Zero(end.size());
-  // The end of the path matters more than a point just before it.
+  // The end of the path matters more than a point just before it, which is dropped.
   if (!points.empty() && start < points.back().time + least_step) points.pop_back();
   add({start, end, none, none});
   return points;

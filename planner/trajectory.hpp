@@ -7,7 +7,7 @@ namespace tubeplan::planner {
 
 struct TrajectoryPoint {
   double time = 0;  ///< time since the start of the path [s]
-  /// Joint values [rad], speeds [rad/s] and accelerations [rad/s^2] (m for a sliding joint).
+  /// Joint values [rad], speeds [rad/s] and accelerations [rad/s^2] (m for a prismatic joint).
   Eigen::VectorXd position, speed, acceleration;
 };
 

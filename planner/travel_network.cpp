@@ -13,7 +13,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr int kRoadmapPostures = 2400;  ///< largest number of postures at holes
+constexpr int kRoadmapPostures = 2400;  ///< largest number of the roadmap's postures at holes
 constexpr int kRoughShaping = 25;       // attempts at shaping a detour for an estimate
 
 /// Returns the number of tubes, spread over the sheet, whose standoffs become postures of the roadmap.
@@ -133,7 +133,7 @@ std::vector<int> TravelNetwork::partsOf(const std::vector<Stop>& stops) {
   return roadmap_.get().partsOf(postures);
 }
 
-/// Returns the travel from stop a to stop b; a must be the smaller.
+/// Returns the travel from stop a to stop b; the posture of a must be the smaller.
 const MotionPlan& TravelNetwork::forward(Stop a, Stop b) {
   const MotionEnds ends{postureOf(a), postureOf(b)};
   auto known = context_.cache.travels.find(ends);

@@ -25,9 +25,9 @@ class TravelRoadmap {
   explicit TravelRoadmap(const PlanContext& context) : context_(context) {}
   const Roadmap& get();
 
-  /// Searches connections between the parts of the free space that contain these postures (Roadmap::bridge()). Travels
-  /// that failed for lack of a connection are then planned again, but not cached, so that a resumed plan takes the same
-  /// course.
+  /// Searches for connections between the parts of the free space that contain these postures (Roadmap::bridge()).
+  /// Travels that failed for lack of a connection are then planned again, but not cached, so that a resumed plan takes
+  /// the same course.
   bool bridge(const std::vector<Eigen::VectorXd>& postures);
   [[nodiscard]] bool isBridged() const { return is_bridged_; }
   [[nodiscard]] std::map<MotionEnds, MotionPlan>& rejoined() { return rejoined_; }
@@ -55,11 +55,11 @@ class TravelNetwork {
   /// Returns the travel from one stop to another. A travel is planned when it or its reverse is first requested.
   const MotionPlan& between(Stop a, Stop b);
 
-  /// Returns an estimate of a travel at a fraction of the cost. The estimate is not cached, and does not depend on the
-  /// cache.
+  /// Returns an estimate of a travel at a fraction of the cost of planning it. The estimate is not cached, and does not
+  /// depend on the cache.
   [[nodiscard]] TravelEstimate estimate(Stop a, Stop b);
 
-  /// Returns for each stop the number of the part of the free space that it lies in (Roadmap::partsOf()).
+  /// For each stop, returns the number of the part of the free space that it lies in (Roadmap::partsOf()).
   [[nodiscard]] std::vector<int> partsOf(const std::vector<Stop>& stops);
 
   [[nodiscard]] TubePosture postureOf(Stop stop) const;

@@ -9,7 +9,7 @@
 namespace tubeplan::planner {
 
 struct VisitConditions {
-  std::optional<Eigen::VectorXd> start, end;  ///< postures at rest before and after all visits [rad (m for a slide)]
+  std::optional<Eigen::VectorXd> start, end;  ///< postures at rest before and after all visits [rad, m]
   /// Tubes (indices in the sheet) of each zone: all tubes of a zone are visited before any tube of the next zone. Tubes
   /// in no zone are visited last.
   std::vector<std::vector<int>> zones;

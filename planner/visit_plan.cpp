@@ -90,7 +90,7 @@ bool hasAllBranches(const VisitChoice& choice) {
   return true;
 }
 
-/// Computes the times and the bound for comparison, for the visits in the plan.
+/// Computes the bound and the row-by-row time that the travel time is compared with, for the visits in the plan.
 void compareTimes(const PlanContext& context, const std::vector<Stop>& stops, const VisitChoice& choice,
                   VisitPlan& plan) {
   const VisitConditions& conditions = context.options.conditions;
@@ -107,7 +107,8 @@ void compareTimes(const PlanContext& context, const std::vector<Stop>& stops, co
   const Route route = routeOf(kept, context.speeds, conditions);
   const std::vector<int> zones = zonesOf(kept.tubes(), conditions);
   if (kept.reach.size() < choice.reach.size() || !hasAllBranches(kept)) {
-    // With all branches: no proof exists that the branches left out of the choice cannot be connected.
+    // The bound is over all branches, because it is not proved that the branches left out of the choice cannot be
+    // connected.
     OneTreeOptions bound = context.options.order.bound;
     bound.stop = context.hooks.stop;
     plan.lower_bound =
@@ -127,7 +128,7 @@ void timeSegments(const JointSpeeds& speeds, VisitPlan& plan) {
   for (const auto& visit : plan.visits) plan.total_time += visit.dwell;
 }
 
-/// Returns why the arm cannot rest in the start posture or the end posture; empty if it can.
+/// Returns the reason why the arm cannot rest in the start posture or the end posture; empty if it can.
 std::string findEndProblem(const PlanContext& context) {
   const auto problemAt = [&](const std::string& name, const Eigen::VectorXd& q) -> std::string {
     for (int j = 0; j < q.size(); ++j) {
@@ -145,7 +146,7 @@ std::string findEndProblem(const PlanContext& context) {
 }
 
 /// Finds the order of visits. If every order has an impossible move, connections between the disconnected parts are
-/// searched. Tubes that still cannot be connected are removed from the choice, and the remaining tubes are ordered
+/// searched for. Tubes that still cannot be connected are removed from the choice, and the remaining tubes are ordered
 /// again.
 RealOrder orderInOnePart(const PlanContext& context, TravelRoadmap& roadmap, VisitChoice& choice, VisitPlan& plan) {
   std::size_t rounds = 0;

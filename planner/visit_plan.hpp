@@ -39,7 +39,7 @@
 
 namespace tubeplan::planner {
 
-/// Callbacks of a plan: `progress` reports the progress of a stage, `stop` returns true to stop the plan, `keep`
+/// Callbacks of the planner: `progress` reports the progress of a stage, `stop` returns true to stop planning, `keep`
 /// receives results to save. `progress` and `keep` are called from one thread at a time.
 struct PlanHooks {
   std::function<void(std::string_view stage, std::size_t done, std::size_t total)> progress;
@@ -63,8 +63,8 @@ struct VisitPlanOptions {
   VisitOrderOptions order;
   MotionPlannerOptions motion;
   VisitConditions conditions;
-  int reprice_rounds = 12;  ///< rounds of ordering, planning the moves of the order and setting their true times
-  double report_accuracy = 2.54e-4;  ///< accuracy of the reported least margin [m] (0.010 in)
+  int reprice_rounds = 12;  ///< largest number of rounds of ordering, planning the moves and setting their true times
+  double report_accuracy = 2.54e-4;  ///< accuracy of the reported smallest margin [m] (0.010 in)
 };
 
 enum class SegmentKind { kTravel, kApproach, kRetreat };
@@ -78,7 +78,7 @@ struct PathSegment {
   /// last visit.
   int visit = -1;
   std::vector<Eigen::VectorXd> waypoints;
-  /// Proved least margin beyond the clearance that the scene requires [m].
+  /// Proved smallest margin beyond the clearance that the scene requires [m].
   double margin = std::numeric_limits<double>::quiet_NaN();
   Clearance tightest;
   bool flows = false;
@@ -112,9 +112,9 @@ struct VisitPlan {
   double optimality_gap = std::numeric_limits<double>::quiet_NaN();
   /// Travel time of straight moves in the row-by-row order [s].
   double row_by_row_time = std::numeric_limits<double>::quiet_NaN();
-  /// Time of the whole path, with approaches, retreats and dwell times [s].
+  /// Time of the whole path, including approaches, retreats and dwell times [s].
   double total_time = std::numeric_limits<double>::quiet_NaN();
-  double min_margin = std::numeric_limits<double>::quiet_NaN();  ///< proved least margin over all segments [m]
+  double min_margin = std::numeric_limits<double>::quiet_NaN();  ///< proved smallest margin over all segments [m]
   Clearance tightest;
   int detours = 0;  ///< number of travels that are neither a straight joint move nor a line
   int lines = 0;    ///< number of travels with the tip on a straight line

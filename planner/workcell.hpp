@@ -12,7 +12,7 @@ namespace tubeplan::planner {
 /// z.
 struct Workcell {
   deflection::Arm arm;
-  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< pose of the base, as calibrated or nominal
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< calibrated or nominal pose of the base in the world
   /// Covariance of the base's pose: translation [m], then rotation vector [rad], in world axes. Zero if the pose is
   /// taken as known.
   Eigen::Matrix<double, 6, 6> base_covariance = Eigen::Matrix<double, 6, 6>::Zero();

@@ -17,16 +17,16 @@ namespace tubeplan::planner {
 
 struct PairClearance {
   Clearance clearance;
-  bool allowed = false;  ///< true if the pair may touch: not part of `closest`; the margin is infinite
+  bool allowed = false;  ///< true if the pair may touch; closest() then ignores it, and its margin is infinite
 };
 
 class CollisionWorld {
  public:
-  /// Prepares a scene that has no problems according to findSceneProblems.
+  /// `scene` must have no problems (findSceneProblems()).
   explicit CollisionWorld(Scene scene);
 
-  /// Returns the pair with the least margin for link frames X_WL (one per link of the scene, deflected or not). Pairs
-  /// that may touch are left out.
+  /// Returns the pair with the smallest margin for link frames X_WL (one per link of the scene, deflected or not).
+  /// Pairs that may touch are left out.
   [[nodiscard]] Clearance closest(std::span<const Eigen::Isometry3d> X_WL) const;
 
   /// Returns every pair, nearest first, including pairs that may touch; pairs of bodies that share a joint are left
@@ -88,8 +88,8 @@ inline CollisionWorld::Placed CollisionWorld::place(std::span<const Eigen::Isome
   return placed;
 }
 
-/// Returns true if the pair is at least `distance` apart, judged by the capsules around both bodies; for an obstacle
-/// that is no solid, by the obstacle's own shape.
+/// Returns true if the pair is known to be at least `distance` [m] apart, from the capsules around both bodies; for an
+/// obstacle that is not a solid, from isFartherThan().
 inline bool CollisionWorld::isFarther(const Pair& pair, const Placed& placed, double distance) const {
   const Capsule& a = placed.around_W[pair.body];
   if (!pair.solid) return scene_.obstacles[pair.other].shape->isFartherThan(distance, a);

@@ -1,4 +1,5 @@
-// Plans for arms other than turret arms: the tip is on the hole for any tilt of the base, and reasons are correct.
+// Plans for arms other than turret arms: the tip is on the hole for any tilt of the base, and tubes are refused for the
+// right reason.
 #include <gtest/gtest.h>
 
 #include "tests/planner/verification/stated_plan.hpp"
@@ -17,7 +18,7 @@ Workcell leaning(Workcell cell, double degrees) {
 
 struct Cell {
   const char* file;
-  int reachable;  ///< least number of reachable tubes of eight
+  int reachable;  ///< smallest number of tubes that must be reachable, of eight
 };
 
 class OtherArms : public ::testing::TestWithParam<Cell> {};

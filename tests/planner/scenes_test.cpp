@@ -1,4 +1,4 @@
-// The shipped scenes harder than the mock-up: their tubes are planned and proved, or refused with a reason.
+// The shipped scenes that are harder than the mock-up: their tubes are planned and proved, or refused with a reason.
 #include <gtest/gtest.h>
 
 #include "planner/verification/plan_checks.hpp"

@@ -15,7 +15,8 @@
 
 namespace tubeplan::planner::testing {
 
-/// New values for numbers of a YAML text: offset of the old number -> its length and the new value.
+/// New values for numbers in a YAML text: offset of the old number in the text -> its length in characters and the new
+/// value.
 using NewNumbers = std::map<std::size_t, std::pair<std::size_t, double>>;
 
 inline void setNumber(const app::YamlNode& node, double value, NewNumbers& numbers) {

@@ -23,7 +23,7 @@ std::set<int> tubesIn(const VisitPlan& plan) {
 struct Shipped {
   const char* file;
   /// Relative difference of travel times allowed between base frames. An arm with more joints than a goal requires has
-  /// a continuum of postures, and rounding decides which samples count as equal.
+  /// a continuous family of postures; rounding decides which samples of it count as equal.
   double apart;
 };
 

@@ -12,7 +12,7 @@ namespace {
 using testing::mockup;
 using testing::statedPlan;
 
-/// Seven tubes, from a park posture and back to it: two zones come first, with a dwell time at every hole.
+/// A plan for seven tubes, from a park posture and back to it: two zones come first, with a dwell time at every hole.
 class Conditioned : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {

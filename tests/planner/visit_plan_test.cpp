@@ -94,7 +94,7 @@ TEST_F(MockupPlan, TravelsAreAsClearAsTheyWereProved) {
     if (segment.kind == SegmentKind::kTravel) travels.push_back(&segment);
   std::ranges::stable_sort(travels, {}, [](const PathSegment* segment) { return segment->margin; });
   ASSERT_GE(travels.size(), 3u);
-  // The three travels with the least margins, with 10,000 postures each.
+  // The three travels with the smallest margins are sampled at 10,000 postures each.
   for (std::size_t t = 0; t < 3; ++t) {
     const auto waypoints = cornersOf(*travels[t], jointSpeedsOf(cell_->arm));
     const int share = static_cast<int>(10000 / (waypoints.size() - 1));
@@ -206,7 +206,7 @@ TEST(PlanVisits, ANozzleDamMovedUnderATubeIsNamed) {
 }
 
 TEST(PlanVisits, AWallAroundTheBaseLeavesNothingToPlan) {
-  // The turret stands at (0, 28) in. The arm can fold within the walls, 21 in away, but cannot get out.
+  // The turret is at (0, 28) in. The arm can fold within the walls, 21 in away, but cannot get out.
   Workcell cell = mockup();
   for (const auto& [name, x, y, wide, deep] :
        {std::tuple{"wall-west", -21., 28., 1., 43.}, std::tuple{"wall-east", 21., 28., 1., 43.},
