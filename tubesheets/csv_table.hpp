@@ -32,39 +32,38 @@ struct CsvTable {
 /// with more or fewer fields than the header, a quote that is not closed, a zero byte.
 [[nodiscard]] CsvTable parseCsv(std::string_view text);
 
-/// One line of a text, without its line end.
+/// One line of the input, without its line ending.
 struct TextLine {
   int number = 0;         ///< line number, counted from 1
-  std::string_view text;  ///< text without the blanks at both ends
+  std::string_view text;  ///< line without leading and trailing blanks
   std::string_view raw;
 };
 
-/// Splits a text into lines, including empty lines; a byte order mark at the start is skipped. Line ends are LF or
-/// CRLF.
+/// Splits text into lines, empty ones included. A byte order mark at the start is skipped. Lines may end in LF or CRLF.
 [[nodiscard]] std::vector<TextLine> textLines(std::string_view text);
 
 /// Returns true if the line begins with #, // or %.
 [[nodiscard]] bool isCommentLine(std::string_view line);
 
-/// Returns the parts of a line that hold the fields, with blanks and quotes but without separators; nothing if a quote
-/// is not closed.
+/// Returns the part of the line that each field occupies, including blanks and quotes but not the separators; nothing
+/// if a quote is not closed.
 [[nodiscard]] std::optional<std::vector<std::string_view>> csvSpans(std::string_view line, char separator);
 
 /// Returns the fields of one line, trimmed and without quotes; nothing if a quote is not closed or is followed by more
 /// text.
 [[nodiscard]] std::optional<std::vector<std::string>> splitCsvLine(std::string_view line, char separator);
 
-/// Return the whole field as a finite number, or as an integer; nothing if the field is not such a number.
+/// Return the finite number or the integer that the whole field spells; nothing if it spells none.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view field);
 [[nodiscard]] std::optional<int> parseInteger(std::string_view field);
 
-/// Returns a text as a field, in double quotes if the text could be read as two fields or lose blanks.
+/// Returns `text` as a field of CSV, in double quotes if it would else be split, lose outer blanks or begin a comment.
 [[nodiscard]] std::string csvField(std::string_view text, char separator = ',');
 
 /// Returns the text in double quotes; each quote inside the text is doubled.
 [[nodiscard]] std::string csvQuoted(std::string_view text);
 
-/// Returns the text without the blanks at both ends.
+/// Returns the text without leading and trailing blanks (spaces and tabs).
 [[nodiscard]] std::string_view trimBlanks(std::string_view text);
 
 }  // namespace tubeplan::tubesheets

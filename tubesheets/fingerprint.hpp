@@ -1,4 +1,4 @@
-// A hash that is equal for equal numbers and texts.
+// A hash of numbers and strings that is the same on every machine.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,8 +11,8 @@
 
 namespace tubeplan::tubesheets {
 
-/// FNV-1a hash of 64 bits; numbers are added byte by byte from the low end, so that the hash is the same on every
-/// machine.
+/// FNV-1a hash of 64 bits. The bytes of a number are added from the least significant one, so that the hash does not
+/// depend on the byte order of the machine.
 class Fingerprint {
  public:
   void add(std::int64_t number) {
@@ -23,7 +23,7 @@ class Fingerprint {
     addBytes(text);
     addByte(0);
   }
-  /// Adds bytes without an end mark: "ab" then "c" gives the same hash as "a" then "bc".
+  /// Adds bytes without a terminator: adding "ab" and then "c" gives the same hash as adding "a" and then "bc".
   void addBytes(std::string_view bytes) {
     for (const char c : bytes) addByte(static_cast<std::uint8_t>(c));
   }

@@ -19,10 +19,10 @@ constexpr double kReach = 2.6;  // distance over which holes are compared, in pi
 // largest deviation of a lattice step's length from the pitch, as a fraction of the pitch
 constexpr double kOneStep = 0.1;
 constexpr double kAgrees = 0.1;          // deviation from the lattice from which a hole is reported, in pitches
-constexpr std::size_t kEnoughAgree = 4;  // least number of neighbours that must agree
-constexpr double kMostAgree = 0.7;       // least fraction of the neighbours that must agree
+constexpr std::size_t kEnoughAgree = 4;  // smallest number of neighbours that must agree
+constexpr double kMostAgree = 0.7;       // smallest fraction of the neighbours that must agree
 
-// Distance in pitches, less than half of a lattice's shortest step, within which no other lattice point can be nearer.
+// Distance [pitches] below half of a lattice's shortest step: a remainder shorter than this is the shortest one.
 constexpr double kSurelyShortest = 0.4;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -33,13 +33,12 @@ Vector2d placeOf(const Sheet& sheet, int tube) {
   return {at.x / sheet.pitch, at.y / sheet.pitch};
 }
 
-/// Two shortest independent steps of a lattice, in pitches.
+/// The two shortest independent steps of a lattice, in pitches.
 struct Basis {
   Vector2d a, b;
 
-  /// Returns the shortest residual of a difference of positions after whole lattice steps are subtracted. If the two
-  /// steps are not at right angles, rounding may miss the shortest residual by one step, so that adjacent residuals are
-  /// compared.
+  /// Returns the shortest vector that remains of a difference of positions after whole lattice steps are subtracted. If
+  /// the two steps are oblique, rounding may be one step off, so the remainders one step away are tried too.
   [[nodiscard]] Vector2d remainder(const Vector2d& difference) const {
     const double area = cross(a, b);
     const double s = std::round(cross(difference, b) / area), t = std::round(cross(a, difference) / area);
@@ -53,7 +52,7 @@ struct Basis {
   }
 };
 
-/// Returns the mean of the steps in their most common direction; nothing if there are no steps.
+/// Returns the mean of the steps along their most common direction, opposite ones reversed; nothing without steps.
 std::optional<Vector2d> commonStep(const std::vector<Vector2d>& steps) {
   constexpr int kBins = 180;  // bins of one degree over half a turn
   constexpr double kNearBin = 2 * std::numbers::pi / kBins;
@@ -78,7 +77,7 @@ std::optional<Vector2d> commonStep(const std::vector<Vector2d>& steps) {
 }
 
 std::optional<Basis> basisOf(const Sheet& sheet, const std::vector<std::vector<int>>& neighbours) {
-  constexpr double kAcross = 0.7;  // least sine of the angle between two steps of a lattice
+  constexpr double kAcross = 0.7;  // smallest sine of the angle between two steps of a lattice
   std::vector<Vector2d> steps;
   for (int tube = 0; tube < static_cast<int>(neighbours.size()); ++tube)
     for (const int other : neighbours[static_cast<std::size_t>(tube)]) {
@@ -93,7 +92,7 @@ std::optional<Basis> basisOf(const Sheet& sheet, const std::vector<std::vector<i
   return Basis{*first, *second};
 }
 
-/// Returns the shift from a hole to the nearest lattice point according to each neighbour, in pitches.
+/// For each neighbour, returns the shift [pitches] from the hole to the nearest point of that neighbour's lattice.
 std::vector<Vector2d> shiftsOf(const Sheet& sheet, const Basis& basis, int tube, const std::vector<int>& neighbours) {
   std::vector<Vector2d> shifts;
   for (const int other : neighbours) shifts.push_back(basis.remainder(placeOf(sheet, other) - placeOf(sheet, tube)));
@@ -113,7 +112,7 @@ std::optional<Vector2d> agreedShift(const Basis& basis, const std::vector<Vector
     Vector2d sum = Vector2d::Zero();
     std::size_t count = 0;
     for (const Vector2d& shift : shifts) {
-      // A shift of half a pitch may point to either of two opposite lattice points.
+      // Shifts are compared modulo lattice steps, because half a step may point to either of two lattice points.
       const Vector2d beside = basis.remainder(shift - centre);
       if (beside.norm() >= kAgrees) continue;
       sum += centre + beside;

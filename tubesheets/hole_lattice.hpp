@@ -1,5 +1,5 @@
-// Detection of holes whose coordinates do not fit the lattice of their neighbours, such as after a typing error in a
-// map.
+// Detection of holes whose coordinates do not fit the lattice of their neighbours, for example because of a typing
+// error in a map.
 #pragma once
 
 #include <vector>

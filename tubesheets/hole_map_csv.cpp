@@ -87,8 +87,8 @@ std::string ownRow(const Tube& tube, const LengthUnit& unit) {
                      tubeStateName(tube.state));
 }
 
-/// Returns the index of the state column if the table has all columns of this program under the program's own names;
-/// else nothing.
+/// Returns the index of the state column if the table has commas and all the columns of ownHeading() under exactly
+/// these names; otherwise nothing.
 std::optional<std::size_t> placeOfStateInOwn(const HoleMap& map, const LengthUnit& unit) {
   const TextTable& table = map.table.text;
   std::string heading = ownHeading(unit);
@@ -99,7 +99,7 @@ std::optional<std::size_t> placeOfStateInOwn(const HoleMap& map, const LengthUni
   return static_cast<std::size_t>(std::ranges::find(table.columns, names->back()) - table.columns.begin());
 }
 
-/// Returns the text of the map as it was read, with codes in the state column replaced by states.
+/// Returns the text of the map as it was read, with the fields of its state column replaced by the tubes' states.
 std::string ownText(const Sheet& sheet, std::size_t place) {
   const HoleMap& map = *sheet.map;
   ColumnText state{"state", place, {}};
@@ -112,7 +112,7 @@ std::string ownText(const Sheet& sheet, std::size_t place) {
   return withColumns(map.text, map.table.text, {state});
 }
 
-/// Returns the indices of the columns whose content is in none of this program's own columns.
+/// Returns the indices of the columns that hold neither row, column, tube name, x, y nor state.
 std::vector<std::size_t> otherColumns(const TubeTable& table) {
   std::vector<std::size_t> others;
   for (std::size_t c = 0; c < table.text.columns.size(); ++c) {
@@ -124,7 +124,7 @@ std::vector<std::size_t> otherColumns(const TubeTable& table) {
   return others;
 }
 
-/// Returns the map in this program's layout, preceded by the map's comments and with its other columns at the end.
+/// Returns the map under ownHeading(), with the lines before its table as comments and its other columns last.
 std::string convertedText(const Sheet& sheet, const LengthUnit& unit) {
   const TextTable* table = sheet.map ? &sheet.map->table.text : nullptr;
   const std::vector<std::size_t> others = table ? otherColumns(sheet.map->table) : std::vector<std::size_t>{};

@@ -1,4 +1,4 @@
-// Hole maps as text: row,column,x_in,y_in,state, or the layouts of other programs.
+// Hole maps as CSV text with the columns row,column,x_in,y_in,state, or in the layouts of other programs.
 #pragma once
 
 #include <optional>
@@ -19,10 +19,10 @@ struct HoleMap : TubeText {
   std::optional<Leg> leg;
 };
 
-/// Writes one line per hole in sheet order. Every number is read back to the same bits, and is as short as that allows.
-/// Comments and other columns of a map that the sheet was read from are kept. A map in this program's own layout
-/// (commas, columns row, column, x and y in `unit`, state) is written as it was read; only codes in the state column
-/// are replaced by states.
+/// Writes one line per hole in sheet order. Each number has as few digits as are needed to read back the same bits.
+/// Comments and other columns of a map that the sheet was read from are kept. A map that already has commas and the
+/// columns row, column, x and y in `unit`, and state is written as it was read; only codes in its state column are
+/// replaced by states.
 [[nodiscard]] std::string formatHoleMap(const Sheet& sheet, const LengthUnit& unit = kInch);
 
 /// Reads a hole map (text_table.hpp). Required are columns for row and column, or for the tube's name, and for x and y

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kOff = 0.5;  // distance from its expected position from which a hole counts as misnamed, in pitches
 constexpr std::size_t kMost = 20;       // largest limit on the number of misnamed holes in a map
-constexpr std::size_t kLeast = 2;       // least limit on that number, for small sheets
+constexpr std::size_t kLeast = 2;       // smallest limit on that number, for small sheets
 constexpr double kMostShare = 0.02;     // limit on that number as a fraction of all holes
-constexpr std::size_t kLeastInRow = 4;  // least number of holes that determine the offset of a row
+constexpr std::size_t kLeastInRow = 4;  // smallest number of holes that determine the offset of a row
 
 Vector2d inPlane(const Tube& tube) { return {tube.x, tube.y}; }
 

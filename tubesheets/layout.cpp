@@ -44,8 +44,8 @@ void findSizeProblems(const Layout& layout, const LayoutType& type, std::vector<
                         "leave out `columns` to have the number derived"});
 }
 
-// Finds a stated number of columns that the radius does not fill. Such a number would shift every column number, and so
-// name the wrong tube.
+// Reports a layout without holes, and a stated number of columns larger than fits within the radius: every column
+// number would be shifted and name the wrong tube.
 void findNumberingProblems(const Layout& layout, const LayoutType& type, std::vector<Problem>& problems) {
   const std::vector<Tube> tubes = type.make_tubes(layout);
   if (tubes.empty()) {

@@ -22,8 +22,8 @@ struct Layout {
   int columns = 0;         ///< number of columns, centred on x = 0; 0: as many as fit
 };
 
-/// Returns the problems that prevent drilling the layout; empty if there are none. These include a layout without
-/// holes, and more columns than fit, which would shift every column number.
+/// Returns the problems that make the layout unfit for makeTubes(); empty if there are none. These include a layout
+/// without holes, and more columns than fit, which would shift every column number.
 [[nodiscard]] std::vector<Problem> findLayoutProblems(const Layout& layout);
 
 /// Returns the holes row by row, all open, in the frame of the hot leg or of the full sheet. The layout must have no

@@ -1,4 +1,4 @@
-// The open table of layout types, one row for each type. A new pattern needs a function and a row.
+// The table of layout types, one row per type. A new pattern needs a function and a row.
 #pragma once
 
 #include <string>

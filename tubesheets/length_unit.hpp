@@ -22,8 +22,8 @@ inline constexpr LengthUnit kMetre{"m", 1.0};
 /// Returns the unit with that suffix, or null if there is none.
 [[nodiscard]] const LengthUnit* findLengthUnit(std::string_view suffix);
 
-/// Returns the unit with any name or symbol for it, in upper or lower case ("Inches", "millimetres"), or null if there
-/// is none.
+/// Returns the unit that a word names by its symbol or in full, in upper or lower case ("Inches", "millimetres"); null
+/// if it names none.
 [[nodiscard]] const LengthUnit* findLengthWord(std::string_view word);
 
 /// Rounds a length [m] to the grid of 2^-44 m (57 femtometres) on which hole positions are stored. The grid is far

@@ -8,7 +8,7 @@ namespace tubeplan::tubesheets {
 namespace {
 
 constexpr double kFarthest = 100;  // largest coordinate of the centre [m]
-constexpr double kAside = 1e-6;    // least distance of the centre from the sheet's axis [m]
+constexpr double kAside = 1e-6;    // smallest distance of the centre from the sheet's axis [m]
 
 std::string placeOf(const Manway& manway) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", manway.centre.x(), manway.centre.y(), manway.centre.z());

@@ -20,9 +20,9 @@ struct Manway {
   [[nodiscard]] Eigen::Vector2d direction() const { return centre.head<2>().normalized(); }
 };
 
-/// Returns the problems of a manway: values that are not finite, a diameter not above zero, a centre that is not below
-/// the sheet, is straight below its middle (without a direction) or is in the other leg, and an opening wider than the
-/// bowl.
+/// Returns the problems of a manway: values that are not finite, a diameter not above zero, an opening wider than the
+/// bowl, and a centre that is not below the sheet, is straight below its middle (so that it has no direction) or is in
+/// the other leg.
 [[nodiscard]] std::vector<Problem> findManwayProblems(const Manway& manway, Leg leg);
 
 }  // namespace tubeplan::tubesheets

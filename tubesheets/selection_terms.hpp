@@ -18,7 +18,7 @@ struct TermChoice {
 enum class TermRole {
   kSource,   ///< adds tubes, or removes them if preceded by a minus
   kGuard,    ///< selects no tubes, but refuses the wrong sheet or leg
-  kThinner,  ///< keeps a part of the tubes that the rest of the list selects
+  kThinner,  ///< keeps a part of the tubes that the other terms select
 };
 
 struct SelectionTerm {

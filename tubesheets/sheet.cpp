@@ -16,7 +16,7 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-// distance within which holes are neighbours, in pitches; allows for drilling tolerance, far below the diagonal's 1.41
+// Largest distance of neighbouring holes, in pitches. It allows for drilling tolerance, but excludes the diagonal.
 constexpr double kNeighbourReach = 1.05;
 
 bool isBefore(const Tube& a, const Tube& b) { return std::tie(a.row, a.column) < std::tie(b.row, b.column); }

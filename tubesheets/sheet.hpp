@@ -76,7 +76,7 @@ struct Sheet {
 /// problems.
 [[nodiscard]] Sheet makeSheet(const SheetDescription& description);
 
-/// Makes a sheet from given holes, with their positions unchanged; only type and pitch are used of the layout. The
+/// Makes a sheet from given holes, with their positions unchanged; of the layout, only type and pitch are used. The
 /// result may have problems: see findSheetProblems().
 [[nodiscard]] Sheet makeSheet(const SheetDescription& description, std::vector<Tube> tubes);
 

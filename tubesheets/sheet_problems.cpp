@@ -122,11 +122,12 @@ std::vector<double> nearestWithin(const Sheet& sheet, double reach) {
   return distances;
 }
 
-// Checks the pitch, which determines neighbours: with a wrong pitch, all holes would count as outermost.
+// Checks the pitch against the distances between nearest holes. Neighbours are found by the pitch, so that with a wrong
+// one all holes would count as outermost.
 void findPitchProblems(const Sheet& sheet, std::vector<double> distances, std::vector<Problem>& problems) {
   constexpr double kAsDrawn = 0.02;  // largest deviation as a fraction of the pitch
   std::erase_if(distances, [&](double distance) { return distance < sheet.hole_diameter; });  // holes that overlap
-  // too few holes to check, such as a list of single holes
+  // too few holes have another hole nearby, as in a list of isolated holes
   if (distances.size() < 2 || 2 * distances.size() < sheet.tubes.size()) return;
   const double distance = medianOf(distances);
   if (std::abs(distance - sheet.pitch) <= kAsDrawn * sheet.pitch) return;
@@ -136,7 +137,7 @@ void findPitchProblems(const Sheet& sheet, std::vector<double> distances, std::v
                                      "", "correct the pitch, or the unit in the column's name"});
 }
 
-// Finds holes far apart on a grid of millimetres that were read as inches.
+// Reports holes far apart whose distances show that they are in millimetres but were read as inches.
 void findUnitProblems(const Sheet& sheet, std::vector<Problem>& problems) {
   constexpr double kExact = 1e-3, kFar = 300;  // tolerance as a fraction of a distance; largest distance in pitches
   constexpr std::size_t kMostLooked = 500;
@@ -161,7 +162,7 @@ void findUnitProblems(const Sheet& sheet, std::vector<Problem>& problems) {
                    "a whole number of pitches", "they may be in millimetres: check the unit in the column's name"});
 }
 
-// Checks the distance of each hole to its nearest hole, near or far.
+// Checks the distances between nearest holes: against the pitch if they are near, and for a wrong unit if all are far.
 void findNeighbourProblems(const Sheet& sheet, std::vector<Problem>& problems) {
   constexpr double kNear = 1.6;  // distance below which two holes count as near, in pitches
   auto distances = nearestWithin(sheet, kMostSpacing * sheet.pitch);

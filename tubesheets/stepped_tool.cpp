@@ -12,13 +12,13 @@ namespace tubeplan::tubesheets {
 namespace {
 
 constexpr double kTail = 9;  // range of integration in standard deviations; the probability beyond is 1e-19
-// as a fraction of the radius: narrower distributions are treated as a line or a point
+// width, as a fraction of the radius, below which distributions are treated as a line or a point
 constexpr double kNoWidth = 1e-14;
 // Fraction of the larger variance by which rounding may make a zero variance negative.
 constexpr double kRoundOff = 1e-12;
-constexpr double kQuadrature = 1e-12;  // absolute error of each piece
+constexpr double kQuadrature = 1e-12;  // largest absolute error of the integral over each piece
 constexpr int kDeepest = 14;           // largest number of times that a piece is bisected
-// largest number of bisections for strips with corners, which bisection does not smooth
+// largest number of bisections for a tilted tool, whose integrand has corners that bisection does not smooth
 constexpr int kDeepestLeaning = 3;
 
 // The offset along its principal axes: `wide` is the axis with the larger standard deviation [m].
@@ -43,8 +43,8 @@ double probabilityOfBand(double half, double mean, double sigma) {
 }
 
 // Integrates by bisecting the interval until the error is below an absolute tolerance. Boost's own refinement uses a
-// tolerance relative to each piece, which never ends on pieces with almost no content; and its error estimate is
-// correct on [-1, 1] only.
+// tolerance relative to each piece, so that it does not end on pieces with an integral of almost zero. Its error
+// estimate is correct on [-1, 1] only.
 template <class Function>
 double integrate(const Function& function, double from, double to, int depth = kDeepest) {
   const double middle = (from + to) / 2, half = (to - from) / 2;
@@ -93,8 +93,8 @@ std::vector<Ring> ringsOf(const SteppedTool& tool, std::size_t count, double lea
   return rings;
 }
 
-// Returns the probability that a normal offset is within all rings, integrated over strips along the direction of the
-// tilt. That direction is the first component of `mean` and `covariance`.
+// Returns the probability that a normally distributed offset meets the conditions of all rings, integrated over strips
+// along the direction of the tilt. That direction is the first component of `mean` and `covariance`.
 double probabilityWithinAll(const std::vector<Ring>& rings, const Eigen::Vector2d& mean,
                             const Eigen::Matrix2d& covariance) {
   double across = std::numeric_limits<double>::infinity();
@@ -182,7 +182,7 @@ double playInTube(const SteppedTool& tool, const Eigen::Vector2d& offset, const 
   for (std::size_t k = 0; k < tool.steps.size() && from + kAtFace < depth; ++k) {
     const bool is_last = tool.lengths.empty() || k + 1 == tool.steps.size();
     const double to = is_last ? depth : std::min(depth, from + tool.lengths[k]);
-    for (const double below : {from, to})  // the distance from a line is largest at an end of the section
+    for (const double below : {from, to})  // the distance from the axis is largest at an end of the section
       least = std::min(least, tool.steps[k].tolerance - (offset - below * lean).norm());
     from = to;
   }

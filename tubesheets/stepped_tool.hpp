@@ -45,7 +45,7 @@ struct SteppedTool {
 /// at its tolerance. Infinite if the tool has no lengths.
 [[nodiscard]] double toleratedTilt(const SteppedTool& tool);
 
-/// Returns the least clearance [m] of any part of the tool in a tube that its tip has entered by `depth` [m], with
+/// Returns the smallest clearance [m] of any part of the tool in a tube that its tip has entered by `depth` [m], with
 /// `offset` and `lean` as for stepsInserted(). The clearance of a part is the tolerance of its step minus the distance
 /// of the part from the hole's axis. Behind the last length the tool is as thick as its last step; without lengths, as
 /// its first step. Negative if the tool would touch the tube; infinite at zero depth (below 1 um).
@@ -60,8 +60,8 @@ struct SteppedTool {
                                                      const Eigen::Matrix2d& covariance,
                                                      const Eigen::Vector2d& lean = Eigen::Vector2d::Zero());
 
-/// Returns the probability that an offset with that mean and covariance is at most `radius` [m] long; NaN as for
-/// probabilityBySteps().
+/// Returns the probability that a normally distributed offset with that mean and covariance is at most `radius` [m]
+/// long; NaN as for probabilityBySteps().
 [[nodiscard]] double probabilityWithin(double radius, const Eigen::Vector2d& mean_offset,
                                        const Eigen::Matrix2d& covariance);
 

@@ -7,7 +7,7 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-constexpr double kGapSlack = 1.05;  // tolerances are quoted to three digits, so may exceed the gap slightly
+constexpr double kGapSlack = 1.05;  // tolerances are quoted to three digits, so they may exceed the gap slightly
 
 bool isPositive(double number) { return std::isfinite(number) && number > 0; }
 

@@ -6,7 +6,7 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-/// The content of a line without its line end, and the line end.
+/// The content of a line, and the line ending after it.
 struct RawLine {
   std::string_view content, end;
 };
@@ -30,7 +30,7 @@ class LineEditor {
   LineEditor(const TextTable& table, const std::vector<ColumnText>& columns) : table_(table), columns_(columns) {}
 
   [[nodiscard]] std::string edited(std::string_view content, int line) const {
-    // Tabs at the ends of a line that separate no fields would become fields if columns were added after them.
+    // Surplus tabs at the ends of a line would become empty fields if columns were added after them.
     if (table_.separator == '\t' && csvSpans(content, '\t')->size() != table_.columns.size())
       content = trimBlanks(content);
     std::string text =

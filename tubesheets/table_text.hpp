@@ -18,9 +18,9 @@ struct ColumnText {
   std::map<int, std::string> fields;
 };
 
-/// Returns the text that the table was read from, with the given columns changed or added. Comments, order, line ends,
-/// quotes, separators, units and the fields of other columns are kept. A field that already has the new value is kept
-/// as written.
+/// Returns the text that the table was read from, with the given columns changed or added. Comments, order, line
+/// endings, quotes, separators, units and the fields of other columns are kept. A field that already has the new value
+/// is kept as written.
 [[nodiscard]] std::string withColumns(std::string_view text, const TextTable& table,
                                       const std::vector<ColumnText>& columns);
 

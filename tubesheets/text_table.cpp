@@ -45,7 +45,7 @@ std::optional<Fields> fieldsApart(std::string_view line, char separator) {
   return fields;
 }
 
-/// Returns a number such as "12,5" with a decimal point; any other text is unchanged.
+/// Returns a number such as "12,5" with a decimal point, and any other field unchanged.
 std::string withPoint(std::string field) {
   const std::size_t comma = field.find(',');
   if (comma == std::string::npos || field.find(',', comma + 1) != std::string::npos) return field;
@@ -119,8 +119,8 @@ class TableParser {
     if (!table_.problem) table_.problem = std::move(problem);
   }
 
-  /// Splits a line into fields. Tabs at the ends of the line may stand for empty fields: they count if the line is too
-  /// short without them.
+  /// Splits a line into fields. Tabs at the ends of the line separate empty fields only if the line has too few fields
+  /// without them.
   [[nodiscard]] std::optional<Fields> fieldsIn(const TextLine& line, std::size_t width) const {
     auto fields = fieldsApart(line.text, table_.separator);
     if (table_.separator != '\t' || !fields || fields->size() >= width) return fields;
@@ -128,7 +128,7 @@ class TableParser {
     return all && all->size() == width ? all : fields;
   }
 
-  /// Returns the rows of all lines from index `first` on; stops at the first quote that is not closed.
+  /// Returns one row for each line from index `first` on; stops at the first line with a quote that is not closed.
   std::vector<CsvRow> rowsFrom(std::size_t first, std::size_t width) {
     std::vector<CsvRow> rows;
     for (std::size_t k = first; k < lines_.size(); ++k) {
@@ -326,7 +326,8 @@ class TableParser {
       for (auto& field : row.fields) field = withPoint(std::move(field));
   }
 
-  /// Refuses numbers that may have thousands separators, if another number has the other mark as its decimal separator.
+  /// Refuses a number such as "1.190" if another number has a decimal comma, and "1,190" if another has a decimal
+  /// point: the mark may separate thousands.
   void refuseThousands() {
     const auto isAnywhere = [&](char mark) {
       return std::ranges::any_of(table_.rows, [&](const CsvRow& row) {
@@ -352,7 +353,7 @@ class TableParser {
   TextTable table_;
 };
 
-/// Splits the text at its last brackets; returns false if there are none.
+/// Splits the text into the parts before and inside its last pair of brackets; returns false if there is none.
 bool splitBrackets(std::string_view text, std::string_view& before, std::string_view& inside) {
   const std::size_t open = text.find_last_of("([");
   const std::size_t close = text.find_last_of(")]");

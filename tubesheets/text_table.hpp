@@ -19,13 +19,13 @@ enum class HeadingRank { kNone, kPartial, kWhole };
 struct TableWords {
   bool (*isUnit)(std::string_view) = nullptr;  ///< returns true for a unit in the row of units below the heading
   /// Ranks a row as a heading. The heading is the first row of rank kWhole, else the first of rank kPartial. If this
-  /// function is empty, the heading is the line above the first row with a number.
+  /// function is not set, the heading is the line above the first row with a number.
   std::function<HeadingRank(const std::vector<std::string>&)> rankHeading = nullptr;
   /// Returns true for a line that states units and is neither a row nor a heading.
   bool (*statesUnits)(std::string_view) = nullptr;
 };
 
-/// The table in a text, with decimal commas replaced by points.
+/// A table parsed from text, with decimal commas replaced by points.
 struct TextTable {
   /// Column names, one for each field of a row; "column 1", "column 2", ... if there is no heading.
   std::vector<std::string> columns;
@@ -42,8 +42,8 @@ struct TextTable {
 
 /// Reads a table whose fields are separated by tab, semicolon, comma or |, or by blanks if its rows are recognised by
 /// their numbers. The decimal sign is a point or, if commas do not separate fields, a comma. A table with a heading
-/// known to the reader begins below the heading and may have one column. Any other table begins with the first line
-/// from which all lines have the same number of fields; its heading is the line before, if that line has the same
+/// known to the reader begins below the heading and may have only one column. Any other table begins with the first
+/// line from which all lines have the same number of fields; its heading is the line before, if that line has the same
 /// number of fields and no numbers. A table may have a row of units below its heading, or its heading in a comment.
 /// Empty lines and lines that begin with #, // or % are not rows. Faults: no table, a row with more or fewer fields
 /// than other rows, a quote that is not closed, a zero byte, numbers that may have thousands separators.
@@ -59,7 +59,7 @@ struct HeadingWords {
 /// slash.
 [[nodiscard]] HeadingWords splitHeading(std::string_view text, bool (*isUnit)(std::string_view));
 
-/// Returns a text in lower case with only ASCII letters, digits and all non-ASCII characters: "Tube ID" gives "tubeid".
+/// Returns the text in lower case, without ASCII characters other than letters and digits: "Tube ID" gives "tubeid".
 [[nodiscard]] std::string plainName(std::string_view text);
 
 /// Returns the text after "unit:" or "units =" in a line; empty if the line has no such text.

@@ -52,7 +52,7 @@ struct RowAndColumn {
 [[nodiscard]] std::string_view viewedFromWords(ViewedFrom side);
 [[nodiscard]] std::string_view tubeStateWords(TubeState state);
 
-/// Returns all tube states, in the order of their table.
+/// Returns all tube states, in the order of TubeState.
 [[nodiscard]] std::vector<TubeState> tubeStates();
 
 /// Find a value by name; nothing if the name is unknown. A leg may also be written HL, CL or "Hot leg", in upper or

@@ -1,4 +1,4 @@
-// Methods to choose tubes of a sheet: by depth from the periphery, evenly spread, or every k-th.
+// Ways to choose tubes of a sheet: by depth from the periphery, evenly spread, or every k-th.
 #pragma once
 
 #include <vector>

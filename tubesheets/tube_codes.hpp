@@ -10,10 +10,10 @@
 
 namespace tubeplan::tubesheets {
 
-/// Effect of a code on the visit of a tube.
+/// Effect of a code on whether its tube is visited.
 enum class CodeUse {
   kState,   ///< the tube has a state, which decides whether a tool can enter
-  kRemark,  ///< a result or a request: the tube keeps the state that the sheet states
+  kRemark,  ///< a result or a request: the tube keeps the state given by the sheet
   kDone,    ///< the work is done: a work list leaves the tube out
 };
 

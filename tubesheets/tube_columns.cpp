@@ -14,7 +14,7 @@ struct ColumnNames {
   std::vector<std::string_view> aliases;  ///< all names in the form of plainName(), without a unit
 };
 
-/// Returns the open table of columns: one row for each column, with all its names.
+/// Returns the table of known columns, one row for each column, with all its names.
 const std::vector<ColumnNames>& columnTable() {
   static const std::vector<ColumnNames> table{
       {TubeColumn::kRow, "row", {"row", "r", "rowno", "rownumber"}},

@@ -46,12 +46,12 @@ struct TubeHeading {
 };
 [[nodiscard]] TubeHeading readTubeHeading(const std::string& heading);
 
-/// Returns the known column whose name differs from the heading by one letter at its end, such as "legg" or "stat".
-/// Such a heading is probably misspelt, so that the column must not be skipped.
+/// Returns the known column whose name differs by one letter at its end from a heading such as "legg" or "stat". The
+/// heading is then probably misspelt, and its column must not be skipped silently.
 [[nodiscard]] std::optional<TubeColumn> tubeColumnMeantBy(const std::string& heading);
 
-/// Returns the rank of fields as a heading: whole if they name a tube, or a row and a column; partial if only one of
-/// row and column.
+/// Ranks fields as a heading: kWhole if they name a tube, or a row and a column; kPartial if they name only one of row
+/// and column; else kNone.
 [[nodiscard]] HeadingRank rankTubeHeading(const std::vector<std::string>& fields);
 
 /// A quantity that a user can assign to a column. Quantities are in the order of the table of columns.

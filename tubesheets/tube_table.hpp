@@ -52,8 +52,8 @@ struct ChosenTubeColumn {
   const LengthUnit* unit = nullptr;  ///< unit of x or y; null: the unit stated above the table is used
 };
 
-/// Returns the table of a text whose headings may be unknown. The table begins below a known heading, else at the first
-/// row with a number, else below the first line.
+/// Parses a table whose headings may be unknown. The table begins below a known heading, else at the first row with a
+/// number, else below the first line.
 [[nodiscard]] TextTable parseTubeText(std::string_view text);
 
 /// Returns a tube table with only the chosen columns. Faults: no column for the tube, one quantity in two columns, x
@@ -70,7 +70,7 @@ struct TubeText {
   std::string text;                ///< text that the table was read from
   TubeTable table;
 
-  /// Refuses the text because of a problem, unless it is already refused; does nothing if `other` is empty.
+  /// Refuses the text because of the problem `other`, if there is one and the text is not already refused.
   void refuse(const std::optional<Problem>& other);
   /// Calls `readRow` for each row up to the first fault. Refuses a text without rows; `what` names the expected rows in
   /// the message.
@@ -97,7 +97,7 @@ struct ReadLength {
 struct ReadCodes {
   std::optional<TubeState> state;
   bool is_done = false;
-  std::vector<std::string> unknown;  ///< unknown texts in columns of codes, kept as remarks
+  std::vector<std::string> unknown;  ///< unknown codes in columns of codes, kept as remarks
   std::optional<Problem> problem;    ///< an unknown state, or two different states
 };
 [[nodiscard]] ReadCodes codesOf(const TubeTable& table, const CsvRow& row);

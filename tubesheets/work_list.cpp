@@ -69,7 +69,7 @@ std::vector<Item> splitItems(std::string_view request) {
   return items;
 }
 
-// Returns the fault of an item that can be found without examining tubes; empty if there is none.
+// Returns the fault in the text of an item, found without examining tubes; empty if there is none.
 std::string findItemFault(const Item& item) {
   if (item.text.empty()) return "nothing here; expected one of " + knownForms();
   if (item.is_minus && item.role() != TermRole::kSource) return "only tubes can be excluded with a minus";
@@ -99,7 +99,7 @@ std::vector<int> allTubes(const Sheet& sheet) {
 
 bool takesNoTool(TubeState state) { return state == TubeState::kPlugged || state == TubeState::kStabilised; }
 
-// Returns true for states whose tubes are visited only on request.
+// Returns true for states in which a tube may be out of reach or misidentified, so it is selected only if named.
 bool isDoubtful(TubeState state) { return state == TubeState::kInaccessible || state == TubeState::kUnresolved; }
 
 // Returns a flag for each tube: true if it is requested by its state or by its own name, not as part of a range.
@@ -156,7 +156,8 @@ std::string besides(const Selection& selection) {
              : fmt::format(" except {}, which are selected only by state (such as \"plugged\") or by name", left_out);
 }
 
-/// Returns the fault of a list for another leg or sheet, or of a tube whose position differs from that on the sheet.
+/// Returns a message if the list is for another leg or sheet, or if a tube's position differs from that on the sheet;
+/// empty otherwise.
 std::string findListFault(const WorkListItem& item, const Sheet& sheet, const std::string& fingerprint) {
   if (item.leg && *item.leg != sheet.leg)
     return fmt::format("this list is for the {} leg, but the sheet is {}", legName(*item.leg), legName(sheet.leg));
@@ -172,7 +173,7 @@ std::string findListFault(const WorkListItem& item, const Sheet& sheet, const st
       tubeName(item.row, item.column), off);
 }
 
-/// Returns a sentence on all tubes of a list that are not on the sheet, naming the first few; empty if there are none.
+/// Returns a sentence that counts the tubes of a list that are not on the sheet, and names a few; empty if none.
 std::string explainMissingTubes(const WorkList& list, const Sheet& sheet) {
   constexpr std::size_t kShown = 5;
   std::set<std::pair<int, int>> seen;

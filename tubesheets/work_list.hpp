@@ -4,7 +4,7 @@
 // (sheet.hpp).
 //   - all, R10C20, R1-10C5-9, R10, C20, outer:2, zone:-10:10:20:40in, plugged (a tube state): adds these tubes.
 //   - The same items with a minus (-plugged, -R3C4, -outer:1): removes tubes; if no item adds tubes, from all tubes.
-//   - every:K, spread:N: keeps a part of the tubes that the rest of the list selects, in the order written.
+//   - every:K, spread:N: keeps part of the tubes that the other items select; applied in the order written.
 //   - leg:hot, sheet:FINGERPRINT: refuses another leg or sheet.
 // Plugged and stabilised tubes take no tool, inaccessible tubes could not be reached before, and the identity of
 // unresolved tubes is in doubt. All these tubes are left out, and counted, unless they are requested by their state
@@ -80,15 +80,16 @@ struct Selection {
 /// tube or its state is named.
 [[nodiscard]] bool isLeftOutUnlessNamed(TubeState state);
 
-/// Returns the request "spread:N", where N is `most` or, if less, the number of tubes that `all` selects; at least 1.
+/// Returns the request "spread:N", where N is `most` or the number of tubes that `all` selects, whichever is smaller,
+/// but at least 1.
 [[nodiscard]] std::string spreadRequest(const Sheet& sheet, std::size_t most);
 
 /// Reads a work list (text_table.hpp) with columns for row and column, or for the tube's name, under any of their usual
 /// names (tube_columns.cpp). Optional columns are leg (hot, cold, full, HL, CL), sheet (a fingerprint), dwell_s (dwell
 /// time in seconds, from 0 to a day; empty: not stated), state or status (a state or a code of tube_codes.hpp; empty:
 /// the state on the sheet), code or ind (a state, a code or any remark), x and y with a unit (position of the hole) and
-/// sg (the steam generator). A note lists all other columns. A tube may be named several times, such as for two
-/// indications. Refused: two legs, sheets or steam generators in one list, two states or two dwell times for one tube,
+/// sg (the steam generator). A note lists all other columns. A tube may be named several times, for example once per
+/// indication. Refused: two legs, sheets or steam generators in one list, two states or two dwell times for one tube,
 /// malformed fields, no tubes.
 [[nodiscard]] WorkList parseWorkListCsv(std::string_view text);
 
@@ -97,8 +98,9 @@ struct Selection {
 
 /// Selects the tubes of a list, each once. Left out are tubes whose work is done, and tubes that are plugged or
 /// stabilised according to the list or, where the list states nothing, according to the sheet. Inaccessible and
-/// unresolved tubes are selected, because the list names them. Refused: a refused list, another leg or sheet, tubes
-/// that are not on the sheet (all are counted) or at another position than in the list, an empty result.
+/// unresolved tubes are selected, since the list names them. Refused: a list that was refused, another leg or sheet,
+/// tubes that are not on the sheet (all are counted) or whose position in the list differs from the sheet's, an empty
+/// result.
 [[nodiscard]] Selection selectTubes(const Sheet& sheet, WorkList list);
 
 }  // namespace tubeplan::tubesheets

@@ -14,7 +14,7 @@ namespace {
 std::string describeLeg(const std::optional<Leg>& leg) { return leg ? std::string(legName(*leg)) : "no leg"; }
 std::string describeSheet(const std::string& sheet) { return sheet.empty() ? "no sheet" : sheet; }
 
-// Finds a row for another leg, sheet or steam generator than the first row, such as a row pasted from another list.
+// Returns a problem if a row is for another leg, sheet or steam generator than the first row (pasted by mistake).
 std::optional<Problem> findOddLine(const WorkListItem& first, const WorkListItem& item) {
   if (item.leg != first.leg)
     return Problem{"leg", describeLeg(item.leg), describeLeg(first.leg) + ", as on the lines above",
