@@ -1,4 +1,4 @@
-// Checks of hole coordinates against the lattice: maps with errors in the coordinates, and maps without errors.
+// Tests of the check of hole coordinates against the lattice, with and without errors in the coordinates.
 #include "tubesheets/hole_lattice.hpp"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST_P(HoleLattice, AHoleHalfAPitchOffIsNamedWithItsDistanceAndItsPlace) {
     ASSERT_EQ(off.size(), 1u);
     EXPECT_EQ(off[0].tube, tube);
     EXPECT_NEAR(off[0].distance, share * sheet_.pitch, 0.03 * sheet_.pitch);
-    // A hole displaced by half a pitch along the lattice is equally near to the lattice position on its other side.
+    // At half a pitch, the lattice points on both sides are equally near, so either may be the reported position.
     const double back = std::hypot(off[0].x - hole.x + share * sheet_.pitch, off[0].y - hole.y);
     if (share < 0.5) {
       EXPECT_NEAR(back, 0, 0.03 * sheet_.pitch);

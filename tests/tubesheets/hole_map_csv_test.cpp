@@ -1,4 +1,4 @@
-// The hole map as text: exact round trips, short decimals, and refusal of every kind of bad text with its line number.
+// Tests of hole maps as text: exact round trips, short decimals, and refusal of malformed text with its line number.
 #include "tubesheets/hole_map_csv.hpp"
 
 #include <gtest/gtest.h>

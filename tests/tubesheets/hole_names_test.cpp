@@ -1,4 +1,4 @@
-// Checks of hole names against positions: maps with exchanged names, and maps with other numbering schemes.
+// Tests of the check of hole names against positions: maps with exchanged names, and maps with other numbering schemes.
 #include "tubesheets/hole_names.hpp"
 
 #include <gtest/gtest.h>

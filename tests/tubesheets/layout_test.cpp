@@ -1,4 +1,4 @@
-// Published hole counts, and layouts that cannot be drilled.
+// Tests of layouts: published hole counts, and layouts that are refused.
 #include "tubesheets/layout.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Sheets: names, neighbours, mirror images, fingerprints, and problems that make a sheet unusable.
+// Tests of sheets: names, neighbours, mirror images, fingerprints, and problems that make a sheet unusable.
 #include "tubesheets/sheet.hpp"
 
 #include <gtest/gtest.h>
@@ -228,7 +228,7 @@ TEST(SheetProblems, StopAtTwenty) {
   EXPECT_LE(count, 21u);
 }
 
-/// Returns the processor time per hole [s], the least of five runs.
+/// Returns the processor time of findSheetProblems() per hole [s], the smallest of five runs.
 double secondsPerHole(const SheetDescription& description, int repeats) {
   const Sheet sheet = makeSheet(description);
   double best = std::numeric_limits<double>::infinity();
@@ -240,7 +240,8 @@ double secondsPerHole(const SheetDescription& description, int repeats) {
   return best / CLOCKS_PER_SEC / repeats / static_cast<double>(sheet.tubes.size());
 }
 
-// A check of all pairs of holes would cost some 600 times as much per hole on the largest sheet as on the small sheet.
+// On the largest sheet, the check must cost less than 20 times as much per hole as on the small sheet. A check of all
+// pairs of holes would cost some 600 times as much.
 TEST(SheetProblems, AHoleOfTheLargestSheetIsCheckedAtTheCostOfAnyOther) {
   EXPECT_LT(secondsPerHole(exampleSheets()[6].description, 1), 20 * secondsPerHole(smallDescription(), 500));
 }
@@ -263,7 +264,7 @@ TEST(SheetProblems, MillimetresReadAsInchesOfHolesFarApart) {
     for (Tube& tube : sheet.tubes) tube.x *= unit, tube.y *= unit;
     return findSheetProblems(sheet);
   };
-  for (const int step : {3, 4}) {  // with every fifth hole, 25.4 times the spacing is again a whole number of pitches
+  for (const int step : {3, 4}) {  // not 5, because 25.4 times five pitches is again a whole number of pitches
     EXPECT_TRUE(withEvery(step, 1).empty()) << step;
     EXPECT_FALSE(withEvery(step, 25.4).empty()) << step;
   }

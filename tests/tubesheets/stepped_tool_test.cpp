@@ -1,4 +1,4 @@
-// The stepped tool: the number of steps that enter and the probability of each, against closed forms and sampling.
+// Tests of the stepped tool: the number of steps that enter, and its probabilities against closed forms and sampling.
 #include "tubesheets/stepped_tool.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 constexpr double kMetresInAnInch = 0.0254;
 constexpr double kHole = 0.760 * kMetresInAnInch;
 
-/// Returns the stepped tool of table 5.7.
+/// Returns the stepped tool of table 5.7 of the thesis.
 SteppedTool thesisTool() {
   return {{{0.582 * kMetresInAnInch, 0.089 * kMetresInAnInch},
            {0.644 * kMetresInAnInch, 0.058 * kMetresInAnInch},
@@ -67,7 +67,7 @@ TEST(PlayInTube, ALeanCountsAtTheFarthestEndThatIsIn) {
   EXPECT_NEAR(playInTube(tool, centred, lean, 0.4 * kMetresInAnInch), (0.089 - 0.02) * kMetresInAnInch, 1e-15);
   EXPECT_NEAR(playInTube(tool, centred, lean, 0.8 * kMetresInAnInch), (0.058 - 0.04) * kMetresInAnInch, 1e-15);
   EXPECT_LT(playInTube(tool, centred, lean, 1.2 * kMetresInAnInch), 0);
-  // Reference value: least play over closely spaced points along the tool.
+  // Reference value: the smallest clearance at closely spaced points along the tool.
   const Eigen::Vector2d off(-0.01 * kMetresInAnInch, 0.006 * kMetresInAnInch), askew(0.02, -0.03);
   const double depth = 0.93 * kMetresInAnInch;
   double least = std::numeric_limits<double>::infinity();
@@ -99,8 +99,8 @@ TEST(ProbabilityWithin, IsRayleighForARoundSpreadAboutTheAxis) {
           << sigma << " " << radius;
 }
 
-/// Rice distribution: returns the probability that a round spread with an offset mean lies within `radius`, as a series
-/// of Poisson weights times chi-square probabilities with 2j + 2 degrees of freedom.
+/// Rice distribution: returns the probability that an isotropic normal offset with mean length `offset` lies within
+/// `radius`, as a series of Poisson weights times chi-square probabilities with 2j + 2 degrees of freedom.
 double riceWithin(double radius, double offset, double sigma) {
   const double a = offset * offset / (2 * sigma * sigma), b = radius * radius / (2 * sigma * sigma);
   double weight = std::exp(-a), term = std::exp(-b), tail = term, sum = 0;
@@ -158,8 +158,8 @@ TEST(ProbabilityWithin, DoesNotTurnWithTheAxes) {
   }
 }
 
-/// Returns the probability by a plain sum in polar coordinates: slow, independent of the tested code, accurate to 1e-9
-/// for smooth spreads.
+/// Returns the probability of probabilityWithin() by a plain sum in polar coordinates: slow, independent of the tested
+/// code, accurate to 1e-9 for smooth densities.
 double sumWithin(double radius, const Eigen::Vector2d& mean, const Eigen::Matrix2d& covariance) {
   const Eigen::Matrix2d information = covariance.inverse();
   const double scale = 1 / (2 * M_PI * std::sqrt(covariance.determinant()));
@@ -189,7 +189,7 @@ TEST(ProbabilityWithin, AgreesWithPlainSummation) {
   }
 }
 
-/// Returns the probability by the trapezoidal rule over strips across the wide axis.
+/// Returns the probability of probabilityWithin() by the midpoint rule over strips perpendicular to the wide axis.
 double sumAcrossWide(double radius, const Eigen::Vector2d& mean, double wide, double thin) {
   const int strips = 400000;
   double sum = 0;
@@ -212,7 +212,7 @@ TEST(ProbabilityWithin, AgreesWithStripsAcrossTheOtherAxis) {
 }
 
 TEST(ProbabilityWithin, OnTheRimIsHalfAsTheSpreadShrinks) {
-  // The curvature of the rim reduces the half-plane's probability of 1/2 by sigma / (radius sqrt(8 pi)).
+  // The curvature of the rim must reduce the half-plane's probability of 1/2 by sigma / (radius sqrt(8 pi)).
   for (const double sigma : {1e-3, 1e-5, 1e-7, 1e-9})
     EXPECT_NEAR(probabilityWithin(1, {0.6, 0.8}, covarianceOf(sigma, sigma, 0)), 0.5 - sigma / std::sqrt(8 * M_PI),
                 1e-7 * sigma / 1e-3 + 1e-8)
@@ -243,10 +243,10 @@ TEST(StepsInserted, CountsTheLeanOverTheStepsLengths) {
   const SteppedTool tool = thesisTool();
   const Eigen::Vector2d centred = Eigen::Vector2d::Zero();
   EXPECT_EQ(stepsInserted(tool, centred, centred), 3);
-  // The third step ends 1.5 in below the tip: a tilt of 1 in 150 uses up its tolerance of 0.010 in.
+  // The third step ends 1.5 in below the tip, so that a tilt above 1 in 150 must exceed its tolerance of 0.010 in.
   EXPECT_EQ(stepsInserted(tool, centred, {0, 1 / 151.}), 3);
   EXPECT_EQ(stepsInserted(tool, centred, {0, 1 / 149.}), 2);
-  // An offset that the tilt compensates at the third step lets the third step enter.
+  // If the tilt compensates the offset at the third step, that step must enter; with the opposite tilt it must not.
   EXPECT_EQ(stepsInserted(tool, {0.012 * kMetresInAnInch, 0}, {0.01, 0}), 3);
   EXPECT_EQ(stepsInserted(tool, {0.012 * kMetresInAnInch, 0}, {-0.01, 0}), 2);
   EXPECT_EQ(stepsInserted(tool, {0.07 * kMetresInAnInch, 0}, {-0.05, 0}), 0);

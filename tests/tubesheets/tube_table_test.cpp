@@ -1,4 +1,4 @@
-// Hole maps and work lists in the formats of other programs: one reader for all, and exact round trips.
+// Tests of hole maps and work lists in the formats of other programs: one reader for all, and exact round trips.
 #include "tubesheets/tube_table.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::vector<std::string> selectedNames(const Sheet& sheet, const Selection& sele
   return names;
 }
 
-/// Text format of a list: field separator, line end, and text before the table.
+/// Text format of a list: field separator, line ending, and text before the table.
 struct Dialect {
   char separator;
   std::string end, before;
@@ -40,7 +40,7 @@ const std::vector<Dialect>& dialects() {
   return all;
 }
 
-/// The tubes R2C3, R4C4 and again R2C3 in every supported naming: headings, then the fields of each row.
+/// The tubes R2C3, R4C4 and again R2C3 in every supported notation: headings, then the fields of each row.
 const std::vector<std::vector<std::vector<std::string>>>& nameForms() {
   static const std::vector<std::vector<std::vector<std::string>>> all{
       {{"row", "column"}, {"2", "3"}, {"4", "4"}, {"2", "3"}},
@@ -135,7 +135,7 @@ TEST(TubeCodes, SayWhichTubesOfAListAreVisited) {
     }
 }
 
-/// Tables with headings that the reader does not know, and the columns chosen for row, column and dwell time.
+/// A table with unknown headings is read if columns are chosen for row and column, or for the tube's name.
 TEST(TubeTable, IsReadByColumnsThatAreChosenWhateverTheirHeadings) {
   const auto place = [](TubeColumn column, std::size_t at) { return ChosenTubeColumn{column, at}; };
   const struct {

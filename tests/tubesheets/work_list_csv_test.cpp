@@ -1,4 +1,4 @@
-// Work lists as tables: accepted tables, and tables refused with the line number.
+// Tests of work lists as tables: tables that are accepted, and tables that are refused with the line number.
 #include <gtest/gtest.h>
 
 #include "tests/tubesheets/example_sheets.hpp"

@@ -1,4 +1,4 @@
-// The selection language, term by term, and every refusal.
+// Tests of the selection language, term by term, and of every refusal.
 #include "tubesheets/work_list.hpp"
 
 #include <gtest/gtest.h>
@@ -190,8 +190,8 @@ TEST(SelectTubes, SpreadIsEvenAndRepeatable) {
     ASSERT_EQ(static_cast<int>(selection.tube_indices.size()), count);
     EXPECT_TRUE(std::is_sorted(selection.tube_indices.begin(), selection.tube_indices.end()));
     EXPECT_EQ(selection.tube_indices, selectTubes(sheet, "spread:" + std::to_string(count)).tube_indices);
-    // Farthest-point selection: no tube of the sheet is farther from the selection than the selected tubes from each
-    // other.
+    // Each selected tube was the one farthest from those before it, so no tube of the sheet may be farther from the
+    // selection than the selected tubes are from each other.
     const double least = leastDistance(sheet, selection.tube_indices);
     double farthest = 0;
     for (const Tube& tube : sheet.tubes) {
