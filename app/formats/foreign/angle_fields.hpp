@@ -10,27 +10,26 @@
 
 namespace tubeplan::app {
 
-/// Returns the notation of the first field in a column that is not blank; nothing if that field is not an angle in
-/// sixtieths.
+/// Returns the notation of the first non-blank field of a column; nothing if that field is not an angle in sixtieths.
 [[nodiscard]] std::optional<SixtiethForm> sixtiethForm(const ForeignTable& table, std::size_t column);
 
-/// Returns the unit that the signs of a notation state; null for a notation that may mean hours or degrees, or if there
-/// is none.
+/// Returns the unit that a notation implies by its signs (h, d or °); null for a notation that may mean hours or
+/// degrees, or if there is none.
 [[nodiscard]] const Unit* unitOfForm(const std::optional<SixtiethForm>& form);
 
 /// Throws InputError for a column with angles in several notations, or in sixtieths that may be of hours or of degrees.
 /// `is_stated` is true if the column's heading or the user states the unit.
 void requireOneForm(const ForeignTable& table, std::size_t column, bool is_stated);
 
-/// Returns true if a column in degrees may be in hours: its heading names an hour angle or a right ascension, and all
-/// its numbers are from -12 to 12 or from 0 to 24.
+/// Returns true if a column stated in degrees may in fact be in hours: its heading names an hour angle or a right
+/// ascension, and all its numbers are from -12 to 12 or from 0 to 24.
 [[nodiscard]] bool mayBeHours(const ForeignTable& table, std::size_t column);
 
-/// Throws InputError, with both interpretations, for a column in degrees that may be in hours; `quantity` is the
-/// quantity assigned to the column.
+/// Throws InputError, with both interpretations, if a column stated in degrees may in fact be in hours; `quantity` is
+/// the quantity assigned to the column.
 void refuseDoubtfulDegrees(const ForeignTable& table, std::size_t column, const std::string& quantity);
 
-/// Returns the number in a field, in the column's unit, even for an angle in sixtieths; nothing if the field is not a
+/// Returns the number in a field, in the column's unit, also for an angle in sixtieths; nothing if the field is not a
 /// number or contradicts the unit.
 [[nodiscard]] std::optional<double> numberIn(std::string_view field, const Unit* unit);
 

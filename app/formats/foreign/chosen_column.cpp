@@ -19,8 +19,8 @@ struct ScaledName {
   double factor = 1;
 };
 
-/// Returns the interpretations of a text: as a column's name and, if a number follows the last * or /, as a name with a
-/// factor or divisor.
+/// Returns the possible meanings of `text`: the name of a column and, if a number follows the last * or /, a name with
+/// a factor or divisor.
 std::vector<ScaledName> readingsOf(const std::string& text) {
   std::vector<ScaledName> readings{{text}};
   const std::size_t at = text.find_last_of("*/");

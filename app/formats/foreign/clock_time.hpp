@@ -19,7 +19,7 @@ enum class DateOrder { kDayFirst, kMonthFirst };
 /// are meaningful: time zones and leap seconds are ignored.
 [[nodiscard]] std::optional<double> clockSeconds(std::string_view text, DateOrder order = DateOrder::kMonthFirst);
 
-/// Returns true if a text is a clock time in at least one order of day and month.
+/// Returns true if the text is a clock time in at least one order of day and month.
 [[nodiscard]] bool isClockTime(std::string_view text);
 
 /// Returns the orders of day and month in which all clock times among the rows are valid; only the first order if both
@@ -32,7 +32,7 @@ struct ClockTimes {
   std::vector<std::size_t> midnights;          ///< indices of rows from which one more day is added
 };
 
-/// Returns the times of rows. If a clock without a date goes back by half a day or more, it has passed midnight.
+/// Returns the times of rows. A time without a date that is half a day or more before the previous is past midnight.
 [[nodiscard]] ClockTimes clockTimes(const std::vector<std::string>& rows, DateOrder order = DateOrder::kMonthFirst);
 
 }  // namespace tubeplan::app

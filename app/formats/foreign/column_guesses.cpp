@@ -12,7 +12,8 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Returns likely columns for the numbers of forms, each with the index of its target; none for an ambiguous form.
+/// Returns likely columns for the numbers of written orientations and positions, each with the index of its target;
+/// none if several forms are possible.
 std::vector<std::pair<std::size_t, ColumnGuess>> guessForms(const std::vector<ForeignTable>& tables,
                                                             const std::vector<std::vector<ForeignHeading>>& headings,
                                                             const std::vector<ColumnTarget>& targets,

@@ -75,7 +75,7 @@ std::vector<ForeignHeading> headingsByShape(const ForeignTable& table, const std
   return headings;
 }
 
-/// Returns the internal name of headings that are assigned to this target and to no other target.
+/// Returns the internal name that a heading has once it is assigned to this target.
 std::string settledName(const ColumnTarget& target) { return "=" + target.quantity; }
 
 /// Renumbers joints from one if their headings are numbered from zero, such as q0 to q5 for six joints without a q6.
@@ -102,8 +102,8 @@ const std::vector<std::vector<std::string>> kControllersNames{
     {"base", "shoulder", "elbow", "wrist1", "wrist2", "wrist3"},
 };
 
-/// Assigns a controller's joint names if one table has all of them and they are as many as the joints; the heading T
-/// then means a joint, not a time.
+/// Assigns a controller's joint names if one table has all of them, one for each joint; the heading T then means a
+/// joint, not a time.
 void settleControllersNames(std::vector<std::vector<ForeignHeading>>& tables,
                             const std::vector<const ColumnTarget*>& joints) {
   for (auto& headings : tables)

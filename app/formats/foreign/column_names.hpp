@@ -8,7 +8,7 @@
 
 namespace tubeplan::app {
 
-/// Returns true if a heading has a name of the target and no contradictory unit: "x (deg)" is not a position. Encoder
+/// Returns true if a heading names the target and has no contradictory unit: "x (deg)" is not a position. Encoder
 /// pulses are valid for joints only.
 [[nodiscard]] bool fits(const ColumnTarget& target, const ForeignHeading& heading);
 

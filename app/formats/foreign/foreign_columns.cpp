@@ -65,7 +65,7 @@ class ColumnTaker {
     parts_.push_back(column);
   }
 
-  /// Adds the forms to whose numbers the user assigned columns; all columns of a form must be in one table.
+  /// Adds the forms of orientations or positions for whose numbers the user chose columns, all from a single table.
   void takeChosenForms() {
     while (!parts_.empty()) {
       const WrittenForm& form = *targets_[parts_.front().target].form;
@@ -105,8 +105,8 @@ class ColumnTaker {
     return static_cast<std::size_t>(std::ranges::find(targets_, quantity, &ColumnTarget::quantity) - targets_.begin());
   }
 
-  /// Adds the form with the given name. If the name is empty, adds the only form that fits, unless columns state the
-  /// quantity directly.
+  /// Adds the orientation or position in the form with the given name. If the name is empty, adds it in the only form
+  /// that fits, unless columns state it directly.
   void takeForm(Stated stated, const std::string& name) {
     const bool is_chosen = isTaken(indexOf(columnsOf(stated).columns.front()));
     if (is_chosen || (name.empty() && hasColumns(stated))) return;
@@ -278,7 +278,7 @@ class ColumnTaker {
   const ColumnChoice& choice_;
   const std::string& kind_;
   std::vector<std::vector<ForeignHeading>> headings_;
-  std::vector<ChosenColumn> parts_;  ///< columns that the user assigned to numbers of forms
+  std::vector<ChosenColumn> parts_;  ///< columns that the user chose for numbers of written forms
   FreeColumns free_;
   std::vector<TakenColumn> taken_;
 };

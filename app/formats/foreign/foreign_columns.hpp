@@ -25,7 +25,7 @@ struct ColumnTarget {
   bool is_number = true;
   bool is_joint = false;
   std::vector<std::string> aliases = {};  ///< alternative names, in the notation of parseHeading()
-  const WrittenForm* form = nullptr;      ///< form to which the number belongs ("euler-zyx.z"); null for a column
+  const WrittenForm* form = nullptr;      ///< form of which this is a number ("euler-zyx.z"); null for other quantities
   std::size_t part = 0;                   ///< index of the number in the form
 };
 

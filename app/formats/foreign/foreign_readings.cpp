@@ -75,7 +75,7 @@ class ForeignReader {
     return findNames(table(t), targets_);
   }
 
-  /// Throws InputError for a file of which no column is used.
+  /// Throws InputError if no column of a file is used.
   void refuseUnused() const {
     for (std::size_t t = 0; t < request_.tables.size(); ++t)
       if (!isUsed(t))
@@ -169,8 +169,8 @@ class ForeignReader {
     return rowOf(column, k).fields[column.column];
   }
 
-  /// Determines the ids of the readings, which must be unique: the table's ids, otherwise point names, otherwise
-  /// running numbers if points were measured repeatedly.
+  /// Determines the ids of the readings: the table's ids or, if it has none, its point names; running numbers if these
+  /// are missing or not unique.
   void findIds() {
     const TakenColumn* column = find("id");
     if (!column) column = find("point");
@@ -223,7 +223,7 @@ class ForeignReader {
     return table(column.table).rows[joined_.rows[column.table][k]];
   }
 
-  /// Returns true if the column's field is empty or, for a form, if any field of the form is empty.
+  /// Returns true if the column's field is empty or, for a computed component, if any field of its form is empty.
   [[nodiscard]] bool isEmptyAt(const TakenColumn& column, std::size_t k) const {
     if (!column.form) return isBlankField(fieldOf(column, k));
     const auto& fields = rowOf(column, k).fields;
@@ -327,7 +327,7 @@ class ForeignReader {
     }
   }
 
-  /// Returns the order of day and month in dates. Throws InputError if the order is ambiguous and the user chose none.
+  /// Returns the order of day and month in the column's dates. Throws InputError unless it is clear or chosen.
   [[nodiscard]] DateOrder dateOrderOf(const TakenColumn& column, const std::vector<std::string>& fields) const {
     constexpr std::array kOrders{DateOrder::kDayFirst, DateOrder::kMonthFirst};
     if (const std::string& asked = request_.choice.dates; !asked.empty()) {

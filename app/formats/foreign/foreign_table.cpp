@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<std::string_view, 8> kBesideUnits{"length", "lengths",  "angle",   "angles",
                                                        "linear", "distance", "angular", "and"};
 
-/// Returns the units in a text; empty if the text contains any word other than units and kBesideUnits.
+/// Returns the units that the text names; empty if it contains any word other than units and kBesideUnits.
 std::vector<const Unit*> unitsIn(std::string_view text) {
   std::vector<const Unit*> units;
   constexpr std::string_view kApart = " \t,;/()[]:=";

@@ -18,7 +18,7 @@ struct StatedUnit {
   std::string line;  ///< line of the file that states the unit
 };
 
-/// Table in a text from another program, with the file's name for messages.
+/// Table parsed from the text of another program, with the file's name for messages.
 struct ForeignTable : tubesheets::TextTable {
   std::string file;
   std::map<UnitKind, StatedUnit> units;  ///< units stated by separate lines, for columns whose headings state none
@@ -28,9 +28,9 @@ struct ForeignTable : tubesheets::TextTable {
 /// Returns true for a field that means "no value": "-", "NaN", "n/a".
 [[nodiscard]] bool isBlankField(std::string_view field);
 
-/// Parses the table in a text, located by its rows of numbers (tubesheets/text_table.hpp), and the units stated in
-/// lines around it. Pointing data of telescopes are converted by parsePointingData(). Throws InputError for a text
-/// without a valid table.
+/// Parses the table in `text`, which is found by its rows of numbers (tubesheets/text_table.hpp), and the units stated
+/// in lines around it. Pointing data of telescopes are converted by parsePointingData(). Throws InputError if there is
+/// no valid table.
 [[nodiscard]] ForeignTable parseForeignTable(std::string_view text, const std::string& file);
 
 }  // namespace tubeplan::app

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kSame = 1e-9;  // tolerance for equal results of two forms [rad or m]
 
-/// Returns true if a joint has no other possible column than this.
+/// Returns true if this column is the only possible one for some joint.
 bool isOnlyJoint(const FormSearch& search, std::size_t table, std::size_t column) {
   FreeColumns others = search.free;
   others[table][column] = false;
@@ -71,7 +71,7 @@ bool hasUnits(const FormColumns& columns) {
   return true;
 }
 
-/// Returns how plausible a table's numbers are in a form: the plausibility of the least plausible row.
+/// Returns how plausible a table's numbers are in a form: as plausible as in the least plausible row.
 FormFit fitOf(const FormColumns& columns, const ForeignTable& table) {
   FormFit fit = FormFit::kUsual;
   if (!hasUnits(columns)) return fit;

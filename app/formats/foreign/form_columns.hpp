@@ -31,9 +31,9 @@ struct FormSearch {
 /// Returns the kind `asked` or, if it is empty, the kinds stated in the rows.
 [[nodiscard]] std::set<std::string> kindsOf(const FormSearch& search, const std::string& asked);
 
-/// Returns the quantities for which a form is needed: those measured by readings of the given kinds (a position if
-/// there are no kinds), and those whose form the user chose. Each is mapped to the name of the chosen form, or to an
-/// empty name.
+/// Returns the quantities (orientation, position) for which a form is needed: those measured by readings of the given
+/// kinds (a position if there are no kinds), and those whose form the user chose. Each is mapped to the name of the
+/// chosen form, or to an empty name.
 [[nodiscard]] std::map<Stated, std::string> neededForms(const std::set<std::string>& kinds, const ColumnChoice& choice);
 
 /// Returns every form whose headings occur in one table; if `name` is not empty, only the form of this name. The last

@@ -17,7 +17,7 @@ struct JoinedRows {
 };
 
 /// Matches the rows of every table with the rows of table `lead`: by name if both tables have a column of names
-/// (`names`), otherwise by order if they have equally many rows. Throws InputError for tables that do not match.
+/// (`names`), otherwise by order if they have the same number of rows. Throws InputError for tables that do not match.
 [[nodiscard]] JoinedRows joinRows(const std::vector<ForeignTable>& tables, std::size_t lead,
                                   const std::vector<std::optional<std::size_t>>& names);
 

@@ -21,9 +21,9 @@ struct JointColumns {
 /// Returns true if headings may identify a joint by number, which is the case for joints on the chain to the tip.
 [[nodiscard]] bool isNumbered(const ColumnTarget& target);
 
-/// Returns all sets of columns whose headings name all joints between the same words. The names are those of the
-/// joints, the same names without their common words, or numbers from 0 or 1 next to a word for joints or positions.
-/// Sets with words for speeds, torques and similar quantities are excluded.
+/// Returns all sets of columns whose headings name every joint, with the same words before and after its name. The
+/// names are those of the joints, the same names without their common words, or numbers from 0 or 1 next to a word for
+/// joints or positions. Sets with words for speeds, torques and similar quantities are excluded.
 [[nodiscard]] std::vector<JointColumns> jointPatterns(const std::vector<ForeignTable>& tables,
                                                       const std::vector<std::vector<ForeignHeading>>& headings,
                                                       const std::vector<ColumnTarget>& targets);

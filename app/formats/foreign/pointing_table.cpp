@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kAltazNumbers = 4, kStarNumbers = 14, kMeanNumbers = 17, kMostAuxiliary = 3;
 constexpr std::size_t kSiderealMinutesAt = 13;
-constexpr std::size_t kEquinoxAt = 8;  // index of the equinox in rows with proper motions; else an index of seconds
+constexpr std::size_t kEquinoxAt = 8;  // index of the equinox in rows of mean places; other rows have seconds there
 
 class PointingParser {
  public:

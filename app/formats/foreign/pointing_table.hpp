@@ -11,7 +11,7 @@
 
 namespace tubeplan::app {
 
-/// Returns true if a text has a caption, followed by option records or by a record of a latitude and observations.
+/// Returns true if the text has a caption, followed by option records or by a record of a latitude and observations.
 [[nodiscard]] bool isPointingData(std::string_view text);
 
 /// Returns readings of kind `direction` in degrees: azimuth (from north towards west) and altitude of the target, and

@@ -1,4 +1,4 @@
-// Forms in which other programs write orientations and positions: an open table, with one row for each form.
+// Forms in which other programs write orientations and positions: a table with one row for each form.
 #pragma once
 
 #include <Eigen/Core>
