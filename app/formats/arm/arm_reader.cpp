@@ -25,8 +25,8 @@ using deflection::JointType;
 using deflection::RowConvention;
 using ArmRow = deflection::Row<double>;
 
-/// Reads the parameters of a row from one of the row's maps, "beam" or "dh"; parameters that the map lacks keep their
-/// values.
+/// Reads the parameters of a row from one of the row's maps, such as "beam" or "dh". Parameters that the map lacks keep
+/// their values.
 void readNumbers(const YamlNode& node, std::string_view map, const Units& units, ArmRow& row) {
   deflection::visitNumbers(
       [&](const deflection::RowNumber& about, double& number) {
@@ -106,8 +106,8 @@ void readPlacement(const YamlNode& node, const Units& units, ArmRow& row) {
     row.placement = readOrigin(*origin, units);
 }
 
-// Throws InputError for a beam with second moments of area but without their modulus, or the reverse; the beam would
-// silently be rigid.
+// Throws InputError for a beam with second moments of area but without their modulus, or the reverse: it would silently
+// be treated as rigid.
 void checkBeamKeys(const YamlNode& node) {
   const bool bends = node.find("Ix") || node.find("Iy") || node.find("Iz");
   const bool twists = node.find("J");
@@ -224,7 +224,8 @@ void readAxis(const YamlNode& node, const Units& units, deflection::DenavitHarte
   dh.b = readQuantityOr(node, "b", units, dimension::kLength, 0);
 }
 
-/// Converts the rows of an arm or a side chain from the Denavit-Hartenberg convention that the file states.
+/// Converts the rows of an arm or a side chain from the Denavit-Hartenberg convention that the file states, and reads
+/// the axis of the first row.
 void takeRows(const YamlNode& links, RowConvention convention, const Units& units, std::vector<ArmRow>& rows) {
   const bool is_standard = convention == RowConvention::kStandard;
   if (is_standard) {
@@ -257,7 +258,7 @@ void readTool(const YamlNode& node, ArmSource& source) {
   }
 }
 
-/// Returns a found value as the user wrote it, because messages of the library deflection are in internal units.
+/// Returns the value at a node as the user wrote it, because messages of the library deflection are in internal units.
 std::string asWritten(const std::string& found, const YamlNode& at) {
   const auto isScalar = [](const YamlNode& node) { return node.kind == YamlNode::Kind::kScalar; };
   if (at.kind == YamlNode::Kind::kList && at.items.size() == 2 &&

@@ -23,7 +23,7 @@ struct ArmSource {
 /// the file, for unknown, missing or ill-typed values, and for problems found by deflection::findProblems.
 [[nodiscard]] ArmSource readArm(const YamlNode& node);
 
-/// Returns the key for the value of a condition at which the arm has its drawn shape: `reference_temperature`.
+/// Returns the key for the value of a condition at which the arm has its drawn shape, such as `reference_temperature`.
 [[nodiscard]] std::string referenceKey(const deflection::ConditionKind& kind);
 
 /// Returns the YAML node of the parameter with a dotted name ("tool.joint_stiffness.z", "tool.tip.x"), or the nearest

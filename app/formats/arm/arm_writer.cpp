@@ -47,8 +47,8 @@ class FlowMap {
   std::vector<std::string> entries_;
 };
 
-/// Adds those parameters of a row that belong to its map `name`, "beam" or "dh". If `usual` is given, parameters with
-/// that value are left out.
+/// Adds those parameters of a row that belong to its map `name`, such as "beam" or "dh". If `usual` is given,
+/// parameters with that value are left out.
 void addNumbers(std::string_view name, const ArmRow& row, const std::optional<double>& usual, FlowMap& map) {
   deflection::visitNumbers(
       [&](const deflection::RowNumber& about, const double& number) {

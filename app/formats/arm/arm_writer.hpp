@@ -12,7 +12,7 @@ namespace tubeplan::app {
 /// it.
 enum class ToolAxis { kStated, kLeftOut };
 
-/// Returns the text of an arm file, which readArm() reads, without effects, which belong to the cell.
+/// Returns the text of an arm file that readArm() can read. It has no effects, because they belong to the cell.
 [[nodiscard]] std::string armYaml(const deflection::Arm& arm, const Units& units,
                                   ToolAxis tool_axis = ToolAxis::kStated);
 

@@ -53,8 +53,8 @@ const LinkOrigin& originIn(const std::string& file, const deflection::Row<double
   return *origin;
 }
 
-/// Returns the origin of a row in the nominal arm file. Throws InputError unless the joint is revolute, without offset
-/// and beta.
+/// Returns the origin of a row in the nominal arm file. Throws InputError unless the joint is revolute and has neither
+/// an offset nor a beta.
 const LinkOrigin& nominalOrigin(const YamlFile& nominal, const deflection::Row<double>& row) {
   const LinkOrigin& origin = originIn(nominal.path, row);
   if (row.joint.type != deflection::JointType::kRevolute || row.joint.offset != 0 || origin.beta != 0)
@@ -83,7 +83,7 @@ LinkOrigin calibratedOrigin(const std::string& file, const deflection::Row<doubl
   return {own.position, deflection::fixedAnglesOf(turn), 0};
 }
 
-/// Returns the origin `second`, which is relative to the frame of `first`, relative to the parent frame of `first`.
+/// Converts the origin `second` from the frame of `first` to the parent frame of `first`.
 LinkOrigin behind(const LinkOrigin& first, const LinkOrigin& second) {
   const Eigen::Matrix3d turn = deflection::rotationFromFixedAngles<double>(first.rpy);
   return {first.position + turn * second.position,

@@ -82,7 +82,7 @@ std::vector<int> readRowList(const YamlNode& node, const deflection::Arm& arm) {
   return rows;
 }
 
-// Throws InputError for a key that has no meaning for the kind of the design's readings.
+// Throws InputError if a key has no meaning for the kind of readings of the design, or if a needed key is missing.
 void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
   const calibration::MeasurementKindRow& kind = kindOf(design.kind);
   for (const char* key : {"points", "postures_per_point"})

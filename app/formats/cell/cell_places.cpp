@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLookedThrough = 64 * 1024;  // length of the searched beginning of a file [bytes]
+constexpr std::size_t kLookedThrough = 64 * 1024;  // number of bytes that are searched at the beginning of a file
 
 /// Returns true if the key `arm` begins a line or, in a file that is a flow map, follows a brace or a comma. Arm, scene
 /// and sheet files have no such key. A cell file with errors counts too, because only this key is examined.

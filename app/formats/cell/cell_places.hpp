@@ -14,8 +14,8 @@ namespace tubeplan::app {
 /// Returns the path for the arm file of a new cell: in the cell's folder, with the cell's name and "-arm".
 [[nodiscard]] std::filesystem::path armBeside(const std::filesystem::path& cell);
 
-/// Throws InputError unless a new cell would overwrite only a cell or no file, and its arm only the arm file named by
-/// that cell or no file. Any other arm file may be in use by other cells.
+/// Throws InputError if a new cell would overwrite a file that is not a cell, or if its arm would overwrite an arm file
+/// that the replaced cell does not name, which other cells may use.
 void requireReplaceable(const std::filesystem::path& cell, bool has_arm_file, const std::string& option);
 
 /// Throws InputError unless `out` can be written (checkWritableFile()) and is a new file or a cell; the input `cell`

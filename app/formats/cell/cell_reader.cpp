@@ -64,7 +64,7 @@ void readBase(const YamlNode& node, Cell& cell) {
   }
 }
 
-// Reads the model error: a length, or a map that also states the origin of the value.
+// Reads the model error: a length, or a map that also states the source of the value.
 void readModelError(const YamlNode& node, Cell& cell) {
   ModelError error;
   const bool is_map = node.kind == YamlNode::Kind::kMap;
@@ -104,8 +104,8 @@ std::string adviceOnRow(const std::string& name, const deflection::Arm& arm) {
   return suggestionOr(name, rows, fmt::format("its rows are {}", fmt::join(rows, ", ")));
 }
 
-// Reads the set-ups of the base that differ from the arm's file: each lists rows that are rigid in the set-up, such as
-// on a bench.
+// Reads the set-ups of the base that differ from the arm's file: each lists the rows that are rigid in this set-up, for
+// example because the arm is on a bench.
 void readSetups(const YamlNode& node, deflection::Arm& arm) {
   if (node.kind != YamlNode::Kind::kMap) node.fail("SETUP: {rigid: [rows]} for each set-up");
   for (std::size_t k = 0; k < node.items.size(); ++k) {
@@ -145,7 +145,7 @@ void requireSamePair(const YamlNode& pair, const ArmSource& arm, const Cell& cel
                   "write both again, or remove the key `pair` if another arm is meant");
 }
 
-// Reads the arm: inline from the cell, from a given text, or from the arm's own file.
+// Reads the arm from the cell itself, from `text` if it is given, or from the arm's own file.
 ArmSource readCellArm(const YamlNode& node, const std::optional<std::string>& text, Cell& cell) {
   cell.arm_path = cell.path;
   if (node.kind == YamlNode::Kind::kMap) return readArm(node);
@@ -163,7 +163,7 @@ ArmSource readCellArm(const YamlNode& node, const std::optional<std::string>& te
 }
 
 // Returns the tool axis in the frame of the last link, for an arm file that states none: the axis of a named capsule on
-// that link which an obstacle permits inside. Nothing if there is no such capsule.
+// that link that an obstacle allows to enter it. Nothing if there is no such capsule.
 std::optional<Eigen::Vector3d> findToolAxis(const planner::Scene& scene) {
   for (const auto& body : scene.bodies) {
     const auto solid = std::dynamic_pointer_cast<const planner::Solid>(body.shape);

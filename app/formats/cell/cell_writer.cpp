@@ -91,7 +91,7 @@ std::string moved(const std::string& text, const Cell& cell, std::string_view ke
   return withYamlValue(text, key, '"' + name + '"');
 }
 
-/// Returns the parameters of the fitted arm that differ from those of the cell's arm, found by any stage of the fit.
+/// Returns the parameters that the fit, in any of its stages, changed from those of the arm's file.
 std::vector<std::pair<std::string, double>> foundNumbers(const Cell& cell, const calibration::Identification& result) {
   std::vector<std::pair<std::string, double>> numbers;
   for (const auto& parameter : deflection::parametersOf(result.fitted.arm)) {
@@ -117,7 +117,7 @@ std::string identifyList(const std::vector<std::string>& names) {
   return fmt::format("[{}]", fmt::join(quoted, ", "));
 }
 
-/// Returns the text without the names of given-up stiffnesses in `identify`.
+/// Returns the text without the names in `identify` of stiffnesses that the fit gave up.
 std::string withoutIdentifying(const std::string& text, const Cell& cell, const std::vector<std::string>& given_up) {
   const auto is_given_up = [&](const std::string& name) {
     return std::find(given_up.begin(), given_up.end(), name) != given_up.end();
@@ -144,7 +144,7 @@ std::optional<Matrix6d> baseCovariance(const calibration::Identification& result
   return found == 36 ? std::optional(covariance) : std::nullopt;
 }
 
-/// Returns a text for file names that is unique for each set-up: the set-up's name, or its number if the name has
+/// Returns a string for use in file names, unique to each set-up: the set-up's name, or its number if the name has
 /// unsuitable characters.
 std::string fileNamePart(const calibration::PlacedArm& placed, std::size_t base_pose) {
   const std::string& part = placed.base_poses[base_pose].setup;

@@ -13,7 +13,7 @@
 namespace tubeplan::app {
 
 /// Converts "A,B,C,D", one reading for each active joint, from the cell's units of angle (or length, for prismatic
-/// joints) to internal units. Throws InputError for another count, for anything but finite numbers, and for a reading
+/// joints) to internal units. Throws InputError for a wrong count, for anything but finite numbers, and for a reading
 /// beyond its joint's limits; messages name the input as `option`.
 [[nodiscard]] Eigen::VectorXd parseJoints(const std::string& text, const deflection::Arm& arm, const Units& units,
                                           const std::string& option);

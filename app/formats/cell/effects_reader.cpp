@@ -169,7 +169,7 @@ std::vector<Effect> readEffects(const YamlNode& node, const deflection::Arm& arm
 
 namespace {
 
-/// Returns the parameters of an effect as texts in the cell's units: "gap: 0.12", "knee: 200".
+/// Returns the parameters of an effect as strings in the cell's units: "gap: 0.12", "knee: 200".
 std::vector<std::string> numbersText(const deflection::Arm& arm, const Effect& effect, const Units& units,
                                      const char* between) {
   std::vector<std::string> numbers;

@@ -42,8 +42,8 @@ namespace tubeplan::app {
 [[nodiscard]] std::string formulaUnitsText(const deflection::Arm& arm, const deflection::Effect& formula,
                                            const Units& units);
 
-/// Returns the error of an effect named `name` that `made` could not place at `at`, with the places that it can have.
-/// `where` names the key or the argument.
+/// Returns the error for an effect `name` that could not be placed at `at`, with the result `made`; the message lists
+/// the possible places. `where` names the key or the argument.
 [[nodiscard]] InputError placeError(const std::string& where, const deflection::MadeEffect& made,
                                     const std::string& name, const std::string& at);
 

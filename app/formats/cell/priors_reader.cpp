@@ -31,8 +31,8 @@ std::vector<std::string> namesFor(const Cell& cell) {
   return names;
 }
 
-/// Returns the standard deviation of the variable that a fit uses. For a stiffness this is the compliance, so `sigma`
-/// is divided by the square of the stiffness.
+/// Converts a parameter's standard deviation to that of the variable that a fit uses. For a stiffness this is the
+/// compliance, so `sigma` is divided by the square of the stiffness.
 double asOfVariable(const deflection::Parameter& parameter, double sigma) {
   return deflection::isStiffness(parameter.quantity) && parameter.path.effect < 0
              ? sigma / (parameter.value * parameter.value)

@@ -13,7 +13,7 @@ namespace tubeplan::app {
 /// parameter by its dotted name. Throws InputError for other names and for standard deviations that are not positive.
 void readPriors(const YamlNode& node, Cell& cell);
 
-/// Sets priors from texts "NAME=SIGMA"; the text "none" removes all priors. Throws InputError in the cases of
+/// Sets priors from strings "NAME=SIGMA"; the string "none" removes all priors. Throws InputError in the cases of
 /// readPriors().
 void takePriors(const std::vector<std::string>& texts, Cell& cell);
 

@@ -236,8 +236,8 @@ namespace {
 /// Returns descriptions of moving members of the arm that no body covers, so that their contacts are not checked.
 std::vector<std::string> bareMembers(const planner::Scene& scene, const deflection::Arm& written,
                                      const Eigen::Isometry3d& X_WB) {
-  constexpr double kLong = 0.08;  // fraction of the arm's reach: shorter members lie within their neighbours' shapes
-  constexpr double kNear = 0.25;  // distance of a body from a member's middle, relative to the member's length
+  constexpr double kLong = 0.08;  // fraction of the arm's reach; shorter members lie within their neighbours' shapes
+  constexpr double kNear = 0.25;  // largest distance of a covering body from a member's middle, relative to its length
   std::vector<std::string> bare;
   const auto [arm, slid] = deflection::anchoredRows(written);
   const auto active = deflection::activeRows(arm);

@@ -16,7 +16,7 @@ namespace tubeplan::app {
 
 /// Mesh file that a scene names.
 struct SceneMesh {
-  std::string key;          ///< path of the file's name in the cell: "scene[3].mesh.file"
+  std::string key;          ///< YAML path of the file's name in the cell: "scene[3].mesh.file"
   std::string obstacle;     ///< name of the obstacle that has this shape
   std::string path;         ///< path of the mesh file
   std::string fingerprint;  ///< fingerprint of the file's bytes
@@ -36,7 +36,7 @@ struct SceneSource {
                                     const std::filesystem::path& folder);
 
 /// Returns warnings about the scene: bodies that are too close to each other in every posture, members of the arm
-/// without a body, meshes that are not closed, and meshes out of the arm's reach from its base.
+/// without a body, meshes that are not closed, and meshes that the arm cannot reach from its base.
 [[nodiscard]] std::vector<std::string> sceneWarnings(const planner::Scene& scene, const std::vector<SceneMesh>& meshes,
                                                      const deflection::Arm& arm, const Eigen::Isometry3d& X_WB);
 

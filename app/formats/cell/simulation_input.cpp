@@ -114,7 +114,7 @@ BaseError baseErrorOf(const SimulationRequest& request, const Cell& cell, const 
           cell.units.toInternal(request.base_error[1], dimension::kAngle)};
 }
 
-/// Returns the effect with a magnitude that is common in machines: a fifth of the plausible maximum.
+/// Returns the effect with a magnitude that is typical of real machines: a fifth of the plausible maximum.
 deflection::Effect ofTypicalSize(deflection::Effect effect) {
   const auto& kind = deflection::effectKinds().at(static_cast<std::size_t>(effect.kind));
   for (std::size_t v = 0; v < effect.values.size(); ++v)

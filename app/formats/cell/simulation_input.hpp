@@ -41,7 +41,7 @@ struct SimulationTask {
 /// cannot be hidden.
 [[nodiscard]] SimulationTask prepareSimulation(const Cell& cell, const SimulationRequest& request);
 
-/// Simulates the campaign; at every reading the true arm is free of contact with the cell's scene.
+/// Simulates the measurement campaign. At every reading the true arm is clear of the cell's scene.
 [[nodiscard]] calibration::SimulatedCampaign simulateReadings(const Cell& cell, const SimulationTask& task,
                                                               std::uint64_t seed,
                                                               const calibration::CampaignHooks& hooks);

@@ -15,7 +15,7 @@ namespace tubeplan::app {
 
 inline constexpr int kLeastShareOfWriting = 20;  ///< minimum pause between writes, relative to the duration of a write
 
-/// Name of a checkpoint format, with texts of the message for a damaged file.
+/// Name of a checkpoint format, and wording of the message for a damaged file.
 struct CheckpointFormat {
   const char* name;    ///< identifier in the file's first line: "tubeplan plan memory 1"
   const char* file;    ///< kind of file in messages: "a file written by tubeplan plan"
@@ -44,9 +44,9 @@ void readPayload(const CheckpointFormat& format, const std::filesystem::path& pa
 [[nodiscard]] std::string checkpointText(const CheckpointFormat& format, const PlanKey& question,
                                          const std::string& payload);
 
-/// Renames a file with results for another question to the first free name in its folder (tally.json to tally-1.json).
-/// Reports the new name and the differences between the questions on standard error. Throws InputError if the file
-/// cannot be renamed.
+/// Renames a file with results for other inputs to the first free name in its folder (tally.json to tally-1.json).
+/// Reports the new name and the differences between the inputs on standard error. Throws InputError if the file cannot
+/// be renamed.
 void putAside(const std::filesystem::path& path, const std::vector<std::string>& differences);
 
 /// Prints a sentence about earlier results, and whether they are used, on standard error.

@@ -1,5 +1,5 @@
 // Files with intermediate results of a plan: progress.json during planning, memory.json next to the finished plan. Both
-// have two lines: the question with checksums, and the results.
+// have two lines: the inputs of the plan with checksums, and the results.
 #pragma once
 
 #include <chrono>
@@ -23,9 +23,9 @@ class PlanCheckpoint {
   /// Returns the fingerprint of memory.json of the earlier plan; empty if there is no earlier plan.
   [[nodiscard]] const std::string& fromFingerprint() const { return from_fingerprint_; }
 
-  /// Loads the results for this question from a stopped plan in the folder, otherwise from the earlier plan. Reports on
-  /// standard error which results are used and which are not. Throws InputError for a stopped plan of another question
-  /// if the plan must be resumed, and for an earlier plan of another sheet.
+  /// Loads the results for these inputs from a stopped plan in the folder, otherwise from the earlier plan. Reports on
+  /// standard error which results are used and which are not. Throws InputError for a stopped plan with other inputs if
+  /// the plan must be resumed, and for an earlier plan of another sheet.
   void begin(const PlanKey& question);
 
   [[nodiscard]] planner::PlanCache& cache() { return cache_; }

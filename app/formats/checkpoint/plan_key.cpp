@@ -18,7 +18,7 @@ namespace tubeplan::app {
 namespace {
 
 // Keys of a cell that modelFingerprint() omits, because proved motions and postures do not depend on them or because
-// they are separate parts of the question. Such parts are the sheet, the base, the tilt that the tool allows and, if
+// planKeyOf() has separate parts for them. Such parts are the sheet, the base, the tilt that the tool allows and, if
 // the tool enters tubes, the tool's play at the insertion depth.
 constexpr std::array<std::string_view, 10> kOtherKeys{
     "name", "base",        "identify", "tubesheet",   "calibration_tool",

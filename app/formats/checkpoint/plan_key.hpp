@@ -1,4 +1,4 @@
-// Question of a plan: the inputs that determine the plan, divided into parts that can be compared. Equal parts lead to
+// The inputs that determine a plan, called its question, divided into parts that can be compared. Equal parts lead to
 // equal plans.
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace tubeplan::app {
 
-/// Question as a list of parts, each a name and a value, in a fixed order. Values are short texts: a number, a word or
-/// a fingerprint.
+/// Inputs of a plan as a list of parts, each a name and a value, in a fixed order. Values are short strings: a number,
+/// a word or a fingerprint.
 using PlanKey = std::vector<std::pair<std::string, std::string>>;
 
 /// Name of the part on which motions from the start posture and to the end posture depend.
@@ -32,9 +32,9 @@ struct PlanKeyInputs {
   planner::TravelKind travel = planner::TravelKind::kJoints;
 };
 
-/// Returns the parts of a question. Proved motions and postures depend only on the first parts: program, arm and scene,
-/// base, load, clearance, compensation, insertion, tilt allowed, travel, sheet. The remaining parts are seed, tubes,
-/// start and end, other conditions and from.
+/// Returns the inputs of a plan as a list of parts. Proved motions and postures depend only on the first parts:
+/// program, arm and scene, base, load, clearance, compensation, insertion, tilt allowed, travel, sheet. The remaining
+/// parts are seed, tubes, start and end, other conditions and from.
 [[nodiscard]] PlanKey planKeyOf(const PlanKeyInputs& inputs, const std::vector<int>& tubes);
 
 /// Returns the program's version and the fingerprint of its executable, because another build may round differently.
@@ -47,7 +47,7 @@ struct PlanKeyInputs {
 /// Returns the fingerprint of a matrix's elements, exact to the last bit.
 [[nodiscard]] std::string numbersFingerprint(const Eigen::Ref<const Eigen::MatrixXd>& numbers);
 
-/// Returns the parts in which two questions differ, each as "another seed (1, now 2)"; empty if the questions are
+/// Returns the parts in which the inputs of two plans differ, each as "another seed (1, now 2)"; empty if they are
 /// equal.
 [[nodiscard]] std::vector<std::string> findDifferences(const PlanKey& before, const PlanKey& now);
 

@@ -1,5 +1,5 @@
-// Tally of a campaign on disk. A stopped campaign continues from the file, and a finished campaign can be extended with
-// more runs.
+// File with the tally of a campaign of simulated runs. A stopped campaign continues from the file, and a finished one
+// can be extended with more runs.
 #pragma once
 
 #include <chrono>
@@ -27,9 +27,9 @@ class TallyCheckpoint {
  public:
   TallyCheckpoint(std::filesystem::path folder, bool must_resume);
 
-  /// Returns the stored tally if it belongs to this question and has at most `runs` runs; otherwise nothing. Reports on
-  /// standard error which results are used and which are not. Throws InputError for a damaged file and, if the campaign
-  /// must be resumed, for a missing tally or a tally of another question.
+  /// Returns the stored tally if it was made with these inputs and has at most `runs` runs; otherwise nothing. Reports
+  /// on standard error which results are used and which are not. Throws InputError for a damaged file and, if the
+  /// campaign must be resumed, for a missing tally or a tally with other inputs.
   [[nodiscard]] std::optional<TallySoFar> begin(const PlanKey& question, std::uint64_t runs);
 
   /// Writes the tally if the last write was at least a second ago, or longer ago if writing is slow; always writes if
@@ -44,7 +44,7 @@ class TallyCheckpoint {
   std::filesystem::path folder_;
   bool must_resume_;
   PlanKey question_;
-  Clock::time_point saved_ = Clock::now() - std::chrono::seconds(1);  // lets the first chunk be saved at once
+  Clock::time_point saved_ = Clock::now() - std::chrono::seconds(1);  // so that the first results are saved at once
   Clock::duration pause_ = std::chrono::seconds(1);
 };
 
