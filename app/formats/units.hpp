@@ -27,7 +27,7 @@ struct Unit {
   double offset = 0;
 };
 
-/// Returns all units, as an open table with one row for each unit.
+/// Returns the table of all units, with one row for each unit.
 [[nodiscard]] std::span<const Unit> unitTable();
 
 /// Returns the unit of the given kind and name; null if there is none.
@@ -36,9 +36,9 @@ struct Unit {
 /// Returns the names of all units of a kind: for lengths "in", "mm", "cm", "m", "ft".
 [[nodiscard]] std::vector<std::string> unitNames(UnitKind kind);
 
-/// Dimension of a quantity: the exponents of its base dimensions. A temperature is a temperature difference. Joint
-/// speeds and accelerations have the time exponent 0, because arm files always state them per second (6 means 6 deg/s
-/// even in a file whose unit of time is the minute). Rates of effects follow the file's unit of time.
+/// Dimension of a quantity: the exponents of its base dimensions. A temperature here means a temperature difference.
+/// Joint speeds and accelerations have the time exponent 0, because arm files always state them per second (6 means 6
+/// deg/s even in a file whose unit of time is the minute). Rates of effects follow the file's unit of time.
 struct Dimension {
   int length = 0, angle = 0, force = 0, temperature = 0, time = 0;
 };
@@ -111,7 +111,7 @@ class Units {
 /// Returns a value rounded to 12 significant digits.
 [[nodiscard]] double rounded(double value);
 
-/// Returns the shortest decimal text of a number after rounding to 12 significant digits.
+/// Returns a number, rounded to 12 significant digits, in the shortest decimal notation.
 [[nodiscard]] std::string formatNumber(double value);
 
 /// Converts a length from metres to file units.

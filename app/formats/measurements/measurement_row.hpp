@@ -47,7 +47,7 @@ class RowReader {
 [[nodiscard]] calibration::Measurement readMeasurement(const RowReader& row, const MeasurementColumns& columns,
                                                        const deflection::Arm& arm, const tubesheets::Sheet* sheet);
 
-/// Returns the reading that the relative reading `m` is measured from, whose id the row states. `known` has all
+/// Returns the reading from which the relative reading `m` is measured; the row states its id. `known` has all
 /// readings, keyed by id. Throws InputError if the id is missing, unknown or that of `m`, or if that reading has
 /// another set-up than `m`.
 [[nodiscard]] std::shared_ptr<const calibration::Measurement> readReference(

@@ -46,7 +46,7 @@ std::vector<std::string> unnamedSetups(const deflection::Arm& arm, const std::ve
 }
 
 /// Returns a warning if a fit may have shrunk the arm; otherwise empty. Touches of points at unknown positions do not
-/// determine any length, except through a ball's radius, and fit a smaller arm better.
+/// determine any length, except through a ball's radius, and a smaller arm fits them better.
 std::string shrunkenArm(const Identification& result, const std::vector<Measurement>& readings) {
   constexpr double kTooGood = 0.5;  // chi-square per degree of freedom below which a fit is suspicious
   constexpr int kMany = 30;         // degrees of freedom from which such a small chi-square cannot be chance

@@ -73,7 +73,8 @@ using ReadingFiles = std::vector<std::string>;
 [[nodiscard]] InputError inputErrorOf(const calibration::ReadingProblem& problem,
                                       const std::vector<calibration::Measurement>& readings, const std::string& file);
 
-/// Returns warnings, one sentence each, about a fit that looks wrong although its readings do not.
+/// Returns warnings about a fit, one sentence each: on set-ups that no reading names, on touches that may have shrunk
+/// the arm, and on held-out readings that are not judged.
 [[nodiscard]] std::vector<std::string> fitWarnings(const calibration::Identification& result,
                                                    const std::vector<calibration::Measurement>& readings);
 

@@ -12,8 +12,8 @@ struct MeshFile {
   std::string fingerprint;     ///< fingerprint of the file's bytes
 };
 
-/// Reads an STL (text or binary), OBJ or PLY file; the extension of `path` selects the format. Plain polygons are
-/// divided into triangles; files to which a mesh refers (materials) are ignored. Throws InputError for a missing or
+/// Reads an STL (text or binary), OBJ or PLY file; the extension of `path` selects the format. Polygons are divided
+/// into fans of triangles; files to which a mesh refers (materials) are ignored. Throws InputError for a missing or
 /// damaged file, a folder, another format, more than 256 MB, or a mesh that planner::findMeshProblem rejects.
 [[nodiscard]] MeshFile readMeshFile(const std::string& path);
 

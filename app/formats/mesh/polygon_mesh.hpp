@@ -1,10 +1,10 @@
 // Parsers of the three mesh formats, and the polygons that they return before division into triangles. A parser takes
 // the bytes of a file and its name for messages. Parsers throw InputError for violations of the format, with the line
-// if the file is a text.
+// if the file is text.
 //
-// We wrote the parsers ourselves because the available libraries do not tolerate damaged files. In assimp 5.2.5 the OBJ
-// reader reads beyond its text, the PLY reader does not terminate, and the STL reader overruns a buffer; fuzzing found
-// each error within a minute (tests/fuzz).
+// The parsers are our own because the available libraries do not tolerate damaged files. In assimp 5.2.5 the OBJ reader
+// reads beyond the end of its input, the PLY reader does not terminate, and the STL reader overruns a buffer; fuzzing
+// found each error within a minute (tests/fuzz).
 #pragma once
 
 #include <Eigen/Core>

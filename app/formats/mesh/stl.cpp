@@ -68,8 +68,8 @@ void endTriangle(const TextWords& words, PolygonMesh& mesh) {
   if (!is_whole) words.failSaying("this endfacet does not follow three vertices");
 }
 
-/// Parses a text file. Solids may have any names up to the ends of their lines. Each solid must have an `endsolid`,
-/// because nothing else reveals missing triangles.
+/// Parses a text file. The name of a solid extends to the end of its line. Each solid must have an `endsolid`, because
+/// nothing else reveals missing triangles.
 PolygonMesh parseText(const std::string& bytes, const std::string& name) {
   TextWords words(bytes, name);
   PolygonMesh mesh;

@@ -1,4 +1,4 @@
-// Reader that splits a text into words and counts lines for messages.
+// Reader that splits text into words and counts lines for messages.
 #pragma once
 
 #include <string>

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kKey = "touched";
 
-/// Returns a text of several lines as a YAML block scalar or, for a flow map, as a quoted string on one line.
+/// Returns several lines of text as a YAML block scalar or, for a flow map, as a quoted string on one line.
 std::string linesText(const std::string& text, bool is_flow) {
   std::string lines = is_flow ? "\"" : "|\n    ";
   for (std::size_t k = 0; k + 1 < text.size(); ++k) {

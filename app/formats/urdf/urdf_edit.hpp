@@ -14,7 +14,7 @@ struct UrdfEdit {
   std::vector<std::string> left_out;  ///< data of the arm that the text lacks, one sentence each
 };
 
-/// Returns the URDF text with the arm's origins and limits and every other byte unchanged. The offset of a joint
+/// Returns the URDF text with the arm's origins and limits, and with every other byte unchanged. The offset of a joint
 /// rotates or shifts the joint's origin about or along the joint's axis; links keep their frames, shapes and masses.
 /// The tool's tip becomes the origin of the tip link's fixed joint; if the tip link has none, a link and a joint `tip`
 /// are added. Throws InputError unless the arm has the same rows as the result of parseUrdf() for `text` and `tip`.

@@ -162,7 +162,7 @@ class ChainReader {
     return joint;
   }
 
-  /// Sets a joint's limits; if both are zero, the file states no limits for the joint.
+  /// Sets a joint's limits, unless both are zero, which means that the file states none.
   void setLimits(const UrdfTree::Joint& from, deflection::Joint<double>& joint) {
     const double lower = from.limits->lower, upper = from.limits->upper;
     if (lower == 0 && upper == 0) {

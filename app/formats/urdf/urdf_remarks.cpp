@@ -35,7 +35,7 @@ std::vector<Vector3d> placesOf(const std::vector<const UrdfTree::Link*>& chain) 
   return places;
 }
 
-/// Returns the number of decimals in the shortest text of an angle.
+/// Returns the number of decimals in the shortest notation of an angle that is read back as the same number.
 int decimalsIn(double angle) {
   const std::string text = fmt::format("{}", angle);
   const std::size_t point = text.find('.');
@@ -43,8 +43,8 @@ int decimalsIn(double angle) {
 }
 
 /// Round angle that was written with few digits, and its rounding error `off` [rad]. An angle with more digits than its
-/// deviation from a round angle explains was measured. Two decimals are enough for multiples of a right angle; other
-/// multiples of 30 and 45 deg need three.
+/// deviation from a round angle explains is taken as measured. Two decimals are enough for multiples of a right angle;
+/// other multiples of 30 and 45 deg need three.
 struct RoundedAngle {
   double degrees, off;
 };

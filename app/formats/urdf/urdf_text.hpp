@@ -1,4 +1,4 @@
-// Tags of a URDF text with their positions, and changes of single values that leave every other byte unchanged.
+// Tags of URDF text with their positions, and changes of single values that leave every other byte unchanged.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +17,7 @@ struct XmlAttribute {
   std::string_view name, value;
 };
 
-/// Tag of an XML text; `whole` includes < and >.
+/// Tag in XML text; `whole` includes < and >.
 struct XmlTag {
   std::string_view whole, name;
   std::vector<XmlAttribute> attributes;
@@ -40,7 +40,7 @@ struct UrdfTags {
   std::string_view robot_end;  ///< end tag `</robot>`
 };
 
-/// Returns the tags of a URDF text for the joints that readUrdfTree() reads, without elements in transmissions and
+/// Returns the tags in URDF text of the joints that readUrdfTree() reads, without elements in transmissions and
 /// controllers that merely refer to joints.
 [[nodiscard]] UrdfTags urdfTagsOf(std::string_view text);
 
@@ -50,14 +50,14 @@ inline constexpr double kAsWritten = 5e-11;
 /// Returns true if two numbers are equal to the precision of an arm file; infinities must be equal.
 [[nodiscard]] bool isAsWritten(double a, double b);
 
-/// Returns numbers to twelve decimals, finer than any instrument resolves, without trailing zeros.
+/// Return numbers to twelve decimals, finer than any instrument resolves, without trailing zeros.
 [[nodiscard]] std::string decimalOf(double value);
 [[nodiscard]] std::string decimalsOf(const Eigen::Vector3d& v);
 
-/// Returns the text of three numbers, in which numbers that differ between `was` and `is` are replaced by new decimals.
+/// Returns `written`, the text of three numbers, with new decimals for those that differ between `was` and `is`.
 [[nodiscard]] std::string withNumbers(std::string_view written, const Eigen::Vector3d& was, const Eigen::Vector3d& is);
 
-/// Replacements of non-overlapping pieces of a text. Every piece must be a view of the text.
+/// Replacements of non-overlapping pieces of the text. Every piece must be a view of the text.
 class XmlChanges {
  public:
   explicit XmlChanges(std::string_view text) : text_(text) {}

@@ -30,7 +30,7 @@ std::string attributeOf(const XMLElement* element, const char* name) {
   return value ? value : "";
 }
 
-/// Returns the finite numbers in a text, separated by blanks; nothing if there are none or a word is not a number.
+/// Returns the finite numbers in the text, separated by blanks; nothing if there are none or a word is not a number.
 std::optional<std::vector<double>> writtenNumbers(std::string_view text) {
   std::vector<double> numbers;
   for (text = tubesheets::trimBlanks(text); !text.empty(); text = tubesheets::trimBlanks(text)) {
@@ -50,7 +50,7 @@ std::string placeOf(const XMLElement& named, const std::string& file) {
   return fmt::format("{}:{} ({} {})", file, named.GetLineNum(), named.Name(), nameInLine(attributeOf(&named, "name")));
 }
 
-/// Returns advice on a text that is not a number; empty if the cause is unknown.
+/// Returns advice on text that should be numbers but is not; empty if the cause is unknown.
 const char* adviceOn(std::string_view text) {
   if (text.find('$') != std::string_view::npos) return "convert xacro files first: xacro FILE > robot.urdf";
   if (text.find(',') != std::string_view::npos) return "numbers have a decimal point and stand apart by blanks";

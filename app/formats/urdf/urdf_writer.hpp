@@ -24,7 +24,7 @@ struct UrdfText {
 /// tool axis, otherwise the smallest rotation that turns z to the tool axis.
 [[nodiscard]] Eigen::Matrix3d urdfTipTurn(const deflection::Arm& arm);
 
-/// Returns a text escaped for an XML attribute in double quotes.
+/// Returns the text escaped for an XML attribute in double quotes.
 [[nodiscard]] std::string xmlEscaped(const std::string& text);
 
 }  // namespace tubeplan::app

@@ -142,7 +142,7 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   // Throws InputError for a tag in the text. yaml-cpp reports the tag "?" for plain values, "!" for quoted values, and
-  // "" for some collections; a "!" that the user wrote stands at the beginning of the value.
+  // "" for some collections; a "!" that the user wrote is the first character of the value.
   void refuseTag(const YAML::Mark& mark, const std::string& tag) const {
     const auto at = static_cast<std::size_t>(mark.pos);
     const bool is_written = at < text_.size() && text_[at] == '!';
@@ -158,7 +158,7 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t key_begin_ = 0;
 };
 
-// Throws InputError for a tab outside a comment.
+// Throws InputError for a tab that no `#` precedes on its line; a tab in a comment is allowed.
 void refuseTabs(const std::string& text, const std::string& file) {
   int line = 1, column = 1;
   bool in_comment = false;

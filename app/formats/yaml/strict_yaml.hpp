@@ -17,8 +17,8 @@ struct YamlFile {
 /// Reads a YAML file. Throws InputError in the cases of readTextFile() and parseYaml().
 [[nodiscard]] YamlFile readYamlFile(const std::string& path);
 
-/// Parses a text; messages name the text as `file`. Throws InputError for text that is not YAML, tabs, a duplicate key
-/// or a key that is not a word, tags, anchors and aliases, several documents, and a document that is empty or not a
+/// Parses YAML text; messages name the text as `file`. Throws InputError for text that is not YAML, tabs, a duplicate
+/// key or a key that is not a word, tags, anchors and aliases, several documents, and a document that is empty or not a
 /// map.
 [[nodiscard]] YamlNode parseYaml(const std::string& text, const std::string& file);
 

@@ -19,7 +19,7 @@ struct YamlNode {
   int line = 1, column = 1;
   std::size_t begin = 0;      ///< index of the value's first byte in the text
   std::size_t key_begin = 0;  ///< index of the first byte of the value's key; only for a value in a map
-  bool is_quoted = false;     ///< true for a scalar in quotes, which is always text, never a number
+  bool is_quoted = false;     ///< true for a scalar in quotes or in a block (| or >): always text, never a number
   bool is_flow = false;       ///< true for a list or map in flow style: [] or {}
   std::string scalar;
   std::vector<std::string> keys;  ///< keys of a map, in the order of `items`
@@ -47,7 +47,7 @@ struct YamlNode {
   [[nodiscard]] bool boolean() const;      ///< value of `true` or `false`; throws InputError for any other value
   [[nodiscard]] std::string text() const;  ///< text of a nonempty scalar; throws InputError for any other value
 
-  /// Returns the texts of the items of a list. Throws InputError unless the value is a list of nonempty scalars.
+  /// Returns the items of a list as strings. Throws InputError unless the value is a list of nonempty scalars.
   [[nodiscard]] std::vector<std::string> texts() const;
 
   /// Returns the location "file:line:column (path)"; the second overload writes `name` instead of the path.

@@ -16,7 +16,7 @@ bool startsQuote(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-// A quote within a quoted scalar is written as '' in single quotes and as \" in double quotes.
+// Within single quotes '' is a quote, and within double quotes \" is one; neither ends the scalar.
 std::size_t pastQuoted(std::string_view text, std::size_t at) {
   const char quote = text[at];
   for (std::size_t i = at + 1; i < text.size(); ++i) {

@@ -1,4 +1,4 @@
-// Search for the ends of scalars and collections in a YAML text, which yaml-cpp does not report.
+// Search for the ends of scalars and collections in YAML text, which yaml-cpp does not report.
 #pragma once
 
 #include <string_view>

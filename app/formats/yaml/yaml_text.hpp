@@ -5,7 +5,7 @@
 
 namespace tubeplan::app {
 
-/// Returns a text in double quotes, with escapes where needed.
+/// Returns the text in double quotes, with escapes where needed.
 [[nodiscard]] std::string yamlQuoted(const std::string& text);
 
 /// Returns a name unchanged if it is a plain word of letters, digits, _ and -; otherwise the name in double quotes.
