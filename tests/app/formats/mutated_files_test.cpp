@@ -1,4 +1,4 @@
-// Files with random damage: read or refused with one line, never anything else.
+// Tests of files with random damage: each must be read, or refused with a message of one line.
 #include <random>
 
 #include "app/formats/arm/arm_reader.hpp"

@@ -104,7 +104,7 @@ TEST(ArmReader, refusesImpossibleArmsWithTheLine) {
   expectSays(refusal("gravity: [0, 0, -1]", "gravity: [0, 0, 0]"), "length zero");
 }
 
-// Each parameter of the arm, changed in the text under its dotted name, is read back changed; all others stay the same.
+// If a parameter is changed in the text under its dotted name, it alone must be read back changed.
 TEST(ArmReader, writesEveryParameterBack) {
   const std::string text = changed(cobraText(), "weight: {distributed: 0.126, end: 10.4}",
                                    "weight: {lumps: [{weight: 1, at: [0, 0, 1]}, {weight: 2, at: [1, 0, 0]}]}");

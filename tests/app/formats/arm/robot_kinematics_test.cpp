@@ -83,7 +83,7 @@ TEST(RobotKinematics, ofAnArmAreThoseThatItWasGivenWhicheverWayItsBaseStands) {
   }
 }
 
-/// Joint offsets, link tilts and passive rows are absorbed into the origins; the tip does not move.
+/// An identified arm must keep its joint offsets, tilts and passive rows in the origins, so that the tip is the same.
 TEST(RobotKinematics, ofAnIdentifiedArmHoldItsOffsetsLeansAndPassiveRows) {
   const std::string text =
       changed(changed(changed(kArm, "{name: q2, type: revolute}", "{name: q2, type: revolute, offset: 3}"),

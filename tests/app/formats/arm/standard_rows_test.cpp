@@ -1,4 +1,4 @@
-// Arm files by the standard Denavit-Hartenberg convention.
+// Tests of arm files in the standard Denavit-Hartenberg convention.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -109,8 +109,8 @@ TEST(StandardRows, everyParameterIsWrittenBackWhereItStands) {
   }
 }
 
-/// A first joint axis other than the base's z axis is read as in the first row of Craig's table, and written back as
-/// read.
+/// A first joint axis other than the base's z axis must be read as in the first row of Craig's table, and be kept when
+/// the arm is written.
 TEST(StandardRows, aFirstAxisMayStandElsewhere) {
   const std::string axis = "axis: {alpha: 0.4, a: 0.003, beta: -0.2, b: -0.002}";
   for (const auto& [name, standard, modified] : kTables) {

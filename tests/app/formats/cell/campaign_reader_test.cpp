@@ -1,4 +1,4 @@
-// Design files: their meaning, and the files that are refused.
+// Tests of design files of measurement campaigns: files that are read, and files that are refused.
 #include "app/formats/cell/campaign_reader.hpp"
 
 #include <cmath>

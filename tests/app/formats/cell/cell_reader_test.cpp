@@ -162,7 +162,7 @@ Eigen::Isometry3d randomPose(std::mt19937_64& random) {
   return X;
 }
 
-// The first example of docs/files.md: two files, indented by four blanks and separated by a blank line.
+// The first example of docs/files.md must be read: two files, indented by four blanks and separated by a blank line.
 TEST_F(CellReader, readsTheSmallestFilesOfTheDocument) {
   const std::string text = contentOf(std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "docs/files.md");
   const std::size_t from = text.find("    units: {length"), to = text.find("`geometry` frees", from);
@@ -208,7 +208,7 @@ TEST_F(CellReader, writesTheBaseBack) {
   for (const auto& X_WB : poses) {
     const Matrix6d root = Matrix6d::Random();
     const Matrix6d covariance = 1e-8 * root * root.transpose();
-    // Written for another folder, so that the path of the arm's file must change.
+    // The cell is written for another folder, so that the path to the arm's file must change.
     const std::string text = cellTextWithBase(cell, {X_WB, covariance, true}, folder / "deeper" / "cell2.yaml");
     std::filesystem::create_directories(folder / "deeper");
     const Cell again = readCell(write("deeper/cell2.yaml", text));
@@ -233,7 +233,7 @@ TEST_F(CellReader, refusesHalfOfAPair) {
   write("own-arm.yaml", arm.text);
   const std::string path = write("own.yaml", cell);
   EXPECT_EQ(readCell(path).arm_source.text, arm.text);
-  // Files that are changed by hand remain a pair.
+  // Editing a file by hand keeps its pair identifier, so the files are still accepted as a pair.
   write("own-arm.yaml", changed(arm.text, "name: ", "name: other-") + "# changed\n");
   EXPECT_EQ(readCell(path).arm.name.substr(0, 6), "other-");
   for (const std::string& other : {shipped, changed(arm.text, "pair: \"", "pair: \"0")}) {

@@ -1,4 +1,4 @@
-// Cells whose scene names a mesh: reading, refusals, writing, planning and verification.
+// Tests of cells whose scene names a mesh: reading, refusals, writing, planning and verification.
 #include <nlohmann/json.hpp>
 
 #include "app/formats/cell/cell_writer.hpp"
@@ -108,7 +108,7 @@ TEST_F(MeshCell, WrittenElsewhereTheFileIsStillFound) {
   const Cell cell = readCell(writeCell("cell.yaml", kMeshRow));
   const Cell again = readCell(write("deep/er/cell.yaml", cellTextAt(cell, folder / "deep/er/cell.yaml")));
   EXPECT_EQ(std::filesystem::canonical(again.meshes[0].path), std::filesystem::canonical(folder / "dam.stl"));
-  // The key of a plan stays the same until the content of the mesh file changes.
+  // A cell in another folder has the same inputs of a plan, until the content of the mesh file changes.
   const auto question = [](const Cell& c) {
     return partOf(planKeyOf({c, workcellOf(c, "ask"), planner::VisitConditions(), "via-point", 0, 0, 1, ""}, {1, 2}),
                   "arm and scene");

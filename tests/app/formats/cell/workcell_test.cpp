@@ -1,4 +1,4 @@
-// Cells that planning does not support are refused before planning.
+// Tests that cells are refused before planning if planning does not support them.
 #include "app/formats/cell/workcell.hpp"
 
 #include <limits>

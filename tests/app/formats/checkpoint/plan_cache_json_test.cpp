@@ -1,4 +1,4 @@
-// The planning cache as JSON: every number is kept to the last bit, including NaN and infinities.
+// Tests of the planning cache as JSON: every number must be kept to the last bit, including NaN and infinities.
 #include "app/formats/checkpoint/plan_cache_json.hpp"
 
 #include <gtest/gtest.h>

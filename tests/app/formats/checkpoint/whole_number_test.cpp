@@ -1,4 +1,4 @@
-// Whole numbers in stored files: numbers within the range of the type are read, all others are refused.
+// Tests of whole numbers in stored files: those within the range of the type are read, all others are refused.
 #include "app/formats/checkpoint/whole_number.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ TEST(WholeNumber, ReadsWhatTheTypeHolds) {
   EXPECT_EQ(wholeNumbers<int>(json::parse("[1, -2, 3]")), (std::vector<int>{1, -2, 3}));
 }
 
-/// Fuzzing a campaign's tally found the first value.
+/// All other JSON values must be refused; the first one was found by fuzzing a campaign's tally.
 TEST(WholeNumber, RefusesEverythingElse) {
   for (const char* text : {"6.74407e+19", "1e300", "2.5", "3.0", "true", "\"1\"", "null", "[1]", "-1"})
     EXPECT_THROW((void)wholeNumber<std::uint64_t>(json::parse(text)), json::type_error) << text;

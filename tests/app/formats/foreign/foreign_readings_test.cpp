@@ -116,7 +116,8 @@ TEST_F(ForeignReadingsTest, takesOneTableWithJointsAndPlaces) {
   EXPECT_EQ(parseMeasurementTable(readings.text, "r", cell.arm).readings.size(), 2u);
 }
 
-// An arm with joints slide, A1, A2 and A3: columns match exact joint names, or numbers for the joints after the slide.
+// For an arm with joints slide, A1, A2 and A3, columns must be assigned by the joints' own names, or by numbers that
+// count only the joints after the slide.
 TEST_F(ForeignReadingsTest, aJointsOwnNameGoesBeforeItsNumber) {
   Cell shifted = cell;
   const char* kNames[] = {"slide", "A1", "A2", "A3"};
@@ -152,7 +153,7 @@ TEST_F(ForeignReadingsTest, takesTablesWithoutNamesRowByRow) {
             std::string::npos);
 }
 
-// The reader of foreign tables must know every column of a measurement table; an unknown column would be lost.
+// Every column of a measurement table must be known to the reader of foreign tables, since others would be lost.
 TEST_F(ForeignReadingsTest, aMeasurementTableComesOutAsItIs) {
   const std::string text =
       contentOf(std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "tests/fuzz/corpus/measurements/all.csv");
@@ -208,7 +209,8 @@ TEST_F(ForeignReadingsTest, withoutCoordinatesReadingsAreTouches) {
 
 const char* const kLog = "Name,A1,A2,A3,A4\nP1,10,45,-35,12\nP2,20,45,-35,12\n";
 
-// Points as trackers and surveyors export them: with no, one or several names in front, and with other axis names.
+// Points must be read however trackers and surveyors export them: with no, one or several names in front, and with
+// other axis names.
 TEST_F(ForeignReadingsTest, takesPlacesHoweverTheyAreExported) {
   for (const char* points : {
            "P1 1 2 3\nP2 4 5 6\n",
@@ -235,7 +237,7 @@ TEST_F(ForeignReadingsTest, takesPlacesHoweverTheyAreExported) {
   }
 }
 
-// Points named by numbers; the arm's number of joints rules out that the rows hold joint values.
+// Points may be named by running numbers: four numbers in a row cannot be the joints of an arm with six.
 TEST_F(ForeignReadingsTest, takesRunningNumbersForNames) {
   const Cell puma = readCell((shippedCells() / "puma.yaml").string());
   const std::string log = "Name,J1,J2,J3,J4,J5,J6\n7,1,2,3,4,5,6\n8,2,3,4,5,6,7\n";
@@ -248,7 +250,7 @@ TEST_F(ForeignReadingsTest, takesRunningNumbersForNames) {
   }
 }
 
-// Columns of numbers that are not recognised do not turn the readings into touches of unknown points.
+// Readings with unrecognised columns of numbers must be refused, not taken for touches of unknown points.
 TEST_F(ForeignReadingsTest, NumbersThatNobodyKnowsMakeNoTouches) {
   for (const char* points : {
            "Point;HZ [gon];V [gon];Q [mm]\nP1;170,87;95,14;1315,2\nP2;118,76;124,58;1272,4\n",
@@ -269,7 +271,7 @@ TEST_F(ForeignReadingsTest, NumbersThatNobodyKnowsMakeNoTouches) {
       {parseForeignTable(named[0].text, "points"), parseForeignTable(kLog, "log")}, {{}, {}}, "touch"};
   touches.choice.units.emplace(UnitKind::kAngle, findUnitWord("deg"));
   EXPECT_EQ(readForeign(touches, cell.arm).origins.size(), 2u);
-  // Holes are known points, whatever other columns the table has.
+  // The positions of holes are known, so readings at holes must be touches, even beside an unknown column.
   EXPECT_EQ(read({{"log", "Hole,J1,J2,J3,J4,Probe\nR1C1,10,45,-35,12,3\n"}}, {}, {"deg"}).origins.size(), 1u);
 }
 
@@ -282,7 +284,7 @@ TEST_F(ForeignReadingsTest, JointsMayBeCountedFromZero) {
   const auto readings =
       read({{"log.csv", "q3,q2,q1,q0,x,y,z\n12,-35,45,10,1,2,3\n12,-35,45,20,4,5,6\n"}}, {}, {"mm", "deg"});
   EXPECT_NE(readings.text.find("\n1,position,10,45,-35,12,1,2,3\n"), std::string::npos) << readings.text;
-  // For four joints, headings q1 to q3 count neither from zero nor from one.
+  // For four joints, headings q1 to q3 must be refused: they are numbered neither from zero nor from one.
   EXPECT_NE(refusal({{"log.csv", "q1,q2,q3,x,y,z\n1,2,3,4,5,6\n1,2,3,4,5,6\n"}}, {}, {"mm", "deg"}), "");
 }
 
@@ -309,7 +311,7 @@ TEST_F(ForeignReadingsTest, ClockTimesAreSecondsFromTheFirst) {
   EXPECT_NE(messageOf([&] { (void)with("10:00:00", "noon"); }).find("noon"), std::string::npos);
 }
 
-// A clock without a date that goes back by half a day or more: a day is added, and a remark states where.
+// A time half a day or more before the previous one must get one more day, and a remark must say where.
 TEST_F(ForeignReadingsTest, ClocksPassMidnight) {
   struct Shift {
     std::vector<std::string> clock;
@@ -340,7 +342,7 @@ TEST_F(ForeignReadingsTest, ClocksPassMidnight) {
   }
 }
 
-// Dates whose order of day and month is ambiguous, and dates with only one possible order.
+// Dates must be refused if both orders of day and month give valid but different times, unless the user chooses.
 TEST_F(ForeignReadingsTest, DatesAreReadWhereTheyAreClear) {
   struct Dates {
     std::vector<std::string> clock;
@@ -382,17 +384,17 @@ TEST_F(ForeignReadingsTest, JointsMayBePulses) {
            {"mm", "deg"});
   EXPECT_NE(readings.text.find(",10,5,20,0,1,2,3\n"), std::string::npos) << readings.text;
   EXPECT_NE(readings.text.find(",-0.03,-0.005,0.007,18,4,5,6\n"), std::string::npos) << readings.text;
-  // Columns whose headings state pulses are never read as angles, whatever the values.
+  // Columns whose headings state pulses must never be read as angles, whatever the values.
   const std::string named = "J1 [pulse],J2_deg,J3_deg,J4_deg,X,Y,Z\n3,45,-35,12,1,2,3\n";
   EXPECT_NE(refusal({{"log", named}}, {}, {"mm", "deg"}).find("pulses"), std::string::npos);
   EXPECT_EQ(read({{"log", named}}, {"theta1_deg=J1 [pulse]*0.5"}, {"mm"}).origins.size(), 1u);
   EXPECT_NE(refusal({{"log", log}}, {"theta1_deg=J1*0"}, {"mm", "deg"}), "");
   EXPECT_NE(refusal({{"log", log}}, {"point=J1*2"}, {"mm", "deg"}), "");
-  // Whole degrees are not mistaken for pulses.
+  // Whole degrees must not be mistaken for pulses.
   EXPECT_EQ(read({{"log", "J1,J2,J3,J4,X,Y,Z\n10,45,-35,720,1,2,3\n"}}, {}, {"mm", "deg"}).origins.size(), 1u);
 }
 
-// Joint letters of Yaskawa: T is the last joint there, not a time.
+// Letters and names of robot controllers must be read as joints; the T of Yaskawa is the last joint, not a time.
 TEST_F(ForeignReadingsTest, JointsMayBeLetters) {
   const Cell puma = readCell((shippedCells() / "puma.yaml").string());
   for (const char* log : {"Name,S,L,U,R,B,T,X,Y,Z\nP1,1,2,3,4,5,6,7,8,9\n", "T,B,R,U,L,S,X,Y,Z\n6,5,4,3,2,1,7,8,9\n",
@@ -406,7 +408,7 @@ TEST_F(ForeignReadingsTest, JointsMayBeLetters) {
   EXPECT_NE(timed.text.find("time_s"), std::string::npos) << timed.text;
 }
 
-// Lines above the table state the units of columns without a unit; --units may not contradict such a line.
+// Lines above the table must give units to columns that state none; --units must not contradict such a line.
 TEST_F(ForeignReadingsTest, LinesAboveTheRowsStateUnits) {
   for (const char* line : {"// Units: Inches", "# units = in", "Length unit: inch, angle: rad", "Units: in and deg"}) {
     const std::string points = std::string(line) + "\n// X Y Z\nP1 1 2 3\nP2 4 5 6\n";
@@ -423,7 +425,7 @@ TEST_F(ForeignReadingsTest, LinesAboveTheRowsStateUnits) {
   }
   const std::string both = "// Units: mm\n// Units: Inches\nP1 1 2 3\nP2 4 5 6\n";
   EXPECT_NE(refusal({{"points", both}, {"log", kLog}}, {}, {"deg"}).find("state different units"), std::string::npos);
-  // A unit in a heading takes precedence over a line above the table.
+  // A unit in a heading must take precedence over a line above the table.
   const std::string own = "// Units: mm\nName,X [in],Y [in],Z [in]\nP1,1,2,3\nP2,4,5,6\n";
   EXPECT_NE(read({{"points", own}, {"log", kLog}}, {}, {"deg"}).text.find("x_in"), std::string::npos);
 }

@@ -66,7 +66,7 @@ TEST(JointPatterns, TakeJointsBetweenTheSameWords) {
   }
 }
 
-// Columns in arbitrary order are assigned by name.
+// Columns in any order must be assigned to the joints by their numbers.
 TEST(JointPatterns, TakeJointsInAnyOrder) {
   const auto readings = readColumns(kNumbered, "arm_J3,arm_J1,arm_J4,arm_J2", "-35,10,12,45");
   EXPECT_NE(readings.text.find(",10,45,-35,12,1,2,3"), std::string::npos) << readings.text;

@@ -45,8 +45,8 @@ TEST(SkyDirections, areTheKnownOnes) {
   EXPECT_NEAR(north_of_a_southern_place.altitude, 40, 1e-9);
 }
 
-/// Meeus, Astronomical Algorithms, example 13.b: Venus seen from Washington, hour angle 64.352133 deg, azimuth from
-/// south 68.0337 deg.
+/// Reference values: Meeus, Astronomical Algorithms, example 13.b: Venus seen from Washington, hour angle 64.352133
+/// deg, azimuth from south 68.0337 deg.
 TEST(SkyDirections, agreeWithATextbook) {
   const auto venus = fromHourAngle(64.352133, -6.719892, 38.0 + 55.0 / 60 + 17.0 / 3600);
   EXPECT_NEAR(180 - venus.azimuth, 68.0337, 1e-3);
@@ -75,7 +75,7 @@ TEST(PointingTable, readsStarsOfAnEquatorialMount) {
   EXPECT_FALSE(says(table, "diurnal"));
 }
 
-/// On the base that the remark names, the mount at the recorded joints points at the star.
+/// On the base that the remark names, a mount whose joints are hour angle and declination must point at the star.
 TEST(PointingTable, jointsAreThoseOfTheBaseThatIsNamed) {
   using Eigen::AngleAxisd, Eigen::Vector3d;
   for (const double latitude : {52.5, 10.0}) {

@@ -1,4 +1,4 @@
-// Sexagesimal angles: their notations in hours and in degrees, and the texts that are refused.
+// Tests of sexagesimal angles: their notations in hours and in degrees, and strings that are refused.
 #include "app/formats/foreign/sexagesimal.hpp"
 
 #include <fmt/format.h>
@@ -123,7 +123,7 @@ struct HourAngles : SixtiethColumns {
   }
 };
 
-// Hour angles in degrees that could all be hours are refused with both interpretations; each --column option decides.
+// Hour angles in degrees that could all be hours must be refused with both interpretations and their options.
 TEST_F(HourAngles, AreRefusedWhereTheirDegreesMayBeHours) {
   const std::vector<std::vector<std::string>> all_fields{
       {"1.5", "-2.25", "11"}, {"0.5", "23.75"}, {"-11.9", "0", "+3.5"}, {"6.25"}, {"-12", "12"}};
@@ -160,7 +160,7 @@ TEST_F(HourAngles, AreTakenWhereTheyCanOnlyBeOne) {
   }
 }
 
-// A factor of -1 does not decide the unit.
+// A factor of -1 does not state a unit, so hour angles that may be hours or degrees must be refused with it, too.
 TEST_F(HourAngles, AreRefusedWithAnotherSignToo) {
   const auto turned = request("ha_deg", {"1.5", "11"}, {"ha=ha_deg*-1"});
   EXPECT_NE(messageOf([&] { (void)readForeign(turned, mount); }).find("--column ha_h="), std::string::npos);
@@ -195,7 +195,7 @@ TEST_F(SixtiethColumns, AreRefusedWithTheLineWhereTheyAreWrong) {
   }
 }
 
-// Times of day and point names that look like hours are left unchanged.
+// Times of day, and point names that look like hours, must be left unchanged.
 TEST_F(SixtiethColumns, AreNotSeenInOtherColumns) {
   ForeignRequest request;
   request.tables.push_back(
@@ -209,7 +209,7 @@ TEST_F(SixtiethColumns, AreNotSeenInOtherColumns) {
   EXPECT_DOUBLE_EQ(timeOf(1) - timeOf(0), 30);
 }
 
-// Horizontal and zenith angles of a total station.
+// Horizontal and zenith angles of a total station may be sexagesimal; colons without a stated unit must be refused.
 TEST_F(SixtiethColumns, ArePartOfForms) {
   ForeignRequest request;
   request.choice.points = "polar-clockwise";

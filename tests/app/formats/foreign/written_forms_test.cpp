@@ -1,4 +1,4 @@
-// Every form of the table, written by independent code, is read back as the same orientation or point.
+// Tests that every form of the table, written by independent code, is read back as the same orientation or point.
 #include "app/formats/foreign/written_forms.hpp"
 
 #include <fmt/format.h>
@@ -132,7 +132,7 @@ TEST_F(WrittenFormsTest, EveryTurnComesBackAsItWas) {
   }
 }
 
-// The columns of a form, chosen one by one under headings without meaning.
+// The columns of a form may be chosen one by one under headings without meaning; a missing one must be refused.
 TEST_F(WrittenFormsTest, NumbersMayBeChosenOneByOne) {
   const Eigen::Matrix3d turn = someTurns()[5];
   for (const auto& form : writtenForms()) {
@@ -154,7 +154,7 @@ TEST_F(WrittenFormsTest, NumbersMayBeChosenOneByOne) {
   }
 }
 
-// Headings of two forms, with numbers valid in both, are refused; the message names both forms and their options.
+// Headings shared by two forms, with numbers valid in both, must be refused with the names and options of both forms.
 TEST_F(WrittenFormsTest, WhatMayBeTwoTurnsIsNotGuessed) {
   std::map<std::vector<std::string>, std::set<std::string>> meanings;
   for (const auto& form : writtenForms())
@@ -183,22 +183,23 @@ TEST_F(WrittenFormsTest, NumbersAndNeighboursDecide) {
         *std::ranges::find_if(readings.taken, [](const auto& line) { return line.starts_with("roll"); });
     EXPECT_NE(said.find("as " + form), std::string::npos) << said;
   };
-  // A middle angle beyond 90 deg: no controller writes such Euler angles.
+  // No controller writes Euler angles with a middle angle beyond 90 deg, so these numbers are a rotation vector.
   as(tableOf({"Rx", "Ry", "Rz"}, {{20, 30, 40}, {10, 120, 20}}), "rotation-vector");
-  // A rotation about a single axis is the same in all forms.
+  // A rotation about a single axis is the same in all forms, so the first form is taken.
   as(tableOf({"Rx", "Ry", "Rz"}, {{0, 0, 40}, {0, 0, 170}}), "fixed-angles");
-  // A length above half a turn rules out the rotation vector; two kinds of angles remain.
+  // A rotation vector cannot be longer than half a turn, so only two kinds of angles must be offered.
   const std::string message = refusal(tableOf({"Rx", "Ry", "Rz"}, {{170, 30, 160}}), inUnits("deg"), "orientation");
   EXPECT_EQ(message.find("--orientation rotation-vector"), std::string::npos) << message;
   EXPECT_NE(message.find("--orientation euler-xyz"), std::string::npos) << message;
-  // KUKA joint names beside A, B, C; joint names of the Universal Robots pendant beside Rx, Ry, Rz.
+  // Joint names of KUKA beside A, B, C show that these are Euler angles; joint names of the Universal Robots pendant
+  // beside Rx, Ry, Rz show that these are a rotation vector.
   as("A1 [deg],A2 [deg],A3 [deg],A4 [deg],A,B,C\n10,45,-35,12,20,30,40\n", "euler-zyx");
   as(tableOf({"Wrist 1", "Rx", "Ry", "Rz"}, {{5, 20, 30, 40}}), "rotation-vector");
-  // Columns q1 to q4 beside other joints, and alone.
+  // Columns q1 to q4 are a quaternion beside other joint columns; alone they are joints, so no orientation is found.
   as(tableOf({"q1", "q2", "q3", "q4"}, {{0.5, 0.5, 0.5, 0.5}}), "quaternion");
   EXPECT_NE(refusal("q1,q2,q3,q4\n0.5,0.5,0.5,0.5\n", inUnits("rad"), "orientation").find("orientation"),
             std::string::npos);
-  // Roll, pitch and yaw take precedence over all other forms.
+  // Roll, pitch and yaw must take precedence over all other forms.
   const auto own = read(tableOf({"roll_deg", "pitch_deg", "yaw_deg", "Rx", "Ry", "Rz"}, {{1, 2, 3, 4, 5, 6}}),
                         inUnits("deg"), "orientation");
   EXPECT_NE(own.text.find(",1,2,3\n"), std::string::npos) << own.text;
@@ -223,7 +224,7 @@ TEST_F(WrittenFormsTest, PosesHaveBoth) {
   EXPECT_EQ(pose.kind, calibration::MeasurementKind::kPose);
   EXPECT_LT((*pose.p_W - Eigen::Vector3d(0.001, 0.002, 0.003)).norm(), 1e-12);
   EXPECT_LT((pose.own - Eigen::Vector3d(20, 30, 40) * pi / 180).norm(), 1e-9);
-  // Without --kind the readings are positions, and a remark says that the orientation is left out.
+  // Without --kind the readings must be positions, and a remark must say that the orientation is left out.
   const auto position = read(text, inUnits("deg"), "");
   EXPECT_NE(position.text.find("position"), std::string::npos);
   EXPECT_TRUE(std::ranges::any_of(position.left_out,
@@ -232,7 +233,7 @@ TEST_F(WrittenFormsTest, PosesHaveBoth) {
             std::string::npos);
 }
 
-// Rows that state their kinds: only the row of kind pose has an orientation.
+// If the rows state their kinds, an orientation must be read only from the row of kind pose.
 TEST_F(WrittenFormsTest, RowsMayStateTheirKinds) {
   const std::string text =
       "kind,J1 [deg],J2 [deg],J3 [deg],J4 [deg],X,Y,Z,W,P,R\n"

@@ -1,4 +1,4 @@
-// Measurements written as text and read back.
+// Tests that measurements written as text are read back unchanged.
 #include "app/formats/measurements/measurements_writer.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Triangle meshes as text in the mesh formats.
+// Triangle meshes written in the mesh formats, for tests.
 #pragma once
 
 #include <fmt/format.h>

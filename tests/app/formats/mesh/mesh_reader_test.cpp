@@ -78,7 +78,7 @@ TEST_F(MeshReader, AnStlFileIsReadHoweverItIsWritten) {
   expectSays(message("solid\nfacet normal 0 0 1\nouter ring\n"), "b.stl:3: found 'ring'");
 }
 
-/// Returns a triangle with elements and properties that do not belong to a mesh.
+/// Returns a PLY file of one triangle, with elements and properties that do not belong to a mesh.
 std::string plyBytes(const std::string& format) {
   const bool is_text = format == "ascii";
   std::string bytes = "ply\nformat " + format +
@@ -138,7 +138,7 @@ TEST_F(MeshReader, FilesOnWhichALibraryCrashedAreRefused) {
   const auto message = [&](const std::string& name, const std::string& bytes) {
     return messageOf([&] { (void)readMeshFile(write(name, bytes)); });
   };
-  // On these files the library read past a material name, looped forever in a header, and overran a buffer.
+  // On these files assimp read past a material name, looped forever in a header, and overran a buffer.
   expectSays(message("a.obj", "dispv 0 0  3 \0\x7f\xff\xff\0mtllib v  " + std::string(10, '\xa1')), "no triangles");
   expectSays(
       message("a.ply",
@@ -154,7 +154,7 @@ TEST_F(MeshReader, PolygonsAreCutAndOtherFilesAreLeftAlone) {
 }
 
 TEST_F(MeshReader, APolygonThatPointsInwardsIsCutFromACornerThatSeesAllOthersOrRefused) {
-  // An arrowhead, and a comb in which no corner sees all other corners.
+  // An arrowhead must be divided from the corner that sees all others; a comb, which has none, must be refused.
   const auto arrow = readMeshFile(write("arrow.obj", "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nf 1 2 3 4\n")).mesh;
   EXPECT_NEAR(areaOf(arrow), 1, 1e-6);
   const auto comb = write("comb.obj",

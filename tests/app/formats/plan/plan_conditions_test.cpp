@@ -1,4 +1,4 @@
-// Plans with conditions (park posture, zones, dwell times, padding), and conditions that are refused.
+// Tests of plans with conditions (park posture, zones, dwell times, padding), and of conditions that are refused.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program.hpp"
@@ -41,7 +41,7 @@ TEST_F(PlanConditions, AWorkListWithStaysAndAZoneFromParkAndBackIsPlannedAndProv
   const Outcome proof = run("verify " + shipped("mockup.yaml") + " plan");
   EXPECT_EQ(proof.exit_code, 0) << proof.out;
 
-  // A dwell time longer than in the path, and an order that breaks the zones, are refuted.
+  // A dwell time longer than in the path, and an order that breaks the zones, must be refuted.
   for (const auto& [key, value] : {std::pair<std::string, json>{"dwell_s", 40}, {"zone", 9}}) {
     json altered = document;
     altered["tubes"][1][key] = value;
@@ -58,7 +58,7 @@ TEST_F(PlanConditions, AWrittenWorkListKeepsItsStays) {
 }
 
 TEST_F(PlanConditions, PaddingKeepsTheArmFurtherOff) {
-  // The arm has no uncertainty; otherwise three touches leave the base so uncertain that the padding costs a hole.
+  // The arm has no uncertainty here; with it, three touches would leave the base so uncertain that a hole is lost.
   write("cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));
   write("exact.yaml", contentOf(shippedCells() / "mockup.yaml") + "uncertainty: none\n");
   const std::string question = "plan exact.yaml --tubes spread:6 --touches auto --truth exact.yaml";
@@ -74,7 +74,7 @@ TEST_F(PlanConditions, PaddingKeepsTheArmFurtherOff) {
   EXPECT_GE(padded["min_clearance"].get<double>(), padded["clearance_required"].get<double>());
   EXPECT_EQ(run("verify exact.yaml padded").exit_code, 0);
 
-  // Without a covariance of the base, the padding cannot be checked.
+  // Without a covariance of the base, the padding must be reported as not checkable.
   write("padded/cell.yaml", contentOf(shippedCells() / "mockup.yaml"));
   write("padded/cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));
   const Outcome unknown = run("verify " + shipped("mockup.yaml") + " padded");

@@ -1,4 +1,4 @@
-// Plan files: valid content is read, invalid content is refused with its position in the file.
+// Tests of plan files: valid content is read, invalid content is refused with its position in the file.
 #include "app/formats/plan/plan_reader.hpp"
 
 #include <nlohmann/json.hpp>
@@ -26,7 +26,7 @@ class PlanReader : public FolderTest {
     return readPlanFiles(folder, cell);
   }
 
-  /// Returns the refusal of the plan with `value` at the JSON pointer `place`.
+  /// Returns the message that refuses the plan with `value` at the JSON pointer `place`.
   [[nodiscard]] std::string refusalOf(const std::string& place, const char* value) {
     const json::json_pointer pointer(place);
     const json kept = plan;
@@ -36,7 +36,7 @@ class PlanReader : public FolderTest {
     return message;
   }
 
-  /// Returns the refusal of the plan with the first `from` in its path replaced by `to`.
+  /// Returns the message that refuses the plan with the first `from` in its path replaced by `to`.
   [[nodiscard]] std::string refusalOfRow(const std::string& from, const std::string& to) {
     const std::string kept = rows;
     rows = changed(rows, from, to);
@@ -81,7 +81,7 @@ TEST_F(PlanReader, RefusesValuesThatNoPlanHas) {
   expectSays(refusalOf("/start", "[0, 0]"), "plan.json start");
 }
 
-/// Each value would make the verification prove less than it appears to prove.
+/// Each of these values must be refused, because the verification would prove less than it appears to prove.
 TEST_F(PlanReader, RefusesConditionsThatWouldWeakenTheProof) {
   expectSays(refusalOf("/padding", R"({"sigmas": -3})"),
              "padding.sigmas: found '-3', expected a finite number, at least 0");

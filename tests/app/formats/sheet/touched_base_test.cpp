@@ -1,4 +1,4 @@
-// The touches that placed a base, and the uncertainty of an arm's parameters, written to a cell file and read back.
+// Tests that a base's touches and the uncertainty of an arm's parameters, written to a cell file, are read back.
 #include "app/formats/sheet/touched_base.hpp"
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace tubeplan::app {
 namespace {
 
-/// Cells with each key on a line, and cells with keys within braces.
+/// Two texts of a cell: one with each key on a line of its own, and one with the keys within braces.
 class TouchedBases : public FolderTest {
  protected:
   TouchedBases() {

@@ -1,4 +1,4 @@
-// Arms read from URDF, compared with Orocos KDL, whose own parser builds a chain from the same file: the two share no
+// Tests of arms read from URDF against Orocos KDL, whose own parser builds a chain from the same file; the two share no
 // code.
 #include <gtest/gtest.h>
 #include <urdf_parser/urdf_parser.h>
@@ -69,7 +69,7 @@ class BesideKdl : public testing::TestWithParam<KdlRobot> {
     return frame;
   }
 
-  /// Compares rigid tips, since KDL knows no flexible ones, over the arm's whole joint range.
+  /// Expects the same tips as from KDL over the whole joint range; they are rigid, since KDL has no flexibility.
   void expectKdlsTips(const deflection::Arm& of) const {
     std::mt19937_64 random(4);
     for (int k = 0; k < kPostures; ++k) {

@@ -1,5 +1,5 @@
-// Arms written back into their URDF: the frame of every link from the file's own transforms, and unchanged bytes
-// elsewhere.
+// Tests of arms written back into their URDF: every link must have the arm's frame, computed from the file's own
+// transforms, and all other bytes must be unchanged.
 #include "app/formats/urdf/urdf_edit.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ namespace {
 using deflection::Arm;
 using Eigen::Isometry3d, Eigen::Vector3d;
 
-/// Random robots with everything that a URDF may hold beside kinematics, in different styles of writing.
+/// Maker of random robots with everything that a URDF may hold beside kinematics, in different styles of writing.
 class RobotMaker {
  public:
   explicit RobotMaker(int seed) : random_(static_cast<unsigned>(seed)) {}
@@ -98,7 +98,7 @@ class RobotMaker {
   int count_ = 0;
 };
 
-/// Returns the arm as `arm import` writes it to a file and another command reads the file.
+/// Returns the arm after `arm import` has written it to a file and another command has read the file.
 Arm throughFile(const Arm& arm) {
   const Units units(parseYaml("units: {length: m, angle: deg, force: N}", "u.yaml").at("units"));
   return readArm(parseYaml(armYaml(arm, units), "arm.yaml")).arm;
@@ -249,7 +249,7 @@ TEST(UrdfEdit, PublishedRobotsKeepTheirBytes) {
   }
 }
 
-/// A slide along y and an elbow about x; the tip is the elbow's child link.
+/// Robot with a prismatic joint along y and a revolute joint about x; the tip is the second joint's child link.
 constexpr const char* kTwoJoints =
     "\xEF\xBB\xBF<robot name=\"r\">\r\n  <link name=\"base\"/>\r\n"
     "  <link name=\"a\"><inertial><mass value=\"2\"/></inertial></link>\r\n  <link name=\"b\"/>\r\n"

@@ -1,4 +1,4 @@
-// Arms read from URDF and written back, compared joint by joint with the transforms that the file states.
+// Tests of arms read from URDF and written back, joint by joint against the transforms that the file states.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <urdf_parser/urdf_parser.h>
@@ -138,7 +138,7 @@ TEST(Urdf, WeightsFollowersAndSolidsComeAlong) {
   expectSays(ur5.left_out[0], "moments of inertia");
 }
 
-// A parser that used unreadable text as the format of a message would write to memory through %n.
+// Unreadable text with percent signs must be refused; if it were the format of a message, %n would write to memory.
 TEST(Urdf, APercentSignIsNoFormat) {
   for (const char* piece : {"%n%n%n%s%s%s", "&#37;n&#x25;n", "%1000000000d"}) {
     const std::string text = fmt::format(
@@ -218,7 +218,7 @@ TEST(Urdf, SolidsThatStandStillAreLeftOutInWords) {
   expectSays(read.left_out[0], "base, which stands still");
 }
 
-// A link is either read completely or refused.
+// A link must be read completely or refused, unless a sentence says what is left out.
 TEST(Urdf, NothingOfALinkIsLostUnsaid) {
   for (const std::string& harmless :
        {std::string(kMass) + kBox,
@@ -246,7 +246,7 @@ TEST(Urdf, NothingOfALinkIsLostUnsaid) {
     EXPECT_NE(refusalOf(flangeUrdf(wrong)), "") << wrong;
 }
 
-// Angles that look like rounded right angles or like degrees get a remark; the arm keeps the values of the file.
+// Angles that look like rounded multiples of 30 or 45 deg, or like degrees, must get a remark.
 TEST(Urdf, AnglesThatLookWrongAreRemarkedOn) {
   struct Turn {
     std::string rpy, said;  // an empty `said` expects no remark
@@ -288,7 +288,7 @@ TEST(Urdf, AnglesThatLookWrongAreRemarkedOn) {
   }
 }
 
-// All joints up to the tip are checked, including fixed joints of the tool; small deviations share one remark.
+// All joints up to the tip must be checked, including fixed joints of the tool; small deviations share one remark.
 TEST(Urdf, RoundAnglesAreRemarkedOnOfEveryJoint) {
   const auto joint = [](int k, const char* type, const char* rpy) {
     return fmt::format(
@@ -319,7 +319,7 @@ struct WrongUrdf {
   std::string text, said;
 };
 
-/// Mistakes made by hand, by a converter or by an editor are named with the line and the expected content.
+/// Mistakes made by hand, by a converter or by an editor must be named with the line and the expected content.
 TEST(Urdf, WhatIsWrongIsNamedWithItsLine) {
   const std::string good = flangeUrdf();
   const auto origin = [&](const char* text) { return changed(good, "xyz=\"1 0 0\"", text); };
@@ -370,7 +370,7 @@ TEST(Urdf, WhatIsWrongIsNamedWithItsLine) {
   expectSays(refusalOf("<robot name=\"r\"/>"), "no links");
 }
 
-/// Values that the reader does not use may have any form.
+/// Values that the reader does not use must be accepted in any notation.
 TEST(Urdf, NumbersOfAControllerArePassedOver) {
   EXPECT_EQ(
       parseUrdf(flangeUrdf("", "", "<limit lower=\"-2\" upper=\"+2\" effort=\"inf\"/>"), "r.urdf").arm.joint(0).upper,
@@ -400,7 +400,7 @@ TEST(Urdf, LimitsAndAxesAreReadOrRefused) {
   expectSays(refusalOf(changed(flangeUrdf(), "rpy=\"0 1.5 0.5\"", "quat_xyzw=\"0 0 0 1\"")), "quat_xyzw");
 }
 
-// Settings of a controller are not part of the arm, and remarks say so; the hard limits are used.
+// Settings of a joint's controller must be reported as left out, and the arm must have the hard limits.
 TEST(Urdf, WhatControllersAreToldIsSaid) {
   const std::string joint =
       "<limit lower=\"-2\" upper=\"2\" effort=\"1\" velocity=\"1\"/><calibration rising=\"0.25\"/>"

@@ -38,7 +38,7 @@ TEST(StrictYaml, refusesATabButNotInAComment) {
 TEST(StrictYaml, refusesWhatIsNoPlainData) {
   expectSays(refusal("a: &x 1\nb: *x\n"), "anchor");
   expectSays(refusal("a: !!float 1\n"), "tag");
-  // A lone `!`, the parser's tag for quoted text, shifted the start position of a list or map (found by fuzzing).
+  // A lone `!`, the tag for quoted text, must be refused: it shifted the start of a list or map (found by fuzzing).
   for (const char* text :
        {" !{tjon: [po, d:' 00]}", "a: ! [1, 2]\n", "a: ! word\n", "a: ! 'word'\n", "a: !\n", "! a: 1\n"})
     expectSays(refusal(text), "tag");

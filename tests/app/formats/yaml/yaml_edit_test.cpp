@@ -38,7 +38,7 @@ TEST(YamlEdit, replacesTextsOverSeveralLines) {
   EXPECT_EQ(withYamlValue("m:\n  a: |\n    one\n  b: 1\n", "m.a", "2"), "m:\n  a: 2\n  b: 1\n");
   EXPECT_EQ(withYamlValue("a: |\n  one\n  two", "a", "2"), "a: 2");
   EXPECT_EQ(withYamlValue("l:\n  - |\n    one\n  - 3\n", "l[0]", "2"), "l:\n  - 2\n  - 3\n");
-  // Found by fuzzing: the block scalar sign `>` on the line below its key.
+  // The sign `>` of a block scalar may be on the line below its key (found by fuzzing).
   EXPECT_EQ(withYamlValue("#l\nbase: \n>#d}\n  -", "base.position", "1"), "#l\nbase: \n{position: 1}");
 }
 
