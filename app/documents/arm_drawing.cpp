@@ -28,7 +28,7 @@ VectorXd middleOf(const Arm& arm) {
   return q;
 }
 
-/// Origins of all rows, starting with the base, followed by the tip; in the base frame [m].
+/// Positions of the base, of the origin of each row, and of the tip, in the base frame [m].
 struct Outline {
   std::vector<Vector3d> rigid{Vector3d::Zero()}, deflected{Vector3d::Zero()};
 };
@@ -45,7 +45,7 @@ Outline outlineOf(const Arm& arm) {
   return outline;
 }
 
-/// View along an axis of the base frame. The coordinate with index `across` points to the right, `up` upwards.
+/// Projection along an axis of the base frame: coordinate `across` points to the right, coordinate `up` upwards.
 class View {
  public:
   View(const Outline& outline, int across, int up, double left) : across_(across), up_(up), left_(left) {

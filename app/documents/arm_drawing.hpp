@@ -8,9 +8,9 @@
 
 namespace tubeplan::app {
 
-/// Returns an SVG drawing of the arm with each joint at the middle of its limits (at zero without limits). Links are
-/// lines, revolute joints circles, and prismatic joints squares. The deflected shape has a second colour, and there is
-/// a scale bar.
+/// Returns an SVG drawing of the arm with each joint at the middle of its limits, or at zero if it has none. Links are
+/// drawn as lines, revolute joints as circles, prismatic joints as squares, the deflected shape in a second colour. A
+/// scale bar shows the length unit.
 [[nodiscard]] std::string armDrawing(const deflection::Arm& arm, const Units& units);
 
 }  // namespace tubeplan::app

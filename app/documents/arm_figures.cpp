@@ -19,7 +19,7 @@ namespace {
 using deflection::Arm, deflection::JointType;
 using Eigen::Vector3d, Eigen::VectorXd;
 
-/// Sets coordinates to zero that are only rounding errors compared with `size`.
+/// Sets each coordinate to zero that is only a rounding error compared with `size`.
 void clean(Vector3d& p, double size) {
   for (double& x : p)
     if (std::abs(x) < 1e-12 * size) x = 0;

@@ -9,8 +9,8 @@
 
 namespace tubeplan::app {
 
-/// Returns {name, reach, weight, joints, rows: [{name, joint, type, position, z_axis, limits, compliant, weight}], tip,
-/// units}. Positions and axes are in the base frame, with all joints at zero.
+/// Returns {name, reach, weight, joints, rows: [{name, joint, type, position, origin, z_axis, limits, compliant,
+/// weight}], tip, units}. Positions and axes are in the base frame, with all joints at zero.
 [[nodiscard]] nlohmann::json armJson(const deflection::Arm& arm, const Units& units);
 
 [[nodiscard]] std::string armText(const deflection::Arm& arm, const Units& units);

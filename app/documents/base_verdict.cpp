@@ -21,7 +21,8 @@ using calibration::BaseCalibration;
 // Largest plausible deviation of the base from nominal, in standard deviations of its prior.
 constexpr double kMostSigmas = 3;
 constexpr double kMostPitches = 10;  // largest plausible miscount of rows or columns, in pitches
-// Largest shift left after a miscount, in pitches; a shift beyond the sheet leaves more at every hole.
+// Largest distance from the base's shift to the nearest vector between two holes, in pitches; the distance is larger
+// only for a shift that leads off the sheet.
 constexpr double kOnLattice = 0.75;
 constexpr double kTooGood = 1e-6;  // probability of so good a fit by chance, below which a warning is given
 // Prior probability that all holes of a session are counted from a wrong row or column.
@@ -74,8 +75,7 @@ struct HolesApart {
   Eigen::Vector2d way = Eigen::Vector2d::Zero();  ///< vector between the two holes [m]
 };
 
-/// Returns the displacement between two holes of the sheet that is closest to `way`, starting at the hole nearest to
-/// the middle.
+/// Returns the displacement closest to `way` from the hole nearest to the middle of the sheet to another hole.
 HolesApart holesNearest(const tubesheets::Sheet& sheet, const Eigen::Vector2d& way) {
   const auto placeOf = [](const tubesheets::Tube& tube) { return Eigen::Vector2d(tube.x, tube.y); };
   const auto nearestTo = [&](const Eigen::Vector2d& place) {
@@ -88,13 +88,13 @@ HolesApart holesNearest(const tubesheets::Sheet& sheet, const Eigen::Vector2d& w
   return {to.row - from.row, to.column - from.column, placeOf(to) - placeOf(from)};
 }
 
-/// Returns the ratio of the prior probability densities of the base at displacement `there` and at `here` from nominal.
+/// Returns the prior probability density of the base at displacement `there` from nominal, divided by that at `here`.
 double likelihoodRatio(const Eigen::Vector3d& there, const Eigen::Vector3d& here, const BasePrior& prior) {
   return std::exp((here.squaredNorm() - there.squaredNorm()) / (2 * prior.shift * prior.shift));
 }
 
-/// Warns if all hole names may be wrong by the same number of rows and columns: if, given the prior of the base, such a
-/// miscount is more probable than the base found.
+/// Warns if all hole names may be wrong by the same number of rows and columns, that is, if the prior of the base makes
+/// such a miscount more probable than the shift found.
 void judgeShift(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdict) {
   const Units& units = cell.units;
   const Eigen::Vector3d shift = base.from_start.head<3>();
@@ -136,7 +136,7 @@ void judgeTurn(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdi
                   angleOf(verdict.angle, units), units.angle().name, angleOf(most, units), units.angle().name));
 }
 
-/// Standard deviations of the base position [m] and rotation [rad], combined over the three directions.
+/// Standard deviations of the base position [m] and rotation [rad], as root sums of squares over the three axes.
 struct FromNominalSigma {
   double distance, angle;
 };

@@ -14,11 +14,11 @@
 namespace tubeplan::app {
 
 struct BaseVerdict {
-  bool fit_is_off = false;      ///< true: chi-square rejects the fit for the stated noise
-  bool is_implausible = false;  ///< true: the base is farther from nominal than expected
-  /// Distance of the base origin from nominal [m]; NaN for a refused base.
+  bool fit_is_off = false;      ///< true: the chi-square test rejects the fit, given the stated noise
+  bool is_implausible = false;  ///< true: the base is farther from nominal than its prior allows
+  /// Distance of the base origin from nominal [m]; NaN if the calibration was refused.
   double distance = std::numeric_limits<double>::quiet_NaN();
-  /// Rotation angle of the base from nominal [rad]; NaN for a refused base.
+  /// Rotation angle of the base from nominal [rad]; NaN if the calibration was refused.
   double angle = std::numeric_limits<double>::quiet_NaN();
   /// Shift of the base along the x and y axes of the sheet, in pitches; NaN without a sheet.
   Eigen::Vector2d pitches = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -26,12 +26,12 @@ struct BaseVerdict {
   std::vector<std::string> to_do;     ///< remedies, one sentence per element
 };
 
-/// Judges a calibrated base. `cell` is the cell before the calibration, with the nominal base. A refused base is judged
-/// only by its touches.
+/// Judges a calibrated base. `cell` is the cell before the calibration, with the nominal base. If the calibration was
+/// refused, only the fit of its touches is judged.
 [[nodiscard]] BaseVerdict judgeBase(const calibration::BaseCalibration& base, const Cell& cell);
 
 /// Returns {verdict: adequate or falls-short, warnings, to_do, nominal: {shift, turn, distance, angle, pitches,
-/// implausible}}; without `nominal` for a refused base.
+/// implausible}}; without `nominal` if the calibration was refused.
 [[nodiscard]] nlohmann::json baseVerdictJson(const BaseVerdict& verdict, const calibration::BaseCalibration& base,
                                              const Units& units);
 

@@ -167,7 +167,7 @@ std::string errorClause(const Comparison& result, const Units& units) {
                      errorText(result.after_refit.noise_floor, unit, 3));
 }
 
-/// Returns a sentence on the error, followed by one sentence for each reason of the verdict.
+/// Returns a sentence on the error, followed by one sentence for each reason for the verdict.
 std::vector<std::string> comparisonSentences(const Comparison& result, const Units& units) {
   std::vector<std::string> sentences = {errorClause(result, units)};
   sentences.insert(sentences.end(), result.grounds.begin(), result.grounds.end());

@@ -15,8 +15,8 @@ namespace tubeplan::app {
 
 [[nodiscard]] std::string diagnosisText(const nlohmann::json& figures);
 
-/// Returns the command line that adds the first explanation to the cell file `cell`; empty if no explanation is
-/// certain.
+/// Returns a line of text with the `tubeplan add` command that adds the first explanation to the cell file `cell`;
+/// empty if the diagnosis names none.
 [[nodiscard]] std::string additionCommand(nlohmann::json figures, const std::string& cell);
 
 }  // namespace tubeplan::app

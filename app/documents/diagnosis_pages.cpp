@@ -19,8 +19,8 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Adds the readings in the form that the page draws: the tip position after the refit, and the errors before and after
-/// the refit.
+/// Adds the joints, and copies the tip position after the refit and the errors before and after it to the keys that the
+/// page draws.
 void addPictures(const Cell& cell, nlohmann::json& json) {
   json["joints"] = jointsJson(cell.arm, cell.units);
   for (auto& reading : json["readings"]) {
@@ -41,8 +41,8 @@ std::vector<std::string> leverNames(const deflection::Arm& arm, const nlohmann::
   return names;
 }
 
-/// Adds the moments, and the leverages that convert a tip error into a joint error, for the readings that the page
-/// draws.
+/// Adds, for the readings that the page draws, the moments and the leverages that convert a tip error into a joint
+/// error.
 void addLevers(const Cell& cell, const std::vector<calibration::Measurement>& readings, nlohmann::json& page) {
   std::set<std::string> drawn;
   for (const auto& reading : page.at("readings")) drawn.insert(reading.at("id").get<std::string>());
@@ -54,7 +54,7 @@ void addLevers(const Cell& cell, const std::vector<calibration::Measurement>& re
   page["moments"] = momentsJson(cell, some);
 }
 
-/// Returns the results with the data for the head of the page added.
+/// Returns the results with the data that the head of the page shows.
 nlohmann::json pageOf(const std::string& what, const CellReadings& input, std::uint64_t seed,
                       const nlohmann::json& figures) {
   nlohmann::json page = figures;

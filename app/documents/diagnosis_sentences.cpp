@@ -21,7 +21,7 @@ using calibration::Diagnosis, calibration::Explanation, calibration::FoundEffect
 
 constexpr int kDigits = 3;  // significant digits of a length in a sentence
 
-/// Returns a text such as "0.0586 ± 0.0010": sigma with two significant digits, and the value with the same number of
+/// Returns a string such as "0.0586 ± 0.0010": sigma with two significant digits, and the value with the same number of
 /// decimals.
 std::string withSigmaText(double value, double sigma) {
   constexpr double kLeastPlain = 1e-3, kMostPlain = 1e5;
@@ -35,8 +35,8 @@ std::string effectAtPlace(const std::string& effect, const std::string& at) {
   return fmt::format("{} at {}", effect, at);
 }
 
-/// Returns a text such as "joint-compliance at theta2-row.z (softness 0.0021 ± 0.0001 rad/kNm)"; for more than three
-/// parameters only their number.
+/// Returns a string such as "joint-compliance at theta2-row.z (softness 0.0021 ± 0.0001 rad/kNm)"; for more than three
+/// parameters, only the number of parameters is given.
 std::string foundText(const FoundEffect& effect, const Units& units) {
   constexpr std::size_t kMost = 3;
   std::vector<std::string> numbers;
@@ -48,14 +48,14 @@ std::string foundText(const FoundEffect& effect, const Units& units) {
   return numbers.empty() ? name : fmt::format("{} ({})", name, fmt::join(numbers, ", "));
 }
 
-/// Returns the effects of an explanation, with their parameter values if this text is short enough.
+/// Returns the effects of an explanation, with their parameter values if the result is short enough for a sentence.
 std::string shortText(const Explanation& explanation, const Units& units) {
   constexpr std::size_t kShort = 90;
   const std::string text = sizesText(explanation, units);
   return text.size() <= kShort ? text : namesText(explanation);
 }
 
-/// Returns a text such as ", or joint-offset at A5 in place of link-length at bend, which ..."; empty if no other
+/// Returns a clause such as ", or joint-offset at A5 in place of link-length at bend, which ..."; empty if no other
 /// effect has the same consequences.
 std::string orText(const Explanation& explanation) {
   std::vector<std::string> others;
@@ -67,8 +67,8 @@ std::string orText(const Explanation& explanation) {
   return fmt::format(", or {}, which no reading with this tool tells apart", fmt::join(others, " and "));
 }
 
-/// Returns the variables that the unexplained residual depends on, each with the fraction it explains: "load (50 %),
-/// theta1 (20 %)".
+/// Returns the variables on which the unexplained residual depends, with the fraction that each one explains, such as
+/// "load (50 %), theta1 (20 %)".
 std::string followsText(const calibration::Remainder& remainder) {
   constexpr std::size_t kMost = 3;
   std::vector<std::string> variables;
@@ -108,8 +108,8 @@ std::string missingSentence(const Diagnosis& result, const Units& units) {
   return fmt::format("Missing: {}{}.", shortText(found, units), orText(found));
 }
 
-/// Returns a text such as "base-slip at base has 3 sizes that explain the readings equally; ..."; empty if all effects
-/// have unique values.
+/// Returns a sentence such as "base-slip at base has 3 sizes that explain the readings equally; ..."; empty if all
+/// effects have unique values.
 std::string modesSentence(const Explanation& explanation) {
   std::vector<std::string> sentences;
   for (const auto& effect : explanation.effects) {
@@ -121,8 +121,8 @@ std::string modesSentence(const Explanation& explanation) {
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-/// Returns a sentence on the decrease of the error. An error far below the noise floor, which occurs for readings with
-/// an open range, is only said to be less than the noise floor.
+/// Returns a sentence on the decrease of the error. An error far below the noise floor, which occurs for readings that
+/// only bound an error, is stated only as less than the noise floor.
 std::string fallSentence(const Diagnosis& result, const Units& units) {
   constexpr double kNothing = 0.5;  // as a fraction of the noise floor
   if (result.heldout_after.rms < kNothing * result.noise_floor)
@@ -175,7 +175,7 @@ std::string inconclusiveSentence(const Diagnosis& result) {
       100 * (1 - result.nothing_probability));
 }
 
-/// Returns the sentences of a diagnosis; an element is empty if its topic does not apply.
+/// Returns the sentences of a diagnosis; those that do not apply are empty.
 std::vector<std::string> sentencesOf(const Diagnosis& result, const Units& units) {
   switch (result.verdict) {
     case Verdict::kNotRun:

@@ -9,18 +9,18 @@
 
 namespace tubeplan::app {
 
-/// Predicate for a residual that does not depend smoothly on the recorded conditions of the measurements.
+/// End of a sentence on a residual that does not depend smoothly on the recorded conditions of the measurements.
 inline constexpr const char* kFollowsNothing = "follows no slow function of what the readings record";
 
-/// Meaning of the probabilities in a ranking: each is the sum over all models that include the effect.
+/// Explanation of the probabilities in a ranking: each is the summed probability of all models that include the effect.
 inline constexpr const char* kProbabilityWords =
     "the probability of an effect is that it is there; several may be, so that these do not add to 100 %";
 
-/// Returns the ids of the readings at these indices.
+/// Returns the ids of the readings with the indices `places`.
 [[nodiscard]] std::vector<std::string> idsOf(const std::vector<int>& places,
                                              const std::vector<calibration::Measurement>& readings);
 
-/// Returns a text such as "half width 0.0586 ± 0.0010 deg"; for a parameter that the readings leave undetermined, its
+/// Returns a string such as "half width 0.0586 ± 0.0010 deg"; for a parameter that the readings leave undetermined, its
 /// interval, such as "x -0.040 to 0.042 in".
 [[nodiscard]] std::string numberText(const calibration::FoundNumber& number, const Units& units);
 
@@ -31,14 +31,14 @@ inline constexpr const char* kProbabilityWords =
 /// Returns the effects of an explanation without values: "hysteresis at theta4 and link-bending at 4 places".
 [[nodiscard]] std::string namesText(const calibration::Explanation& explanation);
 
-/// Returns a text that names the effects which no reading could distinguish from the given effect; empty if there are
+/// Returns a clause that names the effects that no reading could distinguish from the given effect; empty if there are
 /// none.
 [[nodiscard]] std::string alsoText(const calibration::FoundEffect& effect);
 
 /// Returns the conclusions of a diagnosis, one sentence per element.
 [[nodiscard]] std::vector<std::string> diagnosisSentences(const calibration::Diagnosis& result, const Units& units);
 
-/// Returns the sentences of diagnosisSentences() joined into one text.
+/// Returns the sentences of diagnosisSentences(), joined by spaces.
 [[nodiscard]] std::string diagnosisSentence(const calibration::Diagnosis& result, const Units& units);
 
 /// Returns a found effect in the notation of AdditionRequest::causes.

@@ -9,15 +9,15 @@
 
 namespace tubeplan::app {
 
-/// Returns the active joints in the order of the readings' joint values: [{name, unit}, ...].
+/// Returns the active joints in the order of the readings' joint values: [{name, unit, row}, ...].
 [[nodiscard]] nlohmann::json jointsJson(const deflection::Arm& arm, const Units& units);
 
 /// Returns a reading without its errors, in the cell's units: {id, kind, point, joints: [...], load} and, if stated,
-/// setup, senses: [...] and the conditions under their names.
+/// row, setup, senses: [...] and the conditions under their names.
 [[nodiscard]] nlohmann::json readingJson(const calibration::Measurement& reading, const deflection::Arm& arm,
                                          const Units& units);
 
-/// Adds the values of the columns that only the reading's kind has, under the columns' names and in the cell's units.
+/// Adds the values of those columns that only readings of this kind have, keyed by column name, in the cell's units.
 void addOwnNumbers(const calibration::Measurement& reading, const Units& units, nlohmann::json& entry);
 
 /// Returns [{name, rms, heldout_rms}, ...] for the given model, the refitted model, and the model with each explanation
@@ -27,7 +27,8 @@ void addOwnNumbers(const calibration::Measurement& reading, const Units& units, 
 /// Adds to the JSON of a diagnosis: `joints`; `ladder`; `readings`, each as in readingJson() with position: [3],
 /// before: [3], after: [3] (error with the leading explanation) and explained: [[3], ...] (error with each explanation
 /// shown); and `added_variable`: [{explanation, effect, at, slope, length, kept_fraction, points: [[reading, signature,
-/// left], ...]}]. Errors are measured minus predicted. In `points`, `reading` is an index in `readings`.
+/// left], ...]}]. Errors are measured minus predicted. In `points`, `reading` is an index in `readings`, and `left` the
+/// residual of the model without the effect.
 void addViews(const calibration::Diagnosis& result, const std::vector<calibration::Measurement>& readings,
               const Units& units, nlohmann::json& json);
 

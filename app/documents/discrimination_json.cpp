@@ -79,8 +79,8 @@ std::string firstMeans(const DiscriminatingMeasurements& result) {
   return fmt::format("{}", fmt::join(some, ", or "));
 }
 
-/// Returns a text such as "A and B" for the first pair of explanations that cannot be distinguished, with the number of
-/// further pairs.
+/// Returns a string such as "A and B" that names the first pair of explanations that cannot be distinguished, and
+/// states the number of further pairs.
 std::string neverText(const DiscriminatingMeasurements& result) {
   const auto& first = result.never.front();
   const std::string more = result.never.size() > 1 ? fmt::format(" (and {} pairs more)", result.never.size() - 1) : "";

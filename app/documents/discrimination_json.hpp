@@ -10,8 +10,8 @@
 
 namespace tubeplan::app {
 
-/// Adds two entries to the JSON of a diagnosis: `next_readings`, the proposed readings, and `discrimination`, the
-/// expected benefit of these readings and other remedies. Appends the advice to the `sentence` of the diagnosis.
+/// Adds two entries to the JSON of a diagnosis: `next_readings`, the proposed readings, and `splitting`, the expected
+/// benefit of these readings and other remedies. Appends the advice to the `sentence` of the diagnosis.
 void addNextReadings(const calibration::DiscriminatingMeasurements& result,
                      const std::vector<calibration::ReadingCandidate>& candidates, const deflection::Arm& arm,
                      const Units& units, nlohmann::json& diagnosis);
@@ -19,7 +19,8 @@ void addNextReadings(const calibration::DiscriminatingMeasurements& result,
 /// Returns the advice in one sentence; empty if there is nothing to decide.
 [[nodiscard]] std::string discriminationAdvice(const calibration::DiscriminatingMeasurements& result);
 
-/// Returns the proposed readings, each with an id that no reading in `taken` has; empty if none are proposed.
+/// Returns the proposed readings, each with an id that no reading in `taken` has; the list is empty if none are
+/// proposed.
 [[nodiscard]] std::vector<calibration::ProposedMeasurement> runSheetOf(
     const calibration::DiscriminatingMeasurements& result, const std::vector<calibration::ReadingCandidate>& candidates,
     const std::vector<calibration::Measurement>& taken);

@@ -17,7 +17,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Returns the parameters of an effect with neutral values, in the units that apply where the effect acts.
+/// Returns the parameters of an effect with their neutral values and bounds, in the units that apply where the effect
+/// acts.
 json parametersJson(const Cell& cell, const deflection::EffectKind& kind, const deflection::Effect& effect) {
   json parameters = json::array();
   for (std::size_t v = 0; v < kind.parameters.size(); ++v) {
@@ -36,7 +37,7 @@ json parametersJson(const Cell& cell, const deflection::EffectKind& kind, const 
   return parameters;
 }
 
-/// Returns the parameters of an effect, such as "gap (deg, usually up to 1.15)"; units are those at the place `at`.
+/// Returns the parameters of an effect at the place `at`, such as "gap (deg, usually up to 1.15)".
 std::string numbersText(const Cell& cell, const deflection::EffectKind& kind, const std::string& at) {
   std::vector<std::string> numbers;
   for (const json& number : parametersJson(cell, kind, deflection::makeEffect(cell.arm, kind.name, at).effect)) {

@@ -12,7 +12,7 @@ namespace tubeplan::app {
 [[nodiscard]] nlohmann::json catalogueJson(const Cell& cell);
 
 /// Returns the catalogue as text with a paragraph for each kind of effect: description, law, parameters with units and
-/// largest usual magnitudes, and places. `only` selects one kind; empty: all kinds.
+/// largest usual magnitudes, and places. `only` names the one kind to list; if it is empty, all kinds are listed.
 [[nodiscard]] std::string catalogueText(const Cell& cell, const std::string& only);
 
 }  // namespace tubeplan::app

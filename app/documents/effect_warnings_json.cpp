@@ -36,7 +36,7 @@ double inFile(double value, deflection::Quantity quantity, const Units& units) {
 
 std::string warnedPlace(const EffectWarning& warning) { return warning.effect + "@" + warning.at; }
 
-/// Returns a text such as "p = 0.4; held-out error 0.0061 with, 0.0060 in without".
+/// Returns a string such as "p = 0.4; held-out error 0.0061 with, 0.0060 in without".
 std::string groundsText(const EffectWarning& warning, const Units& units) {
   std::string text = fmt::format("p = {:.2g}", warning.p_value);
   if (std::isfinite(warning.heldout_with.rms) && std::isfinite(warning.heldout_without.rms))
@@ -68,8 +68,8 @@ std::string beyondText(const EffectWarning& warning, const Units& units) {
 
 using WarningGroup = std::vector<const EffectWarning*>;
 
-/// Returns true if one sentence can state both warnings. Warnings that another shape of the same effect fits better are
-/// stated separately.
+/// Returns true if one sentence can state both warnings. A warning that the same effect fits better with other
+/// parameters or at another place is stated separately.
 bool isSaidTogether(const EffectWarning& a, const EffectWarning& b) {
   if (a.kind != b.kind || a.is_within_noise != b.is_within_noise) return false;
   return a.kind != EffectWarningKind::kBetterExplainedBy ||
@@ -96,7 +96,7 @@ std::string warningList(const WarningGroup& group, TextOf&& textOf) {
   return enumeration(texts);
 }
 
-/// Returns the range of a value over the group, such as "0.014 to 1"; a single value if all are printed the same.
+/// Returns the range of a value over the group, such as "0.014 to 1"; a single value if both ends are printed alike.
 template <class ValueOf>
 std::string warningRange(const WarningGroup& group, int digits, ValueOf&& valueOf) {
   const auto [least, greatest] =
@@ -105,8 +105,8 @@ std::string warningRange(const WarningGroup& group, int digits, ValueOf&& valueO
   return from == to ? from : from + " to " + to;
 }
 
-/// Returns the warning that effects are not needed. Each effect was removed alone, so that another effect may have
-/// taken over its contribution.
+/// Returns the warning that effects are not needed. Each effect was removed by itself; another effect may then have
+/// taken over its contribution, so only one may be removed at a time.
 std::string notNeededText(const WarningGroup& group, const Units& units) {
   const EffectWarning& first = *group.front();
   std::string grounds = "p = " + warningRange(group, 2, [](const EffectWarning& w) { return w.p_value; });

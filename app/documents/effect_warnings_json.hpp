@@ -13,12 +13,12 @@ namespace tubeplan::app {
 /// Returns a warning as a sentence such as "backlash@tool.z: the readings do not need it (...): take it out".
 [[nodiscard]] std::string warningText(const calibration::EffectWarning& warning, const Units& units);
 
-/// Returns the warnings as sentences; similar warnings share a sentence that names all effects concerned. The sentences
-/// are in the order of their first warnings.
+/// Returns the warnings as sentences, in the order of the warnings. Similar warnings share a sentence that names all
+/// effects concerned, at the place of the first of them.
 [[nodiscard]] std::vector<std::string> warningTexts(const std::vector<calibration::EffectWarning>& warnings,
                                                     const Units& units);
 
-/// Returns [{effect, at, kind, sentence, ...}, ...].
+/// Returns one entry for each warning: [{effect, at, kind, sentence, ...}, ...].
 [[nodiscard]] nlohmann::json effectWarningsJson(const std::vector<calibration::EffectWarning>& warnings,
                                                 const Units& units);
 

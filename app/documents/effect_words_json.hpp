@@ -1,4 +1,4 @@
-// Descriptions of effects, added to documents next to the effects' names because pages contain no texts on effects.
+// Descriptions of effects, added to documents next to the effects' names so that pages need no texts of their own.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -6,8 +6,8 @@
 
 namespace tubeplan::app {
 
-/// Adds to the JSON entry about an effect or freed parameter of this name: `words`, a description, and `varies_with`,
-/// the kinds of variables in the effect's law.
+/// Adds to the JSON entry about the effect or freed parameter `effect`: `words`, a description, and `varies_with`, the
+/// kinds of variables in its law.
 void addEffectWords(const std::string& effect, nlohmann::json& entry);
 
 }  // namespace tubeplan::app

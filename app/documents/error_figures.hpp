@@ -1,4 +1,4 @@
-// Errors of readings as JSON and text: in the unit of the measured quantity, with their budget.
+// Errors of readings as JSON and text, in the unit of the measured quantity, and their error budget.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace tubeplan::app {
 /// Unit of errors: the angle unit if the readings measure only angles, otherwise the length unit.
 struct ErrorUnit {
   std::string name;
-  double factor = 1;  ///< value of one unit in an ErrorSize [m]
+  double factor = 1;  ///< one unit, as ErrorSize expresses an error [m]
 };
 
 [[nodiscard]] ErrorUnit errorUnitOf(bool are_angles, const Units& units);
@@ -23,7 +23,7 @@ struct ErrorUnit {
 /// Returns an error in the given unit; null if it is not finite.
 [[nodiscard]] nlohmann::json errorJson(double error, const ErrorUnit& unit);
 
-/// Returns a text such as "0.0123 in" or "0.0123 deg" with this number of significant digits; "none" if the error is
+/// Returns a string such as "0.0123 in" or "0.0123 deg" with this number of significant digits; "none" if the error is
 /// not finite.
 [[nodiscard]] std::string errorText(double error, const ErrorUnit& unit, int digits = 4);
 
@@ -36,7 +36,8 @@ struct ErrorUnit {
 [[nodiscard]] nlohmann::json errorSizeJson(const calibration::Measurement& reading, const Eigen::Vector3d& error_W,
                                            double turn, const Units& units);
 
-/// Returns the error budget: total error, the parts that a diagnosis or refit explains and leaves, and the noise.
+/// Returns the error budget: the total error, its parts that a diagnosis or refit explains and leaves unexplained, and
+/// the noise.
 [[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Diagnosis& result);
 [[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Comparison& result);
 [[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Identification& result);
@@ -46,7 +47,7 @@ struct ErrorUnit {
 [[nodiscard]] nlohmann::json errorBudgetJson(const calibration::ErrorBudget& budget, std::size_t set_aside,
                                              const Units& units);
 
-/// Returns a text such as "Held-out error 0.613 mm (root mean square over 436 readings; 32 set aside as outliers):
+/// Returns a sentence such as "Held-out error 0.613 mm (root mean square over 436 readings; 32 set aside as outliers):
 /// ..."; empty if there is no error.
 [[nodiscard]] std::string errorBudgetText(const calibration::ErrorBudget& budget, std::size_t set_aside,
                                           const Units& units);

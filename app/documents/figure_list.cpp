@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Full text for abbreviated JSON keys.
+/// Full words for the abbreviations in JSON keys.
 constexpr std::pair<std::string_view, std::string_view> kShort[] = {
     {"chi2", "chi-square"}, {"dof", "degree of freedom"},      {"dx", "x error"},
     {"dy", "y error"},      {"heldout", "held-out"},           {"rms", "root mean square"},
@@ -46,8 +46,8 @@ bool hasReal(const json& value) {
   return value.is_array() ? std::any_of(value.begin(), value.end(), hasReal) : value.is_number_float();
 }
 
-/// Returns the name that distinguishes a list's entry from the other entries; the entry's number, from 1, if there is
-/// no name.
+/// Returns the name that distinguishes an entry from the other entries of its list; if it has no name, its number, from
+/// 1.
 std::string entryName(const json& entry, std::size_t place) {
   if (entry.contains("effect") && entry.contains("at"))
     return fmt::format("{} at {}", cellText(entry["effect"], 1), cellText(entry["at"], 1));
@@ -72,7 +72,7 @@ class FigureCollector {
   std::vector<Figure> figures;
 
  private:
-  /// Adds the values contained in `value`. `at` has the attributes found so far; `path` has the keys without list
+  /// Adds the values contained in `value`. `at` holds the attributes found so far, and `path` the keys without list
   /// indices.
   void add(const json& value, const Figure& at, const std::string& path) {
     if (isPlain(value)) return addPlain(value, at, path);

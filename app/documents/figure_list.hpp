@@ -1,4 +1,4 @@
-// JSON document as one list of values ("figures"), each with a description and unit, and this list as CSV and as
+// List of all values ("figures") of a JSON document, each with a description and unit, and this list as CSV and as
 // Markdown.
 #pragma once
 
@@ -9,22 +9,22 @@
 namespace tubeplan::app {
 
 struct Figure {
-  std::string list;    ///< path of the outermost list that contains the value, such as "parameters"; empty: in no list
-  std::string row;     ///< index in `list`
-  std::string column;  ///< path within the list's entry, such as "prior/sigma"; full path if in no list
+  std::string list;         ///< path of the outermost list that contains the value, such as "parameters"; empty if none
+  std::string row;          ///< index in `list`
+  std::string column;       ///< path within the list's entry, such as "prior/sigma"; full path if in no list
   std::string description;  ///< such as "tool.tip.x: value"
   nlohmann::json value;     ///< plain value, or a list of plain values
-  std::string unit;         ///< empty for texts, counts and dimensionless numbers
+  std::string unit;         ///< empty for strings, counts and dimensionless numbers
   std::string note;
 
   /// Returns the path in the notation of jq and JSON pointers, such as "parameters/0/prior/sigma".
   [[nodiscard]] std::string key() const;
 };
 
-/// Returns the values of a document: first its conclusions, then all others in their order.
+/// Returns the values of a document: first its conclusions, then all others in document order.
 [[nodiscard]] std::vector<Figure> figuresOf(const nlohmann::json& document);
 
-/// Returns the text of a value for a table cell, with this number of significant digits; empty if the value is unknown.
+/// Returns a value as the text of a table cell, with this number of significant digits; empty if the value is unknown.
 [[nodiscard]] std::string cellText(const nlohmann::json& value, int digits);
 
 /// Returns CSV with the columns key,description,value,unit,note and one row for each value.

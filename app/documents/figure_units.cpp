@@ -12,8 +12,8 @@ namespace {
 using nlohmann::json;
 
 /// Row that assigns a unit to JSON keys. A key matches the end of a value's path; with a slash at its end it matches
-/// any part of the path. The first matching row applies. The name of the unit is the first of the paths `units` found,
-/// searching from the value outwards; a text after "=" is the name itself.
+/// any part of the path. The first matching row applies. `units` lists paths at which the document states the unit's
+/// name; the first one found, searched from the value outwards, applies. After "=", it is the name itself.
 struct UnitRow {
   std::string_view units, keys;
 };
@@ -71,7 +71,8 @@ std::string nameAt(std::string_view path, std::span<const json* const> scopes) {
   return "";
 }
 
-/// Returns the name of a unit, or of a product such as "lbf*in"; `paths` are separated by "*".
+/// Returns the name of the unit that the document states at `paths`; several paths, separated by "*", give a product
+/// such as "lbf*in".
 std::string productAt(std::string_view paths, std::span<const json* const> scopes) {
   std::string product;
   (void)anyOf(paths, '*', [&](std::string_view path) {
@@ -81,7 +82,7 @@ std::string productAt(std::string_view paths, std::span<const json* const> scope
   return product;
 }
 
-/// Returns the unit of a condition, which the document states under `units`; empty if the path is no condition.
+/// Returns the unit of a condition, which the document states under `units`; empty if the path names no condition.
 std::string conditionUnit(std::string_view path, const json& document) {
   const json::json_pointer conditions("/units/conditions");
   if (!document.contains(conditions)) return "";

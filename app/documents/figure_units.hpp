@@ -8,8 +8,8 @@
 
 namespace tubeplan::app {
 
-/// Returns the unit of the value at a path of keys such as "rms/after"; empty for a dimensionless number. `scopes` has
-/// the document first, then the nested objects down to the value.
+/// Returns the unit of the value at a path of keys such as "rms/after"; empty for a dimensionless number. `scopes`
+/// holds the document first, then the nested objects that contain the value, outermost first.
 [[nodiscard]] std::string figureUnit(std::string_view path, std::span<const nlohmann::json* const> scopes);
 
 }  // namespace tubeplan::app

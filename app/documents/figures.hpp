@@ -1,4 +1,4 @@
-// Single values as JSON and text: in file units, never NaN.
+// Single values as JSON and text, in file units; a value that is not finite becomes null or "none".
 #pragma once
 
 #include <Eigen/Core>
@@ -19,10 +19,11 @@ namespace tubeplan::app {
 /// Returns a position [m] as three lengths in the file's unit.
 [[nodiscard]] nlohmann::json placeJson(const Eigen::Vector3d& metres, const Units& units);
 
-/// Returns a text such as "0.0123 in" with this number of significant digits; "none" if the length is not finite.
+/// Returns a string such as "0.0123 in" with this number of significant digits; "none" if the length is not finite.
 [[nodiscard]] std::string lengthText(double metres, const Units& units, int digits = 4);
 
-/// Returns a number as text with this number of significant digits; integers have no exponent.
+/// Returns a number as text with this number of significant digits; a number with more digits before the point is
+/// written as an integer if it is below 1e7, not with an exponent.
 [[nodiscard]] std::string significantText(double value, int digits);
 
 /// Returns a value with its unit, such as "0.0123 in", with this number of significant digits; "none" if it is not

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kDigits = 6;
 
-/// Returns the text of a Markdown table cell, with the characters escaped that would end the cell or start an HTML tag.
+/// Returns the text as a Markdown table cell; characters that would end the cell or start an HTML tag are escaped.
 std::string markdownCell(const std::string& text) {
   std::string cell;
   for (const char c : text)

@@ -22,7 +22,8 @@ using nlohmann::json;
 // JSON objects in which paths are looked up: the document first, the current entry last.
 using Scopes = std::vector<const json*>;
 
-/// Removes and returns the part of `text` before `mark`; also removes the mark. Without a mark, takes the whole text.
+/// Removes and returns the part of `text` before `mark`, and removes the mark too. Without a mark, takes the whole
+/// text.
 std::string_view takeUpTo(std::string_view& text, char mark) {
   const auto end = text.find(mark);
   const auto taken = text.substr(0, end);
@@ -82,8 +83,8 @@ std::string writtenNumber(double value, const FigureFormat& format, const json& 
   }
 }
 
-/// Returns an interval as text. A missing bound gives "... or more" or "... or less", for example for a stiffness that
-/// may be infinite.
+/// Returns an interval as text. If one bound is missing, as for a stiffness that may be infinite, it reads "... or
+/// more" or "... or less".
 std::string writtenInterval(const json& interval, const FigureFormat& format) {
   const auto end = [&](int k) {
     return significantText(interval[k].get<double>(), std::stoi(format.digits.substr(1)));
@@ -161,13 +162,13 @@ bool isNothing(const json& value) {
          (value.is_number_integer() && value == 0) || (value.is_number() && !std::isfinite(value.get<double>()));
 }
 
-/// Returns the end of the scopes after the innermost object or list, so that a plain innermost value is left out.
+/// Returns the position after the innermost object or list of the scopes; a plain value inside it is thus left out.
 Scopes::const_iterator innermostObject(const Scopes& scopes) {
   return std::find_if(scopes.rbegin(), scopes.rend(), [](const json* scope) { return scope->is_structured(); }).base();
 }
 
-/// Adds the entries found at `path` from the innermost scope, each with its enclosing objects. Lists on the path
-/// contribute all their entries.
+/// Adds the entries found at `path`, starting from the innermost scope, each with its enclosing objects. Lists on the
+/// path contribute all their entries.
 void addEntries(std::string_view path, const Scopes& scopes, std::vector<Scopes>& entries) {
   const auto descend = [&](const json& entry, std::string_view rest) {
     Scopes inner = scopes;

@@ -1,5 +1,5 @@
-// JSON documents as text: tables of lines, each filled in with values of the document. The document states the meaning
-// and unit of each value once; the lines state wording, digits and order.
+// Text made from a JSON document by a table of lines, which are filled in with values of the document. The document
+// states the meaning and unit of each value; the lines state wording, digits and order.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -17,10 +17,10 @@ namespace tubeplan::app {
 /// `{PATH:FORMAT UNIT}` in `words` is replaced by the value at PATH, searched in the entry, then in its enclosing
 /// objects, then in the document. UNIT is the path of the name of the unit. `{}` is the entry itself, `{#PATH}` the
 /// length of a list, and `{@}` the line's `name`. FORMAT is fmt's [<>][+][WIDTH][.DIGITS][TYPE] with additional types:
-/// r, significant digits, integers without an exponent; a, like r for the absolute value; l, with the decimals of a
-/// length; %, a fraction as a percentage; p, a p-value; i, an interval with this number of digits; n, a user-defined
-/// name. A list is written with commas, or after * in columns of WIDTH; an object is written as "4 open, 2 plugged",
-/// and a number that does not exist as "none".
+/// r, significant digits, without an exponent for numbers from 1 to 1e7; a, like r for the absolute value; l, with the
+/// decimals of a length; %, a fraction as a percentage; p, a p-value; i, an interval with this number of digits; n, a
+/// user-defined name. A list is written with commas or, if FORMAT begins with *, in columns of WIDTH; an object is
+/// written as "4 open, 2 plugged", and null or a number that is not finite as "none".
 struct TextLine {
   std::string_view of, words;
   std::span<const TextLine> inner = {};  ///< lines that follow, about the same entry
@@ -28,10 +28,11 @@ struct TextLine {
   std::size_t most = 1000000;  ///< largest number of entries shown
 };
 
-/// Returns the text of the lines. Throws std::logic_error if a placeholder names a value that is not in the document.
+/// Returns the text that the lines give for the document. Throws std::logic_error if a placeholder names a value that
+/// is not in the document.
 [[nodiscard]] std::string textOf(const nlohmann::json& document, std::span<const TextLine> lines);
 
-/// Returns one text with its placeholders filled in from the document.
+/// Returns `words` with its placeholders filled in from the document.
 [[nodiscard]] std::string textOf(const nlohmann::json& document, std::string_view words);
 
 }  // namespace tubeplan::app

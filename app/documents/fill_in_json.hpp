@@ -9,7 +9,7 @@
 
 namespace tubeplan::app {
 
-/// Returns {columns, least, optional}.
+/// Returns the members of FillIn: {columns, least, optional}.
 [[nodiscard]] nlohmann::json fillInJson(const FillIn& fill);
 
 /// Returns the instruction for a run sheet, such as "fill in x_in, y_in, z_in".

@@ -10,8 +10,8 @@
 
 namespace tubeplan::app {
 
-/// Returns the JSON of an identification. `readings` are the fitted readings, from which outliers are named;
-/// `set_aside` is the number of excluded readings.
+/// Returns the JSON of an identification. `readings` are all readings that were passed to the identification;
+/// `set_aside` is the number of readings that were excluded beforehand.
 [[nodiscard]] nlohmann::json identificationJson(const calibration::Identification& result,
                                                 const std::vector<calibration::Measurement>& readings,
                                                 std::size_t set_aside, const Units& units);

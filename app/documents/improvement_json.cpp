@@ -44,7 +44,7 @@ std::string sentenceOf(const ImprovementStep& step, const Units& units) {
                                                             : diagnosisSentence(step.diagnosis, units);
 }
 
-/// Returns the ids of the readings left out of all fits, as outliers of the last diagnosis.
+/// Returns the ids of the readings that the last model's fit leaves out as outliers.
 std::vector<std::string> idsSetAside(const Improvement& result, const std::vector<calibration::Measurement>& readings) {
   return result.models.empty() ? std::vector<std::string>() : idsOf(result.models.back().set_aside, readings);
 }

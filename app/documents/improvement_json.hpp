@@ -13,7 +13,7 @@ namespace tubeplan::app {
 /// Returns the name used in documents: "adequate", "nothing-sure", ...
 [[nodiscard]] const char* nameOf(ImprovementEnd end);
 
-/// Returns a sentence on why a step added a cause, or why the loop ended.
+/// Returns, as a clause, the reason why a step added a cause or ended the loop.
 [[nodiscard]] std::string reasonText(const ImprovementStep& step, const Units& units);
 
 /// Returns the JSON that `tubeplan improve --json` writes.

@@ -1,4 +1,4 @@
-// Ladder of models with step tables, as JSON, as text and as a page.
+// Comparison of several models on the same readings (a ladder), with step tables, as JSON, as text and as a page.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace tubeplan::app {
 
-/// Returns the JSON that `tubeplan ladder --json` writes. The entry `step_table` has {real_arm, unmodelled_sigma,
-/// holes, out_of_reach, seed}, or {reason} if there are no step tables.
+/// Returns the JSON that `tubeplan ladder --json` writes. The entry `step_table` is {real_arm, unmodelled_sigma, holes,
+/// out_of_reach, seed}, or {reason} if there are no step tables.
 [[nodiscard]] nlohmann::json ladderJson(const std::vector<ModelComparisonRow>& comparison, const LadderSteps& steps,
                                         const std::vector<std::string>& set_aside, std::uint64_t seed,
                                         const Units& units);

@@ -45,7 +45,7 @@ std::vector<Lever> leversOf(const deflection::Arm& arm, const std::vector<std::s
   return levers;
 }
 
-/// Returns the motion of the tip in the world frame, per rad of rotation [m/rad] or per m of sliding.
+/// Returns the displacement of the tip in the world frame, per radian of rotation [m/rad] or per metre of translation.
 Vector3d leverage(const Lever& lever, const Isometry3d& X_WL, const Vector3d& p_WT) {
   const Vector3d axis_W = X_WL.linear().col(lever.axis);
   return lever.slides ? axis_W : Vector3d(axis_W.cross(p_WT - X_WL.translation()));

@@ -1,5 +1,5 @@
-// Leverage of each joint at each reading: the displacement of the tip for a small motion of the joint. The leverage
-// converts a tip error into a joint error.
+// Leverage of each joint at each reading: the displacement of the tip per unit of joint motion. It converts a tip error
+// into a joint error.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

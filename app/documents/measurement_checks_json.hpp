@@ -11,8 +11,8 @@
 
 namespace tubeplan::app {
 
-/// Adds to a JSON document: `checks`, [{name, severity, sentence, error_as_is, error_if_mended, assume, equally}, ...]
-/// or null if there are none, and `missing_columns`, [{column, sentence}, ...].
+/// Adds to a JSON document: `checks`, [{name, severity, sentence, error_as_is, error_if_mended, assume, equally}, ...],
+/// and `missing_columns`, [{column, sentence}, ...]; errors and `assume` are null if there are none.
 void addChecks(const calibration::MeasurementChecks& checks, const Units& units, nlohmann::json& document);
 
 /// Returns a check as a sentence without its full stop: the suspected mistake, the error with and without the mistake,
@@ -26,20 +26,20 @@ void addChecks(const calibration::MeasurementChecks& checks, const Units& units,
 /// there is none. Used wherever readings are judged or fitted.
 [[nodiscard]] std::string mistakeText(const calibration::MeasurementChecks& checks, const Units& units);
 
-/// Value of `verdict_words` for readings with a mistake (mistakeText()).
+/// Value of `verdict_words` for readings with a mistake, that is, if mistakeText() is not empty.
 inline constexpr const char* kMistakeWords = "Inconclusive: a mistake in the readings is to be mended first";
 
 /// Returns the sentence "No verdict is possible: REASON."
 [[nodiscard]] std::string noVerdictSentence(const std::string& reason);
 
-/// Returns the sentences of the checks, followed by `warnings`.
+/// Returns the sentences of the checks except the remarks base-from-nominal and few-readings, followed by `warnings`.
 [[nodiscard]] std::vector<std::string> warningsWithChecks(const calibration::MeasurementChecks& checks,
                                                           std::vector<std::string> warnings, const Units& units);
 
 /// Returns one line for each warning.
 [[nodiscard]] std::string warningsText(const std::vector<std::string>& warnings);
 
-/// Template of the text line about the `set_aside` readings of a document.
+/// Text line (TextLine::words) that lists the `set_aside` readings of a document.
 inline constexpr std::string_view kSetAsideWords =
     "  set aside as outliers, in no fit and no error: readings {set_aside:n} ({#set_aside})\n";
 

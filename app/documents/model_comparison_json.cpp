@@ -39,14 +39,14 @@ ErrorUnit errorUnitOf(const std::vector<ModelComparisonRow>& comparison, const U
   return errorUnitOf(!comparison.empty() && comparison.front().fitted.are_angles, units);
 }
 
-/// Returns the error budget in which the last model explains part of the first model's error.
+/// Returns the error budget of the first model's error, of which the last model explains a part.
 calibration::ErrorBudget budgetOf(const std::vector<ModelComparisonRow>& comparison) {
   if (comparison.empty()) return {};
   const auto &first = comparison.front(), &last = comparison.back();
   return calibration::errorBudget({first.heldout, last.heldout}, {first.fitted, last.fitted}, last.noise_floor);
 }
 
-/// Returns a text such as "1.6 times the noise floor of 0.0057 in".
+/// Returns a string such as "1.6 times the noise floor of 0.0057 in".
 std::string overFloorText(const ModelComparisonRow& model, const ErrorUnit& unit) {
   constexpr int kDigits = 3;
   if (!(model.noise_floor > 0)) return "no noise is stated";

@@ -15,7 +15,8 @@ namespace tubeplan::app {
 [[nodiscard]] nlohmann::json modelComparisonJson(const std::vector<ModelComparisonRow>& comparison,
                                                  std::size_t set_aside, const Units& units);
 
-/// Returns one sentence on the model that predicts held-out readings best, with its error relative to the noise.
+/// Returns one sentence that names the model with the smallest held-out error, and states this error relative to the
+/// noise.
 [[nodiscard]] std::string modelComparisonSentence(const std::vector<ModelComparisonRow>& comparison,
                                                   const Units& units);
 

@@ -11,7 +11,7 @@ namespace tubeplan::app {
 namespace {
 
 constexpr std::size_t kMostNamed = 3;
-constexpr double kWorthSaying = 0.2;  // smallest fraction of a formula that is reported
+constexpr double kWorthSaying = 0.2;  // smallest share of an effect that the text names
 
 }  // namespace
 

@@ -1,4 +1,5 @@
-// Fraction of a user formula that effects of the catalogue already explain, as JSON and as text.
+// Fraction of a user formula's contribution that the other fitted parameters and effects of the catalogue can
+// reproduce, as JSON and as text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

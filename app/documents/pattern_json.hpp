@@ -1,4 +1,4 @@
-// Pattern found in the residuals, as JSON and as a sentence.
+// Results of pattern tests on the residuals, as JSON and as sentences.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,10 +9,11 @@
 
 namespace tubeplan::app {
 
-/// Returns a sentence on a pattern.
+/// Returns a sentence on how the error depends on the tested variable; empty if the test has no component.
 [[nodiscard]] std::string patternSentence(const calibration::PatternTest& test, const Units& units);
 
-/// Returns the results of a pattern test; for a pattern found, also its course over the variable.
+/// Returns the results of a pattern test; findingJson() adds the trend over the variable and the stronger finding, if
+/// any, that also explains the pattern.
 [[nodiscard]] nlohmann::json testJson(const calibration::PatternTest& test, const Units& units);
 [[nodiscard]] nlohmann::json findingJson(const calibration::PatternTest& test, const Units& units);
 

@@ -24,7 +24,7 @@ std::vector<int> trueCounts(const PlanOutcome& outcome) {
   return countByMode(outcome.scores, static_cast<int>(outcome.model.tool.steps.size()))[static_cast<std::size_t>(mode)];
 }
 
-/// Returns a text such as "2 steps in 41 tubes, 3 steps in 18 tubes".
+/// Returns a string such as "2 steps in 41 tubes, 3 steps in 18 tubes".
 std::string tubesByStepsText(const std::vector<int>& counts) {
   std::vector<std::string> parts;
   for (std::size_t k = 0; k < counts.size(); ++k)

@@ -1,4 +1,4 @@
-// Plan in one sentence: numbers of tubes and of tool steps, the base, and the proof.
+// One sentence about a plan: the numbers of tubes and of tool steps, the base, and the proof.
 #pragma once
 
 #include <string>

@@ -29,8 +29,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Returns values at full precision: joint values rounded to 12 digits would move the tip by more than the accuracy
-/// that the plan states.
+/// Returns values in file units at full precision; vectorJson() would round them to 12 digits.
 json exactVector(const Eigen::VectorXd& values, const Units& units, Dimension dimension) {
   json list = json::array();
   for (double value : values) list.push_back(value / units.factor(dimension));
@@ -53,7 +52,8 @@ json modesJson(const ModeScores& scores, const Units& units) {
   return modes;
 }
 
-/// Returns the scored compensation modes, in the order of the thesis's comparison: [{name, words, brief}, ...].
+/// Returns the compensation modes that are scored, in the order in which the thesis compares them: [{name, words,
+/// brief}, ...].
 json modeWordsJson() {
   json modes = json::array();
   for (std::size_t mode = 0; mode < kModeKeys.size(); ++mode) {

@@ -13,8 +13,8 @@ namespace tubeplan::app {
 /// Returns the content of plan.json, but without the fingerprint of the path.
 [[nodiscard]] nlohmann::json planJson(const PlanRequest& request, const PlanOutcome& outcome);
 
-/// Returns the number of steps expected to enter at visit `k`: the most probable number, or without probabilities the
-/// number for the predicted error.
+/// Returns the number of tool steps expected to enter at visit `k`: the most probable number or, without probabilities,
+/// the number for the predicted error.
 [[nodiscard]] int expectedSteps(const PlanOutcome& outcome, std::size_t k);
 
 /// Returns planJson() with the fingerprint of the path's numbers added, by which `verify` recognizes the path file.
@@ -32,7 +32,7 @@ namespace tubeplan::app {
 inline constexpr const char* kPlanFiles[] = {"plan.json",    "path.csv",    "cell.yaml",      "touches.csv",
                                              "worklist.csv", "report.html", "trajectory.yaml"};
 
-/// Writes all files of a plan to a folder, whose files appear together at its commit.
+/// Writes the files of a plan, except the trajectory, to the folder and commits them, so that all appear together.
 void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFolder& folder);
 
 }  // namespace tubeplan::app

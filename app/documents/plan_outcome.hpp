@@ -1,4 +1,4 @@
-// Request for a plan, and the results of planning.
+// Request for a plan, and results of the planning.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct PlanRequest {
   ConditionsRequest conditions;
   /// Dwell time at each tube [s], keyed by tube index; a work list file states its own dwell times.
   std::map<int, double> stays = {};
-  double padding = 0;              ///< additional clearance, in standard deviations of the base
+  double padding = 0;              ///< additional clearance, in standard deviations of the base pose
   std::optional<double> standoff;  ///< distance below a hole at which the approach starts, in the cell's length unit
   double insertion = 0;  ///< distance past a hole's face at which the approach ends, in the cell's length unit
   std::uint64_t seed = 1;
@@ -49,7 +49,7 @@ struct PlanOutcome {
   double padding = 0;               ///< largest additional clearance of the tip over the visited holes [m]
   std::vector<int> zones;           ///< zone of each visit; empty if no tubes have priority
   planner::VisitPlan plan;
-  int tubes_added = 0, tubes_removed = 0;    ///< numbers of visited tubes added to and removed from the earlier plan
+  int tubes_added = 0, tubes_removed = 0;    ///< numbers of tubes visited in this plan alone, and in the earlier alone
   std::vector<planner::Centring> predicted;  ///< centring at each visit as the model predicts it
   std::vector<double> play;  ///< smallest clearance between tool and tube at each visit [m]; empty without insertion
   StepChances chances;       ///< probabilities of 0, 1, ... steps at each visit

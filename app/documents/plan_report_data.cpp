@@ -102,7 +102,8 @@ json touchesData(const PlanOutcome& outcome) {
   return list;
 }
 
-/// Vertical plane of a side view of a posture: contains the axis of the first joint and points towards the tip.
+/// Vertical plane of a side view, through the axis of the first joint; `outwards` is the horizontal direction to the
+/// tip.
 struct SidePlane {
   Vector3d origin, outwards;
   json at(const Vector3d& p_W, const Units& units) const {
@@ -191,7 +192,7 @@ json calibrationData(const PlanOutcome& outcome) {
   return data;
 }
 
-/// Returns a text with the mean and largest centring error of a compensation mode over the scored tubes.
+/// Returns as text the mean and the largest centring error of a compensation mode over the scored tubes.
 std::string errorText(const PlanOutcome& outcome, std::size_t mode) {
   double sum = 0, worst = 0;
   int count = 0;
@@ -206,7 +207,7 @@ std::string errorText(const PlanOutcome& outcome, std::size_t mode) {
   return fmt::format("{} mean, {} worst", lengthText(sum / count, units, 3), lengthText(worst, units, 3));
 }
 
-/// Returns a text with the expected number of tubes for each number of steps, and on the uncertainties considered.
+/// Returns as text the expected number of tubes for each number of steps, and the uncertainties considered.
 std::string chancesText(const PlanOutcome& outcome) {
   std::string text;
   const auto counts = expectedCounts(outcome.chances);

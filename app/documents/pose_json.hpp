@@ -26,27 +26,27 @@ struct PoseFigures {
 /// Returns {position: [3], fixed_angles: [3]} in file units.
 [[nodiscard]] nlohmann::json figuresJson(const PoseFigures& figures, const Units& units);
 
-/// Returns {rigid, flexible, change, iterations}; the poses are those of the tip in the arm's base frame.
+/// Returns {rigid, flexible, change, deflection, iterations}; the poses are those of the tip in the arm's base frame.
 [[nodiscard]] nlohmann::json poseFiguresJson(const deflection::FlexibleKinematics& shape, const Units& units);
 
 /// Returns {tip_error, needed, warning} for a posture. `tip_error` is the error of the tip caused by too few beam
-/// segments. `needed` is the number of segments with an error below a hundredth of the deflection. `warning` is empty
-/// if the stated number of segments suffices.
+/// segments. `needed` is the number of segments with which this error is below a hundredth of the deflection. `warning`
+/// is empty if the stated number of segments suffices.
 [[nodiscard]] nlohmann::json segmentsJson(const Cell& cell, const deflection::Posture& posture,
                                           const deflection::FlexibleKinematics& shape);
 
 /// Returns {position: [3], rpy: [3]} in file units.
 [[nodiscard]] nlohmann::json poseJson(const Eigen::Isometry3d& X, const Units& units);
 
-/// Returns {status, words, placed, touches} on how a base was determined; `words` is a phrase to follow "proved" and
-/// "steps".
+/// Returns {status, words, placed, touches}, which state how a base was determined; `words` is a phrase to follow
+/// "proved" or "steps".
 [[nodiscard]] nlohmann::json standingJson(const BaseStanding& standing);
 
 /// Returns standingJson() for base poses that each run calibrates from `touches` touches, and the number of runs whose
 /// touches do not fit.
 [[nodiscard]] nlohmann::json eachRunJson(int touches, std::uint64_t misfits);
 
-/// Returns a base pose, and how it was determined.
+/// Returns a base pose together with standingJson(), which states how it was determined.
 [[nodiscard]] nlohmann::json placedBaseJson(const Eigen::Isometry3d& X_WB, const BaseStanding& standing,
                                             const Units& units);
 

@@ -65,7 +65,7 @@ pid_t start(const std::vector<std::string>& words) {
   return failed ? -1 : process;
 }
 
-/// Returns true if the process exits with code 0 within the time limit; otherwise kills it.
+/// Returns true if the process exits with code 0 within the time limit. A process that is still running then is killed.
 bool finishes(pid_t process) {
   int status = 0;
   for (const auto end = std::chrono::steady_clock::now() + kPatience; std::chrono::steady_clock::now() < end;) {

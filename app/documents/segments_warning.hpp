@@ -1,4 +1,4 @@
-// Warning if the beams of an arm have too few segments in given postures.
+// Warning that the beams of an arm have too few segments for given postures.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +10,8 @@
 
 namespace tubeplan::app {
 
-/// Returns the warning of segmentsJson() for the worst of about sixteen of the given postures, with the arm, base and
-/// load of `placed`; empty if the number of segments suffices in all these postures.
+/// Returns the warning of segmentsJson() for the posture with the largest error among about sixteen of those given,
+/// with the arm, base and load of `placed`; empty if the number of segments suffices in all these postures.
 [[nodiscard]] std::string segmentsWarning(const Cell& cell, const planner::Workcell& placed,
                                           const std::vector<Eigen::VectorXd>& postures);
 

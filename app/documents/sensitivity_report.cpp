@@ -46,7 +46,7 @@ double sigmaOf(const SensitivityReport& report, std::size_t index) {
 std::string designSentence(const NumberSensitivity& number, const Units& units) {
   const double sag = perCent(number, number.deflection) / units.factor(dimension::kLength);
   const auto& words = *wordsOf(number.kind);
-  // A larger magnitude also makes a negative coordinate longer.
+  // A negative coordinate becomes longer as its value falls, which reverses the direction of change.
   const bool is_more = (sag < 0) == (number.parameter.value > 0);
   return fmt::format("1 % {} {}: {:.3g} {} less deflection on average", is_more ? words.more : words.less,
                      number.parameter.name, std::abs(sag), units.length().name);

@@ -13,8 +13,8 @@ namespace tubeplan::app {
 /// there are no probabilities.
 [[nodiscard]] nlohmann::json stepChancesJson(const StepChances& chances, const Units& units);
 
-/// Returns a text such as "counting the joints' readings, the base's place and the model's own error, ...", or the
-/// reason if there are no probabilities.
+/// Returns lines such as "probabilities of steps count the encoders, the base pose, ...", or the reason if there are no
+/// probabilities.
 [[nodiscard]] std::string stepChancesText(const StepChances& chances, const Units& units);
 
 /// Returns {sigma, degrees_of_freedom, from} in file units.

@@ -1,4 +1,4 @@
-// Request for proposals of further measurements, and the proposals.
+// Request for proposals of further measurements, and the resulting proposals.
 #pragma once
 
 #include <cstdint>

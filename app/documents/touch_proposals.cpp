@@ -106,7 +106,7 @@ nlohmann::json proposalJson(const TouchOutcome& outcome, const TouchProposal& pr
   return json;
 }
 
-/// Returns true if the readings so far determine the base, or if the base is known.
+/// Returns true if the base is known or if the existing readings determine it.
 bool isPlaced(const calibration::NextReadings& next) {
   return std::all_of(next.numbers.begin(), next.numbers.end(), [](const NumberForecast& number) {
     return number.unknown.owner == calibration::Unknown::Owner::kArm || number.is_identifiable_now;

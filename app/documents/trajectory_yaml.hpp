@@ -9,7 +9,7 @@ namespace tubeplan::app {
 
 inline constexpr const char* kTrajectoryFile = "trajectory.yaml";
 
-/// Throws InputError for an arm with a joint of unlimited acceleration. The joint's speed would jump, and a controller
+/// Throws InputError for an arm with a joint of unlimited acceleration: the joint's speed would jump, and a controller
 /// that interpolates cubically between points with speeds would leave the planned lines.
 void requireAccelerations(const deflection::Arm& arm);
 

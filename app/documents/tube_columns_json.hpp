@@ -11,7 +11,7 @@ namespace tubeplan::app {
 /// Returns {tables, targets, options, needs, states, is_understood}; the first three are as in foreignColumnsJson(),
 /// for one table. `needs` has alternative lists of required quantities. `states` is "tubes" if the headings name a
 /// tube, "joints" if they name joints of the arm, else "neither". `is_understood` is true if the user need not choose
-/// columns. Throws InputError for a text that is no table.
+/// columns. Throws InputError if `text` is not a table.
 [[nodiscard]] nlohmann::json tubeColumnsJson(const std::string& text, const std::string& file,
                                              const deflection::Arm& arm);
 

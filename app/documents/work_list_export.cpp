@@ -17,7 +17,7 @@ namespace {
 using tubesheets::ColumnText;
 using tubesheets::TubeColumn;
 
-/// Outcome for a requested tube: position of its visit, or why there is no visit.
+/// Outcome for a requested tube: the position of its visit, or the reason why it is not visited.
 struct TubeOutcome {
   int tube = 0;
   std::string visit;    ///< position in the visiting order, from 1; empty for a tube without a visit
@@ -64,7 +64,7 @@ std::string ownList(const PlanOutcome& outcome) {
   return text;
 }
 
-/// The given work list, with columns added about the outcome for each tube.
+/// The given work list, with added columns on the outcome for each tube.
 class GivenList {
  public:
   explicit GivenList(const PlanOutcome& outcome) : outcome_(outcome), list_(*outcome.selection.list) {

@@ -9,10 +9,11 @@ namespace tubeplan::app {
 
 inline constexpr const char* kWorkListFile = "worklist.csv";
 
-/// Returns the given work list unchanged, byte for byte, with columns added at the end. `visit` is the position in the
-/// visiting order, and `outcome` the reason why a tube is not visited. `leg` and `sheet` are added if the list lacks
-/// them, so that the list is refused for another leg or sheet. `dwell_s` is added if the plan has dwell times. Without
-/// a given list, returns leg,sheet,row,column,x_UNIT,y_UNIT,visit,outcome in visiting order, unreachable tubes last.
+/// Returns the given work list, unchanged except for columns that are added at the end or, if it has them already,
+/// updated: `visit` is the position in the visiting order, and `outcome` the reason why a tube is not visited. `leg`
+/// and `sheet` are added if the list lacks them, so that the list is refused for another leg or sheet. `dwell_s` is
+/// added if the plan has dwell times. Without a given list, returns leg,sheet,row,column,x_UNIT,y_UNIT,visit,outcome in
+/// visiting order, unreachable tubes last.
 [[nodiscard]] std::string workListCsv(const PlanOutcome& outcome);
 
 }  // namespace tubeplan::app
