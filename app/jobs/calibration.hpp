@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 struct CalibrationOutcome {
   calibration::BaseCalibration calibration;
-  /// Model error estimated together with the base; nothing if the cell states none and none was found.
+  /// Model error: estimated from touches that do not fit, or else that of the cell; empty if there is neither.
   std::optional<ModelError> model_error;
   std::vector<calibration::Measurement> touches;
   nlohmann::json figures;  ///< output of `tubeplan calibrate --json`
@@ -24,8 +24,7 @@ struct CalibrationOutcome {
 [[nodiscard]] CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration::Measurement>& touches,
                                                const std::string& file);
 
-/// Returns the text of the cell file with the calibrated base and model error, for a file to be written to the path
-/// `out`.
+/// Returns the text of the cell file with the calibrated base and model error, to be written to the path `out`.
 [[nodiscard]] std::string calibratedCellText(const Cell& cell, const CalibrationOutcome& outcome,
                                              const std::string& out);
 

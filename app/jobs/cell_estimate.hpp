@@ -1,4 +1,4 @@
-// Present estimate of a cell's model from its readings, for commands that plan further measurements.
+// Current estimate of a cell's model from its readings, for commands that plan further measurements.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@
 namespace tubeplan::app {
 
 /// Returns the readings of a measurement file, each with a sigma; none if the file name is empty. `sigma` [m] applies
-/// if the file states none. If `sigma` is 0 as well, the sigma is derived from the cell's tool, or else InputError is
-/// thrown. `assume` is as in MeasurementOptions.
+/// to readings that state none; if it is 0, their sigma is derived from the cell's tool. Throws InputError if there is
+/// no tool either. `assume` is as in MeasurementOptions.
 [[nodiscard]] ReadingsWithChecks readingsMade(const std::string& file, Cell& cell, double sigma,
                                               const std::vector<std::string>& assume = {});
 
-/// Returns the estimate of the free parameters from the readings, with their information. `where` names the source of
-/// the request in the InputError about a name that is no parameter of the arm.
+/// Returns the estimate of the free parameters from the readings, with its Fisher information. Throws InputError for a
+/// name that is not a parameter of the arm; `where` names the source of the name.
 [[nodiscard]] calibration::Estimate estimateOf(const Cell& cell, const std::vector<calibration::Measurement>& readings,
                                                const calibration::FreeChoice& free, const std::string& where,
                                                const calibration::DoubtBeside& doubt = {});

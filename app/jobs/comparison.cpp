@@ -12,7 +12,8 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Throws InputError for a refused comparison: `identify` names no parameters, or the readings determine nothing.
+/// Throws InputError for a refused comparison: `identify` lists a name that is not a parameter, or the readings
+/// determine nothing.
 void requireCompared(const calibration::Comparison& result, const CellReadings& input) {
   if (result.status == calibration::ComparisonStatus::kDone) return;
   if (result.verdict != calibration::Adequacy::kNotRun) return;
@@ -38,7 +39,7 @@ bool isAnythingFree(const calibration::PlacedArm& start, const calibration::Iden
   return has_base || !options.free.names.empty();
 }
 
-/// Sets every verdict to inconclusive because the readings contain a mistake, however good the fit.
+/// Sets every verdict to inconclusive, however good the fit, because the readings contain a mistake.
 void withholdVerdict(const std::string& mistake, calibration::Comparison& comparison) {
   comparison.grounds = {mistake};
   for (auto* verdict : {&comparison.verdict, &comparison.as_it_stands.adequacy, &comparison.after_refit.adequacy})

@@ -21,21 +21,21 @@ struct ComparisonOutcome {
   calibration::Comparison comparison;
   std::vector<calibration::Measurement> readings;  ///< readings compared: all except the outliers in `set_aside`
   std::vector<std::string> set_aside;              ///< ids of the readings excluded as outliers
-  std::vector<std::string> warnings;               ///< warnings of the fit
+  std::vector<std::string> warnings;               ///< warnings about the fit
   nlohmann::json figures;                          ///< output of `tubeplan compare --json`
 };
 
-/// Refits the model to the readings, and again without outliers if there are any. Throws JobStopped.
+/// Refits the model to the readings and, if some are outliers, once more without them. Throws JobStopped.
 [[nodiscard]] RefitOfReadings refitReadings(const CellReadings& input, const ComparisonRequest& request,
                                             const WorkHooks& hooks = {});
 
 /// Compares the model with the readings. `made` is the refit, or null to compute it here. Throws InputError if
-/// `identify` names no parameters or the readings determine nothing; throws JobStopped.
+/// `identify` lists a name that is not a parameter, or if the readings determine nothing; throws JobStopped.
 [[nodiscard]] ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request,
                                              const WorkHooks& hooks = {}, const RefitOfReadings* made = nullptr);
 
-/// Returns the patterns tested on the errors of the refit, as in `tested` of the comparison's JSON; an empty array if
-/// the comparison throws InputError.
+/// Returns the results of the pattern tests on the errors after the refit, as in `tested` of the comparison's JSON; an
+/// empty array if the comparison throws InputError.
 [[nodiscard]] nlohmann::json testedPatterns(const CellReadings& input, std::uint64_t seed, const WorkHooks& hooks = {});
 
 }  // namespace tubeplan::app

@@ -29,7 +29,7 @@ struct DiagnosisOutcome {
   nlohmann::json figures;                                   ///< output of `tubeplan diagnose --json`
 };
 
-/// Returns the diagnosis alone, without proposed readings and warnings. Its status is "not run" if the readings
+/// Returns the diagnosis alone, without proposed readings and warnings. Its verdict is kNotRun if the readings
 /// determine nothing.
 [[nodiscard]] calibration::Diagnosis diagnoseReadings(const Cell& cell,
                                                       const std::vector<calibration::Measurement>& readings,

@@ -57,8 +57,8 @@ void addCause(Addition& addition, const std::string& text) {
   addOrRefuse(addition, parseEffect(text, addition.cell.arm, addition.cell.units, kWhere).effect);
 }
 
-/// Removes a cause from the cell. "free@NAME" is removed from `identify`; an effect is removed with all its free
-/// parameters.
+/// Removes a cause from the cell: for "free@NAME" the name in `identify`, otherwise the effect with all its free
+/// parameters. Throws InputError if the cell does not have the cause.
 void removeOrRefuse(Cell& cell, const std::string& cause) {
   const std::string freed = fmt::format("{}@", calibration::kFreedNumbers);
   const bool is_name = cause.starts_with(freed);

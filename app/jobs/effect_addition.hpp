@@ -32,10 +32,10 @@ struct Addition : AddedCauses {
 /// for a cause that the cell does not have.
 [[nodiscard]] Cell withoutCauses(const Cell& cell, const std::vector<std::string>& causes);
 
-/// Returns the text of the cell file with the additions, for a file to be written to the path `out`.
+/// Returns the text of the cell file with the additions, to be written to the path `out`.
 [[nodiscard]] std::string cellTextWith(const Cell& cell, const Addition& addition, const std::filesystem::path& out);
 
-/// Returns a text on how far the cell's formulas overlap with effects of the catalogue at these readings.
+/// Returns as text how far the cell's formulas overlap with effects of the catalogue at these readings.
 [[nodiscard]] std::string overlapAt(const CellReadings& input);
 
 }  // namespace tubeplan::app

@@ -53,7 +53,7 @@ IdentificationOptions identificationOptions(const IdentificationRequest& request
   return result;
 }
 
-/// Throws InputError for a refused fit: names that are no parameters, or readings that determine nothing.
+/// Throws InputError for a refused fit: a name is not a parameter, or the readings determine nothing.
 void requireAccepted(const Identification& result, const IdentificationRequest& request, const CellReadings& input) {
   if (result.status != IdentificationStatus::kRefused) return;
   const Cell& cell = input.cell;
@@ -105,7 +105,7 @@ std::vector<calibration::EffectWarning> effectWarnings(const IdentificationReque
                                     result);
 }
 
-/// Returns an outcome without a fit. Fitted parameters would compensate for the mistake in the readings.
+/// Returns an outcome without a fit, because fitted parameters would compensate for the mistake in the readings.
 IdentificationOutcome unidentified(const CellReadings& input, const std::string& mistake) {
   const Units& units = input.cell.units;
   IdentificationOutcome outcome;
@@ -123,7 +123,7 @@ IdentificationOutcome unidentified(const CellReadings& input, const std::string&
   return outcome;
 }
 
-/// Fits the readings without outliers. A fit in stages or with a robust loss uses all readings.
+/// Fits the readings without their outliers; a fit in stages or with a robust loss uses all readings.
 void fitReadings(const CellReadings& input, const IdentificationRequest& request, const WorkHooks& hooks,
                  IdentificationOutcome& outcome) {
   const auto& cell = input.cell;
@@ -147,9 +147,8 @@ void fitReadings(const CellReadings& input, const IdentificationRequest& request
   outcome.set_aside = std::move(refit.set_aside);
 }
 
-/// Returns a clause that says why the readings reject the fit; empty if the readings do not reject the fit. The scatter
-/// of repeated readings also counts: if it exceeds the stated noise enough to explain the misfit, the fit is not
-/// inadequate.
+/// Returns a clause on residuals that exceed the noise; empty if there are none. Residuals beyond the stated noise, but
+/// not beyond the scatter of repeated readings, are reported too, although the fit is then not inadequate.
 std::string refutation(const calibration::ModelLackOfFit& lack) {
   const bool is_off = lack.p_value < calibration::kPatternLevel;
   if (lack.adequacy == calibration::Adequacy::kInadequate)
@@ -165,8 +164,8 @@ std::string refutation(const calibration::ModelLackOfFit& lack) {
                 : "";
 }
 
-/// Records whether the residuals exceed the noise, by the criterion of `compare`, whatever the kind of fit and however
-/// it ended. A robust fit keeps its outliers, so its misfit is no reason to refuse the base.
+/// Records whether the residuals exceed the noise, by the criterion of `compare`, for every kind of fit and even if it
+/// did not converge. A robust fit keeps the outliers, which may be all that is wrong, so its base is not refused.
 void judgeByNoise(const IdentificationRequest& request, IdentificationOutcome& outcome) {
   const auto& fit = outcome.fit;
   const auto lack = calibration::lackOfFitOf(fit, outcome.readings);

@@ -24,7 +24,7 @@ struct IdentificationRequest {
   std::string method = "in-turn", robust = "none";
   /// Names of the parameters to free, instead of the cell's `identify`; empty: `identify`.
   std::vector<std::string> free;
-  std::vector<std::string> stages;  ///< stages of the fit, each "NAMES[:SETUP]"; empty: one fit of everything
+  std::vector<std::string> stages;  ///< stages of the fit, each "NAMES[:SETUP]"; empty: a single fit
   double drop = 0;
   int starts = 1, folds = 5;
   std::uint64_t seed = 1;
@@ -49,7 +49,7 @@ struct IdentificationOutcome {
   nlohmann::json figures;  ///< output of `tubeplan identify --json`
 };
 
-/// Identifies the model's parameters. Throws InputError if a name is no parameter, nothing is free or the readings
+/// Identifies the model's parameters. Throws InputError if a name is not a parameter, nothing is free or the readings
 /// determine nothing; throws JobStopped.
 [[nodiscard]] IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
                                                   const WorkHooks& hooks = {});

@@ -7,7 +7,7 @@
 namespace tubeplan::app {
 
 /// Improves the model. Adds nothing if a mistake in the readings explains the error. Throws InputError for readings to
-/// which nothing can be fitted; throws JobStopped.
+/// which the model cannot be fitted; throws JobStopped.
 [[nodiscard]] Improvement improveModel(const CellReadings& input, const ImprovementRequest& request,
                                        const WorkHooks& hooks = {});
 

@@ -21,8 +21,8 @@ std::vector<calibration::Measurement> without(const CellReadings& input, const s
   return readings;
 }
 
-/// Returns the cell that provides the sheet and the tool: the cell named in the request, else the first model's cell
-/// that has both. Nothing if there is none.
+/// Returns the cell that provides the sheet and the tool: the cell named in the request, else the cell of the first
+/// model that has both. No value if there is none.
 std::optional<Cell> sheetCell(const LadderRequest& request, const std::vector<LadderModel>& models) {
   for (const auto& path : {request.sheet, request.truth})
     if (!path.empty()) return readCell(path);
@@ -54,7 +54,7 @@ RealArm realArmOf(const LadderRequest& request, const Cell& with_sheet, const Mo
     real.cell.X_WB = truth.X_WB;
     real.name = request.truth;
   }
-  real.cell.arm.tool_axis_L = with_sheet.arm.tool_axis_L;  // the truth's cell may state no tool axis
+  real.cell.arm.tool_axis_L = with_sheet.arm.tool_axis_L;  // the truth's cell need not state a tool axis
   return real;
 }
 

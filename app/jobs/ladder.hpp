@@ -10,7 +10,7 @@
 
 namespace tubeplan::app {
 
-/// A model of the ladder, with its cell and the readings as interpreted with this cell.
+/// A model of the ladder: its cell, and the readings as interpreted with this cell.
 struct LadderModel {
   std::string name;
   CellReadings input;
@@ -34,7 +34,7 @@ struct LadderOutcome {
   nlohmann::json figures;              ///< output of `tubeplan ladder --json`
 };
 
-/// Returns the cell with a rigid arm, of which nothing but the base is fitted.
+/// Returns the cell with a rigid arm and with no free parameter but the base pose.
 [[nodiscard]] Cell rigidOf(Cell cell);
 
 /// Compares one or more models. Outliers of the last model are excluded for all models, so that all are compared on the

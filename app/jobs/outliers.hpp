@@ -10,12 +10,13 @@
 
 namespace tubeplan::app {
 
-/// Returns the indices of readings whose errors exceed the noise; none if the readings contain a mistake, which must be
-/// corrected first. `fit` is the fit of all readings with `options`, or has status "not run" if nothing is free.
+/// Returns the indices of readings whose errors exceed the noise. Returns none if the readings contain a mistake, which
+/// must be corrected first, or if the user accepts all readings as they are. `fit` is the fit of all readings with
+/// `options`, or has status "not run" if nothing is free.
 [[nodiscard]] std::vector<int> outliersOf(const CellReadings& input, const calibration::Identification& fit,
                                           const calibration::IdentificationOptions& options);
 
-/// Returns the ids of the readings at these indices.
+/// Returns the ids of the readings with the indices `places`.
 [[nodiscard]] std::vector<std::string> idsAt(const std::vector<int>& places,
                                              const std::vector<calibration::Measurement>& readings);
 
@@ -26,8 +27,8 @@ struct RefitOfReadings {
   calibration::Identification fit;                 ///< fit of `readings`; has status "not run" if nothing is free
 };
 
-/// Fits all readings. If `outliers` then returns indices of readings, fits again without these readings. If the first
-/// fit is refused, returns this refused fit.
+/// Fits all readings by `fitted`. If this fit is refused, returns it; otherwise fits again without the readings whose
+/// indices `outliers` returns, if any.
 [[nodiscard]] RefitOfReadings fitWithoutOutliers(
     const std::vector<calibration::Measurement>& readings,
     const std::function<calibration::Identification(const std::vector<calibration::Measurement>&)>& fitted,

@@ -98,7 +98,8 @@ planner::VisitPlanOptions planOptions(const PlanRequest& request, const PlanOutc
   return options;
 }
 
-/// Checks the padding: the distance, in standard deviations of the base, that is added to the scene's clearance.
+/// Throws InputError unless the padding, the clearance added in standard deviations of the base pose, is from 0 to 10
+/// and, if not 0, the base has a covariance.
 void checkPadding(const PlanRequest& request, const PlanOutcome& outcome) {
   constexpr double kMostSigmas = 10;
   if (!(request.padding >= 0 && request.padding <= kMostSigmas))

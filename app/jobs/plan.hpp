@@ -7,11 +7,12 @@
 
 namespace tubeplan::app {
 
-/// Reads the input, calibrates the base, and plans and scores the visits. Throws InputError for bad input. If the
-/// calibration is refused, nothing is planned. `checkpoint` supplies results of an earlier run and stores new ones.
+/// Reads the input, calibrates the base from the touches if there are any, and plans and scores the visits. Throws
+/// InputError for bad input. If the calibration is refused, nothing is planned. `checkpoint` supplies results of an
+/// earlier run and stores new ones.
 [[nodiscard]] PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, PlanCheckpoint& checkpoint);
 
-/// Plans the visits of a given cell with its present base, and scores them against the request's truth. Of the
+/// Plans the visits of a given cell with its current base, and scores them against the request's truth. Of the
 /// request's files only the truth is read, and nothing is stored. `tubes` of the request is a selection, not a file
 /// name.
 [[nodiscard]] PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::PlanHooks hooks);

@@ -20,7 +20,7 @@ namespace {
 
 using calibration::Estimate, calibration::Measurement;
 
-constexpr double kUsualSigma = 1.27e-4;  // [m] (0.005 in), centring tolerance of a calibration tool
+constexpr double kUsualSigma = 1.27e-4;  // default noise [m] (0.005 in): centring tolerance of a calibration tool
 
 bool wants(const TouchRequest& request, const std::string& goal) {
   return request.goal == goal || request.goal == "both";
@@ -58,10 +58,10 @@ std::vector<double> loadsOf(const TouchRequest& request, const Cell& cell, const
   return {loads.begin(), loads.end()};
 }
 
-/// Returns the set-up of the latest readings, in which new readings are made.
+/// Returns the set-up of the latest readings, to which new readings will belong.
 std::string lastSetup(const Estimate& estimate) { return estimate.start.base_poses.back().setup; }
 
-/// Adds notes on the estimate. `known` is the model error that the cell states [m].
+/// Adds notes on a failed fit, lack of fit and several set-ups. `known` is the model error that the cell states [m].
 void noteEstimate(const Estimate& estimate, double known, const Units& units, std::vector<std::string>& notes) {
   if (!estimate.note.empty())
     notes.push_back("the readings could not be fitted (" + estimate.note + "): the cell's values are used instead");

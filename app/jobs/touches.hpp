@@ -1,4 +1,5 @@
-// Proposals of further measurements: holes to touch that place the base, and readings that improve the free parameters.
+// Proposals of further measurements: holes to touch for calibrating the base, and readings that improve the free
+// parameters.
 #pragma once
 
 #include <vector>
