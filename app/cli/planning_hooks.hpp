@@ -6,10 +6,10 @@
 
 namespace tubeplan::app {
 
-/// Returns planner hooks that show one progress line per stage and stop when the user requests it.
+/// Returns planner hooks that show one progress line per stage and stop the work on Ctrl-C.
 [[nodiscard]] planner::PlanHooks terminalHooks();
 
-/// Returns hooks for fits and diagnoses that show one progress line per stage and stop when the user requests it.
+/// Returns hooks for fits and diagnoses that show one progress line per stage and stop the work on Ctrl-C.
 [[nodiscard]] calibration::WorkHooks terminalWorkHooks();
 
 }  // namespace tubeplan::app

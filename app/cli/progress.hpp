@@ -1,4 +1,4 @@
-// A terminal line that shows the progress of long work, its rate and the time left.
+// Terminal line that shows the progress of long work, its rate and the time left.
 #pragma once
 
 #include <chrono>
@@ -27,7 +27,7 @@ class Progress {
   Clock::time_point start_, drawn_;
 };
 
-/// Returns a text such as "planning [#####-----] 30/60  12.1/s  0:02 left" of at most `width` characters; "planning
+/// Returns a line such as "planning [#####-----] 30/60  12.1/s  0:02 left" of at most `width` characters; "planning
 /// ..." if `total` is 0 (unknown). `seconds` is the elapsed time.
 [[nodiscard]] std::string progressLine(const std::string& label, std::size_t done, std::size_t total, double seconds,
                                        int width);

@@ -1,4 +1,4 @@
-// Ctrl-C as a flag that long work polls.
+// Recording of Ctrl-C in a flag that long work polls.
 #pragma once
 
 namespace tubeplan::app {

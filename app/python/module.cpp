@@ -41,8 +41,8 @@ using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMaj
 
 py::object toPython(const nlohmann::json& json) { return py::module_::import("json").attr("loads")(json.dump()); }
 
-/// Stop condition that makes Ctrl-C end long work, as in the terminal. The calling thread detects the signal; all
-/// threads then stop.
+/// Stop condition by which Ctrl-C ends long work, as in the terminal. Only the calling thread detects the signal; then
+/// all threads stop.
 class Interruption {
  public:
   bool operator()() const {

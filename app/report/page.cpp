@@ -64,8 +64,8 @@ std::string embeddableJson(const nlohmann::json& report) {
   return safe;
 }
 
-/// Returns the page with each marker replaced once, in the given order. Inserted text is not searched for markers, so
-/// data that looks like a marker remains unchanged.
+/// Returns the page with each marker replaced once; the markers occur in the given order. Inserted text is not searched
+/// for markers, so data that looks like a marker remains unchanged.
 template <std::size_t kCount>
 std::string assemble(std::string_view page, const std::array<Insertion, kCount>& insertions) {
   std::string result;

@@ -9,14 +9,14 @@
 namespace tubeplan::app {
 
 /// Returns the files of the report's script and style, which embed_files.cmake generates at build time; empty if the
-/// page was not built.
+/// program was built without the page.
 [[nodiscard]] const std::vector<EmbeddedFile>& embeddedReport();
 
 struct PageSources {
   std::string_view style, script;  ///< ASCII; contain no text that ends their `<style>` or `<script>` block
 };
 
-/// Returns the script and style of embeddedReport(), found there by file name.
+/// Returns the script and the style, which are found among embeddedReport() by file name.
 [[nodiscard]] PageSources builtPageSources();
 
 }  // namespace tubeplan::app

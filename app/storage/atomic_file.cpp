@@ -27,7 +27,7 @@ fs::path temporaryBeside(const fs::path& path) {
 
 std::string asideName(const fs::path& path) { return path.filename().string() + ".old"; }
 
-/// Returns the process id in a temporary file's name ".NAME.1234.part"; 0 if `file` is no such name.
+/// Returns the process id in a temporary file's name ".NAME.1234.part"; 0 if `file` is not such a name.
 int writerOf(const std::string& file, const std::string& name) {
   const std::string before = "." + name + ".", after = ".part";
   if (!file.starts_with(before) || !file.ends_with(after) || file.size() <= before.size() + after.size()) return 0;
@@ -40,7 +40,7 @@ int writerOf(const std::string& file, const std::string& name) {
 bool isRunning(int process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
 
 // Returns true for a device or pipe (/dev/null, /dev/stdout). Such a path is written directly, because a rename would
-// replace it by a regular file.
+// replace it with a regular file.
 bool isSpecialFile(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -56,8 +56,8 @@ fs::path behindLink(const fs::path& named) {
 
 constexpr const char* kScratch = "tubeplan";  // name of the scratch folder within an OutputFolder
 
-/// Returns a text such as " (process 1234)" that names the running process with a scratch folder in `folder`; empty if
-/// there is none.
+/// Returns a string such as " (process 1234)" that names the running process with a scratch folder in `folder`; empty
+/// if there is none.
 std::string holderOf(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
@@ -171,7 +171,7 @@ void OutputFolder::remove(const std::string& name) { stale_.push_back(path_ / na
 void OutputFolder::commit() {
   made_.sync(option_);
   staged_.putInPlace();
-  std::error_code ignored;  // a leftover that cannot be removed does no other harm
+  std::error_code ignored;  // an old file that cannot be removed does no further harm
   for (const fs::path& path : stale_) fs::remove(path, ignored);
 }
 

@@ -15,8 +15,8 @@ struct TextFile {
   std::string text;
 };
 
-/// Throws InputError, naming the option, unless a file can be written at the path. Its folder must exist or be possible
-/// to create. The path must not be a folder, a file that the command reads or the output of another option
+/// Throws InputError, naming the option, unless a file can be written at the path. Its folder must exist, or it must be
+/// possible to create it. The path must not be a folder, a file that the command reads or the output of another option
 /// (InputRecord). Leaves no files behind, and removes temporary files of killed programs. Meant to be called before
 /// long work.
 void checkWritableFile(const std::filesystem::path& path, const std::string& option);
@@ -38,7 +38,7 @@ void removeLeftovers(const std::filesystem::path& folder, const std::string& nam
 class OutputFolder {
  public:
   /// Throws InputError, naming the option, if the folder cannot be created or written, or if another program is writing
-  /// to the folder, because the files of two runs would be mixed.
+  /// to it: the files of two runs would be mixed.
   OutputFolder(const std::filesystem::path& path, const std::string& option);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
@@ -46,8 +46,8 @@ class OutputFolder {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-  /// Throws InputError, naming the option, if the folder contains a file of `names` but no file of `marks`, which every
-  /// run of the same command leaves there: the files then belong to something else.
+  /// Throws InputError, naming the option, if the folder contains a file of `names` but no file of `marks`. Every run
+  /// of the same command leaves the marks, so these files are not from an earlier run.
   void requireOwn(const std::vector<std::string>& marks, const std::vector<std::string>& names) const;
 
   /// Writes a file to be placed in the folder at commit(); `name` is a file name without folders.

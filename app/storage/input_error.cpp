@@ -9,7 +9,7 @@ namespace tubeplan::app {
 namespace {
 
 constexpr std::size_t kLongestQuote = 60;
-constexpr std::size_t kLongestPart = 4000;  // maximum length of each part of a message; file names may be this long
+constexpr std::size_t kLongestPart = 4000;  // largest part of a message [bytes]; file names may be this long
 
 std::string sentence(const std::string& where, const std::string& found, const std::string& expected,
                      const std::string& advice) {
@@ -18,7 +18,7 @@ std::string sentence(const std::string& where, const std::string& found, const s
   return advice.empty() ? core : core + "; " + advice;
 }
 
-/// Returns the text as one line: line breaks and tabs become blanks, and unprintable bytes become escapes.
+/// Returns the text as one line: line breaks and tabs become spaces, and unprintable characters become escapes.
 std::string part(std::string text) {
   for (char& c : text)
     if (c == '\n' || c == '\r' || c == '\t') c = ' ';

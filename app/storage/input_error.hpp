@@ -1,4 +1,4 @@
-// Exception for user input that cannot be used. Readers and commands throw it; main() catches it in one place.
+// Exception for user input that cannot be used. Readers and commands throw it; main() prints its message.
 #pragma once
 
 #include <filesystem>
@@ -35,8 +35,8 @@ class InputError : public std::runtime_error {
 /// Returns the error for a failed file-system operation, with the file and the reason.
 [[nodiscard]] InputError inputErrorOf(const std::filesystem::filesystem_error& error);
 
-/// Returns user text in quotes for a one-line message. Unprintable bytes become `\xNN`; text beyond 60 characters is
-/// cut.
+/// Returns user text in quotes for a one-line message. Unprintable characters become escapes such as `\x1B`; text
+/// beyond 60 bytes is cut.
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
 /// Returns a user-defined name for a line of a table: escaped as by inQuotes(), but without quotes.

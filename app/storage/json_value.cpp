@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Returns a text such as " from 0 to 10" or ", at least 0"; empty if both bounds are infinite.
+/// Returns a string such as " from 0 to 10" or ", at least 0"; empty if both bounds are infinite.
 std::string boundsText(double least, double most) {
   if (std::isfinite(least) && std::isfinite(most)) return fmt::format(" from {} to {}", least, most);
   if (std::isfinite(least)) return fmt::format(", at least {}", least);

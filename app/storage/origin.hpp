@@ -11,8 +11,8 @@
 
 namespace tubeplan::app {
 
-/// Record of the files that a thread reads during the record's lifetime, made once for each command. A thread has at
-/// most one record at a time.
+/// Record of the files that a thread reads during the lifetime of this object; each command creates one. A thread has
+/// at most one record at a time.
 class InputRecord {
  public:
   InputRecord();
@@ -20,10 +20,10 @@ class InputRecord {
   InputRecord(const InputRecord&) = delete;
   InputRecord& operator=(const InputRecord&) = delete;
 
-  /// Returns the record of the calling thread; null if there is none, such as while a page is served.
+  /// Returns the record of the calling thread; null if there is none, as in a thread that serves pages.
   [[nodiscard]] static InputRecord* current();
 
-  /// Records a file and its content; later readings of the same path are ignored. Called by file readers.
+  /// Records a file and its content; if the same path is read again, nothing is recorded. Called by file readers.
   void note(const std::string& path, std::string_view bytes);
 
   /// Claims a path for output. Throws InputError, naming the option, if the path is an input file that may not be

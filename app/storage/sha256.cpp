@@ -11,7 +11,7 @@ namespace tubeplan::app {
 std::string sha256Of(std::string_view bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
   unsigned int length = 0;
-  // Every OpenSSL provider has SHA-256, so the call can fail only for lack of memory.
+  // SHA-256 is always available in OpenSSL, so the call can fail only for lack of memory.
   if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1)
     throw std::bad_alloc();
   std::string digits;

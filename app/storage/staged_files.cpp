@@ -19,7 +19,7 @@ namespace {
 
 std::error_code lastError() { return {errno, std::generic_category()}; }
 
-/// File descriptor; the destructor closes it if close() was not called.
+/// File descriptor, which the destructor closes if close() was not called.
 class Descriptor {
  public:
   Descriptor(const fs::path& path, int flags) : number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
@@ -38,7 +38,7 @@ class Descriptor {
     return true;
   }
 
-  /// Flushes the file to the disk. Returns true also for files that cannot be flushed (pipes, some file systems).
+  /// Flushes the file to the disk. Also returns true for files that cannot be flushed (pipes, some file systems).
   [[nodiscard]] bool sync() const {
     while (::fsync(number_) != 0) {
       if (errno == EINVAL || errno == ENOTSUP || errno == ENOSYS || errno == EROFS) return true;
@@ -59,8 +59,8 @@ class Descriptor {
 
 fs::path parentOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-/// Keeps the old file under a second name as a hard link, so that `place` always exists. On file systems without hard
-/// links the old file is renamed instead.
+/// Keeps the old file under a second name, by a hard link, so that `place` exists at all times. On file systems without
+/// hard links the old file is renamed instead.
 std::error_code keepAside(const fs::path& place, const fs::path& aside) {
   std::error_code error;
   if (fs::is_directory(place, error)) return std::make_error_code(std::errc::is_a_directory);
@@ -85,8 +85,8 @@ std::error_code writeToDisk(const fs::path& path, const std::string& content) {
 
 std::error_code syncFolder(const fs::path& folder) {
   const Descriptor list(folder, O_RDONLY | O_DIRECTORY);
-  return !list.isOpen() || list.sync() ? std::error_code()
-                                       : lastError();  // a folder without read permission cannot be flushed
+  // A folder without read permission cannot be opened, and thus not flushed; this is no error.
+  return !list.isOpen() || list.sync() ? std::error_code() : lastError();
 }
 
 void StagedFiles::discard() noexcept {

@@ -13,7 +13,7 @@ namespace tubeplan::app {
 /// written (WHY)".
 [[noreturn]] void failToWrite(const std::string& option, const std::filesystem::path& path, const std::string& why);
 
-/// Creates or truncates a file, writes `content` and flushes it to the disk. For a device or pipe nothing is flushed.
+/// Creates or truncates a file, writes `content` and flushes it to the disk; a device or pipe is not flushed.
 [[nodiscard]] std::error_code writeToDisk(const std::filesystem::path& path, const std::string& content);
 
 /// Flushes a folder's directory entries to the disk.

@@ -7,11 +7,11 @@
 
 namespace tubeplan::app {
 
-/// Returns a text such as "did you mean 'limits'?" with the candidate most similar to the word; empty if none is
+/// Returns a question such as "did you mean 'limits'?" with the candidate most similar to the word; empty if none is
 /// similar enough.
 [[nodiscard]] std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
 
-/// Returns the same text, or `otherwise` if no candidate is similar enough.
+/// Returns suggestion(), or `otherwise` if no candidate is similar enough.
 [[nodiscard]] std::string suggestionOr(std::string_view word, const std::vector<std::string>& candidates,
                                        const std::string& otherwise);
 

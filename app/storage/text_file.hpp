@@ -20,11 +20,11 @@ namespace tubeplan::app {
 /// Throws InputError as readTextFile() does.
 [[nodiscard]] std::string readKeptFile(const std::string& path);
 
-/// Throws InputError unless the text meets the conditions of readTextFile(). For text that does not come from a file;
-/// `path` is the name of the text in messages.
+/// Throws InputError if the text is blank or not text, as defined for readTextFile(). Also for text that does not come
+/// from a file; `path` is its name in messages.
 void checkText(const std::string& path, std::string_view text);
 
-/// Throws InputError for a problem in the text of the file `path`, with the problem's line.
+/// Throws InputError for a problem in the text of the file `path`, with the line of the problem.
 [[noreturn]] void refuseText(const std::string& path, const tubesheets::Problem& problem);
 
 }  // namespace tubeplan::app

@@ -10,7 +10,7 @@ namespace {
 
 unsigned char byteAt(std::string_view text, std::size_t at) { return static_cast<unsigned char>(text[at]); }
 
-/// Returns the length in bytes of a UTF-8 sequence with this first byte; 0 if no sequence starts with the byte.
+/// Returns the length in bytes of a UTF-8 sequence with this first byte; 0 if no sequence starts with it.
 std::size_t lengthBy(unsigned char first) {
   return first < 0x80                    ? 1
          : first >= 0xC2 && first < 0xE0 ? 2
@@ -19,8 +19,8 @@ std::size_t lengthBy(unsigned char first) {
                                          : 0;
 }
 
-/// Returns true for a valid second byte of a UTF-8 sequence; excludes overlong forms, surrogates and code points above
-/// U+10FFFF.
+/// Returns true if `second` may follow `first` in a UTF-8 sequence; this excludes overlong forms, surrogates and code
+/// points above U+10FFFF.
 bool isSecond(unsigned char first, unsigned char second) {
   const unsigned char least = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
   const unsigned char most = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
