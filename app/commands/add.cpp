@@ -1,5 +1,5 @@
-// `tubeplan add`: adds an effect from the catalogue, or a formula of the user, to a cell's model, to be fitted together
-// with the model's other parameters.
+// `tubeplan add`: adds an effect of the catalogue, or a user formula, to a cell's model, to be fitted together with the
+// other parameters.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -19,7 +19,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Returns the names of all conditions, each after a comma: ", temperature, time".
+/// Returns the names of all conditions, each preceded by a comma: ", temperature, time".
 std::string conditionNames() {
   std::string names;
   for (const auto& kind : deflection::kConditionKinds) names += std::string(", ") + kind.name;

@@ -1,5 +1,5 @@
-// `tubeplan arm`: import of arms from URDF or a controller's calibration, export to URDF or to rows of another
-// convention, and display of an arm file for checking.
+// `tubeplan arm`: imports arms from URDF or a controller's calibration, exports them to URDF or to rows of another
+// convention, and shows an arm file for checking.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -46,7 +46,7 @@ const Units& urdfUnits() {
   return kUnits;
 }
 
-/// Content of an arm file, or of a cell file that contains an arm.
+/// An arm read from an arm file, a cell file or a URDF file, with the units of the file.
 struct ShownArm {
   deflection::Arm arm;
   Units units;
@@ -66,7 +66,7 @@ ShownArm readAnyArm(const std::string& path, const std::string& tip) {
 }
 
 void tell(const char* kind, const std::vector<std::string>& sentences) {
-  constexpr std::size_t kLongest = 500;  // maximum length of a printed text, since names from a file may be long
+  constexpr std::size_t kLongest = 500;  // maximum length of a printed sentence [bytes]; names from a file may be long
   for (const auto& what : sentences) fmt::print(stderr, "{}: {}\n", kind, printable(what, kLongest));
 }
 

@@ -1,4 +1,4 @@
-// `tubeplan calibrate`: the base pose, from touched holes.
+// `tubeplan calibrate`: determines the base pose from touched holes.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -32,7 +32,7 @@ struct CalibrateOptions {
 
 int run(const CalibrateOptions& options) {
   Cell cell = readCell(options.cell);
-  cell.base_known = false;  // the base is to be determined
+  cell.base_known = false;  // even a base that the cell states as known is determined anew
   const auto [readings, checks] = readAndCheck({options.measurements}, cell, {options.sigma, {}, options.assume});
   const auto touches = touchesOf(readings, cell, options.measurements, options.setup);
   checkFigures(options.figures);

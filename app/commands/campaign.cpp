@@ -1,4 +1,4 @@
-// `tubeplan campaign`: many simulated calibrations or diagnoses, each with a random true arm.
+// `tubeplan campaign`: simulates many calibrations or diagnoses, each with a random true arm.
 #include "app/commands/campaign/campaign.hpp"
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ const CampaignKind& campaignKindOf(const std::string& name) {
   throw InputError("--kind", inQuotes(name), alternatives(names), suggestion(name, names));
 }
 
-/// Checkpoint and output of a campaign; only the first rank has this object.
+/// Checkpoint and output of a campaign, which only the first rank handles.
 class CampaignDesk {
  public:
   CampaignDesk(const CampaignOptions& options, const Campaign& campaign)
@@ -159,7 +159,7 @@ int runRanked(const CampaignOptions& options, Ranks& ranks) {
                              "copy the same program and files to every machine, and give the same options");
   }
   if (desk) return desk->run(workersOf(options), &ranks);
-  noteStopSignals();  // only the first rank decides when to stop
+  noteStopSignals();  // a signal must not end this rank: only the first rank decides when to stop
   serveRuns(*campaign->experiment, workersOf(options), ranks);
   return kDone;
 }

@@ -27,8 +27,8 @@ std::string overview() {
   return text + fmt::format("\n`tubeplan COMMAND --help` describes one. Exit codes: {}.\n", kExitCodes);
 }
 
-// Replaces `help`, `help CMD` and an empty command line by --help. Returns true if the overview of all commands is
-// requested.
+// Replaces `help CMD` by `CMD --help`. Returns true if the overview of all commands is requested: by `help`, --help, -h
+// or an empty command line.
 bool asksForOverview(std::vector<std::string>& words) {
   if (!words.empty() && words.front() == "help") {
     words.erase(words.begin());

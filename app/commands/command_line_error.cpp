@@ -20,7 +20,8 @@ using Words = std::vector<std::string>;
 
 std::string helpOf(const CLI::App& command) { return fmt::format("see `tubeplan {} --help`", command.get_name()); }
 
-/// Returns the name of an option's value type in the help, such as "INT", without what the option's checks append.
+/// Returns the value type that the help shows for an option, such as "INT", without the text that the option's checks
+/// append.
 std::string typeOf(const CLI::Option& option) {
   const std::string name = option.get_type_name();
   return name.substr(0, name.find(':'));
@@ -52,7 +53,7 @@ Words wordsLeft(const CLI::App& command) {
   return left;
 }
 
-/// Returns the first option among the unaccepted arguments, without its value. Arguments after "--" are no options.
+/// Returns the first option among the unaccepted arguments, without its value. Arguments after "--" are not options.
 std::optional<std::string> findUnknownOption(const Words& left) {
   const auto end = std::ranges::find(left, "--");
   const auto found = std::find_if(left.begin(), end, [](const std::string& word) {
@@ -69,8 +70,9 @@ InputError unknownOption(const CLI::App& command, const std::string& name) {
                             name.starts_with("--") ? suggestionOr(name, names, helpOf(command)) : helpOf(command));
 }
 
-/// Returns the option at which the parser stopped; null if there is none. The parser goes through the options in the
-/// order of the help, first checking and then converting the values. An option is marked as done before the conversion.
+/// Returns the option at which the parser stopped, while checking its values or (`converting`) while converting them;
+/// null if there is none. The parser goes through the options in the order of the help. It checks the values of an
+/// option, marks the option as done, and then converts the values.
 CLI::Option* stoppedAt(CLI::App& command, bool converting) {
   CLI::Option* before = nullptr;
   for (CLI::Option* option : command.get_options()) {
@@ -100,7 +102,7 @@ std::optional<InputError> wrongValue(CLI::App& command) {
   return std::nullopt;
 }
 
-/// Returns the kind of value that an option takes, such as "a whole number"; empty for a text.
+/// Returns the kind of value that an option takes, such as "a whole number"; empty for a string.
 std::string kindOfValue(const CLI::Option& option) {
   const std::string type = typeOf(option);
   if (type == "FLOAT") return "a number";

@@ -1,4 +1,4 @@
-// `tubeplan compare`: where a model's error occurs, how large it is, and which variables it depends on.
+// `tubeplan compare`: shows where a model's error occurs, how large it is, and which variables it depends on.
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -50,7 +50,7 @@ std::string bash() {
       fmt::join(names, " "), cases);
 }
 
-/// Returns text in single quotes, with characters escaped that are special in zsh argument descriptions.
+/// Returns text for use between single quotes; characters that are special in zsh argument descriptions are escaped.
 std::string zshText(const std::string& text) {
   return replaced(replaced(replaced(replaced(text, "'", "'\\''"), "[", "\\["), "]", "\\]"), ":", "\\:");
 }

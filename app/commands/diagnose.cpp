@@ -1,4 +1,4 @@
-// `tubeplan diagnose`: the physical effect that the model lacks.
+// `tubeplan diagnose`: names the physical effect that the model lacks.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -32,8 +32,8 @@ struct DiagnoseOptions {
   DiagnosisRequest request;
 };
 
-/// Returns a message on the run sheet: the written file and how to use it, or why no sheet was written. Empty without
-/// --run-sheet, and if the readings contain a mistake.
+/// Returns a message on the run sheet: the written file and how to use it, or why none was written. Empty without
+/// --run-sheet or if the readings contain a mistake.
 std::string sheetText(const DiagnoseOptions& options, const CellReadings& input,
                       const std::vector<calibration::ProposedMeasurement>& sheet) {
   if (options.run_sheet.empty() || calibration::grossMistake(input.checks)) return "";

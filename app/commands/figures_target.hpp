@@ -15,8 +15,8 @@ struct FiguresTarget {
 
 [[nodiscard]] std::vector<std::string> figureFormats();
 
-/// Checks, before the work, that the --json file can be written and that only one document goes to standard output.
-/// Throws InputError.
+/// Throws InputError unless the --json file can be written and only one document goes to standard output. Meant to be
+/// called before long work.
 void checkFigures(const FiguresTarget& target);
 
 /// Returns true if the results go to a file or, in a format other than text, to standard output.
@@ -26,10 +26,10 @@ void checkFigures(const FiguresTarget& target);
 /// requested.
 void writeFigures(const FiguresTarget& target, const nlohmann::json& figures);
 
-/// Returns true if standard output shows the command's own text.
+/// Returns true if the command's own text goes to standard output.
 [[nodiscard]] bool printsText(const FiguresTarget& target);
 
-/// Writes the results to all requested destinations, and prints `text` if standard output shows text.
+/// Writes the results to all requested destinations, and prints `text` if printsText().
 void showFigures(const FiguresTarget& target, const nlohmann::json& figures, const std::string& text);
 
 }  // namespace tubeplan::app

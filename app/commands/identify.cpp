@@ -1,4 +1,4 @@
-// `tubeplan identify`: the parameters of the model and the base pose, from measurements.
+// `tubeplan identify`: determines the parameters of the model and the base pose from measurements.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -37,7 +37,7 @@ struct IdentifyOptions {
   IdentificationRequest request;
 };
 
-/// Prints one line for each iteration of the fit to `out`: the progress stream if JSON goes to standard output.
+/// Prints one line about an iteration of the fit to `out`, preceded by headings for the first iteration of a method.
 void printIteration(std::FILE* out, const calibration::LeastSquaresIteration& now) {
   if (now.iteration == 0)
     fmt::print(out, "  {}\n  {:>9} {:>15} {:>12} {:>12}\n", now.method, "iteration", "chi-square", "step", "damping");
@@ -45,7 +45,7 @@ void printIteration(std::FILE* out, const calibration::LeastSquaresIteration& no
   std::fflush(out);
 }
 
-/// Prints why the result is withheld, in the form of a diagnosis.
+/// Prints why the result is withheld, in the form in which `diagnose` does.
 void printWithheld(const IdentifyOptions& options, const IdentificationOutcome& outcome) {
   fmt::print("{}\n{}\n{}{}", nameOf(calibration::Verdict::kInconclusive), noVerdictSentence(outcome.fit.reason),
              options.out.empty() ? "" : "nothing was written\n", warningsText(outcome.warnings));

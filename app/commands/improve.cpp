@@ -34,13 +34,13 @@ struct ImproveOptions {
   ImprovementRequest request;
 };
 
-/// Returns a text such as ", without 2 readings"; empty if `count` is 0.
+/// Returns a string such as ", without 2 readings"; empty if `count` is 0.
 std::string withoutText(std::size_t count) {
   if (count == 0) return "";
   return fmt::format(", without {} {}", count, count == 1 ? "reading" : "readings");
 }
 
-/// Writes and prints models as they are found, so that completed steps survive a stop.
+/// Writes and prints each model as soon as it is found, so that a stop loses no completed step.
 class Keeper {
  public:
   Keeper(const CellReadings& input, const ImproveOptions& options) : input_(input), options_(options) {}
@@ -49,7 +49,7 @@ class Keeper {
     const auto used = calibration::withoutReadings(input_.readings, model.set_aside);
     const auto files = improvedCell(input_.cell, model.cell, model.fit, used, options_.out);
     step_ = model.step;
-    // The first fit is written only at the end, because the readings may allow no verdict about it.
+    // The first fit is written only at the end, because the readings may allow no verdict on it.
     if (step_ > 0)
       write(files);
     else
@@ -75,7 +75,7 @@ class Keeper {
   int step_ = 0;
 };
 
-/// Returns a text on why the loop ended and which files were written.
+/// Returns as text why the loop ended early, whether a model was written, and how to leave the last step out.
 std::string endText(const Improvement& result, const ImproveOptions& options) {
   std::string text;
   if (result.end == ImprovementEnd::kNotFitted)

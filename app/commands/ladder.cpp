@@ -1,4 +1,4 @@
-// `tubeplan ladder`: compares several models by their errors, fitted and held-out, and with the noise floor.
+// `tubeplan ladder`: compares several models by their fitted and held-out errors, beside the noise floor.
 #include "app/jobs/ladder.hpp"
 
 #include <CLI/CLI.hpp>

@@ -10,7 +10,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Returns text with characters escaped that are special in roff.
+/// Returns text in which characters that are special in roff are escaped.
 std::string plain(const std::string& text) {
   std::string out;
   bool begins = true;

@@ -1,5 +1,5 @@
 // Checks of option values, for CLI::Option::check(). For a value that it refuses, a check returns a description of the
-// expected value, such as "D, G or V" or "0 to 65535". The error message continues "found ..., expected" with it
+// expected value, such as "D, G or V" or "0 to 65535", which completes the error message "found ..., expected ..."
 // (command_line_error.hpp).
 #pragma once
 

@@ -15,17 +15,17 @@ void addCell(CLI::App& cli, std::string& cell);
 void addReadings(CLI::App& cli, ReadingFiles& files);   ///< MEASUREMENTS: one or more files
 void addFigures(CLI::App& cli, FiguresTarget& target);  ///< --json and --format
 
-/// Adds --seed; `of` names the random process, for --help.
+/// Adds --seed; `of` is its help text, which states what is random.
 void addSeed(CLI::App& cli, std::uint64_t& seed, const std::string& of);
 
-/// Adds --sigma (above zero): the standard deviation of a coordinate in the cell's length unit. `when` states, for
-/// --help, when the option is used.
+/// Adds --sigma (above zero): the standard deviation of a coordinate in the cell's length unit. `when` is the end of
+/// its help text, which states when the option applies.
 void addSigma(CLI::App& cli, double& sigma, const std::string& when);
 
 /// Adds --sigma, --prior and --assume, for commands that fit a model to readings.
 void addMeasurementOptions(CLI::App& cli, MeasurementOptions& options);
 
-/// Adds only --assume, for commands that read measurements as a secondary input.
+/// Adds --assume alone, for commands to which measurements are a secondary input.
 void addAssumeOption(CLI::App& cli, std::vector<std::string>& assume);
 
 /// Adds --column, the meanings of a work list's columns, for commands whose --tubes may name a work list
@@ -43,7 +43,7 @@ struct ReportTarget {
 /// Adds --report and --open; `words` describe the page for --help.
 void addReportOptions(CLI::App& cli, ReportTarget& target, const std::string& words);
 
-/// Checks, before the work, that the page can be written. Throws InputError.
+/// Throws InputError if the page cannot be written. Meant to be called before long work.
 void checkReportTarget(const ReportTarget& target);
 
 /// Writes the page and, with --open, opens it in a browser.

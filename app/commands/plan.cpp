@@ -89,14 +89,15 @@ int run(const PlanOptions& options) {
   noteStopSignals();  // before the first folder is created, so that a stop removes the folder
   OutputFolder folder(options.out, "--out");
   std::vector<std::string> names(std::begin(kPlanFiles), std::end(kPlanFiles));
-  // An existing touches.csv is then not replaced.
+  // Unless the touches are simulated, an existing touches.csv may be the user's own, and is no reason to refuse the
+  // folder.
   if (options.request.touches != "auto") std::erase(names, "touches.csv");
   folder.requireOwn({"plan.json", kProgressFile}, names);
   PlanCheckpoint checkpoint(folder.path(), options.resume, options.from);
   const PlanOutcome outcome = runPlanJob(options.request, terminalHooks(), checkpoint);
   if (outcome.plan.status == planner::VisitPlanStatus::kStopped) return explainStop(checkpoint, folder);
   if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) {
-    // If the touches were refused and nothing was planned, the checkpoint of an earlier run is kept.
+    // If the touches were refused, nothing was planned, and the checkpoint of an earlier run is kept.
     if (outcome.plan.status != planner::VisitPlanStatus::kNotRun) checkpoint.discard();
     return explain(outcome);
   }

@@ -1,4 +1,4 @@
-// `tubeplan pose`: the pose of the tip, rigid and deflected.
+// `tubeplan pose`: computes the pose of the tip of the rigid and of the deflected arm.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -30,7 +30,8 @@ struct PoseOptions {
   bool all = false;
 };
 
-/// Returns the intermediate results of Appendix A for every link: frames, loads and the deflection of each component.
+/// Returns the intermediate results that Appendix A of the thesis lists for every link: frames, loads and the
+/// deflection of each component.
 nlohmann::json intermediatesJson(const deflection::Arm& arm, const deflection::FlexibleKinematics& shape,
                                  const Units& units) {
   nlohmann::json rows = nlohmann::json::array(), components = nlohmann::json::array();

@@ -7,7 +7,7 @@
 namespace tubeplan::app {
 
 /// Returns the exit code of a command for a positive or negative result. A mistake in the readings makes the result
-/// negative. Used by all commands that evaluate readings.
+/// negative, in all commands that evaluate readings.
 [[nodiscard]] inline ExitCode answerOver(const calibration::MeasurementChecks& checks, bool is_positive) {
   return is_positive && !calibration::grossMistake(checks) ? kDone : kNegativeAnswer;
 }

@@ -50,8 +50,8 @@ void write(const ReadingsOptions& options, const std::string& text) {
     writeFileAtomically(options.out, text, "--out");
 }
 
-/// Returns the number of readings in the converted text. Parsing the text also proves that it can be read. Errors refer
-/// to lines of the source tables, because the user has not seen the converted text.
+/// Returns the number of readings in the converted text. Throws InputError if that text cannot be read as a measurement
+/// table; the error names the line of the source table, because the user has not seen the converted text.
 std::size_t countOf(const ForeignReadings& readings, const Cell& cell) {
   const std::string name = "the readings";
   try {

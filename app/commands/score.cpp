@@ -1,5 +1,5 @@
-// `tubeplan score`: centring of a true arm and number of tool steps that enter, for three modes: no compensation,
-// goal-point and via-point compensation.
+// `tubeplan score`: computes the centring of a true arm and the number of tool steps that enter, without compensation,
+// with goal-point and with via-point compensation.
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -38,20 +38,20 @@ struct ScoreOptions : ScoredRunsOptions {
   std::vector<std::string> columns;
 };
 
-/// Number of tubes spread over the sheet if none are named: without --runs, and with --runs.
+/// Numbers of tubes, spread over the sheet, if none are named: without --runs, and with --runs.
 constexpr std::size_t kTubes = 60, kTubesOfRuns = 80;
 
 struct ScoredTube {
   int tube;
   std::string reason;  ///< why the tube was not scored; empty for a scored tube
   ModeScores scores;
-  Eigen::VectorXd q = {};  ///< joint values of the model on its calibrated base; empty on failure
+  Eigen::VectorXd q = {};  ///< posture of the model on its calibrated base; empty if the tube is unreachable
 };
 
 struct Scored {
   BothCalibrations calibration;
   std::vector<ScoredTube> tubes;
-  std::vector<std::string> warnings;  ///< about too few beam segments, and about the base
+  std::vector<std::string> warnings;  ///< warnings of too few beam segments and of an unreliable base
 };
 
 Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth, const std::vector<int>& tubes,
@@ -92,7 +92,7 @@ nlohmann::json scoresJson(const ModeScores& scores, const Units& units) {
   return json;
 }
 
-/// Returns the results over all tubes for each compensation mode. Errors are null if no tube has a posture.
+/// Returns the results over all tubes for each compensation mode. Errors are null if a mode has no posture at any tube.
 nlohmann::json compensationsJson(const std::vector<ModeScores>& scores, std::size_t steps, const Units& units) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const auto counts = countByMode(scores, static_cast<int>(steps));

@@ -25,8 +25,8 @@ namespace {
 /// Numbers of holes in the experiment of the thesis (Calkins 1994, section 5.5, table 5.7). The touched holes are the
 /// first of the visited holes.
 constexpr int kTouchedHoles = 3, kVisitedHoles = 10;
-/// Number of touched holes, and number of repetitions, for the mean error that remains at the touches after a fit of
-/// the base alone.
+/// Numbers of touched holes and of repetitions for the mean error that remains at the touches after a fit of the base
+/// alone.
 constexpr int kFittedHoles = 14;
 constexpr std::uint64_t kBaseFits = 20;
 
@@ -48,7 +48,7 @@ ScoredRuns scoredBy(const CentringTrials& trials, int runs, const planner::PlanH
       scored.refused.emplace_back(nameOf(trial.failure));
       continue;
     }
-    // At the hole itself, goal-point and via-point compensation are the same.
+    // At the hole itself, goal-point and via-point compensation have the same posture.
     auto& scores = scored.scores.emplace_back();
     for (const auto& [hole, centring] : trial.visits) scores.push_back({centring[0], centring[1], centring[1]});
     scored.misfits += trial.is_misfit ? 1 : 0;

@@ -1,5 +1,5 @@
-// `tubeplan sensitivity`: which members to stiffen or lighten, and which parameters must be known accurately (Calkins
-// 1994, section 6.3).
+// `tubeplan sensitivity`: ranks the members to stiffen or lighten and the parameters that must be known accurately
+// (Calkins 1994, section 6.3).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -37,14 +37,14 @@ struct SensitivityOptions {
   std::uint64_t seed = 1;
 };
 
-/// Returns the best holes of the sheet to touch.
+/// Returns the three holes of the sheet whose touches determine the base best.
 BestTouches touchedHoles(const Cell& cell, const std::vector<Eigen::VectorXd>& work_postures) {
   planner::Workcell work = workcellOf(cell, "touch holes");
   work.load = 0;
   return bestTouches(work, touchCandidates(work, kTouchable), work_postures, kChosenTouches, doubtBeside(cell));
 }
 
-/// Returns the best postures in which to touch a mark, for a cell without a sheet.
+/// Returns, for a cell without a sheet, the three postures in which touches of a mark determine the base best.
 BestTouches touchedPostures(const Cell& cell, const std::vector<Eigen::VectorXd>& work_postures, std::uint64_t seed) {
   std::vector<calibration::TouchPlan> marks;
   for (const auto& q : clearPostures(armAndScene(cell), {0}, kTouchable, seed))
@@ -53,7 +53,8 @@ BestTouches touchedPostures(const Cell& cell, const std::vector<Eigen::VectorXd>
   return bestTouches(cell.arm, cell.X_WB, marks, work_postures, {kChosenTouches, usual.touch_sigma, doubtBeside(cell)});
 }
 
-/// Chooses the three touches that determine the base best. Returns why no such touches exist; otherwise empty.
+/// Chooses the three touches that determine the base best. If there are none, returns the reason; otherwise an empty
+/// string.
 std::string chooseBaseTouches(const Cell& cell, std::uint64_t seed, SensitivityReport& report,
                               calibration::SensitivityTask& task) {
   const BestTouches best = cell.sheet ? touchedHoles(cell, task.work) : touchedPostures(cell, task.work, seed);
@@ -120,7 +121,7 @@ int run(const SensitivityOptions& options) {
   else
     task.work = clearPostures(armAndScene(cell), {task.load}, options.postures, options.seed);
   report.work = static_cast<int>(task.work.size());
-  std::string reason;  // empty: without a sheet, a known base remains known
+  std::string reason;  // why there is no result; a known base without a sheet needs no touches
   if (!task.work.empty() && (report.has_sheet || !cell.base_known))
     reason = chooseBaseTouches(cell, options.seed + 1, report, task);
   if (reason.empty()) report.figures = calibration::findSensitivities(cell.arm, cell.X_WB, task);

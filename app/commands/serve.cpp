@@ -1,4 +1,4 @@
-// `tubeplan serve`: the workbench, a web page on loopback.
+// `tubeplan serve`: serves the workbench, a web page, on this machine.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -31,7 +31,7 @@ struct ServeOptions {
 };
 
 constexpr std::size_t kShortestToken = 12;
-constexpr auto kGlanceAtArm = std::chrono::milliseconds(50);  // interval between checks for new data of a running arm
+constexpr auto kGlanceAtArm = std::chrono::milliseconds(50);  // interval between checks for new data from a running arm
 
 void requireToken(const DoorRules& door) {
   if (door.token.empty() && isLoopback(door.host)) return;

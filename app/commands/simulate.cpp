@@ -1,4 +1,4 @@
-// `tubeplan simulate`: simulates measurements of a cell for practice, and writes the truth to a separate file.
+// `tubeplan simulate`: simulates measurements of a cell for practice, and writes the true values to a separate file.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

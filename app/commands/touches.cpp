@@ -1,4 +1,4 @@
-// `tubeplan touches`: proposes holes to touch, or postures and loads to measure, next.
+// `tubeplan touches`: proposes the next holes to touch, or postures and loads to measure.
 #include "app/jobs/touches.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ void writeSheet(const std::string& file, const TouchOutcome& outcome) {
   writeFileAtomically(file, runSheetCsv(runSheetOf(outcome), outcome.cell.arm, outcome.cell.units), "--csv");
 }
 
-/// Returns the message on the written run sheet: the file, and how to fill it in.
+/// Returns a message that names the written run sheet and says how to fill it in.
 std::string sheetText(const TouchesOptions& options, const TouchOutcome& outcome) {
   return fmt::format("wrote {}: {}\n", options.csv,
                      fillInText(runSheetOf(outcome), outcome.cell.arm, outcome.cell.units));

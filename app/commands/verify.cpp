@@ -1,4 +1,4 @@
-// `tubeplan verify`: an independent proof of a plan, computed by code that the planner does not use.
+// `tubeplan verify`: proves or refutes a plan by code that the planner does not use.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -32,8 +32,8 @@ struct VerifyOptions {
   FiguresTarget figures;
 };
 
-/// Returns a sentence for each difference between the arm in the cell and the arm in the plan; names are those of the
-/// arm files.
+/// Returns a sentence for each difference between the cell's arm and the plan's arm; parameters are named as in the arm
+/// files.
 std::vector<std::string> armDifferences(const deflection::Arm& cell, const deflection::Arm& plan) {
   const auto now = deflection::parametersOf(cell), then = deflection::parametersOf(plan);
   if (now.size() != then.size()) return {"the cell's arm is not the plan's: its rows or flexible axes differ"};
@@ -44,7 +44,7 @@ std::vector<std::string> armDifferences(const deflection::Arm& cell, const defle
   return differences;
 }
 
-/// Returns a workcell with the sheet, tool and scene of the present cell, and with the arm, base, load and insertion of
+/// Returns a workcell with the sheet, tool and scene of the given cell, and with the arm, base, load and insertion of
 /// the plan.
 planner::Workcell checkedWorkcell(const Cell& cell, const Cell& planned, const PlanFiles& files) {
   planner::Workcell work = workcellOf(cell, "verify a plan on it");
@@ -114,8 +114,8 @@ std::string baseDifference(const Cell& cell, const Cell& planned) {
       lengthText(place, cell.units), angleOf(std::abs(turn), cell.units), cell.units.angle().name, cell.path);
 }
 
-/// Returns a sentence that names the plan's tubes whose state on the map excludes them, because the map may be newer
-/// than the plan; empty if there are none.
+/// Returns a sentence that names the plan's tubes whose state on the map excludes them, for example because the map is
+/// newer than the plan; empty if there are none.
 std::string statesText(const tubesheets::Sheet& sheet, const planner::StatedPlan& plan) {
   constexpr std::size_t kNamed = 10;
   std::vector<std::string> named;
@@ -146,8 +146,8 @@ int run(const VerifyOptions& options) {
   planner::PlanCheckOptions checks;
   checks.padding = files.padding_sigmas;
   checks.via_points = files.compensation == "via-point";
-  // Without compensation the deflected tip misses the holes by design. Only the values stated in the files are then
-  // compared with the model.
+  // Without compensation the deflected tip misses the holes by design. Centring and tilt are then not limited, and only
+  // the values stated in the files are compared with the model.
   if (files.compensation == "none") {
     checks.centring_tolerance = 1;
     checks.limits_tilt = false;

@@ -16,12 +16,12 @@
 
 namespace tubeplan::app {
 
-/// Request as given on the command line, in the cell's units. Each kind of campaign uses a part of the values.
+/// Request as given on the command line, in the cell's units. Each kind of campaign uses some of the values.
 struct CampaignRequest {
   std::string cell, truth;
   std::uint64_t seed = 1;
 
-  // Values for campaigns of kind centring.
+  // Values for campaigns of kind `centre`.
   std::string tubes;                 ///< selection or work list; empty: spread:80
   std::vector<std::string> columns;  ///< meanings of the work list's columns
   int holes = 10;
@@ -30,14 +30,14 @@ struct CampaignRequest {
   std::vector<double> touch_sigmas;
   std::optional<double> base_shift, base_turn, stiffness, unmodelled, encoder_sigma;
 
-  // Values for campaigns of kind diagnosis.
+  // Values for campaigns of kind `diagnose`.
   std::string design = "bench", hide = "any";
   int readings = 120;
   double nothing = 0.5;
   int effects = 2;
 };
 
-/// Number of runs requested, and number done so far.
+/// Number of runs requested, and number completed so far.
 struct CampaignProgress {
   std::uint64_t runs = 0, done = 0;
 };

@@ -1,4 +1,4 @@
-// Centring campaign: its runs, and its results from their tally.
+// Centring campaign: performs the runs, and derives the results from their tally.
 #include "app/commands/campaign/centring_figures.hpp"
 #include "app/formats/sheet/touch_input.hpp"
 
@@ -45,7 +45,7 @@ class CentringExperiment : public Experiment {
   CentringTally total_;
 };
 
-constexpr std::uint64_t kLargestChunk = 256;  // takes about a tenth of a second
+constexpr std::uint64_t kLargestChunk = 256;  // number of runs that takes about a tenth of a second
 
 }  // namespace
 

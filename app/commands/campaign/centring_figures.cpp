@@ -125,7 +125,8 @@ json waysJson() {
   return ways;
 }
 
-/// Returns the origin of the base poses for all results: each run calibrates its own base.
+/// Returns the origin of the base poses of all settings: each run calibrates its own base. Touches are stated if all
+/// settings have the same number.
 BaseStanding standingOf(const std::vector<CentringSetting>& settings) {
   const int touches = settings.front().touches;
   const bool is_one = std::ranges::all_of(settings, [&](const auto& other) { return other.touches == touches; });

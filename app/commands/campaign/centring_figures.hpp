@@ -14,10 +14,10 @@ struct CentringResults {
   CampaignProgress progress;
 };
 
-/// Returns all results. Of the results for single holes, only those of the worst holes are included.
+/// Returns the results as JSON; of the single holes, only the worst are listed.
 [[nodiscard]] nlohmann::json centringJson(const CentringResults& results);
 
-/// Returns the results as a short text, from their JSON.
+/// Returns the results as short text, from their JSON.
 [[nodiscard]] std::string centringText(const nlohmann::json& figures);
 
 /// Returns CSV with one line for each setting, method of compensation and visited hole.

@@ -18,11 +18,11 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr int kTouchableHoles = 24;  // number of candidates, as in `plan --touches auto`
+constexpr int kTouchableHoles = 24;  // number of candidate holes for touches, as in `plan --touches auto`
 constexpr std::size_t kMostSettings = 100;
 constexpr int kMostTouchedHoles = 50;
-constexpr double kMostLength = 0.254;  // largest value accepted [m] (10 in); an arm with a larger error finds no hole
-constexpr double kMostAngle = 0.5;     // largest value accepted [rad]
+constexpr double kMostLength = 0.254;  // largest length accepted [m] (10 in); an arm with a larger error finds no hole
+constexpr double kMostAngle = 0.5;     // largest angle accepted [rad]
 
 void requireWithin(const std::string& option, double value, double most, const std::string& what) {
   if (!(value >= 0 && value <= most))
@@ -108,7 +108,7 @@ std::vector<CentringSetting> settingsOf(const CampaignRequest& request, const Ce
 /// Number of tubes spread over the sheet if the request names none.
 constexpr std::size_t kTubes = 80;
 
-/// Finds the tubes to visit; tubes whose state excludes the tool are left out.
+/// Finds the holes to visit and to touch; tubes whose state excludes the tool are left out.
 void findHoles(const CampaignRequest& request, CentringTask& task) {
   const std::string tubes = tubesOrSpread(request.tubes, task.model.sheet, kTubes);
   requireWorkList(request.columns, {tubes});

@@ -11,11 +11,11 @@ struct CentringTask {
   Cell cell;
   planner::Workcell model, truth;
   CentringHoles holes;
-  int tubes = 0;  ///< number of requested tubes; `holes` lacks those out of reach
+  int tubes = 0;  ///< number of requested tubes, including those out of reach
   CentringOptions options;
 };
 
-/// Reads the cells, finds the holes in reach and lists the settings. Throws InputError for bad input.
+/// Reads the cells, finds the holes within reach and lists the settings. Throws InputError for bad input.
 [[nodiscard]] CentringTask centringTask(const CampaignRequest& request);
 
 /// Returns a key made of everything that affects the results, except the number of runs.

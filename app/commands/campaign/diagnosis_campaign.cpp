@@ -1,4 +1,4 @@
-// Diagnosis campaign: its runs, and its results from their tally.
+// Diagnosis campaign: performs the runs, and derives the results from their tally.
 #include <fmt/format.h>
 
 #include "app/commands/campaign/campaign.hpp"
@@ -166,7 +166,8 @@ json countsJson(const OutcomeCounts& counts) {
   return named;
 }
 
-/// Names of the rates in JSON, with a description of each; all are fractions of the runs with a hidden effect.
+/// Names of the rates in JSON, each with a description. All are fractions of those runs with a hidden effect for which
+/// a diagnosis was made.
 constexpr std::array<std::pair<const char*, const char*>, 5> kRates{{{"truth_among_answers", "truth among the answers"},
                                                                      {"named", "named alone"},
                                                                      {"wrong", "another named"},
@@ -252,8 +253,7 @@ json diagnosisFigures(const DiagnosisTask& task, const CampaignRequest& request,
 
 constexpr std::string_view kShareWords = "{count} of {of}, {value:.1%} % ({low:.1%} to {high:.1%})\n";
 
-/// Returns one line for each of the outcomes inconclusive and not made, with the number of runs; empty if there are
-/// none.
+/// Returns one line for each of the outcomes "inconclusive" and "not made" that occurred, with the number of runs.
 std::string undecidedText(const std::string& hidden, const json& outcomes) {
   std::string text;
   for (const auto kind : {DiagnosisOutcomeKind::kInconclusive, DiagnosisOutcomeKind::kNotMade}) {

@@ -56,7 +56,7 @@ class DiagnosisTrials {
   /// for readings that cannot be simulated.
   DiagnosisTrials(const Cell& cell, std::vector<int> kinds, const DiagnosisTrialOptions& options);
 
-  /// Runs the trial with this index; nothing if `stop` has returned true. Thread-safe.
+  /// Performs the trial with this index, and returns its result; no value if `stop` has returned true. Thread-safe.
   [[nodiscard]] std::optional<DiagnosisTrial> run(std::uint64_t index, const calibration::StopQuestion& stop) const;
 
  private:
@@ -65,7 +65,8 @@ class DiagnosisTrials {
   DiagnosisTrialOptions options_;
 };
 
-/// Returns the catalogue effects that can act on the cell's arm and that readings of the requested design could show.
+/// Returns the catalogue effects that can act on the cell's arm and that readings of the requested design could show,
+/// as indices in effectKinds().
 [[nodiscard]] std::vector<int> hideableKinds(const Cell& cell, const DiagnosisTrialOptions& options);
 
 }  // namespace tubeplan::app
