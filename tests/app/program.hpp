@@ -28,7 +28,8 @@ class ProgramTest : public FolderTest {
     return outcome;
   }
 
-  /// Writes the mock-up cell as `name`, with the hole map `map` in place of its layout, and with its arm and holes.csv.
+  /// Writes the mock-up cell as `name`, its arm file, and holes.csv with the hole map `map`, which replaces the cell's
+  /// layout.
   void writeMappedMockup(const std::string& name, const std::string& map) const {
     (void)write("holes.csv", map);
     (void)write("cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));

@@ -1,4 +1,5 @@
-// An arm exported in any convention remains the same arm; a controller's calibration is imported, planned and verified.
+// An arm exported in any convention remains the same arm. A controller's calibration is imported, and a plan with the
+// calibrated arm is proved.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// Commands and inputs that the program refuses, with message and exit code.
+// The program refuses wrong command lines and inputs with exit code 2 and a message of one line.
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -70,7 +70,7 @@ TEST_F(Program, helpsWithAnExampleForEachCommand) {
   EXPECT_EQ(run("--version").out.substr(0, 9), "tubeplan ");
 }
 
-/// An output may overwrite neither an input of the command nor the file of another output option.
+/// An output that would overwrite an input of the command, or the file of another output option, is refused.
 TEST_F(Program, refusesToWriteOverItsInputs) {
   ASSERT_EQ(run("simulate " + shipped("bench.yaml") + " --design bench --readings 24 --seed 3 --out set").exit_code, 0);
   for (const char* name : {"bench.yaml", "cobra-arm.yaml"}) write(name, contentOf(shippedCells() / name));
@@ -86,7 +86,7 @@ TEST_F(Program, refusesToWriteOverItsInputs) {
   EXPECT_EQ(contentOf(folder / "cobra-arm.yaml"), arm);
 }
 
-/// A cell may be written over itself.
+/// `identify` may write its result over the cell that it has read.
 TEST_F(Program, writesACellOverItself) {
   ASSERT_EQ(run("simulate " + shipped("bench.yaml") + " --design bench --readings 24 --seed 3 --out set").exit_code, 0);
   for (const char* name : {"bench.yaml", "cobra-arm.yaml"}) write(name, contentOf(shippedCells() / name));
@@ -95,7 +95,8 @@ TEST_F(Program, writesACellOverItself) {
   EXPECT_EQ(run("pose bench.yaml --joints 0,30,30,30").exit_code, 0);
 }
 
-/// A cell replaces only files that are cells. The cell's arm replaces no file that may be the arm of another cell.
+/// An output cell may replace only a file that is a cell, and its arm file only a file that is not the arm of another
+/// cell.
 TEST_F(Program, replacesCellsByCellsAndTheirArmsAlone) {
   ASSERT_EQ(run("simulate " + shipped("bench.yaml") + " --design bench --readings 24 --seed 3 --out set").exit_code, 0);
   const std::string asked = " " + shipped("bench.yaml") + " set/measurements.csv --out ";
@@ -115,7 +116,7 @@ TEST_F(Program, refusesZonesOfOtherTubesAndFoldersWithoutAName) {
   expectRefused("plan " + shipped("mockup.yaml") + " --tubes R10C20 --out ''", {"--out", "folder"});
 }
 
-/// Every command with a work list accepts --column for its columns, and refuses columns that do not exist.
+/// Every command that takes a work list refuses a --column with an unknown column or quantity, or without a work list.
 TEST_F(Program, refusesColumnsThatAWorkListHasNot) {
   (void)write("list.csv", "Reihe,Spalte\n20,40\n22,44\n");
   const std::string mockup = shipped("mockup.yaml");

@@ -1,5 +1,5 @@
-// `tubeplan campaign`: the same bytes for any number of workers and processes, resuming after a stop, refusals, and
-// agreement with `score --runs`.
+// `tubeplan campaign` writes the same bytes for any number of workers and processes, resumes after a stop, refuses
+// wrong input, and agrees with `score --runs`.
 #include <signal.h>
 
 #include <chrono>
@@ -109,9 +109,10 @@ TEST_F(CampaignCommand, WithoutNoiseCompensationCentres) {
   const json figures =
       figuresOf(mockup("--runs 12 --tubes spread:30 --touch-sigma 0 --encoder-sigma 0 --unmodelled 0 --stiffness 0"));
   const auto& setting = figures["settings"][0];
-  EXPECT_EQ(setting["scored"], 12);                // the holes to touch are in reach for any base
+  EXPECT_EQ(setting["scored"], 12);                // the holes to touch are within reach for every base drawn
   EXPECT_LT(setting["compensated"]["max"], 1e-6);  // [in]
-  EXPECT_EQ(setting["compensated"]["steps"][0]["probability"]["value"], 1);  // the tool's tilt may keep the third out
+  // In every hole reached, at least one step enters; the tool's tilt may keep the third step out.
+  EXPECT_EQ(setting["compensated"]["steps"][0]["probability"]["value"], 1);
   // A run lacks a step in some hole only if the true arm cannot reach that hole.
   const double missed = setting["compensated"]["missed"], visits = setting["compensated"]["visits"];
   EXPECT_EQ(missed + visits, 120);
@@ -173,7 +174,7 @@ TEST_F(CampaignCommand, GoesOnAfterAStopToTheSameBytesAndToMoreRuns) {
   EXPECT_FALSE(std::filesystem::exists(folder / "stopped/campaign.json"));
   const std::string kept = contentOf(folder / "stopped/tally.json");
 
-  // A campaign with other arguments is refused with --resume, and started again with a message without --resume.
+  // With other arguments, the campaign is refused if --resume is given; otherwise it starts again and says so.
   expectRefused(mockup("--tubes spread:40 --seed 9 --runs 1200 --resume --out stopped"), "another seed (8, now 9)");
   expectRefused(mockup("--tubes spread:41 --seed 8 --runs 1200 --resume --out stopped"), "another list of tubes");
   expectRefused(question + "1 --resume --out stopped", "more runs");
@@ -287,7 +288,7 @@ TEST_F(CampaignCommand, SeveralProcessesWriteTheSameBytes) {
 TEST_F(CampaignCommand, AProcessThatIsKilledLosesLittle) {
   if (!hasMpirun()) GTEST_SKIP() << "no mpirun here, or a program built without MPI: nothing of MPI was tested";
   const std::string question = mockup("--tubes spread:40 --seed 8 --jobs 1 --runs 2000");
-  // Prints the process id of rank 1, found by the environment variable that mpirun sets.
+  // This shell command prints the process id of rank 1, found by the environment variable that mpirun sets.
   const std::string second =
       "for p in $(pgrep -x tubeplan); do tr '\\0' '\\n' 2>/dev/null </proc/$p/environ | grep -qx "
       "OMPI_COMM_WORLD_RANK=1 "

@@ -1,4 +1,4 @@
-// Command lines that are refused: a sentence reports each mistake and names the command or the option.
+// For each mistake on a command line, the refusal is a sentence that names the command or the option.
 #include "app/commands/command_line.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ TEST(CommandLine, EveryCommandNamesItsMissingArgument) {
   for (const auto& command : commandWords()) {
     const auto argument =
         std::ranges::find_if(command.options, [](const auto& option) { return option.is_positional; });
-    if (argument == command.options.end()) continue;  // a command without arguments
+    if (argument == command.options.end()) continue;  // the command has no argument that could be missing
     const std::string message = refusal({command.name});
     expectSays(message, command.name + ": " + argument->names.front());
     expectSays(message, "missing; usage: tubeplan " + command.name + " " + argument->names.front());

@@ -1,4 +1,4 @@
-// Shell completions and the manual page list the options that the commands accept.
+// Shell completions and the manual page list all commands and options that the program accepts.
 #include "app/commands/command_words.hpp"
 
 #include <algorithm>

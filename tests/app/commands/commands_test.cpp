@@ -1,4 +1,4 @@
-// The commands of the program with valid requests.
+// Commands with valid requests write the expected results, and `verify` refutes plans that were altered.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -154,7 +154,7 @@ TEST_F(Commands, verifyRefutesAToolThatLeansMoreThanItsFirstStepAllows) {
   const Outcome outcome = run("verify long.yaml made");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
   expectSays(outcome.out, "the tool leans by");
-  // The tilt that the plan states is compared with the tilt of the model.
+  // A plan is also refuted if it states another tilt than the model gives.
   json made = planJson("made");
   made["tubes"][0]["tilt"] = 0.17;
   writePlanJson("made", made);
@@ -234,7 +234,7 @@ TEST_F(Commands, scoreRepeatsTheThesisExperiment) {
       jsonOf("score " + shipped("mockup.yaml") + " --truth " + shipped("mockup.yaml") + " --runs 6 --seed 5");
   EXPECT_EQ(runs["runs"].get<std::size_t>() + runs["refused"].size(), 6u);
   EXPECT_NEAR(runs["mean_touch_error"], 0.030, 0.004);
-  // Table 5.7 of the thesis: how many of ten holes took 0, 1, 2 or 3 steps, without and with compensation.
+  // Table 5.7 of the thesis: in how many of ten holes 0, 1, 2 or 3 steps entered, without and with compensation.
   const std::vector<double> without{7, 2, 1, 0}, with{0, 4, 4, 2};
   EXPECT_EQ(runs["none"]["mean_counts"].size(), without.size());
   EXPECT_NEAR(runs["none"]["mean_counts"][0], without[0], 3);

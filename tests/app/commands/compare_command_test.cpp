@@ -1,4 +1,5 @@
-// tubeplan compare: its output and its exit codes.
+// `tubeplan compare` exits with 0 for an adequate model, 1 for one that falls short and 2 for bad input, and sets
+// outliers aside.
 #include <fmt/format.h>
 
 #include <boost/random/mersenne_twister.hpp>
@@ -20,8 +21,8 @@ using nlohmann::json;
 
 class CompareCommand : public ProgramTest {
  protected:
-  /// Returns positions measured in the bench cell, in the cell's units, with sigma 0.002 in and encoder noise; `lost`
-  /// is the half width of theta2's lost motion [deg].
+  /// Returns simulated position readings of the bench cell, in its units, with a sigma of 0.002 in and encoder noise;
+  /// `lost` is the half width of theta2's lost motion [deg].
   [[nodiscard]] std::string readingsWith(double lost) const {
     const Cell cell = readCell((shippedCells() / "bench.yaml").string());
     boost::random::mt19937_64 random(4);

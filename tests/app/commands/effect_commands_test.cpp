@@ -1,4 +1,4 @@
-// The diagnosis loop: hide an effect, diagnose the effect, add the effect, identify, and check that the error falls.
+// A hidden effect is found by `diagnose`, and the error falls when the effect is added to the cell and identified.
 #include <nlohmann/json.hpp>
 
 #include "app/formats/cell/cell_reader.hpp"
@@ -44,7 +44,7 @@ TEST_F(EffectCommands, AModelWithNothingFreeIsDiagnosed) {
   }
 }
 
-/// Readings from a bench get no verdict with another cell, whose base stands elsewhere and faces another way.
+/// Readings from a bench get no verdict with another cell, whose base has another position and orientation.
 TEST_F(EffectCommands, ReadingsOfAnotherCellGetNoVerdict) {
   simulate("");
   const auto outcome = run("diagnose " + shipped("mockup.yaml") + " set/measurements.csv --json -");
@@ -66,7 +66,8 @@ TEST_F(EffectCommands, ReadingsOfAnotherCellGetNoVerdict) {
   EXPECT_FALSE(std::filesystem::exists(folder / "found.yaml"));
 }
 
-/// A fit of the base alone leaves more than noise explains and is refused; a fit with six parameters free is accepted.
+/// For readings of an arm with other stiffnesses, a fit of the base alone is refused, since it leaves more than noise
+/// explains; a fit with six parameters free is accepted.
 TEST_F(EffectCommands, ABaseThatLeavesTheReadingsOffIsSaid) {
   ASSERT_EQ(
       run("simulate " + shipped("mockup-true.yaml") + " --design bowl --readings 40 --loads 0,30 --out set").exit_code,

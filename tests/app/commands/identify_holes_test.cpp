@@ -1,4 +1,5 @@
-// tubeplan identify on touches of tube sheet holes, one of which was recorded under the name of another hole.
+// `tubeplan identify` finds the base from touches of holes of the tube sheet, and names a hole that was recorded under
+// the name of another.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -17,7 +18,7 @@ class IdentifyHoles : public ProgramTest {
   IdentifyHoles() : cell(readCell((shippedCells() / "mockup.yaml").string())) {}
 
   /// Returns touches of holes all over the sheet, without coordinates. The hole with index `wrong` is recorded one
-  /// column off; no hole if `wrong` is -1.
+  /// column off; if `wrong` is -1, none is.
   [[nodiscard]] std::string touches(int wrong) const {
     constexpr std::pair<int, int> kHoles[] = {{5, 25},  {8, 57},  {6, 90},  {20, 40},
                                               {24, 75}, {38, 57}, {15, 15}, {16, 100}};
@@ -39,8 +40,8 @@ class IdentifyHoles : public ProgramTest {
     return text;
   }
 
-  /// Returns the result of `identify`. The exit code is 0 if the touches fit, and 1 if a fit of the base alone leaves
-  /// more than noise explains.
+  /// Returns the result of `identify`, and expects this exit code: 0 if the touches fit, 1 if the fit of the base alone
+  /// leaves more than noise explains.
   [[nodiscard]] json identified(int exit_code = 0) const {
     const Outcome outcome = run("identify " + shipped("mockup.yaml") + " touches.csv --folds 0 --json -");
     EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;

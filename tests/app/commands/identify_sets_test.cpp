@@ -1,5 +1,5 @@
-// tubeplan identify on sets of readings that lie beside the repository on its developers' machines: simulated sets with
-// a correct model, and measured robots, assessed on held-out poses.
+// `tubeplan identify` on sets of readings that are kept beside the repository on its developers' machines: simulated
+// sets fit within chance, and models of measured robots predict held-out poses.
 #include <fmt/format.h>
 
 #include <map>
@@ -18,8 +18,8 @@ using nlohmann::json;
 
 using calibration::Measurement;
 
-/// Appends a known distance for each pair of touches of two sockets 50 mm apart, separately for fitted and held-out
-/// touches.
+/// Appends a reading of the known distance for each pair of touches of two sockets 50 mm apart, separately for fitted
+/// and held-out touches.
 std::vector<Measurement> withSpacings(std::vector<Measurement> readings) {
   std::map<std::pair<std::string, bool>, std::vector<Measurement>> touches;
   for (const auto& reading : readings) touches[{reading.point, reading.is_held_out}].push_back(reading);
@@ -40,7 +40,7 @@ std::vector<Measurement> withSpacings(std::vector<Measurement> readings) {
   return readings;
 }
 
-/// Returns the mean difference between 50 mm and the distance of two sockets as located by the touches [mm].
+/// Returns the mean absolute difference between 50 mm and the distance of two sockets as located by the touches [mm].
 double socketsOff(const json& readings) {
   std::map<std::string, std::pair<Eigen::Vector3d, int>> sockets;
   for (const auto& reading : readings) {
@@ -71,7 +71,7 @@ class IdentifySets : public ProgramTest {
     return json::parse(outcome.out, nullptr, false);
   }
 
-  /// Returns the mean error of the held-out readings [length unit of the cell].
+  /// Returns the mean error of the held-out readings, in the cell's length unit, and expects that the fit reduces it.
   [[nodiscard]] double heldOutMean(const std::string& arguments) const {
     const json result = identified(arguments);
     EXPECT_LT(result["errors"]["heldout_after"]["mean"], result["errors"]["heldout_before"]["mean"]);
@@ -83,8 +83,8 @@ class IdentifySets : public ProgramTest {
 #define SKIP_WITHOUT(folder) \
   if (!fs::exists(shared(folder))) GTEST_SKIP() << "skipped: no sets at ../shared/" folder
 
-// Twenty-one parameters are free in all. With a correct model, the p-value lies outside 0.001 to 0.999 once in 500
-// fits.
+// Simulated readings without a hidden effect fit within chance. With a correct model, the p-value lies outside 0.001 to
+// 0.999 only once in 500 fits.
 TEST_F(IdentifySets, PracticeSetsWithoutAHiddenEffectFitWithinChance) {
   SKIP_WITHOUT("hidden-effects");
   for (const auto& [set, cell] :
@@ -127,7 +127,8 @@ TEST_F(IdentifySets, ComplianceUnderItsOwnWeight) {
   EXPECT_LE(heldOutMean(set + names), 0.32);
 }
 
-// Only axes 1 and 2 move, so that the compliances of joints 2, 4 and 6 cannot be distinguished.
+// Parameters that readings cannot distinguish are reported as such: only axes 1 and 2 move, so the compliances of
+// joints 2, 4 and 6 have the same effect.
 TEST_F(IdentifySets, WhatASetCannotTellApartIsSaid) {
   SKIP_WITHOUT("real");
   for (const char* run : {"0kg", "1.25kg", "2.5kg"}) {
@@ -145,8 +146,8 @@ TEST_F(IdentifySets, WhatASetCannotTellApartIsSaid) {
   }
 }
 
-// Two payloads are fitted together, with a base for each run and a common tip. For the third payload, base and tip are
-// fitted.
+// A stiffness fitted to the readings of two payloads predicts those of the third almost as well as a stiffness fitted
+// to them. Base and tip are fitted in each case.
 TEST_F(IdentifySets, TwoPayloadsForetellTheThird) {
   SKIP_WITHOUT("real");
   std::string both = contentOf(shared("real/kuka-iiwa7/measurements-payload-0kg.csv"));
@@ -164,7 +165,8 @@ TEST_F(IdentifySets, TwoPayloadsForetellTheThird) {
   EXPECT_LT(predictions, 0.4 * rigid);
 }
 
-// With touches alone the scale of the arm shrinks: without the spacings, the distance of the sockets is 27 mm off.
+// Known distances between sockets determine the scale of the arm. From touches alone, the arm shrinks, and the distance
+// of two sockets is 27 mm off.
 TEST_F(IdentifySets, SocketsAKnownDistanceApartTellTheScale) {
   SKIP_WITHOUT("real/panda-touch");
   for (const char* name : {"arm.yaml", "cell.yaml"}) write(name, contentOf(shared("real/panda-touch") / name));

@@ -1,4 +1,5 @@
-// tubeplan identify with --stage and --drop: what a stage passes on, what is dropped, and how the output reports both.
+// In `tubeplan identify`, a stage passes its parameters and their uncertainty on to the next, and --drop removes
+// parameters that are not significant; the output reports both.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -42,7 +43,7 @@ class IdentifyStages : public ProgramTest {
     return json::parse(outcome.out, nullptr, false);
   }
 
-  /// Returns the second parameter, identified from the second set-up with the first parameter fixed at `stiffness`.
+  /// Returns the parameter kSecond, identified from the second set-up with kFirst fixed at `stiffness` [lbf*in/deg].
   [[nodiscard]] json secondWithFirstAt(double stiffness) const {
     write("cobra-arm.yaml",
           changed(contentOf(shippedCells() / "cobra-arm.yaml"), "z: 5588", fmt::format("z: {:.12g}", stiffness)));
@@ -52,8 +53,8 @@ class IdentifyStages : public ProgramTest {
   std::vector<Measurement> of_a, of_b, all;
 };
 
-// Readings of a mounted arm and of the same arm on a bench: rows that are rigid on the bench stay flexible in the other
-// set-up.
+// Rows that the cell states as rigid in one set-up, on a bench, stay flexible in the other, on the mezzanine. Without
+// that statement, the readings of both set-ups do not fit.
 TEST_F(IdentifyStages, AMountingThatIsRigidInOneSetUpLeavesTheOthersTheirs) {
   PlacedArm truth{deflection::cobraArm(), {{"bench", Eigen::Isometry3d::Identity(), true}}};
   truth.arm.rows[5].joint_stiffness.z() *= 0.8;
@@ -81,8 +82,8 @@ TEST_F(IdentifyStages, AMountingThatIsRigidInOneSetUpLeavesTheOthersTheirs) {
   expectSays(typo.out, "did you mean 'bench'?");
 }
 
-// The derivative d second / d first is found by moving the first parameter by its sigma. The two variances add, since
-// the set-ups share no noise.
+// The second stage's variance is its own plus that passed on from the first stage, since the set-ups share no noise.
+// The derivative d second / d first is found by moving the first parameter by a tenth of its sigma.
 TEST_F(IdentifyStages, theSecondStageCarriesWhatTheFirstLeftOpen) {
   const json staged = identified(fmt::format("bench.yaml all.csv --stage {}:A --stage {}:B", kFirst, kSecond));
   ASSERT_EQ(staged["parameters"].size(), 1u);
@@ -118,7 +119,8 @@ TEST_F(IdentifyStages, everyStageIsPrintedAndTheWholeIsWritten) {
   EXPECT_NEAR(compared["rms"]["before"], staged["rms"]["after"], 1e-6);
 }
 
-// The outlier is the third reading of the second stage and the ninth of the file.
+// An outlier of the second stage is reported with its own id: it is the third reading of that stage and the ninth of
+// the file.
 TEST_F(IdentifyStages, anOutlierOfALaterStageHasItsOwnName) {
   all[8].p_W->x() += 0.1 * kInch;
   write("all.csv", readingsCsv(all));
@@ -138,7 +140,8 @@ TEST_F(IdentifyStages, aStageWithoutReadingsOrWithAStrangeNameIsRefused) {
   expectSays(both.err, "--free");
 }
 
-// The elbow's joint offset equals the drawing, so the readings do not need this parameter.
+// --drop removes a parameter that the readings do not need: the elbow's joint offset, whose true value is that of the
+// drawing.
 TEST_F(IdentifyStages, dropGivesUpWhatTheReadingsDoNotNeedAndSaysWhy) {
   const std::string free = fmt::format(" --free {},forearm.joint.offset", kFirst);
   const json kept = identified("bench.yaml all.csv" + free);
@@ -160,14 +163,15 @@ TEST_F(IdentifyStages, dropGivesUpWhatTheReadingsDoNotNeedAndSaysWhy) {
   expectSays(run("identify bench.yaml all.csv --folds 0 --drop 0.05" + free).out, "  dropped forearm.joint.offset: ");
 }
 
-// A parameter far from the drawing is significant at any level.
+// --drop keeps a parameter whose true value is far from the drawing.
 TEST_F(IdentifyStages, dropKeepsWhatIsNeeded) {
   const json found = identified(fmt::format("bench.yaml all.csv --drop 0.001 --free {}", kFirst));
   ASSERT_EQ(found["parameters"].size(), 1u);
   EXPECT_TRUE(found["dropped"].empty());
 }
 
-// The true tool joint is rigid: the stiffness of the file is dropped, and the written cell is the fitted model.
+// If the true tool joint is rigid, its stiffness is dropped, the written cell has a rigid joint, and its errors are
+// those of the fit.
 TEST_F(IdentifyStages, aDroppedStiffnessIsRigidInTheWrittenCell) {
   PlacedArm truth{deflection::cobraArm(), {{"", Eigen::Isometry3d::Identity(), true}}};
   truth.arm.rows[5].joint_stiffness.z() = deflection::kRigid;

@@ -1,4 +1,5 @@
-// tubeplan identify: its results, written files, refusals and warnings.
+// `tubeplan identify` finds the true parameters, writes a cell that predicts the same, refuses wrong input, and warns
+// of mistakes in the readings.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -215,7 +216,7 @@ TEST_F(Identify, RefusesFilesThatAreBroken) {
 
 TEST_F(Identify, TouchesThatContradictEachOtherAreNamed) {
   maker.addTouches(6, {0, 20 * kPound, 40 * kPound}, false);
-  maker.readings[4].q[1] += 1 * kDegree;  // about an inch at the tip
+  maker.readings[4].q[1] += 1 * kDegree;  // an error of about an inch at the tip
   writeReadings("readings.csv");
   const json result = identified(shipped("bench.yaml") + " readings.csv" + kFree);
   ASSERT_FALSE(result["outliers"].empty());

@@ -1,4 +1,5 @@
-// Arms of five makers from URDF to a verified plan: import, mount a tool, place the arm below a sheet, plan, verify.
+// Arms of five makers are imported from URDF, given a tool and placed below a tube sheet; their plans are proved. After
+// export and import the arms are unchanged.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -15,7 +16,7 @@ using Eigen::Vector3d;
 
 struct Robot {
   const char* name;
-  double ahead, below;  ///< position of the sheet seen from the base [m]
+  double ahead, below;  ///< horizontal and vertical distance from the base to the sheet [m]
 };
 void PrintTo(const Robot& robot, std::ostream* out) { *out << robot.name; }
 
@@ -32,7 +33,7 @@ class ImportedArm : public ProgramTest, public testing::WithParamInterface<Robot
     ASSERT_EQ(imported.exit_code, 0) << imported.err;
   }
 
-  /// Mounts a tool along the tool axis, with a solid that may enter the holes.
+  /// Mounts a tool along the tool axis, with a solid body that may enter the holes.
   void putToolOn() {
     std::string text = contentOf(folder / "arm.yaml");
     const auto arm = readArm(parseYaml(text, "arm.yaml")).arm;

@@ -1,5 +1,5 @@
-// tubeplan improve: the written model is the reported model, the reason for the end is stated, and nothing is written
-// where the readings allow no verdict. The arguments that a diagnosis gives for `add` add the effect found.
+// `tubeplan improve` writes the model that it reports, states why it ended, and writes nothing if the readings allow no
+// verdict. The arguments that a diagnosis gives for `add` add the effect found.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -23,7 +23,7 @@ class Improve : public ProgramTest {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
 
-  /// Adds `by` to the first coordinate of the reading on line `line` of the table.
+  /// Adds `by` to the x coordinate of the reading on line `line` of the table, counted from 0.
   static void spoilPlace(std::string& text, int line, double by) {
     std::vector<std::string> lines, fields;
     std::istringstream all(text), header(text.substr(0, text.find('\n')));
@@ -94,8 +94,8 @@ TEST_F(Improve, WritesNothingWhereNoVerdictIsPossible) {
   EXPECT_EQ(outcome.out.find("nan"), std::string::npos) << outcome.out;
 }
 
-/// Effects added with the arguments that the diagnosis gives reduce the error as the diagnosis predicts. The arguments
-/// include the time of a slip.
+/// An effect that is added with the arguments from the diagnosis, such as the time of a slip, reduces the error as the
+/// diagnosis predicts.
 TEST_F(Improve, WhatADiagnosisGivesToAddKeepsItsPromise) {
   for (const std::string hidden :
        {"base-slip@base:time=100,x=0.03,yaw=0.02", "stiffening@tool.z:softness=5,knee=200"}) {

@@ -1,4 +1,5 @@
-// tubeplan plan --insertion: tips in the tubes, the path to the tubes, the play, and altered plans that verify refutes.
+// With `tubeplan plan --insertion`, the tip enters the tubes along their axes with the stated play, and `verify`
+// refutes plans whose stated depth or tool was altered.
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -33,7 +34,7 @@ TEST_F(InsertionCommand, BringsTheTipIntoTheTubesAlongTheirAxes) {
     EXPECT_NEAR(tube["hole"][2].get<double>(), 0, 1e-12);
     EXPECT_LE(tube["centring_error"].get<double>(), 1e-6);
     EXPECT_GT(tube["play_in_tube"].get<double>(), 0);
-    EXPECT_LE(tube["play_in_tube"].get<double>(), 0.058);  // the play of the second step, which is in the tube
+    EXPECT_LE(tube["play_in_tube"].get<double>(), 0.058);  // the second step, which is in the tube, has no more play
   }
   const Cell cell = readCell((folder / "out/cell.yaml").string());
   const auto work = workcellOf(cell, "look at its tip");
@@ -46,7 +47,7 @@ TEST_F(InsertionCommand, BringsTheTipIntoTheTubesAlongTheirAxes) {
     highest = std::max(highest, z), lowest = std::min(lowest, z);
   }
   EXPECT_NEAR(highest, 0.8 * kInch, 1e-6);
-  EXPECT_NEAR(lowest, -1 * kInch, 1e-6);  // the standoff point is below the face of the sheet
+  EXPECT_NEAR(lowest, -1 * kInch, 1e-6);  // the standoff point is 1 in below the face of the sheet
   const Outcome verified = run("verify mockup.yaml out --json checked.json");
   EXPECT_EQ(verified.exit_code, 0) << verified.out;
   double least = 1;
@@ -74,7 +75,7 @@ TEST_F(InsertionCommand, ATubeThatATiltedToolWouldTouchIsNotEntered) {
     touching += tube["reason"].get<std::string>().find("touch the tube") != std::string::npos;
   EXPECT_GT(touching, 5);
   EXPECT_EQ(run("verify mockup.yaml out").exit_code, 0);
-  // With a tool of larger diameter, the same path would touch the tube.
+  // With a thicker tool, the same path would touch the tube.
   std::string cell = contentOf(folder / "mockup.yaml");
   const auto at = cell.find("tolerance: 0.010");
   ASSERT_NE(at, std::string::npos);
@@ -98,7 +99,7 @@ TEST_F(InsertionCommand, APlanOfAnotherDepthIsNotKept) {
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_NE(again.out.find("the reach of 0 of 6"), std::string::npos) << again.out;
   EXPECT_EQ(run("verify mockup.yaml deeper").exit_code, 0);
-  // The reach of a plan for another tool is not kept either if the tool enters the tubes.
+  // If the tool enters the tubes, the reach of a plan for another tool is not kept either.
   std::string cell = contentOf(folder / "mockup.yaml");
   write("longer.yaml", cell.replace(cell.find("lengths: [0.5"), 13, "lengths: [0.3"));
   const Outcome longer = run("plan longer.yaml --tubes R20C30-35 --insertion 0.5 --from deeper --out longer");

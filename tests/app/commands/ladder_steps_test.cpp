@@ -56,7 +56,7 @@ TEST_F(LadderSteps, moreOfTheModelIsMoreSteps) {
                true_arm = meanSteps(found["models"][2]["steps"], 150);
   EXPECT_LT(rigid, drawn);
   EXPECT_LT(drawn, true_arm);
-  // The true arm, known exactly, centres every tool; only the tool's tilt can then keep a step out.
+  // A model that equals the true arm centres the tool in every hole; only the tool's tilt can then keep a step out.
   EXPECT_EQ(found["models"][2]["steps"]["zero"], 0);
   EXPECT_LT(found["models"][2]["steps"]["centring_error"]["p95"], 1e-6);
   const std::string page = contentOf(folder / "page.html");

@@ -1,4 +1,5 @@
-// tubeplan plan --travel line: the written path moves the tip along lines; impossible requests are refused.
+// With `tubeplan plan --travel line`, the written path moves the tip along straight lines; requests that cannot be met
+// are refused.
 #include <nlohmann/json.hpp>
 #include <sstream>
 

@@ -1,4 +1,4 @@
-// The readings that a diagnosis proposes to take next, and the warnings about effects in the cell.
+// A diagnosis proposes further readings only if it is undecided, and warns of wrong effects in the cell.
 #include <nlohmann/json.hpp>
 
 #include "app/formats/cell/cell_reader.hpp"

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Uncertainties of the arm's parameters, as lines of a cell.
+/// Statements on the uncertainty of the arm's parameters, as lines of a cell file.
 constexpr const char* kDoubts[] = {"", "uncertainty: none\n", "uncertainty: {stiffness: 0.3, weight: 0.1}\n"};
 
 class OneTouchChoice : public ProgramTest {
@@ -31,7 +31,8 @@ class OneTouchChoice : public ProgramTest {
     return json::parse(outcome.out, nullptr, false);
   }
 
-  /// Returns the touches proposed for work at `holes` holes spread over the sheet.
+  /// Returns the touches proposed for work at `holes` holes, which are spread over the sheet and are also the
+  /// candidates.
   [[nodiscard]] json proposed(int holes) const {
     const std::string count = std::to_string(holes);
     return jsonOf("touches cell.yaml --goal base --tubes spread:" + count + " --candidates " + count);

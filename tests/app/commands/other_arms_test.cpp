@@ -1,4 +1,5 @@
-// Arms without accelerations, speeds or bodies, which the shipped arms have, and with joint names of their own.
+// Arms that lack the accelerations, speeds or bodies of the shipped arms are refused or planned with a warning; joints
+// with unusual names have columns of their own.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Plans, work lists and exports that record their sheet, leg and tubes.
+// Plans, work lists and paths record their sheet, leg and tubes, and are refused or refuted for others.
 #include "app/commands/plan_identity.hpp"
 
 #include <fmt/format.h>
@@ -94,7 +94,7 @@ TEST_F(PlanIdentity, APlanIsNotWrittenOverItsOwnInputs) {
   EXPECT_EQ(outcome.exit_code, 2);
   expectSays(outcome.err, "this command reads");
   EXPECT_EQ(contentOf(folder / "own/cell.yaml"), cell);
-  // A table of touches that this plan does not read is not a file of the plan, and is kept.
+  // If a plan has no touches, a touches.csv in its folder is not a file of the plan, and is kept.
   std::filesystem::create_directories(folder / "beside");
   (void)write("beside/touches.csv", "mine");
   ASSERT_EQ(run("plan mockup.yaml --tubes R20C40 --out beside").exit_code, 0);
@@ -137,7 +137,8 @@ TEST_F(PlanIdentity, APathRowThatGoesElsewhereIsRefuted) {
   EXPECT_EQ(run("verify mockup.yaml made").exit_code, 1);
 }
 
-/// A travel with one joint moved slightly is as good a motion; only the comparison with plan.json reveals the change.
+/// A path with one joint value altered by 1e-9 deg is as good a motion, but is refuted all the same, by comparison with
+/// plan.json.
 TEST_F(PlanIdentity, AnAlteredRowOfThePathIsRefutedWhereItDoesNoHarm) {
   ASSERT_EQ(run("verify mockup.yaml made").exit_code, 0);
   const std::string path = contentOf(folder / "made/path.csv");
@@ -149,7 +150,7 @@ TEST_F(PlanIdentity, AnAlteredRowOfThePathIsRefutedWhereItDoesNoHarm) {
   const Outcome altered = run("verify mockup.yaml made");
   EXPECT_EQ(altered.exit_code, 1);
   expectSays(altered.out, "path.csv differs from the path that plan.json was written with");
-  // The same values in another notation are the same path.
+  // A path with the same values in another notation is still proved.
   (void)write("made/path.csv", path.substr(0, joint) + fmt::format("{:.17e}", value) + path.substr(end));
   EXPECT_EQ(run("verify mockup.yaml made").exit_code, 0);
 }
@@ -179,7 +180,7 @@ TEST_F(PlanIdentity, TheWorkListComesBackAsTheSamePlanAndIsRefusedElsewhere) {
 
 TEST_F(PlanIdentity, AWorkListComesBackWithAllThatItHad) {
   struct Case {
-    std::string text, first, row, end;  ///< the list; heading, beginning of a row and line end expected in the output
+    std::string text, first, row, end;  ///< the list; heading, row start and line end expected in the output
   };
   for (const auto& [text, first, row, end] :
        {Case{"# zone 5\nsg,leg,row,column,zone,tool,priority,comment\nA,HL,20,40,5,P1,7,ask AB\nA,HL,22,44,5,P1,1,\n",

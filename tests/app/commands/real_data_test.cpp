@@ -1,5 +1,5 @@
-// Files of real arms that lie beside the repository on its developers' machines; without these files the tests are
-// skipped.
+// Files of real arms, which are kept beside the repository on its developers' machines, are read; without them the
+// tests are skipped.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -47,7 +47,8 @@ TEST(RealData, isReadWhole) {
   }
 }
 
-/// The last third of the readings is in metres, then in radians, under headings in millimetres and degrees.
+/// If the last third of the readings is in metres or radians, under headings in millimetres and degrees, the mistake
+/// found names its first and last reading.
 TEST(RealData, aRunInAnotherUnitIsNamedByItsFirstAndLastReading) {
   const fs::path folder = fs::path(TUBEPLAN_SOURCE_DIR) / "../shared/real";
   if (!fs::exists(folder)) GTEST_SKIP() << "skipped: no real sets at ../shared/real";

@@ -1,4 +1,5 @@
-// Plans that resume after an interruption or a kill, and plans that start from an earlier plan.
+// A plan that was interrupted or killed resumes and ends with the same files; a plan that starts from an earlier one
+// reuses what is still valid.
 #include <fcntl.h>
 
 #include <algorithm>
@@ -18,7 +19,7 @@ using nlohmann::json;
 
 class Resume : public ProgramTest {
  protected:
-  /// Starts the program and sends the signal once progress.json exists; returns the status from waitpid.
+  /// Starts the program and sends it the signal once progress.json exists; returns the status from waitpid().
   [[nodiscard]] int interrupted(const std::string& arguments, const std::string& out, int signal_number) const {
     const std::string command = "cd '" + folder.string() + "' && exec '" TUBEPLAN_PROGRAM "' " + arguments + " --out " +
                                 out + " >stopped.txt 2>&1 </dev/null";
@@ -108,7 +109,7 @@ TEST_F(Resume, RefusesWhatIsNotThereOrDamaged) {
   const Outcome again = run(question + " --resume");
   EXPECT_EQ(again.exit_code, 0) << again.err;
   EXPECT_EQ(contentOf(folder / "made/plan.json"), plan);
-  // Damages: one digit of a joint value altered, half of the file, and empty objects.
+  // A damaged progress file is refused: with one digit of a joint value altered, cut in half, or made of empty objects.
   std::string altered = memory;
   const std::size_t digit = altered.find("\"q\":[") + 9;
   altered[digit] = altered[digit] == '1' ? '2' : '1';
@@ -119,7 +120,7 @@ TEST_F(Resume, RefusesWhatIsNotThereOrDamaged) {
     expectSays(outcome.err, "progress.json");
     expectSays(outcome.err, "remove that file");
   }
-  // With the progress file of another question and without --resume, planning starts again and says so.
+  // With the progress file of another request and without --resume, planning starts again and says so.
   (void)write("made/progress.json", memory);
   const Outcome anew = run(question + " --seed 8");
   EXPECT_EQ(anew.exit_code, 0) << anew.err;
@@ -145,7 +146,7 @@ TEST_F(Resume, AFewTubesMoreAndLessKeepTheRestOfThePlan) {
   EXPECT_GE(std::stoi(travels[1]), std::stoi(travels[2]) - 16);
   const Outcome proof = run("verify " + shipped("mockup.yaml") + " new");
   EXPECT_EQ(proof.exit_code, 0) << proof.out;
-  // The joint values are equal to the last digit where the arm stays in its branch.
+  // Tubes that both plans visit have the same joint values to the last digit, except where the arm changes its branch.
   std::map<std::string, json> joints;
   for (const auto& tube : old["tubes"]) joints[tube["name"]] = tube["joints"];
   int same = 0, shared = 0;

@@ -1,4 +1,5 @@
-// Run sheets of every kind of reading: the columns to fill in, refused while empty, accepted once filled in.
+// For every kind of reading, a run sheet names the columns to fill in, is refused while they are empty, and is accepted
+// once they are filled in.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,8 +21,8 @@ namespace {
 using calibration::Measurement, calibration::ProposedMeasurement, calibration::ReadingCandidate;
 using nlohmann::json;
 
-/// A kind of reading with the cell and the design that produce the readings; `design` holds the keys of the design
-/// other than `kind`.
+/// A kind of reading, with the cell and the design by which readings are simulated; `design` holds the keys of the
+/// design other than `kind`.
 struct SheetCase {
   std::string name, kind, cell, design;
   bool is_length_alone = false;
@@ -51,7 +52,7 @@ std::vector<SheetCase> sheetCases() {
 
 class EveryRunSheet : public ProgramTest, public ::testing::WithParamInterface<SheetCase> {
  protected:
-  /// Writes the cells, readings of the unaltered arm, and a run sheet of possible next readings.
+  /// Writes the cells and simulated readings of the unaltered arm, and makes a run sheet of possible next readings.
   void SetUp() override {
     (void)write("cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));
     (void)write("bench.yaml", contentOf(shippedCells() / "bench.yaml"));
@@ -80,7 +81,8 @@ class EveryRunSheet : public ProgramTest, public ::testing::WithParamInterface<S
     ASSERT_EQ(table.rows.size(), sheet.size());
   }
 
-  /// Returns the sheet with the first `rows` rows filled in from the arm, except the last `less` columns of each row.
+  /// Returns the sheet with its first `rows` rows filled in with expected values, except the last `less` of the columns
+  /// to fill in.
   [[nodiscard]] std::string filled(std::size_t rows, std::size_t less = 0) const {
     const auto answers = tubesheets::parseCsv(measurementsCsv(expected, cell.arm, cell.units));
     std::string out = text.substr(0, text.find('\n') + 1);
@@ -164,7 +166,7 @@ TEST_P(EveryRunSheet, FilledInInPartIsRefused) {
     EXPECT_EQ(some.exit_code, 2);
     expectSays(some.err, "next.csv:3");
   }
-  if (fillInOf(sheet.front(), cell.arm, cell.units).least < 2) return;  // a single number is already a reading
+  if (fillInOf(sheet.front(), cell.arm, cell.units).least < 2) return;  // a single number is a complete reading
   const auto half = compared(filled(sheet.size(), 1));
   EXPECT_EQ(half.exit_code, 2);
   expectSays(half.err, "next.csv:2");

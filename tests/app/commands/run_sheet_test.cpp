@@ -1,5 +1,5 @@
-// The loop through a run sheet: the readings leave two explanations. The proposed readings, filled in by the true arm,
-// lead to a verdict on all readings together.
+// If a diagnosis leaves several explanations, the readings that its run sheet proposes, filled in from the true arm,
+// decide between them together with the earlier readings.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ class RunSheet : public ProgramTest {
     cell_.arm.effects.push_back(backlash);
   }
 
-  /// Returns the sheet with the coordinates filled in from the true arm, with noise.
+  /// Returns the sheet with the coordinates of the true arm's tip filled in, with noise.
   std::string filled(const std::string& sheet) {
     boost::random::mt19937_64 random(5);
     boost::random::normal_distribution<double> noise(0, 0.003);

@@ -1,4 +1,5 @@
-// Simulated campaigns: files that the readers accept, the truth file beside the readings, and refusals.
+// `tubeplan simulate` writes readings that other commands read back and a file of the truth that predicts them; it
+// refuses what cannot be simulated.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +26,7 @@ using Eigen::Vector3d;
 
 class Simulate : public ProgramTest {
  protected:
-  /// Returns the readings of a campaign in folder `out`, read as the commands of the cell read the file.
+  /// Simulates readings into folder `out`, and returns them as other commands read them with this cell.
   [[nodiscard]] std::vector<Measurement> simulate(const std::string& cell, const std::string& arguments,
                                                   const std::string& out = "out") const {
     const Outcome outcome = run("simulate " + shipped(cell) + " " + arguments + " --out " + out);
@@ -85,7 +86,7 @@ TEST_F(Simulate, EveryDesignAndKindIsReadBack) {
     }
     int all = 0;
     for (const auto& [point, count] : touches) {
-      EXPECT_GE(count, 2) << point << " of " << readings;  // a single touch of an unknown point tells nothing
+      EXPECT_GE(count, 2) << point << " of " << readings;  // a single touch of an unknown point determines nothing
       all += count;
     }
     EXPECT_EQ(all, readings);
@@ -188,7 +189,7 @@ TEST_F(Simulate, PosturesKeepClearOfTheScene) {
     work.arm = cell.arm;
     work.X_WB = baseOf(truth().at("bases").list().at(0));
     work.scene = cell.scene;
-    // Only touches of holes may have the tool in the sheet.
+    // Only in touches of holes may the tool be in the sheet.
     if (design != "bowl")
       for (auto& obstacle : work.scene.obstacles) std::erase(obstacle.allow, "tool-tip");
     for (const auto& m : readings) {

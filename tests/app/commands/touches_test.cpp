@@ -1,4 +1,5 @@
-// The commands `touches` and `sensitivity`.
+// `touches` proposes readings that reduce the uncertainty as predicted, and `sensitivity` ranks the parameters of an
+// arm.
 #include "app/jobs/touches.hpp"
 
 #include <fmt/format.h>
@@ -41,7 +42,7 @@ class LookAhead : public ProgramTest {
 
 class SmallSheet : public LookAhead {
  protected:
-  /// Writes small.yaml, the mock-up with a sheet of `rows` rows of holes.
+  /// Writes small.yaml, the mock-up with a sheet of `rows` rows of 30 holes each.
   void writeSheet(int rows) const {
     std::string map = "row,column,x_in,y_in\n";
     for (int row = 1; row <= rows; ++row)
@@ -88,7 +89,7 @@ TEST_F(LookAhead, touchesPlacesTheBaseOfTheMockUp) {
   EXPECT_EQ(found["units"]["length"], "in");
 }
 
-/// A hole that is in reach only from the nominal base is not proposed as a touch for finding the base.
+/// A hole that is within reach only from the nominal base is not proposed as a touch for calibrating the base.
 TEST_F(LookAhead, touchesForTheBaseAreInReachWhereItStandsOtherwise) {
   TouchRequest request;
   request.cell = (shippedCells() / "mockup.yaml").string();
@@ -105,7 +106,7 @@ TEST_F(LookAhead, touchesForTheBaseAreInReachWhereItStandsOtherwise) {
   EXPECT_TRUE(std::ranges::any_of(found.notes, [](const auto& note) { return note.find("excluded") != note.npos; }));
 }
 
-/// The predicted sigmas are the sigmas that `calibrate` states for touches of the proposed holes, for any arm.
+/// For different arms, the predicted sigmas agree with those that `calibrate` states for touches of the proposed holes.
 TEST_F(LookAhead, touchesForetellsWhatCalibrateStates) {
   for (const char* name : {"mockup.yaml", "puma.yaml", "column.yaml"}) {
     TouchRequest request;
@@ -282,7 +283,8 @@ TEST_F(LookAhead, sensitivityRanksTheMembersOfTheMockUp) {
   }
 }
 
-// The predicted change per percent is compared with the effect of a moment of inertia raised by 1 % in the arm's file.
+// The change of deflection predicted for 1 % agrees with the change when a moment of inertia in the arm file is raised
+// by 1 %.
 TEST_F(LookAhead, sensitivityForetellsWhatAChangedArmDoes) {
   for (const char* name : {"bench.yaml", "cobra-arm.yaml"}) (void)write(name, contentOf(shippedCells() / name));
   const json found = jsonOf("sensitivity bench.yaml --load 20");
@@ -305,7 +307,8 @@ TEST_F(LookAhead, readingsSayHowFarEachNumberMayBeOff) {
       const json tip = jsonOf("pose " + shipped("bench.yaml") + " --joints=" + joints + " --load " +
                               std::to_string(load))["flexible"];
       csv += std::to_string(++id) + ",position," + std::to_string(load) + "," + joints;
-      for (int k = 0; k < 3; ++k)  // errors as large as the stated sigma: without errors, the sigma would be a mistake
+      // Adds errors of the size of the stated sigma, since too good a fit would be reported as a mistake.
+      for (int k = 0; k < 3; ++k)
         csv += "," + std::to_string(tip["position"][k].get<double>() + 0.004 * std::sin(7 * id + 3 * k));
       csv += ",0.003\n";
     }
@@ -314,8 +317,7 @@ TEST_F(LookAhead, readingsSayHowFarEachNumberMayBeOff) {
   const json found = jsonOf("sensitivity " + shipped("bench.yaml") + " --readings readings.csv");
   std::map<std::string, double> sigma;
   for (const auto& number : ahead["parameters"]["numbers"]) sigma[number["name"]] = number["sigma"]["now"];
-  // The sigma agrees with that of the identification: 0.003 in at fifteen postures determines the tool's stiffness of
-  // 5588 to within a tenth.
+  // Positions with a sigma of 0.003 in at fifteen postures determine the tool's stiffness of 5588 to within a tenth.
   EXPECT_LT(sigma.at("tool.joint_stiffness.z"), 560);
   int seen = 0;
   for (const auto& number : found["knowledge"]) {

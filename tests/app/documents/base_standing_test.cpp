@@ -1,5 +1,4 @@
-// Every verification and every step count states the base that it holds for, in every command and for every kind of
-// base.
+// In every command, proofs and step counts state the base for which they hold and how its pose was determined.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -13,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A kind of base and the words with which every command names the base.
+/// A way to determine the base pose, and the words by which every command states it.
 struct PlacedAs {
   const char *name, *touches, *status, *words;
   bool is_warned_of;
@@ -26,14 +25,14 @@ class BaseStandings : public ProgramTest {
   BaseStandings() {
     for (const char* name : {"mockup.yaml", "mockup-true.yaml", "cobra-arm.yaml", "cobra-arm-true.yaml"})
       write(name, contentOf(shippedCells() / name));
-    // An arm without uncertainty, which the touches of another arm do not fit.
+    // A cell that states no uncertainty of its arm: touches of another arm do not fit it.
     write("exact.yaml", contentOf(shippedCells() / "mockup.yaml") + "uncertainty: none\n");
     EXPECT_EQ(run("simulate mockup.yaml --design bowl --readings 4 --loads 0 --seed 3 --out fits").exit_code, 0);
     write("wrong.csv", withOneHoleMoved(contentOf(folder / "fits/measurements.csv")));
   }
 
   /// Returns the touches with ids, kinds, points, loads and joints only, as when holes are named by hand. The last
-  /// touch names another hole of the same column, which no base explains.
+  /// touch names another hole of the same column, so that no base pose fits the touches.
   static std::string withOneHoleMoved(const std::string& touches) {
     std::vector<std::vector<std::string>> rows;
     std::istringstream lines(touches);
@@ -114,7 +113,7 @@ TEST_F(BaseStandings, AreNamedByScores) {
 TEST_F(BaseStandings, AreNamedByRepeatedScores) {
   struct Repeated {
     const char* cell;
-    bool is_misfit;  ///< an arm without uncertainty whose errors far exceed the noise of its touches
+    bool is_misfit;  ///< the cell states no uncertainty, and the true arm's errors far exceed the touch noise
   };
   for (const auto& [cell, is_misfit] : {Repeated{"mockup.yaml", false}, Repeated{"exact.yaml", true}}) {
     SCOPED_TRACE(cell);
@@ -180,7 +179,7 @@ TEST_F(BaseStandings, ARefusedCalibrationLeavesTheNominalBaseAndSaysSo) {
 }
 
 TEST_F(BaseStandings, OfACellThatAPlanWroteArePlannedAlike) {
-  constexpr double kAlike = 4e-3;  // limited by the digits in a file
+  constexpr double kAlike = 4e-3;  // tolerance, limited by the digits in a file
   for (const char* touches : {"fits/measurements.csv", "auto --truth mockup-true.yaml"}) {
     SCOPED_TRACE(touches);
     const std::string tubes = " --tubes spread:5 --out ";

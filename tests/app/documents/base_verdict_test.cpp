@@ -1,4 +1,5 @@
-// Calibrations that should not be trusted, and what `calibrate` says about such calibrations.
+// `calibrate` refuses touches that do not fit and says what to do, and warns of a base that is implausibly far from
+// nominal.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -37,7 +38,7 @@ class BaseVerdicts : public ProgramTest {
   BaseVerdicts() {
     for (const char* name : {"mockup.yaml", "mockup-true.yaml", "cobra-arm.yaml", "cobra-arm-true.yaml"})
       write(name, contentOf(shippedCells() / name));
-    // An arm without uncertainty: touches that do not fit then show an error of the model.
+    // A cell that states no uncertainty of its arm: touches that do not fit then show an error of the model.
     write("exact.yaml", contentOf(shippedCells() / "mockup.yaml") + "uncertainty: none\n");
   }
 
@@ -80,7 +81,8 @@ TEST_F(BaseVerdicts, HolesOneColumnOffAreWarnedOf) {
   const std::string touches = contentOf(folder / "set/measurements.csv");
   write("named.csv", withColumnsMoved(touches, 0));
   write("column.csv", withColumnsMoved(touches, 1));
-  // By default the base may stand half an inch off: a real shift by one column is then likelier than a miscount.
+  // By default the base may be half an inch off its nominal pose; a real shift by one column is then more probable than
+  // a miscount.
   EXPECT_FALSE(calibrated("mockup.yaml", "column.csv").figures["nominal"]["implausible"]);
   std::string cell = contentOf(folder / "mockup.yaml");
   const std::string known = "known: false";
@@ -104,7 +106,7 @@ TEST_F(BaseVerdicts, ABaseFarFromNominalIsWarnedOfInPitchesAndDegrees) {
   EXPECT_LT(found.figures["nominal"]["pitches"][0], -30000);
   EXPECT_NE(found.text.find("pitches"), std::string::npos);
   EXPECT_NE(found.text.find("warning"), std::string::npos);
-  // With a prior that permits any base, only a shift by whole pitches is warned of.
+  // With a prior that permits any base, no distance from nominal is reported as unexpected.
   const std::string known = "known: false";
   cell.replace(cell.find(known), known.size(), "known: false, prior: {shift: 50000, turn: 10}");
   write("anywhere.yaml", cell);

@@ -80,7 +80,7 @@ class DiagnosisReportOfProgram : public ProgramTest {
  protected:
   static constexpr int kReadings = 36;
 
-  /// Returns a CSV table of readings; the id of each reading would end a script block.
+  /// Returns a CSV table of readings, whose ids contain text that would end a script block if it were not escaped.
   [[nodiscard]] static std::string measurements(const std::string& effect, const std::vector<double>& values) {
     const auto readings =
         calibration::benchReadings(calibration::shippedBench(), effect, "theta4", values, kReadings, 7);

@@ -1,4 +1,4 @@
-// Warnings about the effects of a cell as text: the warnings of one kind form one sentence, which names all effects.
+// Warnings of one kind about a cell's effects form one sentence, which names all these effects.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
-// The error figures of a document: their unit, which depends on the measured quantity, the contributions, and the
-// readings set aside.
+// Documents state errors in the unit of the measured quantity, contributions that add up to the error, and the readings
+// set aside, the same in every command.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -33,7 +33,7 @@ class ErrorFigures : public ProgramTest {
     return json::parse(outcome.out, nullptr, false);
   }
 
-  /// Shifts x by half an inch in these rows of `set`.
+  /// Adds half an inch to x in these rows of the readings in folder `set`.
   void misread(const std::vector<std::size_t>& rows) const {
     std::vector<std::string> lines;
     std::istringstream text(contentOf(folder / "set/measurements.csv"));
@@ -78,7 +78,8 @@ std::vector<calibration::Measurement> readingsOf(const MeasurementKindRow& kind)
     maker.add(kind.kind, 16);
   if (kind.turn_rows == 0) return maker.readings;
   auto& own = maker.readings[3].own;
-  const auto from_last = std::make_reverse_iterator(own.end());  // the elevation: an azimuth error is a smaller angle
+  // The last angle is changed: an elevation turns by the whole change, but an azimuth by less.
+  const auto from_last = std::make_reverse_iterator(own.end());
   *std::find_if(from_last, std::make_reverse_iterator(own.begin()), [](double a) { return std::isfinite(a); }) +=
       kHalfDegree;
   return maker.readings;
@@ -107,7 +108,7 @@ TEST_F(ErrorFigures, areInTheUnitOfWhatWasMeasured) {
   }
 }
 
-/// A diagnosis lists the error of a measured angle as an angle, for every reading.
+/// For readings that measure only angles, a diagnosis states the error of every reading as an angle.
 TEST_F(ErrorFigures, ofADiagnosisAreInTheUnitOfWhatWasMeasured) {
   const Units units = readCell((shippedCells() / "bench.yaml").string()).units;
   for (const MeasurementKindRow& kind : calibration::measurementKinds()) {
@@ -132,7 +133,8 @@ TEST_F(ErrorFigures, ofADiagnosisAreInTheUnitOfWhatWasMeasured) {
   }
 }
 
-/// The readings have hysteresis that the model lacks, and two readings were recorded wrongly.
+/// For readings with hysteresis that the model lacks and two gross errors, all commands set the same readings aside and
+/// state the same errors.
 TEST_F(ErrorFigures, areTheSameInEveryDocument) {
   const std::string cell = shipped("bench.yaml");
   const Outcome made = run("simulate " + cell +

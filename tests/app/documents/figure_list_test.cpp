@@ -1,4 +1,4 @@
-// A document as a list of figures: CSV and Markdown keep every figure, each number has its unit, no text breaks a cell.
+// CSV and Markdown list every figure of a document, each number with its unit, and no text breaks a table cell.
 #include "app/documents/figure_list.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Text lines about a document: figures selected by path, with format and unit; entries of lists; missing values.
+// Text lines are filled in with figures selected by path, in the stated format and unit, once for each entry of a list,
+// and are left out for missing values.
 #include "app/documents/figures_text.hpp"
 
 #include <gtest/gtest.h>

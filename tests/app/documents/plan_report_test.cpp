@@ -23,7 +23,7 @@ std::string dataBlock(const std::string& page) {
   return page.substr(start, page.find("</script", start) - start);
 }
 
-/// Returns the document as embedded in the page: with the name of the page added.
+/// Returns the document as it is embedded in the page, that is, with the name of the page added.
 json asPlan(json document) {
   document["page"] = "plan";
   return document;

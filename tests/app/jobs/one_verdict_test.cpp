@@ -16,7 +16,8 @@ namespace {
 
 using calibration::Measurement;
 
-/// Returns the readings as the program reads the table. `of` holds one deliberate mistake, or two applied in turn.
+/// Returns simulated readings with the deliberate mistakes `of`, one or two applied in turn, as the program reads them
+/// from a table.
 CellReadings spoiltReadings(const std::vector<calibration::Spoil>& of) {
   Cell cell = readCell((shippedCells() / "bench.yaml").string());
   auto readings = calibration::spoiltCampaign(cell.arm, 3, of.front());
@@ -86,7 +87,8 @@ TEST_P(OneVerdict, OfTwoMistakesAtOnce) {
 
 INSTANTIATE_TEST_SUITE_P(OfEverySpoil, OneVerdict, testing::Range<std::size_t>(0, calibration::spoils().size()));
 
-/// A command on m.csv, and the JSON pointer to the verdict in its figures; empty if the command gives no verdict.
+/// A command on m.csv, the JSON pointer to the verdict in its figures (empty if it gives none), and the verdict that is
+/// expected if the readings contain a mistake.
 struct Asked {
   const char *command, *where, *over_a_mistake;
 };

@@ -1,4 +1,5 @@
-// A fit that its readings refute is reported as falling short, for all options and for every way in which a fit ends.
+// A fit that the readings refute is reported as falling short, for all options of the fit and even if it does not
+// converge.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -10,7 +11,7 @@
 namespace tubeplan::app {
 namespace {
 
-constexpr double kTiny = 1e-6;  // p-value too small for chance
+constexpr double kTiny = 1e-6;  // p-value below which a misfit is not due to chance
 constexpr const char* kOptions[] = {"--folds 0",
                                     "--folds 3",
                                     "--folds 0 --robust huber",
@@ -60,7 +61,8 @@ TEST_F(RefutedFits, FallShortByAnyOption) {
   for (const char* options : kOptions) expectRefuted(options);
 }
 
-/// Touches that all record the second joint of the first row: the fit ends at the iteration limit.
+/// If all touches record the second joint value of the first, the fit ends at the iteration limit and still falls
+/// short.
 TEST_F(RefutedFits, FallShortWhereTheFitDoesNotConverge) {
   double stale = 0;
   simulate("bowl.yaml --design touch --readings 18", [&](std::size_t k, auto& reading) {

@@ -71,7 +71,7 @@ TEST_F(AtomicFile, filesThatBelongTogetherAreAllNewOrAllOld) {
   EXPECT_EQ(contentOf(folder / "cell.yaml"), "new cell");
   EXPECT_EQ(contentOf(folder / "new/arm.yaml"), "new arm");
   EXPECT_EQ(entries(), 3);
-  // The last file cannot be written: the other files stay as they are, and everything created for them is removed.
+  // If the last file cannot be written, the others stay as they are, and everything created for them is removed.
   const std::vector<TextFile> too_many = {
       {folder / "cell.yaml", "newer"}, {folder / "newer/arm.yaml", "newer"}, {"/proc/none/a.txt", "newer"}};
   expectSays(messageOf([&] { writeFilesTogether(too_many, "--out"); }), "--out: ");
@@ -134,7 +134,7 @@ TEST_F(AtomicFile, folderWithoutCommitNeverWas) {
 }
 
 TEST_F(AtomicFile, whatAKilledProgramLeftGoesAndWhatIsNotItsOwnStays) {
-  const std::string nobody = "1999999999", own = std::to_string(::getpid());  // `nobody` is above any process id
+  const std::string nobody = "1999999999", own = std::to_string(::getpid());  // `nobody` exceeds every process id
   for (const std::string& name : {".tubeplan." + nobody + ".part", ".tubeplan." + own + ".part"}) {
     fs::create_directory(folder / name);
     write(name + "/plan.json", "half");

@@ -1,4 +1,4 @@
-// JSON written by the program: invalid JSON, and values of another type.
+// Invalid JSON and values of an unexpected type are refused with their position in the document.
 #include "app/storage/json_value.hpp"
 
 #include "tests/app/test_files.hpp"

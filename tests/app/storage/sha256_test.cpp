@@ -1,4 +1,4 @@
-// The examples of FIPS 180-4, and every length around the end of a block.
+// Digests equal the examples of FIPS 180-4, and differ for every length around the end of a block.
 #include "app/storage/sha256.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ void* reallocated(void* old, std::size_t size, const char*, int) {
 }
 void freed(void* memory, const char*, int) { std::free(memory); }
 
-/// OpenSSL accepts memory functions only before its first use.
+/// True if OpenSSL has accepted the memory functions, which it does only before its first use.
 const bool kIsTaken = CRYPTO_set_mem_functions(allocated, reallocated, freed) == 1;
 
 TEST(Sha256, IsThatOfTheStandard) {

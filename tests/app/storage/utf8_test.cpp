@@ -1,4 +1,4 @@
-// Well-formed UTF-8, and how text in an unknown encoding is shown.
+// Only well-formed UTF-8 without control characters is accepted as text; all other bytes are shown as escapes.
 #include "app/storage/utf8.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,8 @@ TEST(Utf8, KnowsWellFormedSequences) {
   for (const std::string good :
        {"a", "\xC3\xA9", "\xE2\x82\xAC", "\xED\x9F\xBF", "\xEE\x80\x80", "\xF0\x9F\x94\xA7", "\xF4\x8F\xBF\xBF"})
     EXPECT_EQ(sequenceLength(good, 0), good.size()) << good;
-  // Overlong forms, surrogates, code points above U+10FFFF, a lone continuation byte, a truncated sequence.
+  // Not well-formed: overlong forms, surrogates, code points above U+10FFFF, a lone continuation byte, a truncated
+  // sequence.
   for (const std::string bad : {"\xC0\xAF", "\xC1\xBF", "\xE0\x9F\xBF", "\xED\xA0\x80", "\xED\xBF\xBF",
                                 "\xF0\x8F\xBF\xBF", "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\x80", "\xE2\x82", "\xFF"})
     EXPECT_EQ(sequenceLength(bad, 0), 0U) << bad;
@@ -44,7 +45,7 @@ TEST(Utf8, ShowsWhatCannotBeSeen) {
   EXPECT_EQ(printable("a\xE2\x82\xAC\xE2\x82\xAC", 3), "a\xE2\x82\xAC...") << "a character is not cut in two";
 }
 
-// A message made from any bytes can be written as JSON and remains a line of bounded length.
+// A message made from arbitrary bytes can be written as JSON and remains one line of bounded length.
 TEST(Utf8, AMessageIsTextWhateverCameIn) {
   std::mt19937 random(7);
   for (int n = 0; n < 3000; ++n) {
