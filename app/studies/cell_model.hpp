@@ -1,5 +1,5 @@
-// The cell as studies use it: an arm on its base and, if the cell has them, a tube sheet, a calibration tool and a
-// scene.
+// The robot cell as the studies use it: an arm on its base and, if the cell has them, a tube sheet, a calibration tool
+// and a scene.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -36,7 +36,7 @@ struct ModelError {
 /// Value of ModelError::from for an error estimated from the touches of a base calibration.
 inline constexpr const char* kByTouches = "touches";
 
-/// Touches from which the base was calibrated, and the arm as in its file. The cell's own arm then has the parameters
+/// Touches from which the base was calibrated, and the arm as in its file. CellModel::arm then has the parameters
 /// fitted to the touches.
 struct PlacedByTouches {
   std::vector<calibration::Measurement> touches;
@@ -61,7 +61,7 @@ struct CellModel {
   std::optional<tubesheets::Sheet> sheet;
   std::optional<tubesheets::SteppedTool> tool;
   std::optional<Eigen::VectorXd> park;  ///< joint values of the parking position [rad, m]
-  planner::Scene scene;               ///< the scene; has the arm's links alone if the file has neither scene nor shapes
+  planner::Scene scene;               ///< the scene; has only the arm's links if the file has neither scene nor shapes
   std::vector<std::string> identify;  ///< dotted names of the parameters to fit, or `geometry`
   calibration::Priors priors;         ///< priors of the parameters to fit
 

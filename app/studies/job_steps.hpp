@@ -1,4 +1,5 @@
-// Progress reports of long work outside the planner, and an exception that ends the work on a request to stop.
+// Progress reports of long computations outside the planner, and the exception that aborts one when a stop is
+// requested.
 #pragma once
 
 #include <string>
@@ -10,7 +11,8 @@ namespace tubeplan::app {
 
 using calibration::WorkHooks;
 
-/// Exception that ends work on a request to stop. Caught once, by the caller that would have used the result.
+/// Exception that aborts a computation when a stop is requested. Only the caller that would have used the result
+/// catches it.
 struct JobStopped {
   std::string kept;  ///< phrase that names the results already written; empty: none
 };
@@ -19,14 +21,13 @@ inline void requireGoingOn(const WorkHooks& hooks) {
   if (calibration::shouldStop(hooks.stop)) throw JobStopped{};
 }
 
-/// Reports the progress of a step such as "fit" or "diagnosis". Throws JobStopped on a request to stop.
+/// Reports the progress of a step such as "fit" or "diagnosis". Throws JobStopped if a stop is requested.
 inline void beginStep(const WorkHooks& hooks, std::string_view step, std::size_t done = 0, std::size_t total = 0) {
   requireGoingOn(hooks);
   if (hooks.progress) hooks.progress(step, done, total);
 }
 
-/// Returns hooks for the stages of a step. They report the step's name before the stage, as in "diagnosis 2:
-/// catalogue".
+/// Returns hooks that report the stages of a step with the step's name as a prefix, as in "diagnosis 2: catalogue".
 inline WorkHooks within(const WorkHooks& hooks, const std::string& step) {
   if (!hooks.progress) return hooks;
   return {[progress = hooks.progress, step](std::string_view stage, std::size_t done, std::size_t total) {

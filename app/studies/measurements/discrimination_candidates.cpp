@@ -25,7 +25,7 @@ using calibration::Measurement, calibration::MeasurementKind, calibration::Propo
     calibration::ReadingCandidate;
 using Eigen::VectorXd;
 
-constexpr double kReached = 1e-7;  // largest error of a touched point [m]
+constexpr double kReached = 1e-7;  // largest position error of a posture that counts as at its point [m]
 constexpr int kMostTouches = 4;    // largest number of touch postures per point
 
 /// Common properties of the readings so far, to be used for the proposed readings too.
@@ -122,8 +122,8 @@ std::vector<Measurement> pointsToReadAt(const CellModel& cell, const std::vector
   return points;
 }
 
-/// Returns the vector from the reading's known point to the tip, in the base frame [m]; zero for kinds of readings with
-/// a centred tip.
+/// Returns the vector from the reading's known point to the tip, in the base frame [m]; zero for kinds of reading that
+/// centre the tip on the point.
 Eigen::Vector3d standoffOf(const planner::Workcell& work, const Measurement& reading) {
   if (kindOf(reading).is_centring) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d gravity_B = deflection::gravityInBase(work.arm, work.X_WB);
@@ -244,8 +244,8 @@ std::vector<ReadingCandidate> bareCandidates(const CellModel& cell, const calibr
   return positionReadings(postures, custom.loads, custom.sigma);
 }
 
-/// Sets the properties that all proposed readings share. For angles, the measured rows of the arm are used in turn, by
-/// `number`.
+/// Sets the properties that all proposed readings share. For readings of angles, `number` selects the row of the arm,
+/// so that the measured rows take turns.
 void makeAsUsual(const Custom& custom, const std::string& setup, std::size_t number, ProposedMeasurement& reading) {
   const auto& kind = kindOf(custom.kind);
   reading.kind = custom.kind;

@@ -1,5 +1,5 @@
-// Candidates for the next readings that distinguish explanations of a model's error. The candidates have the kind,
-// loads and conditions of the readings so far.
+// Candidates for further readings that could distinguish between explanations of a model's error. The candidates have
+// the kind, loads and conditions of the readings so far.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@
 namespace tubeplan::app {
 
 struct DiscriminationCandidateOptions {
-  int postures = 48;  ///< largest number of postures, or of points
+  int postures = 48;  ///< largest number of postures; points to measure at are fewer than twice as many
   int most_loads = 3;
   std::uint64_t seed = 1;
 };
 
 /// Returns candidates that the fitted model reaches from the base of its last set-up. The candidates are postures
-/// within the limits and clear of the scene, or points of the readings and holes of the sheet. Without a scene,
-/// postures must be within the measured room (measured_room.hpp). Conditions are the medians over the readings; the
-/// time is the latest time read. Approach directions are drawn at random if the readings state them. Angles are
-/// proposed for the tool or for the rows at which angles were measured.
+/// within the limits and clear of the scene, or reach the points measured so far and holes of the sheet. Without a
+/// scene, postures must be within the measured room (measured_room.hpp). Conditions are the medians over the readings;
+/// the time is that of the latest reading. Approach directions are drawn at random if the readings state them. Angles
+/// are proposed for the tool or for the rows at which angles were measured.
 [[nodiscard]] std::vector<calibration::ReadingCandidate> discriminationCandidates(
     const CellModel& cell, const calibration::PlacedArm& fitted, const std::vector<calibration::Measurement>& readings,
     const DiscriminationCandidateOptions& options = {});

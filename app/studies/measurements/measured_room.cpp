@@ -20,7 +20,8 @@ struct Link {
   Vector3d from, to;
 };
 
-/// Returns the links in the world frame, from base to tip; empty if the deflected shape does not converge.
+/// Returns the links in the world frame, from base to tip; empty if the solution for the deflected shape does not
+/// converge.
 std::vector<Link> linksAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                           const deflection::Posture& posture) {
   const auto shape = deflection::solveFlexibleKinematics(arm, posture);

@@ -24,9 +24,9 @@ class MeasuredRoom {
 
  private:
   calibration::PlacedArm fitted_;
-  /// Lowest height of the measured postures in the world [m].
+  /// Height of the lowest frame over all measured postures, in the world [m].
   double lowest_ = std::numeric_limits<double>::infinity();
-  std::vector<double> nearest_;  ///< smallest measured distance for each pair of links [m]
+  std::vector<double> nearest_;  ///< smallest distance of each pair of links in the measured postures [m]
 };
 
 }  // namespace tubeplan::app

@@ -20,9 +20,9 @@ namespace {
 using calibration::MeasurementKind, calibration::ProposedMeasurement, calibration::ReadingCandidate;
 using Eigen::VectorXd;
 
-constexpr int kTriesPerPosture = 40;  // random tries per requested posture before the search ends
+constexpr int kTriesPerPosture = 40;  // random tries per requested posture before the search gives up
 constexpr double kNearLimits = 0.02;  // distance from a joint's limits, as a fraction of the joint's range
-constexpr double kSamePlace = 1e-7;   // largest error of a point touched under another load [m]
+constexpr double kSamePlace = 1e-7;   // largest position error when a point is touched under another load [m]
 
 VectorXd drawPosture(const deflection::Arm& arm, PostureChoice choice, boost::random::mt19937_64& random) {
   VectorXd q(arm.jointCount());
@@ -33,7 +33,7 @@ VectorXd drawPosture(const deflection::Arm& arm, PostureChoice choice, boost::ra
     const double upper = std::isfinite(joint.upper) ? joint.upper : span;
     const double within = choice == PostureChoice::kNearLimits ? kNearLimits * (upper - lower) : 0;
     q[k] = boost::random::uniform_real_distribution<double>(lower + within, upper - within)(random);
-    // Each joint takes one of three choices with equal chance: anywhere, or near its lower or upper limit.
+    // With equal probability, each joint keeps the drawn value or moves near its lower or its upper limit.
     if (choice != PostureChoice::kNearLimits) continue;
     const int where = boost::random::uniform_int_distribution<int>(0, 2)(random);
     if (where > 0) q[k] = where == 1 ? lower + within : upper - within;
@@ -106,8 +106,8 @@ planner::Workcell armAndScene(const CellModel& cell) {
   work.arm = cell.arm;
   work.X_WB = cell.X_WB;
   work.scene = cell.scene;
-  // The default axis may coincide with the last joint's axis, which leaves the tilt of the tool undetermined. The
-  // direction to the tip replaces the default.
+  // If the default axis coincides with the last joint's axis, the last joint does not turn it, and a goal for this
+  // direction leaves the last joint free. The direction to the tip is therefore used instead.
   if (!cell.tool_axis_stated && cell.arm.p_LT.norm() > 0) work.arm.tool_axis_L = cell.arm.p_LT.normalized();
   return work;
 }

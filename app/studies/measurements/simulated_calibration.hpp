@@ -14,35 +14,36 @@
 
 namespace tubeplan::app {
 
-/// Returns candidates for touching: holes spread over the sheet that the arm reaches without collision, each with a
-/// posture.
+/// Returns candidates for touching: those of `count` holes spread over the sheet that the arm reaches without
+/// collision, each with a posture.
 [[nodiscard]] std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell, int count);
 
 /// Returns candidates for touching among the given tubes: those that the arm reaches without collision.
 [[nodiscard]] std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell,
                                                                   const std::vector<int>& tubes);
 
-/// The `count` candidates that determine the base best, considering the uncertainty of the arm, with ids T1, T2, ...
-/// Candidates that the true base might put out of reach are used only if there are too few others.
+/// Touches that determine the base best, considering the uncertainty of the arm, with ids T1, T2, ... Candidates that
+/// might be out of reach from the true base are used only if there are too few others.
 struct BestTouches {
   std::vector<calibration::TouchPlan> plans;
-  std::string reason;  ///< why there are none; empty if there are some
+  std::string reason;  ///< why there are no touches; empty if there are some
   /// Predicted standard deviation of a tip coordinate, averaged over the work postures [m].
   double mean_sigma = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Returns the touches that determine the tip best at the candidates themselves.
+/// Returns the `count` touches after which the tip is known best in the postures of the candidates themselves.
 [[nodiscard]] BestTouches bestTouches(const planner::Workcell& cell,
                                       const std::vector<calibration::TouchPlan>& candidates, int count,
                                       const calibration::DoubtBeside& doubt);
 
-/// Returns the touches that determine the tip best in the postures `work`.
+/// Returns the `count` touches after which the tip is known best in the postures `work`.
 [[nodiscard]] BestTouches bestTouches(const planner::Workcell& cell,
                                       const std::vector<calibration::TouchPlan>& candidates,
                                       const std::vector<Eigen::VectorXd>& work, int count,
                                       const calibration::DoubtBeside& doubt);
 
-/// Returns the best touches among candidates that are known to be reachable.
+/// Returns the touches after which the tip is known best in the postures `work`, chosen from candidates that are known
+/// to be reachable.
 [[nodiscard]] BestTouches bestTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                       const std::vector<calibration::TouchPlan>& touchable,
                                       const std::vector<Eigen::VectorXd>& work,
@@ -58,8 +59,8 @@ struct BothCalibrations {
 [[nodiscard]] BothCalibrations calibrateBoth(const planner::Workcell& placed, const CellModel& cell,
                                              const std::vector<calibration::Measurement>& touches);
 
-/// Calibrates the base with both arms given, for many calibrations of the same model. Does not search for mistaken
-/// touches.
+/// Calibrates the base with both given arms; faster if one model is calibrated many times. After a lack of fit, does
+/// not search for the responsible touch.
 [[nodiscard]] BothCalibrations calibrateBoth(const deflection::Arm& flexible, const deflection::Arm& rigid,
                                              const calibration::DoubtBeside& doubt, const Eigen::Isometry3d& X_WB_start,
                                              const tubesheets::Sheet& sheet,

@@ -97,7 +97,7 @@ class TouchSearch {
     return kept;
   }
 
-  /// Returns the best `count` (three or more) of all holes, while no reading determines anything yet.
+  /// Returns the best `count` (three or more) of all holes for a first calibration, without earlier readings.
   [[nodiscard]] static calibration::Design exhaustiveChoice(const calibration::DesignProblem& problem, int count) {
     const auto choice = calibration::chooseTouches(problem, count);
     if (choice.status == calibration::TouchChoiceStatus::kDone)

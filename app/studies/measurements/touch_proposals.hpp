@@ -1,5 +1,5 @@
-// Proposals of further measurements in a cell: holes to touch that place the base, and readings that improve the free
-// parameters.
+// Proposals of further measurements in a cell: holes to touch for calibrating the base, and readings that improve the
+// free parameters.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 
 namespace tubeplan::app {
 
-/// Task of a proposal: the parameters to improve, the possible readings and the work.
+/// Input of proposeTouches(): the estimates to improve, the readings that may be proposed, and the work list.
 struct TouchTask {
   CellModel cell;                                ///< cell with the estimated arm and base
-  std::optional<planner::Workcell> under_sheet;  ///< workcell of a cell with a tube sheet; nothing without a sheet
+  std::optional<planner::Workcell> under_sheet;  ///< workcell under the tube sheet; nothing if the cell has no sheet
   std::vector<int> tubes;                        ///< indices of the tubes of the work list, where the tip must be known
   /// Estimates of the base and of the parameters from the readings so far; nothing: not requested.
   std::optional<calibration::Estimate> of_base, of_numbers;
@@ -41,12 +41,13 @@ struct TouchProposal {
 };
 
 struct TouchProposals {
-  /// Number of postures in which the tip must be known; number of listed tubes out of reach.
+  /// Number of postures in which the tip must be known; number of tubes of the work list that are out of reach.
   int work = 0, work_lost = 0;
-  /// Number of candidates for the base; number left out because another likely base may not reach them.
+  /// Number of holes to touch in reach of the nominal base; number of them left out because the true base may not reach
+  /// them.
   int holes = 0, holes_unsure = 0;
   std::optional<TouchProposal> base, parameters;
-  std::vector<std::string> nearest_holes;  ///< the three touchable holes nearest to the base, as a comparison
+  std::vector<std::string> nearest_holes;  ///< the three touchable holes nearest to the base, for comparison
   calibration::TipSigma tip_nearest;
 };
 

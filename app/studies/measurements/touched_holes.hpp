@@ -13,8 +13,8 @@ namespace tubeplan::app {
 /// must outlive the function.
 [[nodiscard]] calibration::NeighbourQuestion neighboursOn(const tubesheets::Sheet& sheet);
 
-/// Returns the uncertainties to be considered when touches place the cell's base: those of the arm's parameters, and
-/// the model error if it is known. Touches must be chosen and fitted with the same uncertainties.
+/// Returns the uncertainties to be considered when the cell's base is calibrated from touches: those of the arm's
+/// parameters, and the model error if it is known. Touches must be chosen and fitted with the same uncertainties.
 [[nodiscard]] calibration::DoubtBeside doubtBeside(const CellModel& cell);
 
 /// Returns the options to calibrate the cell's base from touches: the uncertainties of doubtBeside(), and the

@@ -7,8 +7,8 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Returns the parameters of an effect that a fit must free: those that the diagnosis could determine, and shape
-/// parameters except times.
+/// Returns the names of an effect's parameters that a fit must free: those that the diagnosis could determine, and
+/// shape parameters except times.
 std::vector<std::string> freedOf(const deflection::Arm& arm, const calibration::FoundEffect& effect) {
   std::vector<std::string> freed;
   const auto& numbers = deflection::numbersOf(effect.fitted);

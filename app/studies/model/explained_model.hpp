@@ -1,5 +1,5 @@
-// A model extended by the findings of a diagnosis: catalogue effects, and parameters of the arm file that were held
-// fixed.
+// Extension of a model by the findings of a diagnosis: adds effects of the catalogue, and frees parameters of the arm
+// file that were held fixed.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ struct AddedCauses {
   std::vector<deflection::Effect> formulas;
 };
 
-/// Adds an effect to the cell's arm and its parameters named in `freed` to `added`. Returns false, and changes nothing,
-/// if the arm already has the effect.
+/// Adds an effect to the cell's arm, and its name and the names of its parameters to free (`freed`) to `added`. Returns
+/// false, and changes nothing, if the arm already has the effect.
 [[nodiscard]] bool addEffect(const deflection::Effect& effect, const std::vector<std::string>& freed, CellModel& cell,
                              AddedCauses& added);
 
@@ -25,8 +25,8 @@ struct AddedCauses {
 /// contain, without duplicates.
 void freeAdded(CellModel& cell, AddedCauses& added);
 
-/// Adds the effects of an explanation with their fitted values, and frees the parameters that the explanation frees. An
-/// effect that the model already has is not changed.
+/// Adds the effects of an explanation, with their fitted values, to the cell's arm, and frees the parameters that the
+/// explanation frees. An effect that the model already has is not changed.
 AddedCauses addExplanation(const calibration::Explanation& found, CellModel& cell);
 
 }  // namespace tubeplan::app

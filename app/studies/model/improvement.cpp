@@ -17,8 +17,8 @@ namespace {
 using calibration::Diagnosis, calibration::Explanation, calibration::Verdict;
 using calibration::IdentificationStatus, calibration::Measurement;
 
-constexpr double kWorthIt = 0.95;  // largest ratio of errors after and before adding an uncertain cause
-// Largest ratio of errors of the farthest poses after and before adding a certain cause.
+constexpr double kWorthIt = 0.95;  // an uncertain cause must reduce the error to less than this fraction
+// A certain cause must not raise the error of the farthest poses by more than this factor.
 constexpr double kNoWorse = 1.05;
 
 /// Decision after a diagnosis: the cause to add, or the end of the loop (null cause).
@@ -29,7 +29,7 @@ struct Decision {
   double first = std::numeric_limits<double>::quiet_NaN(), second = first;
 };
 
-/// Returns the best explanation at the farthest poses among those that were judged and accepted by `isWorthIt`; null if
+/// Returns the explanation with the smallest error at the farthest poses among those that `isWorthIt` accepts; null if
 /// there is none. The explanations are in order of probability: a less probable explanation replaces the best so far
 /// only if its error is at least 5 % lower.
 template <class IsWorthIt>
@@ -42,8 +42,8 @@ const Explanation* bestCarried(const std::vector<Explanation>& explanations, con
   return best;
 }
 
-/// Decides between equally good explanations: adds the best one if all differ little, or else the causes common to all
-/// if they lower the errors.
+/// Decides between equally good explanations: adds the best one if they differ by no more than it gains, or else the
+/// causes common to all if these lower the held-out error.
 Decision amongEquals(const Diagnosis& diagnosis) {
   double widest = 0;
   for (const auto& alternative : diagnosis.alternatives)
@@ -58,8 +58,8 @@ Decision amongEquals(const Diagnosis& diagnosis) {
   return {nullptr, ImprovementEnd::kAmbiguous, ImprovementReason::kAlternativesApart, widest, std::max(0., gain)};
 }
 
-/// Decides without a certain cause. A cause is added only if it lowers the error of readings left out of its fit, both
-/// held-out folds and the farthest poses.
+/// Decides if no cause is certain. A cause is added only if it lowers the error of readings left out of its fit, both
+/// of the held-out folds and of the farthest poses.
 Decision amongUnsure(const Diagnosis& diagnosis) {
   const Explanation* best = bestCarried(diagnosis.closest, [&](const Explanation& one) {
     return one.heldout.rms < kWorthIt * diagnosis.heldout_before.rms &&
@@ -196,8 +196,8 @@ class Improver {
     result_.models.push_back(std::move(model));
   }
 
-  /// Refits every model to the readings that the diagnosis used, so that the verdict applies to them and errors are
-  /// comparable.
+  /// Refits every model to the readings that the diagnosis used, so that the verdict applies to the models and their
+  /// errors are comparable.
   void setAside(const Diagnosis& diagnosis, const WorkHooks& hooks) {
     if (diagnosis.verdict == Verdict::kNotRun || diagnosis.set_aside == set_aside_) return;
     const auto before = std::exchange(set_aside_, diagnosis.set_aside);
@@ -245,7 +245,7 @@ class Improver {
   /// effects were added or the reduced model is worse.
   ImprovedModel withoutNone(ImprovedModel model, CellModel cell, const WorkHooks& hooks) {
     constexpr std::size_t kSeveral = 3;
-    constexpr double kAsLow = 1.01;  // largest ratio of held-out errors
+    constexpr double kAsLow = 1.01;  // largest ratio of the held-out errors without and with these effects
     ImprovementStep& step = result_.steps.back();
     if (step.added.size() < kSeveral) return model;
     auto none = takeOutNone(step.added, model.fit, cell);

@@ -1,5 +1,5 @@
-// Repeated diagnosis, addition and identification until no further cause is certain: turns a cell's model and its
-// readings into an improved model.
+// Improvement of a cell's model by its readings: diagnoses the error, adds a cause and refits, until no further cause
+// is certain.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct ImprovedModel {
   CellModel cell;    ///< the cell with the added causes, before the fit; `fit` has the fitted values
   calibration::Identification fit;
   int step = 0;                ///< number of steps so far that added a cause
-  std::vector<int> set_aside;  ///< indices of readings left out of the fit, as outliers of the last diagnosis
+  std::vector<int> set_aside;  ///< indices of readings left out of the fit, as the last diagnosis calls them outliers
 };
 
 struct ImprovementRequest {
@@ -32,7 +32,7 @@ struct ImprovementRequest {
 
 enum class ImprovementEnd {
   kNotRun,
-  kAdequate,          ///< the model lacks nothing
+  kAdequate,          ///< the diagnosis finds nothing missing in the model
   kNothingSure,       ///< an error remains, but only as scatter, or no cause lowers the error of held-out readings
   kAmbiguous,         ///< alternatives differ over the arm's range by more than the best alternative gains
   kDoesNotCarryOver,  ///< the cause does not lower the error of held-out readings, or of the farthest poses
@@ -52,7 +52,7 @@ enum class ImprovementReason {
   kAlternativesApart,  ///< the alternatives differ by `first` over the arm's range, more than the gain `second`
   kUnsureButLower,     ///< the cause is uncertain, but lowers the error of held-out readings and of the farthest poses
   kNoneLower,         ///< no cause is certain, and none lowers the error of held-out readings and of the farthest poses
-  kFarthestWorse,     ///< the error of the farthest poses with a fit to the nearer poses rose from `second` to `first`
+  kFarthestWorse,     ///< with the cause, the error of the farthest poses rises from `second` to `first`
   kNotLowerTogether,  ///< fitted with all other parameters, the cause does not lower the error of held-out readings
   kMistakeExplains,
   kNoVerdict,
@@ -87,12 +87,12 @@ struct Improvement {
   }
 };
 
-/// Runs the loop. If the readings determine nothing, the loop ends with kNotFitted and a refused fit. Throws
-/// JobStopped.
+/// Runs the improvement loop. If the readings determine no free parameter, the loop ends with kNotFitted and a refused
+/// fit. Throws JobStopped if a stop is requested.
 [[nodiscard]] Improvement improveModel(const CellModel& cell, const std::vector<calibration::Measurement>& readings,
                                        const ImprovementRequest& request, const WorkHooks& hooks = {});
 
-/// Returns one comparison row for each model, for a ladder.
+/// Returns one comparison row for each model of the result, in the order in which the loop fitted them.
 [[nodiscard]] std::vector<ModelComparisonRow> comparisonRowsOf(const Improvement& result);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// Step tables of a ladder: for each model, the number of holes that each number of the tool's steps would enter.
+// Step tables of a ladder of models: for each model, the number of holes that 0, 1, ... steps of the tool would enter.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,8 @@ struct LadderSteps {
 /// Uses the best model in place of the real arm, with an unmodelled error equal to the noise floor.
 void standIn(const ModelComparisonRow& best, RealArm& real);
 
-/// Adds a step table, for the same `holes` random holes, to every row of the comparison. Throws JobStopped.
+/// Adds a step table, for the same `holes` random holes, to every row of the comparison. Throws JobStopped if a stop is
+/// requested.
 [[nodiscard]] LadderSteps addStepTables(RealArm real, int holes, std::uint64_t seed,
                                         std::vector<ModelComparisonRow>& comparison, const WorkHooks& hooks = {});
 

@@ -17,7 +17,7 @@ void stateChiSquare(double chi2, int degrees_of_freedom, ModelComparisonRow& com
   if (degrees_of_freedom > 0) compared.p_value = calibration::chiSquareTail(chi2, degrees_of_freedom);
 }
 
-/// Returns the row of a model without free parameters.
+/// Returns the comparison row of a model without free parameters.
 ModelComparisonRow rowAsItStands(const std::string& name, const CellModel& cell,
                                  const std::vector<calibration::Measurement>& readings) {
   ModelComparisonRow compared;

@@ -1,4 +1,4 @@
-// Comparison of several models on the same readings: shows what each step of the modelling gains.
+// Comparison of several models on the same readings: shows how much each refinement of the model reduces the error.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ struct ModelComparisonRow {
 };
 
 /// Compares a cell's model with the readings. A model without free parameters is evaluated as it is, without a fit.
-/// Throws JobStopped.
+/// Throws JobStopped if a stop is requested.
 [[nodiscard]] ModelComparisonRow comparisonRowOf(const std::string& name, const CellModel& cell,
                                                  const std::vector<calibration::Measurement>& readings,
                                                  std::uint64_t seed, const WorkHooks& hooks = {});
@@ -35,8 +35,8 @@ struct ModelComparisonRow {
 /// Returns the comparison row of a model that is already fitted.
 [[nodiscard]] ModelComparisonRow comparisonRowOf(const std::string& name, const calibration::Identification& fit);
 
-/// Returns the fit for a comparison row, identical to the refit of `compare`. Its status is "not run" if the cell frees
-/// nothing. Throws JobStopped.
+/// Returns the fit for a comparison row. Its status is kNotRun if the cell has no free parameters. Throws JobStopped if
+/// a stop is requested.
 [[nodiscard]] calibration::Identification fitForLadder(const CellModel& cell,
                                                        const std::vector<calibration::Measurement>& readings,
                                                        std::uint64_t seed, const WorkHooks& hooks = {});

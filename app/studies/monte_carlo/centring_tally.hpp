@@ -22,7 +22,7 @@ struct HoleTally {
 struct WayTally {
   std::vector<HoleTally> holes;
   RunSums errors;                 ///< sums of centring errors, in units of ErrorSketch::kUnit
-  std::vector<RunSums> at_least;  ///< visits in which at least k + 1 steps entered, at index k
+  std::vector<RunSums> at_least;  ///< number of visits in which at least k + 1 steps entered, at index k
   /// Number of runs in which at least k + 1 steps entered every visited hole, at index k.
   std::vector<std::uint64_t> all_holes;
 
@@ -37,7 +37,7 @@ struct FailureCount {
 struct SettingTally {
   std::uint64_t runs = 0;
   std::array<FailureCount, kTrialFailures> failures;  ///< indexed by TrialFailure; kNone counts the scored runs
-  FailureCount misfits;                               ///< scored runs whose touches are rejected by chi-square
+  FailureCount misfits;                               ///< scored runs whose touches the chi-square test rejects
   std::array<WayTally, kWays.size()> ways;
 };
 
@@ -47,7 +47,7 @@ class CentringTally {
   /// tool.
   CentringTally(std::size_t settings, std::size_t holes, std::size_t steps);
 
-  /// Adds one run: its trial under each setting.
+  /// Adds the trials of the run with index `run`, one for each setting.
   void add(const std::vector<Trial>& trials, std::uint64_t run);
 
   void put(TallyWords& words) const;

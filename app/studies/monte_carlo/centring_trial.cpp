@@ -15,8 +15,8 @@ using Draw = calibration::RandomStreamFrom<SplitMix>;
 // Smallest sigma used for weights [m]; without noise the weights would be infinite.
 constexpr double kLeastWeighingSigma = 1e-6;
 
-/// Purpose of random numbers, as a part of their key. Separate keys keep one quantity's numbers the same when more of
-/// another are drawn.
+/// Purpose of random numbers, as a part of their key. With separate keys, the random numbers of one quantity stay the
+/// same when more numbers are drawn for another.
 enum Purpose : std::uint64_t { kTruthKey = 1, kVisitedKey, kTouchedKey, kTipErrorKey, kNoiseKey };
 
 constexpr std::array kRules{
@@ -138,7 +138,7 @@ TrialHole CentringTrials::trialHole(const Hole& hole, std::uint64_t run) const {
   return {hole.plan, hole.tube, draw.vector(options_.spread.unmodelled_sigma)};
 }
 
-/// Returns `count` drawn holes. In repeated draws the first `well_spread` holes must lie well off a line; empty if
+/// Draws `count` holes at random, and again until the first `well_spread` of them lie well off a line. Empty if
 /// kMostDraws draws fail.
 std::vector<const CentringTrials::Hole*> CentringTrials::drawnHoles(std::uint64_t key, int count,
                                                                     int well_spread) const {

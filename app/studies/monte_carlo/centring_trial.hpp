@@ -20,7 +20,7 @@ enum class TouchRule {
   kBest,    ///< holes that determine the base best, the same in every run
   kSpread,  ///< holes farthest from one another, the same in every run
   kRandom,  ///< random holes well off a line, different in every run
-  kTested,  ///< random holes well off a line, taken from the holes then visited, as in the experiment of the thesis
+  kTested,  ///< random holes well off a line, taken from the holes visited later, as in the thesis
 };
 
 struct TouchRuleRow {

@@ -17,7 +17,7 @@ enum Subject {
   kLeft,      ///< to the first rank: last message of a worker rank
 };
 
-// Longer than a check for messages, shorter than the computation of a chunk.
+// Pauses between checks for messages: longer than a check, shorter than the computation of a chunk.
 constexpr std::chrono::microseconds kPause{10000};
 constexpr std::chrono::milliseconds kPauseAlone{20};
 

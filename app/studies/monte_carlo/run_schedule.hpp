@@ -43,8 +43,8 @@ class RunSchedule {
   std::deque<RunRange> open_;  ///< runs not given out yet
 };
 
-/// Returns the chunk size: 1/64 of the runs, from 1 to `largest`. Smaller chunks cost more, larger ones keep workers
-/// waiting for the last chunks.
+/// Returns the chunk size: 1/64 of the runs, from 1 to `largest`. Smaller chunks cause more overhead; with larger ones,
+/// workers wait longer for the last chunks.
 [[nodiscard]] std::uint64_t chunkFor(std::uint64_t runs, std::uint64_t largest);
 
 }  // namespace tubeplan::app

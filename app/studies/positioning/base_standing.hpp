@@ -42,7 +42,7 @@ struct BaseStanding {
 /// calibrated from 3 touches".
 [[nodiscard]] std::string wordsOf(const BaseStanding& standing);
 
-/// Returns a sentence of warning about the base; empty if the base is reliable.
+/// Returns a warning about the base; empty if the base is reliable.
 [[nodiscard]] std::string warningOf(const BaseStanding& standing);
 
 }  // namespace tubeplan::app

@@ -21,7 +21,8 @@ namespace tubeplan::app {
 /// Returns the smallest clearance between tool and tube at each visit [m].
 [[nodiscard]] std::vector<double> playInTubes(const planner::Workcell& model, const planner::VisitPlan& plan);
 
-/// Returns the largest padding of the tip over the visited holes [m], for `sigmas` standard deviations of the base.
+/// Returns the largest padding [m] that the uncertainty of the base, at `sigmas` standard deviations, requires at the
+/// tip in any of the visited holes.
 [[nodiscard]] double paddingAtHoles(const planner::Workcell& model, const planner::VisitPlan& plan, double sigmas);
 
 }  // namespace tubeplan::app

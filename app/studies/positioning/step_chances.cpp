@@ -23,8 +23,8 @@ std::vector<double> mixed(const std::vector<calibration::TipErrorCase>& cases, c
   return chances;
 }
 
-/// Returns the joint uncertainty of base and arm that an identification stored in the cell's `determined`, with the
-/// base first. Nothing if `determined` lacks the base.
+/// Returns the joint uncertainty of base and arm that an identification stored in the cell's `uncertainty`, with the
+/// base first. Nothing if it was stored without the base.
 std::optional<calibration::JointUncertainty> determinedWithBase(const CellModel& cell, const deflection::Arm& arm) {
   const auto& determined = cell.uncertainty.determined;
   std::vector<Index> order;

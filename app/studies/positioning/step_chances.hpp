@@ -31,7 +31,7 @@ struct StepQuestion {
   const std::vector<planner::Centring>& predicted;  ///< centring as the model predicts it, one for each posture
 };
 
-/// Returns the probabilities; none if the base pose is only nominal.
+/// Returns the probabilities of the steps in each posture; none if the base pose is only nominal.
 [[nodiscard]] StepChances stepChances(const StepQuestion& question);
 
 /// Returns the most probable number of steps; the smallest if several are equally probable.

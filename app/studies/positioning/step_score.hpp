@@ -1,4 +1,4 @@
-// Comparison of the three compensation modes, tube by tube, with the true arm.
+// Comparison, tube by tube, of how well the true arm is centred in each of the three compensation modes.
 #pragma once
 
 #include <array>

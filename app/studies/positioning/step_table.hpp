@@ -12,10 +12,10 @@
 
 namespace tubeplan::app {
 
-/// Workcell and unmodelled error that stand for the real arm.
+/// Workcell and unmodelled error that represent the real arm.
 struct RealArm {
   planner::Workcell cell;
-  std::string name;  ///< description for the reader
+  std::string name;  ///< description for the user
   /// Standard deviation of each coordinate of the unmodelled tip error [m], independent in each posture.
   double unmodelled = 0;
 };
@@ -49,7 +49,7 @@ struct StepTable {
 };
 
 /// Computes the step table of a model that steers the real arm with compensated deflection. The model takes over the
-/// tool axis of the real arm; the tip position is that of the real arm. The result is invalid if `stop` has returned
+/// tool axis of the real arm; the tip is where the real arm brings it. The result is invalid if `stop` has returned
 /// true.
 [[nodiscard]] StepTable stepTableOf(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const RealArm& real,
                                     const StepHoles& holes, const calibration::StopQuestion& stop = {});
