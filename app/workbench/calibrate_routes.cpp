@@ -1,4 +1,4 @@
-// Calibration routes: holes to touch, the list of touches, and the resulting base.
+// Routes of the base calibration: holes to touch, the list of touches, and the resulting base.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -140,7 +140,7 @@ Answer touches(Workbench& workbench, const Request&) {
 }
 
 /// Returns the listed touches, or if there are none, the loaded touch readings that are not set aside. The touches are
-/// written as a measurement file and read again, to agree with the command.
+/// written as a measurement file and read again, so that the result equals that of `tubeplan calibrate`.
 std::vector<calibration::Measurement> touchesToUse(const Session& session, const Cell& cell) {
   if (session.touches.empty() && session.readings)
     return touchesOf(readingsInUse(*session.readings), cell, session.readings->name);

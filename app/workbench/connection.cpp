@@ -12,7 +12,7 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr auto kGlanceAtEnd = std::chrono::milliseconds(100);  // interval at which waiting checks for shutdown
+constexpr auto kGlanceAtEnd = std::chrono::milliseconds(100);  // interval at which a wait checks for shutdown
 constexpr auto kGoodbye = std::chrono::milliseconds(500);
 constexpr std::size_t kMostDrained = 32u << 20;
 

@@ -37,7 +37,8 @@ class Connection : public httplib::Stream {
   void get_local_ip_and_port(std::string&, int&) const override {}
   [[nodiscard]] int socket() const override { return socket_; }
 
-  /// Closes the socket after reading remaining input of the peer for a moment, so that the peer receives the answer.
+  /// Briefly reads the remaining input of the peer, then closes the socket. Unread input would reset the connection
+  /// before the peer has received the answer.
   void close();
 
  private:

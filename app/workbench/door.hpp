@@ -28,7 +28,7 @@ struct Visitor {
 /// Returns the Set-Cookie value for the token.
 [[nodiscard]] std::string tokenCookie(const std::string& token);
 
-/// Returns true if the texts are equal, in a time that depends only on their lengths.
+/// Returns true if the strings are equal, in a time that depends only on their lengths.
 [[nodiscard]] bool equalInConstantTime(const std::string& a, const std::string& b);
 
 }  // namespace tubeplan::app

@@ -11,7 +11,7 @@ namespace tubeplan::app {
 
 class InputError;
 
-/// Received request; size and depth of the body are limited.
+/// Received request; the size and the nesting depth of its body are limited.
 struct Request {
   std::string method;                        ///< HTTP method: GET, POST or DELETE
   std::vector<std::string> words;            ///< segments of the path after "/api/": {"jobs", "3", "cancel"}

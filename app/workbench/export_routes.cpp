@@ -1,4 +1,4 @@
-// Exports with the contents that the commands write: downloads, and saving the model in the opened folder.
+// Routes for downloads, with the contents that the commands write, and for saving the model in the opened folder.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -62,7 +62,7 @@ std::string exportedArm(const Session& s) {
   return files.back().text;
 }
 std::string exportedReadings(const Session& s) {
-  const CellReadings input = inputOf(s);  // throws without readings
+  const CellReadings input = inputOf(s);  // throws InputError if there are no readings
   return measurementsCsv(s.readings->readings, input.cell.arm, input.cell.units);
 }
 /// Returns the touches as CSV; a comment above the header lists the simulated touches.
@@ -82,7 +82,7 @@ std::string exportedTemplate(const Session& s) {
   const Cell& cell = currentModel(s).cell;
   return measurementsCsv({}, cell.arm, cell.units);
 }
-/// Returns the readings proposed by the diagnosis as a table with fields to fill in.
+/// Returns the readings proposed by the diagnosis as a table with empty fields for the results.
 std::string exportedRunSheet(const Session& s) {
   const auto figures = figuresOf(s, "diagnose");
   const auto sheet = figures.find("run_sheet");

@@ -64,7 +64,8 @@ const YamlNode* findKeys(const YamlNode& node, std::string_view keys) {
   return found && dot != std::string_view::npos ? findKeys(*found, keys.substr(dot + 1)) : found;
 }
 
-/// Returns a field of a shape with its value from the cell file.
+/// Returns the value of a shape's field in the cell file: text, a number or an array of numbers. A missing value is
+/// null for text, and zero for numbers.
 json fieldJson(const YamlNode* value, const planner::ShapeField& field) {
   if (field.count == 0) return value ? json(value->text()) : json(nullptr);
   json numbers = json::array();

@@ -8,9 +8,9 @@
 
 namespace tubeplan::app {
 
-/// Returns {name, units, pitch, hole_diameter, rows, columns, leg, viewing_side, X_WS, fingerprint, tool, holes}.
-/// `holes` has one array per column, with the holes in the order of the sheet; u, v are drawing coordinates seen from
-/// the viewing side.
+/// Returns {name, units, pitch, hole_diameter, rows, columns, leg, leg_words, viewing_side, view_words, X_WS,
+/// fingerprint, tool, manway, holes}. `holes` has one array for each property (row, column, x, ...), in the order of
+/// the sheet's holes; u, v are drawing coordinates seen from the viewing side.
 [[nodiscard]] nlohmann::json sheetDrawing(const Cell& cell, const tubesheets::Sheet& sheet);
 
 /// Returns {units, clearance, shapes: [{name, kind, allow, and the fields of the kind as in a cell file}], warnings,

@@ -43,7 +43,7 @@ Answer catalogue(Workbench& workbench, const Request&) {
 
 /// Returns the displacement of the tip by an effect, for the query ?effect=hysteresis&at=theta4.
 Answer signature(Workbench& workbench, const Request& request) {
-  constexpr double kOfWeight = 0.2;  // maximum load as a fraction of the arm's weight if no reading has a load
+  constexpr double kOfWeight = 0.2;  // largest load as a fraction of the arm's weight if no reading's is larger
   const Session session = workbench.session();
   const Cell& cell = currentModel(session).cell;
   double most_load = kOfWeight * deflection::weightOf(cell.arm);
@@ -53,7 +53,7 @@ Answer signature(Workbench& workbench, const Request& request) {
 }
 
 constexpr std::size_t kMostForConfounding =
-    300;  // evenly spaced subset of the readings, because the confounding depends little on their number
+    300;  // largest number of readings, evenly spaced: the confounding depends little on their number
 
 /// Returns the confounding of the causes at the readings in use, given the parameters that are fitted.
 Answer confounding(Workbench& workbench, const Request&) {

@@ -23,12 +23,12 @@ constexpr std::size_t kConnectionsAtOnce = 256;  // one thread per connection; f
 constexpr std::size_t kLargestBody = 8u << 20;
 constexpr std::size_t kLongestTarget = 2048;
 constexpr auto kHeartbeat = std::chrono::seconds(10);
-constexpr auto kGlanceAtListener = std::chrono::seconds(1);  // interval at which a closed listener is detected
+constexpr auto kGlanceAtListener = std::chrono::seconds(1);  // interval of checks for closed listeners
 constexpr const char* kPolicy =
     "default-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'; object-src 'none'";
 
-/// True if the connection may serve another request: the whole body of the present request was read, so that its rest
-/// cannot be taken for a request.
+/// True if the connection may serve another request: the whole body of the present request was read, so that no rest of
+/// it can be mistaken for the next request.
 thread_local bool is_read_whole = false;
 
 bool hasBody(const httplib::Request& request) {
@@ -138,7 +138,7 @@ class HttpServer::Implementation : public httplib::Server {
   void stopAll() {
     is_closing_ = true;
     workbench_.events().close();
-    // stop() has no effect before the library listens.
+    // stop() has no effect before the library listens, so wait until it does.
     while (!is_running() && !has_ended_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     if (is_running()) stop();
   }
@@ -155,7 +155,7 @@ class HttpServer::Implementation : public httplib::Server {
                                fmt::format("the server cannot listen on port {} of {}", door_.port, door_.host),
                                "give a free port of this machine; --port 0 chooses any free port");
     ::listen(svr_sock_,
-             SOMAXCONN);  // the library's backlog is five, and refused clients retry only after a second or more
+             SOMAXCONN);  // enlarges the library's backlog of five: refused clients retry only after a second or more
   }
 
   bool process_and_close_socket(socket_t socket) override {
@@ -172,8 +172,8 @@ class HttpServer::Implementation : public httplib::Server {
       is_read_whole = false;
       bool is_closed = false;
       ok = process_request(connection, k + 1 == most_requests, is_closed, [](httplib::Request& request) {
-        // Compression is disabled, because it would take longer than it saves. Decompression is disabled, because a
-        // small body could expand to a huge one.
+        // Without these headers, the library neither compresses, which would take longer than it saves, nor
+        // decompresses a small body, which could expand to a huge one.
         for (const char* header : {"Accept-Encoding", "Content-Encoding", "Range"}) request.headers.erase(header);
         request.ranges.clear();
       });

@@ -52,8 +52,8 @@ using ResultWork = std::function<nlohmann::json(const Session& began, JobContext
 /// beginning of the job, and JobStopped if the readings have been replaced, so that the result is obsolete.
 void finishJob(Workbench& workbench, const Session& began, JobInput input, const std::function<void(Session&)>& step);
 
-/// Return the cell after a fit, or with the given text, as read from exported files, so that later results agree with
-/// those of the commands.
+/// Returns the cell after a fit as read back from its exported file, so that later results agree with those of the
+/// commands. rereadCell() does so for a cell with the given text.
 [[nodiscard]] Cell fittedCell(const Cell& cell, const IdentificationOutcome& outcome);
 [[nodiscard]] Cell rereadCell(const Cell& cell, const std::string& text);
 

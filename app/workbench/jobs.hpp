@@ -33,7 +33,7 @@ class JobContext {
 /// Reports the beginning of a stage. Throws JobStopped if the job was cancelled.
 void beginStage(JobContext& context, std::string_view stage, std::size_t done = 0, std::size_t total = 0);
 
-/// Work of a job. Returns the name of the result that it stored in the session. Throws InputError, JobStopped.
+/// Work of a job. Returns the name of the result that it stored in the session. May throw InputError and JobStopped.
 using JobWork = std::function<std::string(JobContext&)>;
 
 class Jobs {

@@ -48,7 +48,7 @@ std::string firstLine(const std::filesystem::path& file) {
   return line;
 }
 
-/// Returns the complete lines of the text, because the last line may be half written.
+/// Returns the text without an incomplete last line, which another program may still be writing.
 std::string wholeLines(std::string text) {
   text.erase(text.find_last_of('\n') == std::string::npos ? 0 : text.find_last_of('\n') + 1);
   return text;
@@ -63,7 +63,7 @@ std::string textFrom(const std::filesystem::path& file, std::uintmax_t begin) {
 }
 
 /// Returns the last row of a table of encoder readings; nullopt if the table has only a header. The row is parsed as a
-/// touch of an unnamed point, because the joint and load columns have the same units there.
+/// touch in a measurement table, whose joint and load columns have the same names and units.
 std::optional<calibration::Measurement> lastRow(const std::filesystem::path& file, const std::string& header,
                                                 const Cell& cell) {
   const auto size = std::filesystem::file_size(file);

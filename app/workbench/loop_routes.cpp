@@ -109,7 +109,7 @@ void requireFitted(const IdentificationOutcome& outcome, const CellReadings& inp
 struct FitJob {
   std::string kind, label, name, origin;
   IdentificationRequest asked;
-  std::function<std::string(const Cell&)> changed = {};  ///< text of the changed cell to fit; empty: unchanged cell
+  std::function<std::string(const Cell&)> changed = {};  ///< returns the text of the cell to fit; empty: same cell
 };
 
 /// Begins a fit that puts the fitted model on the stack, with its results and the ladder over the stack.
@@ -175,7 +175,7 @@ Answer remove(Workbench& workbench, const Request& request) {
   const auto causes = textsOf(body, "causes");
   IdentificationRequest fit;
   fit.seed = seedOf(body);
-  (void)withoutCauses(currentModel(workbench.session()).cell, causes);  // refuses bad input before the job
+  (void)withoutCauses(currentModel(workbench.session()).cell, causes);  // refuses bad input before the job begins
   const std::string label = fmt::format("\u2212 {}", fmt::join(causes, ", "));
   return beginFit(workbench, {"remove", label, label, "without", fit, [causes](const Cell& cell) {
                                 const Cell without = withoutCauses(cell, causes);
@@ -218,7 +218,7 @@ Answer improve(Workbench& workbench, const Request& request) {
 SimulationRequest simulationAsked(const nlohmann::json& body) {
   SimulationRequest asked;
   asked.design = textOf(body, "design", "bench");
-  if (!calibration::findCampaignDesign(asked.design)) {  // only a name: a request opens no file
+  if (!calibration::findCampaignDesign(asked.design)) {  // only a design's name: a request must not open a file
     std::vector<std::string> names;
     for (const auto& design : calibration::campaignDesigns()) names.emplace_back(design.name);
     throw InputError("design", inQuotes(asked.design), alternatives(names), suggestion(asked.design, names));

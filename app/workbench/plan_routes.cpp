@@ -46,8 +46,8 @@ Session atModel(Session session, int id) {
   return session;
 }
 
-/// Begins the computation of a field over the holes, for the request {"of", "model"?}; the default is the current
-/// model.
+/// Begins the computation of a field (one value for each hole), for the request {"of", "model"?}; the default is the
+/// current model.
 Answer field(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const std::string of = textOf(body, "of", "centring");
@@ -185,7 +185,7 @@ ListText listTextOf(const json& list) {
   return given;
 }
 
-/// Returns the tubes of a work list and their dwell times [s], read like `plan --tubes LIST.csv`, for the request
+/// Returns the tubes of a work list and their dwell times [s], as `plan --tubes LIST.csv` reads them, for the request
 /// {"name", "text", "columns"?: ["row=Reihe"]}. `columns` gives the meaning of unrecognized headings.
 Answer workList(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);

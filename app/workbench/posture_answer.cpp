@@ -41,8 +41,8 @@ std::vector<Isometry3d> rigidFrames(const deflection::FlexibleKinematics& shape,
   return frames;
 }
 
-/// Returns the point of a shape nearest to a point outside the shape: a step of length equal to the distance, along the
-/// negative gradient of the distance.
+/// Returns the point of a shape nearest to the point `p` outside it, found by a step from `p` along the negative
+/// gradient of the distance, as long as the distance.
 Vector3d nearestOn(const planner::Shape& shape, const Vector3d& p) {
   constexpr double kStep = 1e-5;  // step of the central differences [m]
   Vector3d slope;

@@ -1,5 +1,5 @@
 // State of a model at given joint angles: rigid and deflected frames and tip, the nearest objects, and the offset of
-// the tip from a hole. Fast enough to follow a slider.
+// the tip from a hole. Computed fast enough to follow a slider of the page.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

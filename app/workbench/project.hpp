@@ -19,7 +19,8 @@ inline constexpr const char* kProjectExtension = ".tubeplan";
 /// Throws InputError if the file is no project, is damaged, or names missing files.
 [[nodiscard]] Session readProject(const std::filesystem::path& file);
 
-/// Returns {file, cell, readings, models, saved}, read from the first line of the file; null if the file is no project.
+/// Returns {file, program, cell, "cell file", readings, models, saved}, read from the first line of the file; null if
+/// the file is no project.
 [[nodiscard]] nlohmann::json projectSummary(const std::filesystem::path& file);
 
 /// Returns true if two sessions have the same text of the first cell and the same readings.

@@ -22,9 +22,9 @@ struct ProjectReportRequest {
   std::string made;     ///< date of the report
 };
 
-/// Returns the data of the report page: {title, facts, verdict?, sentence?, units, ladder: [...], noise_floor, history:
-/// [...], parameters: [...], inputs: [{what, name, bytes, sha256}], set_aside: [...], commands: [...], version,
-/// commit}.
+/// Returns the data of the report page: {title, cell, measurements, facts, verdict?, sentence?, units, models: [...],
+/// noise_floor?, history: [...], parameters?: [...], inputs: [{what, name, bytes, sha256}], set_aside?: [...],
+/// commands: [...], version, commit}.
 [[nodiscard]] nlohmann::json projectReportJson(const Session& session, const ProjectReportRequest& request);
 
 }  // namespace tubeplan::app

@@ -26,7 +26,7 @@ std::shared_ptr<ReadingSet> lookedAtAgain(ReadingSet set, Cell cell) {
     again->joined = std::move(set.joined);
     return again;
   } catch (const InputError&) {
-    set.source.reset();  // the source does not contain the same readings
+    set.source.reset();  // the source no longer contains the same readings
     return std::make_shared<ReadingSet>(std::move(set));
   }
 }

@@ -18,8 +18,8 @@ namespace tubeplan::app {
 /// a value that is not an object, and for nesting deeper than kDeepestJson.
 [[nodiscard]] nlohmann::json objectOf(const Request& request);
 
-/// Return the value of a key, or `otherwise` if the key is missing or null. Throw InputError naming the key for a value
-/// of the wrong type or out of range.
+/// Returns the value of a key, or `otherwise` if the key is missing or null. Throws InputError, which names the key,
+/// for a value of the wrong type or out of range. The same applies to the five functions below.
 [[nodiscard]] int integerOf(const nlohmann::json& object, const std::string& key, int otherwise, int least, int most);
 [[nodiscard]] std::uint64_t seedOf(const nlohmann::json& object);
 [[nodiscard]] double numberOf(const nlohmann::json& object, const std::string& key, double otherwise);
@@ -35,29 +35,30 @@ namespace tubeplan::app {
 [[nodiscard]] const nlohmann::json& requiredOf(const nlohmann::json& object, const std::string& key,
                                                const std::string& expected);
 
-/// Returns "joints": one value for each active joint, in internal units. Throws InputError for a wrong number of
-/// joints, and for a value that is not finite or exceeds the joint's limits.
+/// Returns the value of "joints": one number for each active joint, in internal units. Throws InputError for a wrong
+/// number of joints, and for a value that is not finite or exceeds the joint's limits.
 [[nodiscard]] Eigen::VectorXd jointsOf(const nlohmann::json& body, const Cell& cell);
 
-/// Returns "load" [N]; 0 if the key is missing.
+/// Returns the value of "load" [N]; 0 if the key is missing.
 [[nodiscard]] double loadOf(const nlohmann::json& body, const Cell& cell);
 
-/// Returns "hole", a tube index in the sheet; nullopt if the key is missing.
+/// Returns the value of "hole", a tube index in the sheet; nullopt if the key is missing.
 [[nodiscard]] std::optional<int> holeOf(const nlohmann::json& body, const Cell& cell);
 
-/// Returns "hole", a tube index in the sheet. Throws InputError if the key is missing.
+/// Returns the value of "hole", a tube index in the sheet. Throws InputError if the key is missing.
 [[nodiscard]] int requiredHoleOf(const nlohmann::json& body, const Cell& cell);
 
-/// Returns the indices of the tubes selected by a text in the selection language; opens no file. Throws InputError.
+/// Returns the indices of the tubes that a selection such as "R10C20,outer:2" selects; opens no file. Throws
+/// InputError.
 [[nodiscard]] std::vector<int> selectedTubes(const std::string& text, const tubesheets::Sheet& sheet);
 
-/// Returns "tubes" as a selection text; the value is a text or a list of tube indices. Returns `otherwise` if the key
-/// is missing.
+/// Returns the value of "tubes", which is a selection or a list of tube indices, as a selection. Returns `otherwise` if
+/// the key is missing.
 [[nodiscard]] std::string tubesText(const nlohmann::json& body, const tubesheets::Sheet& sheet,
                                     const std::string& otherwise);
 
-/// Returns "stays": dwell times from 0 to a day [s], keyed by tube index; empty if the key is missing. Throws
-/// InputError.
+/// Returns the value of "stays": dwell times from 0 to a day [s], keyed by tube index; empty if the key is missing.
+/// Throws InputError.
 [[nodiscard]] std::map<int, double> staysOf(const nlohmann::json& body, const tubesheets::Sheet& sheet);
 
 }  // namespace tubeplan::app

@@ -62,8 +62,8 @@ int pushModel(Session& session, std::string label, std::string origin, Cell cell
 
 namespace {
 
-/// Maximum total number of readings listed in all result documents, which these lists make large: two comparisons of
-/// the maximum number of readings, about 100 MiB.
+/// Largest total number of readings that all result documents together may list, about 100 MiB: enough for two
+/// comparisons of as many readings as may be loaded.
 constexpr std::size_t kMostListed = 40000;
 
 std::size_t readingsListed(const ResultDocument& result) {

@@ -21,14 +21,14 @@
 
 namespace tubeplan::app {
 
-/// Model on the stack: a cell with the texts of its files, a label and its origin.
+/// Model on the stack: a cell with the contents of its files, a label and its origin.
 struct Model {
   int id = 0;
   std::string label;
   std::string origin;  ///< given, effect, formula, fit, calibration, without or assumption
   Cell cell;
   planner::Workcell posed;                             ///< only arm, base and scene, to evaluate postures
-  std::shared_ptr<const planner::NearestPairs> pairs;  ///< search of nearest objects; null without bodies
+  std::shared_ptr<const planner::NearestPairs> pairs;  ///< search for the nearest objects; null without bodies
 };
 using ModelPointer = std::shared_ptr<const Model>;
 
@@ -103,8 +103,8 @@ struct Session {
 /// their results. Returns the id of the new model.
 int pushModel(Session& session, std::string label, std::string origin, Cell cell);
 
-/// Stores a result. If the documents that list readings become too large in total, the oldest of those of other models
-/// are deleted.
+/// Stores a result. If the documents that list readings become too large in total, the oldest ones of models other than
+/// the current one are deleted.
 void putResult(Session& session, const std::string& name, int model, nlohmann::json document);
 
 /// Replaces the readings, with the next change number, and deletes the results for the former readings.

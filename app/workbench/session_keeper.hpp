@@ -37,7 +37,7 @@ class SessionKeeper {
   /// Returns the reason why sessions are not kept; empty if they are kept.
   [[nodiscard]] std::string problem() const;
 
-  /// Returns the sessions in the folder, newest first, each as by projectSummary(); at most twenty.
+  /// Returns the sessions in the folder, newest first, each as projectSummary() returns it; at most twenty.
   [[nodiscard]] nlohmann::json recent() const;
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }

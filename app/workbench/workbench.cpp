@@ -93,7 +93,7 @@ bool Workbench::replace(Session session) {
     const std::uint64_t revision = std::max(now.revision, session.revision);
     now = std::move(session);
     now.revision = revision;
-    now.saved_revision = is_saved ? revision + 1 : 0;  // the revision number after this step
+    now.saved_revision = is_saved ? revision + 1 : 0;  // change() increments the revision after this step
     return true;
   });
 }
