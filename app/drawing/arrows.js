@@ -46,7 +46,8 @@ export function drawArrow(context, x, y, dx, dy, isHollow = false, head) {
 }
 
 /**
- * Returns the 98 % quantile of the sizes, so that a single outlier does not shrink all other arrows; 0 if empty.
+ * Returns the 98 % quantile of the sizes, to which arrows are scaled: with the maximum, a single outlier would shrink
+ * all other arrows. Returns 0 if there are no sizes.
  * @param {readonly unknown[]} sizes
  */
 export function usualLargest(sizes) {

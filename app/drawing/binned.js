@@ -7,7 +7,7 @@ import {groupsOf, knownPairs} from "./groups.js";
 
 const MEANS = 10;
 const MOST_LAW_STEPS = 40;
-/** Readings in each step of a law, enough to average out the influence of other variables. */
+/** Number of readings in each bin of a law, enough to average out the influence of other variables. */
 const OF_A_STEP = 6;
 
 /** @param {[number, number][]} group @returns {Bin} */

@@ -1,4 +1,4 @@
-// Error of a document: unit, error budget, and readings set aside.
+// Errors in a result document: their unit, their budget, and the readings set aside.
 import {plainUnit, plural, whole} from "./numbers.js";
 
 /** Root mean squares, whose signed squares add up: total = explained + remainder + noise; `words` states them as text.

@@ -48,7 +48,7 @@ function radialAxes(place, base, up) {
   return [radial, crossProduct(up, radial), up];
 }
 
-/** Returns all components that can be computed; magnitude and world axes only without leverage.
+/** Returns all components that can be computed; without leverage, only the magnitude and those along the world axes.
  *  @param {PartSource} source @returns {Part[]} */
 export function partsOf(source) {
   const {length} = source.unit;
@@ -104,7 +104,8 @@ export function jointKey(name) {
 }
 
 /**
- * Returns the equivalent error of a joint: the joint error that explains the tip error best in least squares.
+ * Returns the equivalent error of a joint: the error of the joint that fits the tip error best in the least-squares
+ * sense.
  * @param {string} name @param {number} k @param {PartSource} source @param {Leverage} leverage @returns {Part}
  */
 function jointPart(name, k, source, leverage) {

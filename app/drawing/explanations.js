@@ -126,7 +126,7 @@ export function isEnough(explanation) {
   return explanation.enough !== false;
 }
 
-/** Returns text on the explanation's effects, or that they do not suffice. @param {BareExplanation} explanation */
+/** Returns what the explanation's effects are, or that they do not suffice. @param {BareExplanation} explanation */
 export function explanationWords(explanation) {
   if (!isEnough(explanation)) return "the closest of the known effects, but not enough";
   const words = new Set(explanation.effects.map((effect) => effect.words ?? ""));

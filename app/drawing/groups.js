@@ -1,10 +1,11 @@
-// Readings grouped along a variable, by level or in bins, and the fraction of the values' variance that it explains.
+// Readings grouped along a variable, by level or in bins, and the fraction of the values' variance that the variable
+// explains.
 
 const BINS = 12;
 
 /**
- * Groups rows [x, value] by level of x if there are at most `bins` levels, else in bins of about equally many rows.
- * Rows of one level are never split between bins.
+ * Groups rows [x, value] by level (distinct value) of x if there are at most `bins` levels, else in bins of about
+ * equally many rows. Rows of one level are never split between bins.
  * @param {readonly [number, number][]} rows
  */
 export function groupsOf(rows, bins = BINS) {

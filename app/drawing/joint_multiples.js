@@ -1,5 +1,5 @@
 // Small panels of each joint's equivalent error against the joint's angle, direction of motion, moment, and the load.
-// Each panel has the p-value of its variable in the pattern search; the most significant panel is determined.
+// Each panel has the p-value of its variable in the pattern search; loudest() returns the most significant panel.
 import {binnedMeans} from "./binned.js";
 import {jointKey} from "./error_parts.js";
 import {followedShare} from "./groups.js";

@@ -19,7 +19,7 @@ export function modelNames(names) {
   return new Set(brief).size === new Set(names).size ? brief : [...names];
 }
 
-/** Ratio of the first model's error to the largest other error above which its bar is cut off. */
+/** Factor: the first model's bar is cut off if its error exceeds the largest other error by more than this. */
 const MOST_TIMES = 12;
 
 /**

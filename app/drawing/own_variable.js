@@ -1,5 +1,5 @@
 // View of a cause: a variable of its law, and the component of the error that shows the law best. The view uses the
-// variable that explains the largest fraction of the cause's contribution to the readings.
+// variable that explains the largest fraction of the cause's contribution to the errors of the readings.
 import {jointKey} from "./error_parts.js";
 import {followedShare} from "./groups.js";
 
@@ -28,7 +28,7 @@ export function viewOfCauses(causes, done, readings, variables, parts) {
 }
 
 /**
- * Returns the joint or axis whose error the effect is: "theta3" for "theta3<-theta2", "forearm.z" for "forearm.z".
+ * Returns the joint or axis that the effect displaces: "theta3" for "theta3<-theta2", "forearm.z" for "forearm.z".
  * @param {{at: string}} effect
  */
 export function turnedBy({at}) {
@@ -76,7 +76,7 @@ function meanSquare(values) {
   return known.length > 0 ? known.reduce((sum, value) => sum + value * value, 0) / known.length : 0;
 }
 
-/** Least gain in score for which a view replaces an earlier view. */
+/** Smallest gain in score for which a view replaces an earlier view. */
 const CLEARLY = 0.02;
 
 /**

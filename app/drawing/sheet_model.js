@@ -4,7 +4,7 @@ import {extentOf} from "./frames.js";
 
 /** @typedef {import("./frames.js").Extent} Extent */
 /** @typedef {{value: number, place: number}} Tick */
-/** Arrays with one entry per hole. `state` holds indices into `states` and into `state_words`, the readers' text.
+/** Arrays with one entry per hole. `state` holds indices into `states` (names) and into `state_words` (phrases).
  *  @typedef {{row: number[], column: number[], u: number[], v: number[], x: number[], y: number[], z: number[],
  *    state: number[], states: string[], state_words: string[]}} HoleArrays */
 /** (u, v): direction of the manway from the centre of the sheet; `center`: position in the world frame, if known.
@@ -94,7 +94,7 @@ export function ticksOf(numbers, places, pitch) {
 }
 
 /**
- * Returns the ticks at every 1, 2, 5, 10, ..., so that labels are at least 34 pixels apart.
+ * Returns the ticks at multiples of 1, 2, 5, 10, ..., chosen so that labels are at least 34 pixels apart.
  * @param {readonly Tick[]} ticks @param {number} scale pixels per unit of length
  */
 export function spacedTicks(ticks, scale) {

@@ -13,7 +13,7 @@ export function withSigma(value, sigma, unit) {
 }
 
 /**
- * Returns value and sigma as separate texts, for a table.
+ * Returns value and sigma as separate strings, for a table.
  * @param {unknown} value @param {unknown} sigma @returns {[string, string]}
  */
 export function valueAndSigma(value, sigma) {
