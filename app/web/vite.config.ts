@@ -28,7 +28,7 @@ export default defineConfig(({mode}) => ({
   base: "./",
   esbuild: {jsx: "automatic", jsxImportSource: "preact", ...(mode === "report" ? {charset: "ascii"} : {})},
   build: mode === "report" ? REPORT : PAGE,
-  // By number, because a machine need not know the name localhost.
+  // The numeric address works even on a machine that does not resolve the name localhost.
   server: {host: "127.0.0.1", fs: {allow: ["..", "../drawing"]}, proxy: {"/api": {target: SERVER, changeOrigin: true}}},
   test: {include: ["tests/**/*.test.ts"]},
 }));

@@ -1,4 +1,4 @@
-// Tests of the calibrate view's touches, including refused ones.
+// Tests of what the calibrate view says about touches, including refused ones.
 import {describe, expect, it} from "vitest";
 import type {CalibrateDocument} from "../source/server/documents";
 import {readingWords, suspicionOf} from "../source/calibrate/suspicion";

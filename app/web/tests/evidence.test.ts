@@ -80,7 +80,7 @@ const VARIES_WITH: Record<string, string[]> = {
   formula: [],
 };
 
-/** Returns the view on which the plot opens for a cause that has displacement of(k) at reading k. */
+/** Returns the view on which the plot opens for a cause that displaces the tip by of(k) at reading k. */
 function opened(effect: string, at: string, of: (k: number) => Vector3): [string, string] {
   const cause: EffectAt = {effect, at, varies_with: VARIES_WITH[effect] ?? ["joint"]};
   const view = viewOfCause(
@@ -327,7 +327,7 @@ describe("the table of readings", () => {
   it("says the units", () => {
     expect(columns.map(({unit}) => unit)).toEqual(["", "", "m", "m", "", "N", "deg", "m"]);
   });
-  // A pure rotation has no position error: its error vector is zero.
+  // A reading of angles has no position error: its error vector is zero, and its size is an angle.
   const turnedErrors = (isTurn: (index: number) => boolean) => ({
     ...errorsOfRefit(
       readings,

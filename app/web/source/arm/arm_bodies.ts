@@ -4,7 +4,8 @@ import type {Frame, SceneDocument} from "../server/documents";
 import {layAlong, solidOf, vector} from "./solids";
 
 /**
- * Radii, relative to the picture's reach, of the slim rod drawn from a frame to the next for a member without a body.
+ * Dimensions relative to the picture's reach: radius of the rod drawn for a member without a body, radius of the tip,
+ * and shortest member for which a rod is drawn.
  */
 const ROD = 0.016,
   TIP = 0.012,

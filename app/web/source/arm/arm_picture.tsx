@@ -98,7 +98,7 @@ function useScene(stage: StageRef, tour: Vector3[] | null): void {
   useEffect(() => stage.current?.setTour(tour, palette.value), [tour]);
 }
 
-/** Shows the arm in the requested posture, with the errors of the reading there. */
+/** Shows the arm in the requested posture, with the errors of the reading taken there. */
 function usePose(stage: StageRef): void {
   const scene = sceneDocument.value.document,
     reading = poseRequest.reading.value;

@@ -134,7 +134,7 @@ export class ArmStage {
 
   /** Lowers the resolution during motion if drawing is slow (no graphics processor); a picture at rest is sharp. */
   private adapt(msWaited: number): void {
-    // Numbers are updated before pictures, but a picture waits at most this long.
+    // Delays the next picture, by at most 400 ms, so that numbers are updated first.
     if (msWaited > 12) this.notBefore = performance.now() + Math.min(2 * msWaited, 400);
     if (msWaited > 24) this.ratio = Math.max(0.45, 0.8 * this.ratio);
     else if (msWaited < 10 && !IS_SOFTWARE) this.ratio = Math.min(pixelRatio(), 1.1 * this.ratio);
@@ -208,7 +208,7 @@ export class ArmStage {
       front: [0.05, -2.7, -0.2],
     } as const;
     const way = new Vector3(...directions[from]);
-    if (!this.cell?.sheet && from !== "below") way.z *= -1; // without a sheet, the space above the arm is free
+    if (!this.cell?.sheet && from !== "below") way.z *= -1; // without a sheet, nothing hides the arm from above
     this.controls.target.copy(this.focus);
     this.camera.position
       .copy(this.focus)

@@ -190,7 +190,7 @@ function JointSlider({joint, index}: {joint: JointInfo; index: number}) {
       value={poseRequest.joints.value[index] ?? joint.home}
       digits={jointDecimals(joint.unit)}
       onSlide={(next) => {
-        isFollowing.value = false; // moving a slider by hand ends following
+        isFollowing.value = false; // the arm no longer follows the encoders once a slider is moved
         setJoint(index, next);
       }}
       onType={(next) => setJoint(index, Math.min(most, Math.max(least, next)))}

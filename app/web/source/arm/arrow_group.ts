@@ -18,7 +18,8 @@ export interface Arrow {
 }
 
 /**
- * Returns a group of arrows. `head` is the length of the heads; an arrow shorter than `head` is a smaller head alone.
+ * Returns a group of arrows. `head` is the length of the heads; an arrow shorter than `head` is drawn as a smaller head
+ * only.
  */
 export function arrowGroup(arrows: readonly Arrow[], head: number, colour: string, renderOrder: number): Group {
   const look = {color: colour, transparent: true, depthTest: false};

@@ -100,7 +100,7 @@ function Suspected({document, touch}: {document: CalibrateDocument; touch: strin
   );
 }
 
-/** Shows a residual, marked if it is many sigmas. */
+/** Shows a residual, marked if it exceeds TOUCH_SIGMAS standard deviations. */
 function Left({value, sigma, hasSigma}: {value: number; sigma: number; hasSigma: boolean}) {
   const times = Math.abs(value) / sigma,
     isBad = times > TOUCH_SIGMAS,

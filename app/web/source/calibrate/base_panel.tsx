@@ -105,7 +105,7 @@ function FromNominal({nominal}: {nominal: NonNullable<CalibrateDocument["nominal
   );
 }
 
-/** Shows a text in which parts between backticks are set as code. */
+/** Shows text in which parts between backticks are set as code. */
 function InCode({text}: {text: string}) {
   return <>{text.split("`").map((part, k) => (k % 2 === 1 ? <code>{part}</code> : part))}</>;
 }

@@ -10,7 +10,7 @@ export interface Suspicion {
   words: string;
 }
 
-/** Returns a text such as "theta1 read 0.4 deg too large?" */
+/** Returns a question such as "theta1 read 0.4 deg too large?" */
 export function readingWords({joint, off, unit}: SuspectReading): string {
   return `${joint} read ${short(Math.abs(off))} ${unit} too ${off > 0 ? "large" : "small"}?`;
 }

@@ -66,7 +66,7 @@ export function TouchPanel({model}: {model: SheetModel}) {
   );
 }
 
-/** Calibrates the base, then computes the centring error that remains because of the base's uncertainty. */
+/** Calibrates the base and, if that succeeds, computes the centring error at each hole with the new base. */
 async function calibrate(): Promise<void> {
   if (!(await runJob("Calibrate", "/api/calibrate"))) return;
   const {status} = await get<CalibrateDocument>("/api/results/calibrate");

@@ -24,7 +24,7 @@ type ColourScheme = "auto" | "light" | "dark";
 const KEPT = "tubeplan.scheme";
 const wantsDark = matchMedia("(prefers-color-scheme: dark)");
 
-/** Returns the colour scheme stored in this browser. A file in a sandboxed frame may have no access to the storage. */
+/** Returns the colour scheme stored in this browser. A page in a sandboxed frame may have no access to the storage. */
 function keptScheme(): ColourScheme {
   try {
     return (localStorage.getItem(KEPT) as ColourScheme | null) ?? "auto";

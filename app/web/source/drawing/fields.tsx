@@ -1,4 +1,5 @@
-// Form fields: a choice, a check box, a text. The input is stored in a signal or passed to a callback.
+// Form fields: a list of choices, a check box and a text field. The input is stored in a signal or passed to a
+// callback.
 import type {Signal} from "@preact/signals";
 import type {ComponentChildren, ComponentProps} from "preact";
 import type {Choice} from "./segments";

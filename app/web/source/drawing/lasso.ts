@@ -1,4 +1,5 @@
-// Selection by a lasso: a loop drawn over a picture, and the points inside the loop. A click remains a click.
+// Selection by a lasso: a loop drawn over a picture, and the points inside the loop. A click without a drag remains a
+// click.
 
 export type Loop = [number, number][];
 
@@ -13,7 +14,7 @@ export function isInside(loop: readonly (readonly [number, number])[], x: number
   return inside;
 }
 
-/** Minimum extent of a loop [pixels]. */
+/** Distance from its start at which a drag becomes a loop [pixels]. */
 const LEAST = 6;
 const SVG = "http://www.w3.org/2000/svg";
 

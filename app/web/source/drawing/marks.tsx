@@ -16,10 +16,10 @@ interface Paths {
 }
 
 const made = new Map<string, Paths>();
-/** Maximum number of cached radii. Zooming changes the radius; a full cache is emptied. */
+/** Maximum number of cached shapes and radii. Zooming changes the radius; a full cache is emptied. */
 const MOST_MADE = 64;
 
-/** Returns the paths of a shape of radius r about the origin, cached for each radius. */
+/** Returns the paths of a shape of radius r about the origin, cached for each shape and radius. */
 function pathsOf(shape: Shape, r: number): Paths {
   const key = `${shape} ${r}`;
   const known = made.get(key);

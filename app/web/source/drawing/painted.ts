@@ -3,7 +3,8 @@ import type {RefObject} from "preact";
 import {useLayoutEffect} from "preact/hooks";
 
 /**
- * Paints whenever `inputs` change, including colours. Painting is synchronous, so that a print has the print colours.
+ * Calls `paint` whenever the size of the canvas or `inputs`, such as the colours, change. Painting is synchronous, so
+ * that a print has the print colours.
  */
 export function usePainted(
   canvas: RefObject<HTMLCanvasElement>,

@@ -1,4 +1,4 @@
-// uPlot in the page's style: fills its box, redrawn when colours change.
+// A uPlot chart in the page's style, which fills its box and is redrawn when its options, such as the colours, change.
 import {useLayoutEffect, useRef} from "preact/hooks";
 import uPlot from "uplot";
 import {TYPEFACE} from "./canvas";

@@ -3,8 +3,8 @@ import type {ComponentChildren} from "preact";
 import {MISSING} from "../../../drawing/numbers.js";
 
 /**
- * Content of a table. A cell is text, an element, or null for a missing value; `text` lists the columns without
- * numbers.
+ * Content of a table. A cell is text, an element, or null for a missing value; `text` lists the indices of the columns
+ * without numbers.
  */
 export interface TableProps {
   heads: readonly ComponentChildren[];

@@ -1,4 +1,4 @@
-// Windowing of long lists: the page contains only the visible rows, so that thousands of rows cost nothing.
+// Windowing of long lists: the page contains only the visible rows, so that thousands of rows do not slow it down.
 import {useSignal} from "@preact/signals";
 import type {RefObject} from "preact";
 import {useEffect} from "preact/hooks";

@@ -75,7 +75,7 @@ export function drawArrows(canvas: HTMLCanvasElement, look: ArrowsLook, colours:
   return shown;
 }
 
-/** Draws an error as a dot at the reading's position and an arrow, hollow before and full after, like the marks. */
+/** Draws an error as a dot at the reading's position and an arrow, whose head is hollow before and filled after. */
 function drawError(
   context: CanvasRenderingContext2D,
   at: [number, number],

@@ -34,8 +34,8 @@ interface MadePlot {
 }
 
 /**
- * Style of the plot: `most` is the upper end of an error scale shared with another plot; `brief` is for plots side by
- * side.
+ * Style of the plot: `most` is the upper end of an error scale shared with another plot; `isBrief` shortens the axis
+ * title of plots side by side.
  */
 interface PlotLook {
   colours: Palette;

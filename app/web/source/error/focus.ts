@@ -50,8 +50,8 @@ export const suggestedView = computed<View | null>(() => {
 });
 
 /**
- * Formula suggested if no known effect explains the error: an error of the joint whose errors follow the drawn variable
- * best.
+ * Formula suggested if no known effect explains the error: an error of one joint as a function of the drawn variable.
+ * The joint is the one whose equivalent error follows this variable best.
  */
 export const suggestedFormula = computed(() => {
   const errors = readingErrors.value,

@@ -1,4 +1,4 @@
-// The ladder: the fitted and held-out error of each model, down to the noise floor.
+// The ladder as bars: the fitted and held-out errors of each model, relative to the noise floor.
 import {signal} from "@preact/signals";
 import {cell} from "../server/workbench";
 import {keep, keptObject} from "../shell/kept";

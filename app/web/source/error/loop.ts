@@ -52,7 +52,7 @@ async function compareAtOnce(): Promise<void> {
   }
 }
 
-/** True if the readings can be changed: a change stops a running comparison, but no other job without a request. */
+/** True if the readings can be changed. A change stops a running comparison, but must not stop any other job. */
 export const areChangeable = computed(() => runningJobs.value.every((job) => job.kind === "compare"));
 
 /**

@@ -1,5 +1,5 @@
-// Pointing at readings in the plot: the point nearest to the pointer names its reading, a click moves the arm to the
-// reading's posture, and a lasso selects readings. Pointing does not redraw the plot.
+// Pointing at readings in the plot: the reading of the point nearest to the pointer is named, a click moves the arm to
+// the reading's posture, and a lasso selects readings. Pointing does not redraw the plot.
 import {useEffect, useRef} from "preact/hooks";
 import {effect as follow, signal, type Signal} from "@preact/signals";
 import type {RefObject} from "preact";
@@ -84,7 +84,7 @@ export function usePointing(box: RefObject<HTMLDivElement>, rows: PlotRow[] | nu
       if (moved < 5 && pointed.peek() !== "") showReading(pointed.peek());
     });
   }).current;
-  // A reading may be pointed at in this plot or in another picture.
+  // Follows the reading pointed at, in this plot or in another picture.
   useEffect(
     () =>
       follow(() => {
@@ -121,7 +121,7 @@ function paintPicked(plot: uPlot, rows: PlotRow[] | null): void {
   });
 }
 
-/** Returns the position of the reading's point in the first series. */
+/** Returns the position of the reading's point, in the first series that has one. */
 function placeOf(plot: uPlot, row: number, box: HTMLElement): Place {
   const value = plot.data[1][row] ?? plot.data[2]?.[row];
   if (!isNumber(value)) return null;

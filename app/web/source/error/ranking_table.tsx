@@ -1,4 +1,4 @@
-// Table of tried effects, most probable first. On paper, where there are no tooltips, their texts are printed.
+// Table of tried effects, most probable first. On paper, which has no tooltips, their contents are printed.
 import type {ComponentType} from "preact";
 import type {Barred} from "../../../drawing/ranking.js";
 import {IS_THERE, type rankingRows} from "../../../drawing/ranking.js";

@@ -45,8 +45,8 @@ function waysOf(check: ReadingCheck): string[] {
 }
 
 /**
- * The first mistake that must be settled before any verdict on the model, and that can be corrected; null if there is
- * none.
+ * The first suspected mistake that an assumption can correct, and that must be settled before any verdict on the model;
+ * null if there is none.
  */
 export const mistake = computed(() => {
   const checks = state.value?.measurements?.checks ?? [];
@@ -55,7 +55,8 @@ export const mistake = computed(() => {
 });
 
 /**
- * Corrects suspected mistakes in memory by assumptions and compares again. Without arguments, revokes all assumptions.
+ * Reads the readings again under assumptions that correct suspected mistakes, and compares again; their file is not
+ * changed. Without arguments, revokes all assumptions.
  */
 export async function assume(...ways: string[]): Promise<void> {
   const taken = () => post<WorkbenchState>("/api/measurements/assume", {assume: ways});

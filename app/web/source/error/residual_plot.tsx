@@ -84,7 +84,7 @@ interface ErrorPlotProps {
   view: View | null;
   /** Upper end of the error scale that this plot shares with the plot next to it; null for an own scale. */
   most: number | null;
-  /** Index of the plot if two explanations are side by side; -1 for a single plot. */
+  /** Index of the explanation in this plot if two explanations are side by side; -1 for a single plot. */
   index: number;
 }
 

@@ -90,8 +90,8 @@ function sizeExplained(reading: DiagnosedReading, index: number): number | null 
 }
 
 /**
- * Returns the error in sigmas, scaled by the ratio of sizes `to` / `from`, because it depends little on the error's
- * direction; undefined if unknown.
+ * Returns the error in sigmas, multiplied by the ratio of sizes `to` / `from`: sigma depends little on the error's
+ * direction. Undefined if unknown.
  */
 function scaledSigmas(sigmas: number | undefined, from: number | null, to: number | null): number | undefined {
   return sigmas === undefined || to === null || !(from! > 0) ? undefined : (sigmas * to) / from!;

@@ -1,5 +1,5 @@
-// Actions on readings selected in a picture or in the table: set aside, hold out, compute the ladder again, and undo of
-// the last action.
+// Actions on readings selected in a picture or in the table: set aside, hold out, fit again, and undo of the last
+// action.
 import {plural} from "../../../drawing/numbers.js";
 import {selectedReadings} from "./linked";
 import {areChangeable} from "./loop";

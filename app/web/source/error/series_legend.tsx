@@ -8,7 +8,7 @@ interface SeriesLegendProps {
   errors: ErrorPair | null;
   /** True if the series are explained above, so that the legend names only "before" and "after". */
   isBrief?: boolean;
-  /** Number of readings drawn. */
+  /** Approximate largest number of readings drawn. */
   most: number;
   children?: ComponentChildren;
 }

@@ -6,8 +6,8 @@ import {RunSheetPanel} from "./run_sheet_panel";
 import type {DiagnoseDocument} from "../server/documents";
 
 /**
- * Proposals of a diagnosis to distinguish explanations, the run sheet in progress, and the results of the readings
- * taken since.
+ * Proposals of a diagnosis to distinguish explanations, the run sheet in progress, and how the probabilities have
+ * changed with the readings taken since.
  */
 export function Splitting({document}: {document: DiagnoseDocument | null}) {
   return (

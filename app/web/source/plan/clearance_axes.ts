@@ -1,5 +1,5 @@
-// Common parts of plots of the clearance over the time of a motion: a root scale, because values near zero matter, and
-// the required clearance as a line.
+// Common parts of plots of the clearance over the time of a motion: a square-root scale, because values near zero
+// matter, and the required clearance as a line.
 import uPlot from "uplot";
 import {exact} from "../../../drawing/numbers.js";
 import {rootTicks} from "../../../drawing/scales.js";
@@ -41,7 +41,7 @@ export function paintRequired(plot: uPlot, required: number | null, unit: string
   ctx.restore();
 }
 
-/** Paints a text in the context's colour, on a background that separates it from the lines. */
+/** Paints a label in the context's colour, with an outline that separates it from the lines. */
 export function paintWords({ctx}: uPlot, words: string, x: number, y: number, colours: Palette): void {
   ctx.font = `${11 * uPlot.pxRatio}px ${TYPEFACE}`;
   ctx.strokeStyle = colours.panel;

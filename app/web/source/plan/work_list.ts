@@ -42,7 +42,7 @@ export async function seemsToBeList(table: TableText): Promise<boolean> {
     const {states} = await post<ListColumnsDocument>(COLUMNS, {tables: [table]});
     return states === "tubes" || (states === "neither" && view.value === "plan");
   } catch {
-    return false; // not a table: the error from reading it as readings gives the reason
+    return false; // not a table; reading it as readings will report the reason
   }
 }
 
@@ -55,7 +55,7 @@ export async function openList(list: TableText): Promise<void> {
   }
 }
 
-/** Asks for the meanings of the columns, unless all headings are understood, so that the refusal has another reason. */
+/** Asks for the meanings of the columns, unless all headings are understood and the refusal has another reason. */
 async function askAfter(list: TableText, refused: unknown): Promise<void> {
   try {
     const document = await post<ListColumnsDocument>(COLUMNS, {tables: [list]});

@@ -1,4 +1,4 @@
-// Button that opens a work list from a file, with the number of selected tubes that have an own dwell time.
+// Button that opens a work list from a file, and the number of selected tubes with a dwell time of their own.
 import {plural} from "../../../drawing/numbers.js";
 import {openList} from "./work_list";
 import {staysOfSelection} from "../shell/page_state";

@@ -1,4 +1,4 @@
-// Parts of reports: leads, cards, tables, legends, and texts for missing values.
+// Parts of reports: leads, cards, tables, legends, and notes on missing values.
 import type {ComponentChildren} from "preact";
 import {Icon} from "../drawing/icons";
 import {MarkIcon, type Mark} from "../drawing/marks";

@@ -1,4 +1,4 @@
-// Stacked bars of fractions; each part has the mark and the count of its case.
+// Stacked bars of fractions; each part has the mark and the count of its number of steps.
 import {plural, whole} from "../../../drawing/numbers.js";
 import {stepMark} from "../../../drawing/steps.js";
 import {MarkIcon} from "../drawing/marks";

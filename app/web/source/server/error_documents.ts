@@ -238,8 +238,8 @@ export interface ConfoundingDocument {
 }
 
 /**
- * Leverage of joints and axes on the tip at each reading: three numbers for each name. Also the positions of base and
- * tool.
+ * Leverage of joints and axes on the tip at each reading: three numbers for each name. Also the origin and the axis of
+ * the base, and the axes of the tool.
  */
 export interface LeverageDocument {
   units: string[];
@@ -250,7 +250,7 @@ export interface LeverageDocument {
   readings: Record<string, number[]>;
 }
 
-/** Moments about the rows of the undeflected arm, keyed by reading id. */
+/** Moments about the axes of the rows of the undeflected arm, keyed by reading id. */
 export interface MomentsDocument {
   unit: string;
   names: string[];

@@ -23,7 +23,7 @@ function withoutAlternatives(text: string): string {
     .replace(/[,;] (as )?(`[^`]*--[^`]*`|--[a-z]).*?(?=[,;]|: |$)/g, "");
 }
 
-/** Returns the text without such alternatives; other options and request keys are reduced to their bare names. */
+/** Returns the text without alternatives that only commands have; options and request keys become bare names. */
 export function pageWords(text: string): string {
   return withoutAlternatives(text)
     .replace(/^request \(([\w-]+)\)/, "$1")

@@ -135,7 +135,7 @@ let nextNotice = 1;
 
 export function report(title: string, error: unknown): void {
   const problem = error instanceof Error ? asProblem(error) : (error as Problem);
-  notices.value = [...notices.peek().slice(-2), {id: nextNotice++, title, problem}]; // peek(): effects call report()
+  notices.value = [...notices.peek().slice(-2), {id: nextNotice++, title, problem}]; // peek() adds no dependency
 }
 
 export function dismiss(id: number): void {

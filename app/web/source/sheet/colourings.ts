@@ -57,8 +57,8 @@ export function byReach(sheet: SheetModel, reach: ReachDocument): Colouring {
 }
 
 /**
- * Returns the colouring by the number of steps that enter the planned tubes, as predicted or against the true arm in a
- * compensation mode.
+ * Returns the colouring by the number of steps that enter the planned tubes, as predicted, or as scored with the true
+ * arm in a compensation mode.
  */
 export function bySteps(sheet: SheetModel, plan: PlanDocument, mode: string): Colouring {
   const inserted = stepKinds(plan);

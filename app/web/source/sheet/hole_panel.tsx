@@ -1,4 +1,4 @@
-// Data of the hole pointed at, and the posture that brings the tool under it.
+// Data of the picked hole, and the posture that brings the tool under it.
 import {Figures, Panel} from "../drawing/panel";
 import {fixed, jointDecimals, lengthFigure} from "../../../drawing/numbers.js";
 import type {InverseDocument} from "../server/documents";

@@ -10,7 +10,7 @@ export function fit(extent: Extent, size: Size): Camera {
   return fitted(extent, size, MARGIN);
 }
 
-/** Returns the camera zoomed by a factor; the point under a pixel stays fixed. */
+/** Returns the camera zoomed by a factor; the point under the pixel (x, y) stays fixed. */
 export function zoomed(
   camera: Camera,
   size: Size,

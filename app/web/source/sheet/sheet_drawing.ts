@@ -112,7 +112,7 @@ export class SheetDrawing {
     }
     this.drawOver(colours);
     this.parts = {ground: false, holes: false, over: false};
-    performance.clearMeasures("sheet"); // observers receive every measure, so none is stored
+    performance.clearMeasures("sheet"); // observers have received it, so the last measure need not be stored
     performance.measure("sheet", {start});
   }
 
@@ -133,7 +133,7 @@ export class SheetDrawing {
   private drawSelection(colours: Palette): void {
     const {selection, sheet} = this.props;
     if (!selection || selection.size === 0) return;
-    // The radius is between that of the hole's mark, whose shape must stay visible, and that of the neighbouring marks.
+    // The ring leaves the shape of the hole's own mark visible, and stays clear of the neighbouring marks.
     const mark = sheet.holeRadius * this.camera.scale;
     const r = Math.max(3.2, 1.22 * mark, 0.47 * sheet.pitch * this.camera.scale);
     this.over.strokeStyle = colours.accent;

@@ -95,7 +95,7 @@ class SheetPointers {
     if (this.drawing.props.isInText && !event.ctrlKey) return;
     event.preventDefault();
     this.tip.value = null;
-    const step = event.deltaMode === 1 ? 0.05 : 0.0016; // wheel steps in lines or in pixels
+    const step = event.deltaMode === 1 ? 0.05 : 0.0016; // the wheel reports lines or pixels
     this.drawing.zoom(...this.placeOf(event), Math.exp(-event.deltaY * step));
   }
 

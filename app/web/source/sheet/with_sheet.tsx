@@ -1,4 +1,4 @@
-// Common parts of views that show the tube sheet: a text if the cell has no sheet, and a panel with the sheet picture.
+// Common parts of views that show the tube sheet: a note if the cell has no sheet, and a panel with the sheet picture.
 import type {ComponentChildren} from "preact";
 import {cell, sheetDocument, units} from "../server/workbench";
 import {sheet} from "../shell/page_state";

@@ -49,7 +49,7 @@ export function guessed(document: ColumnsDocument): ColumnChoice[][] {
   return choices;
 }
 
-/** Returns texts that state what prevents accepting the tables; empty if nothing does. */
+/** Returns phrases for what the choices lack or have twice; empty if the tables can be accepted. */
 export function missingOf(document: ColumnsDocument, choices: ColumnChoice[][]): string[] {
   const chosen = choices.flat().filter((choice) => choice.quantity !== "");
   const words: string[] = [];

@@ -57,7 +57,7 @@ const foreign = signal<Foreign | null>(null);
 const problem = signal<Problem | null>(null);
 const sigma = signal("");
 
-/** Opens the dialog if the texts are tables; otherwise throws the reason. */
+/** Opens the dialog if the files hold tables; otherwise throws the reason. */
 export async function askForColumns(tables: TableText[], use: ColumnsUse): Promise<void> {
   const document = await post<ColumnsDocument>(use.address, {tables});
   foreign.value = {use, tables, document, choices: rememberedChoices(document) ?? guessed(document), options: {}};

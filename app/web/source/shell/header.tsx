@@ -71,7 +71,7 @@ function SchemeSwitch() {
   );
 }
 
-/** Returns a text such as ", 68 set aside, 4 held out". */
+/** Returns a phrase such as ", 68 set aside, 4 held out". */
 function asideText({set_aside, held_out}: ReadingsInfo): string {
   return `${set_aside > 0 ? `, ${whole(set_aside)} set aside` : ""}${held_out > 0 ? `, ${whole(held_out)} held out` : ""}`;
 }

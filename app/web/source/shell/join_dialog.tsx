@@ -1,4 +1,4 @@
-// Dialog for new readings, which are added to the open readings or replace the open readings.
+// Dialog for new readings, which are added to the open readings or replace them.
 import {plural} from "../../../drawing/numbers.js";
 import {state} from "../server/workbench";
 import {Dialog} from "./dialog";

@@ -39,7 +39,7 @@ function idsOf(text: string): string[] | null {
 }
 
 /**
- * Returns true if readings are loaded and the texts are measurement tables with new ids only, which may be added to the
+ * Returns true if readings are loaded and the files are measurement tables with new ids only, which may be added to the
  * loaded readings or replace them.
  */
 async function haveOthers(texts: string[]): Promise<boolean> {

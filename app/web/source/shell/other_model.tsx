@@ -1,4 +1,4 @@
-// Note that a result was computed for another model than the present one.
+// Notice of a result that was computed for another model than the present one.
 import {MarkIcon} from "../drawing/marks";
 import {otherModelOf} from "../server/workbench";
 

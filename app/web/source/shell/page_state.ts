@@ -1,4 +1,5 @@
-// State of this browser only: the view, the hole pointed at, the selected holes, dialogs. It survives a reload.
+// State of this browser only: the view, the picked hole, the selected holes and their dwell times, dialogs. The view,
+// the selection and the dwell times survive a reload.
 import {computed, effect, signal} from "@preact/signals";
 import {sheetDocument, state} from "../server/workbench";
 import {toggled} from "../drawing/fields";
@@ -30,7 +31,7 @@ effect(() => {
 export type DialogName = "open" | "keys" | "practice" | "save" | "unsaved" | "columns" | "join";
 export const dialog = signal<"" | DialogName>("");
 
-/** Closes the dialog of this name. Another dialog stays open, because a browser reports a closing only later. */
+/** Closes the dialog of this name, not one opened since then: a browser reports a closing with a delay. */
 export function closeDialog(name: DialogName): void {
   if (dialog.value === name) dialog.value = "";
 }
@@ -64,7 +65,7 @@ export const selection = signal<ReadonlySet<number>>(new Set(keptList(KEPT).filt
 export const stays = signal<ReadonlyMap<number, number>>(new Map(keptList(KEPT_STAYS).filter(isStay)));
 export const picked = signal(-1);
 
-/** Dwell times of the selected holes that have an own dwell time, in the form for the server. */
+/** Dwell times of those selected holes that have one, in the form for the server. */
 export const staysOfSelection = computed(() =>
   Object.fromEntries([...stays.value].filter(([hole]) => selection.value.has(hole))),
 );

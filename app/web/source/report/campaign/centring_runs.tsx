@@ -20,7 +20,7 @@ import {type Estimate, Estimates, lookOf, LOOKS} from "./estimates";
 
 type Choices = readonly (readonly [string, string])[];
 
-/** Returns the names and texts of the compensation modes, compensated first. */
+/** Returns the names and labels of the compensation modes, compensated first. */
 function waysOf(report: Report): Choices {
   return list(report.ways)
     .map(({name, words}) => [textOf(name), textOf(words, textOf(name))] as const)

@@ -1,4 +1,4 @@
-// A plot in a report, drawn as in the workbench, with a text about the point under the pointer next to it.
+// A plot in a report, drawn as in the workbench, with text about the point under the pointer next to it.
 import {useMemo, useRef} from "preact/hooks";
 import type uPlot from "uplot";
 import {nearestPlace} from "../../../../drawing/frames.js";
@@ -15,7 +15,7 @@ import {conditionsText, readingName} from "./pairs";
 /** Maximum distance from the pointer to a point that counts as pointing at it [pixels]. */
 const NEAR = 12;
 
-/** Plot with a text; `tell` returns the lines about a row of the data. */
+/** Plot with text about the point under the pointer; `tell` returns the lines of the text for a row of the data. */
 export function PlotBox({tell, class: name = "", ...plot}: PlotProps & {tell: (row: number) => Lines; class?: string}) {
   const held = useRef<uPlot | null>(null);
   const find = (event: PointerEvent) => {

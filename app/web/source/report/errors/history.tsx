@@ -13,7 +13,7 @@ import {modelCells, modelHeads} from "./ladder";
 import {LawSection} from "./law";
 import {conditionsText, sizeOf} from "./pairs";
 
-/** Shows patterns, given as texts or as {name | of | with, sentence | text, p_value, share | correlation}. */
+/** Shows patterns, given as strings or as {name | of | with, sentence | text, p_value, share | correlation}. */
 export function PatternsSection({report}: OfReport) {
   if (!Array.isArray(report.patterns)) return <Missing what="What the errors depend on" />;
   if (report.patterns.length === 0) return <p>The errors depend on nothing recorded in the readings.</p>;

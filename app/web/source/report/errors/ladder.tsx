@@ -1,4 +1,5 @@
-// The error of each model above the noise floor: as bars, as a table, and as the numbers of tool steps that enter.
+// The errors of the models, with the noise floor, as bars and as a table; and the numbers of tool steps that would
+// enter with each model.
 import {errorUnit} from "../../../../drawing/error_budget.js";
 import {comparedModels, errorOf, LADDER_WORDS} from "../../../../drawing/ladder.js";
 import {isNumber, percent, plural, pValue, short, whole} from "../../../../drawing/numbers.js";

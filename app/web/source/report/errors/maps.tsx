@@ -89,8 +89,8 @@ function tellErrors(report: Report, errors: ErrorPair, index: number): Lines {
 }
 
 /**
- * Kinds of variables that are omitted here: quantities that follow from the joints, and positions, which have separate
- * maps.
+ * Kinds of variables that are omitted here: moments, which follow from the joints, positions, which have separate maps,
+ * and the labels and order of the readings.
  */
 const ELSEWHERE = ["moment", "position", "set-up", "point", "order"];
 

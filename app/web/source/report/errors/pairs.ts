@@ -112,7 +112,7 @@ export function readingName(reading: Report | undefined): string {
   return `reading ${textOf(reading?.id)}`;
 }
 
-/** Returns a text such as "theta1 −53.1, theta2 75.7; load 20 lbf". */
+/** Returns a description such as "theta1 −53.1, theta2 75.7; load 20 lbf". */
 export function conditionsText(report: Report, reading: Report): string {
   const joints = jointNames(report, reading),
     rows = conditionsOf(reading, joints, object(report.units) ?? {});

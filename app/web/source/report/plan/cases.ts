@@ -1,4 +1,4 @@
-// Number of tool steps that enter each tube, without compensation and with it. The texts come from the report.
+// Number of tool steps that enter each tube, without compensation and with it. The wording comes from the report.
 import {isNumber, probability, short} from "../../../../drawing/numbers.js";
 import {stepCountOf, stepsAtError, stepText} from "../../../../drawing/steps.js";
 import {visitText} from "../../../../drawing/visits.js";
@@ -50,7 +50,7 @@ function knownSteps(error: unknown, steps: unknown): number | null {
   return stepsAtError(error, tolerances);
 }
 
-/** Returns the number of steps that enter a tube in one mode against the true arm; null if the tube was not scored. */
+/** Returns the number of steps that enter a tube with the true arm in one mode; null if the tube was not scored. */
 function scoredCase(tube: Report, mode: string, steps: unknown): number | null {
   const score = object(tube[mode]);
   if (!score) return null;
@@ -75,7 +75,7 @@ export function countsOf(report: Report, mode: string): number[] | null {
 }
 
 /**
- * Returns a text such as "against the true arm all three steps enter in 41 of 60 tubes with via-point compensation, 0
+ * Returns a phrase such as "against the true arm all three steps enter in 41 of 60 tubes with via-point compensation, 0
  * without"; null if unknown.
  */
 export function wholeToolText(report: Report): string | null {
@@ -109,7 +109,7 @@ export function largestError(errors: readonly CentringError[]): number {
   return errors.reduce((most, {dx, dy}) => Math.max(most, Math.hypot(dx, dy)), 0);
 }
 
-/** Returns a text such as "visit 7 of 60"; the tubes are listed in visiting order. */
+/** Returns a phrase such as "visit 7 of 60"; the tubes are listed in visiting order. */
 export function visitOf(report: Report, tube: Report): string {
   const tubes = list(report.tubes);
   return visitText(tubes.indexOf(tube), tubes.length);

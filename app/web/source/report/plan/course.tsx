@@ -58,8 +58,8 @@ function StepTable({report, rows}: {rows: readonly {name: string; counts: number
 }
 
 /**
- * Returns the range of centring errors of a case: above the first tolerance if no step enters, otherwise up to the
- * tolerance of the last step that enters.
+ * Returns the range of centring errors with which this number of steps enters: above the first tolerance if no step
+ * enters, otherwise up to the tolerance of the last step that enters.
  */
 function errorRange(tolerances: readonly number[], steps: number): string {
   if (steps > tolerances.length || tolerances.length === 0) return "";

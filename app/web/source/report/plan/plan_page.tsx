@@ -38,7 +38,8 @@ export const PLAN_PAGE: PageKind = {
 };
 
 /**
- * Returns a text such as "60 tubes visited in 9 min 12 s of travel; against the true arm ...; least clearance 0.25 in."
+ * Returns a sentence such as "60 tubes visited in 9 min 12 s of travel; against the true arm ...; least clearance 0.25
+ * in."
  */
 function headSentence(report: Report): string {
   const time = object(report.times)?.travel_time_s,

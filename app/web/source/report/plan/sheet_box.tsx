@@ -1,4 +1,4 @@
-// The sheet in a report: the workbench's sheet picture within a text, with paintings of a section over the holes.
+// The sheet in a report: the workbench's sheet picture within the text, with what a section paints over the holes.
 import {useCallback, useMemo} from "preact/hooks";
 import {drawArrow} from "../../../../drawing/arrows.js";
 import {distance, toPixel, type Camera, type Size} from "../../../../drawing/frames.js";
@@ -67,8 +67,8 @@ export function stateGroups(sheet: SheetModel): {name: string; mark: Mark; count
 }
 
 /**
- * What a section needs to paint over the sheet: `at` maps a position on the sheet to pixels; `scale` is the number of
- * pixels per unit of length.
+ * Canvas on which a section paints over the sheet: `at` maps a position on the sheet to pixels; `scale` is the number
+ * of pixels per unit of length.
  */
 export interface Painter {
   context: CanvasRenderingContext2D;
@@ -172,7 +172,7 @@ export function paintArrow(
   drawArrow(context, from[0], from[1], to[0] - from[0], to[1] - from[1], false, 5 + width);
 }
 
-/** Paints a short text next to a point in pixels, on a background. */
+/** Paints a short label next to a point in pixels, on a background. */
 export function paintTag({context, size, colours}: Painter, text: string, [x, y]: Place, isStrong = false): void {
   context.font = isStrong ? `bold ${FONT}` : FONT;
   const wide = context.measureText(text).width;

@@ -18,7 +18,7 @@ export function TouchesSection({report}: OfReport) {
     distances = list(report.distances),
     calibration = object(report.calibration);
   if (touches.length === 0 && distances.length === 0 && !calibration) return <Missing what="The calibration touches" />;
-  // The report stores other results of the fit separately from the touches.
+  // Joins the touches with the other results of the fit, which the report stores separately.
   const document = {residuals: touches, distances, sigma: calibration?.base_sigma, ...calibration} as CalibrateDocument;
   const placed = touches.filter(({x, y}) => isNumber(x) && isNumber(y));
   return (

@@ -147,8 +147,7 @@ function paintTrace(painter: Painter, {trace, lengths, total}: Tour): void {
 }
 
 /**
- * Returns a colour from blue to orange through a light or dark grey-violet; its ends are distinguishable with colour
- * blindness.
+ * Returns a colour from blue to orange through a grey violet; its ends are distinguishable with colour blindness.
  */
 function tourColour(part: number): string {
   const stops = [
