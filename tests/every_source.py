@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""every_source.py FOLDER: fails if a C++ source of the tree is named in no CMakeLists.txt, so no target compiles it."""
+"""every_source.py FOLDER: fails if a C++ source of the tree is named in no CMakeLists.txt, that is, never built."""
 import re
 import sys
 from pathlib import Path

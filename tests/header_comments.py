@@ -14,7 +14,7 @@ with tempfile.TemporaryDirectory() as folder:
     if not pathlib.Path(folder, "xml/index.xml").exists():
         sys.exit(run.stderr or "doxygen has written no index")
 
-# Doxygen reads an inline function once per file that includes it: each warning is printed once.
+# Doxygen reads an inline function once per file that includes it, so equal warnings are printed only once.
 for line in sorted(set(run.stderr.splitlines())):
     print(re.sub(r"^" + re.escape(f"{ROOT.resolve()}/"), "", line))
 sys.exit(run.returncode)

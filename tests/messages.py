@@ -4,9 +4,9 @@ reviewed in the form that a user reads. `--write` renews the file.
 
 Every construction of InputError, of a class derived from it, and InputError::saying is one line, as it would be
 printed, below the path of its file. Literals are copied, and other expressions are shown as `<expression>`. Constants
-and local variables that hold a text are replaced by the text. Both sides of a choice `a ? b : c` have separate lines.
-Functions that receive the text as an argument, such as YamlNode::fail, have a line for each call, below the path of the
-caller.
+and local variables that hold a string are replaced by the string. Both sides of a choice `a ? b : c` have separate
+lines. Functions that receive the text as an argument, such as YamlNode::fail, have a line for each call, below the path
+of the caller.
 """
 import bisect
 import difflib
@@ -31,12 +31,12 @@ NAME = re.compile(r'[A-Za-z_]\w*')
 FIELD = re.compile(r'\{\{|\}\}|\{(\d*)(?::(?:[^{}]|\{\d*\})*)?\}')
 ESCAPE = re.compile(r'\\(.)', re.DOTALL)
 CONSTANT = re.compile(r'\b(?:char\s*\*\s*(?:const\s+)?|std::string(?:_view)?\s+|char\s+)(k[A-Z]\w*)(?:\[\])?\s*(=|\{)')
-# A parameter with its type, which no expression matches; and a parameter of a text type.
+# Patterns of a parameter with its type, which no expression matches, and of a parameter that holds a string.
 PARAMETER = re.compile(r'(?:const )?[\w:]+(?:<.*>)?(?: ?[&*]+ ?| )(\w+)(?: = .*)?', re.DOTALL)
 OF_TEXT = re.compile(r'(?:const )?(?:std::string(?:_view)?|char) ?[&*]* ?(\w+)(?: = .*)?')
 STATEMENTS = {'if', 'for', 'while', 'switch', 'catch', 'return'}
 OPENING, CLOSING = '([{', ')]}'
-# Calls whose text is the text of their argument, and the characters that they add around it.
+# Calls that print as their argument does, with the characters that they add around it.
 TRANSPARENT = {'std::string': '{}', 'std::string_view': '{}', 'std::move': '{}', 'fmt::runtime': '{}', 'fmt::join': '{}',
                'std::to_string': '{}', 'nameInLine': '{}', 'inQuotes': "'{}'"}
 
@@ -105,7 +105,7 @@ def is_sample(text):
 
 
 def constants_of(text):
-    """Returns the constants that hold a text, keyed by name."""
+    """Returns the constants that hold a string, keyed by name."""
     return {found[1]: split(text[found.end():end_of(text, found.end() - 1) - 1], ';')[0][1] if found[2] == '{'
             else split(text[found.end():found.end() + 4000], ';')[0][1] for found in CONSTANT.finditer(text)}
 

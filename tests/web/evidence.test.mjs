@@ -43,7 +43,7 @@ const opensOn = (tab, wanted) =>
     timeout: 10000,
   });
 
-// The test app/web/tests/opening.test.ts opens every effect of the catalogue.
+// Only two effects are tried here; app/web/tests/opening.test.ts tries every effect of the catalogue.
 const FOUND = [
   ["hysteresis@theta4:0.06deg", "theta4_dir", "as theta4"],
   ["base-slip@base:x=0.08,y=0.05,time=90", "time", ""],
@@ -87,7 +87,7 @@ describe("joint by joint", () => {
     await tab.click(".joint-panel.loud");
     await opensOn(tab, "theta4_dir");
     assert.equal(await part(tab), "as theta4");
-    // After the addition no panel is framed any more.
+    // After the effect is added, no panel must be framed any more.
     await diagnosed(tab);
     await tab.click(".next:has-text('Add')");
     await tab.waitForSelector(".joint-panel.loud", {state: "detached", timeout: 60000});
@@ -221,7 +221,7 @@ describe("a reading", () => {
     await tab.mouse.move(...first);
     await tab.mouse.down();
     await tab.mouse.move(...second, {steps: 4});
-    assert.equal(await ended(server, (await ask(server, "ladder", {})).body.id), "done"); // a lasso is in progress
+    assert.equal(await ended(server, (await ask(server, "ladder", {})).body.id), "done"); // during a lasso
     await tab.waitForFunction(() => !document.querySelector(".job"));
     for (const corner of [third, last, first]) await tab.mouse.move(...corner, {steps: 4});
     await tab.mouse.up();
@@ -284,7 +284,7 @@ describe("a reading", () => {
     await tab.focus(".reading-rows");
     await tab.keyboard.press("Control+a");
     await tab.waitForSelector(`.selection-bar >> text=${left} readings selected`);
-    await tab.keyboard.press("?"); // Esc closes only the topmost dialog
+    await tab.keyboard.press("?"); // Esc must close only this help
     await tab.waitForSelector("dialog[open] kbd");
     await tab.keyboard.press("Escape");
     await tab.waitForSelector("dialog[open]", {state: "detached"});

@@ -16,7 +16,7 @@ const asked = process.argv.slice(2);
 const idle = (tab) => tab.waitForFunction(() => !document.querySelector(".job"), null, LIMIT);
 const variable = (tab) => tab.locator("select[aria-label='Variable']").inputValue();
 
-/** Returns the card of the hidden effect; the first card if the effect has none. */
+/** Returns the index of the card of the hidden effect; 0 if the effect has none. */
 async function cardOf(tab, name) {
   const titles = await tab.locator(".explanation-words > b").allInnerTexts();
   const words = name.replace("@", " at ");

@@ -31,7 +31,7 @@ function runTests(name, body, environment) {
      ${body}`,
   );
   const env = {...process.env, ...environment};
-  delete env.NODE_TEST_CONTEXT; // a separate test run, not a subtest of the current run
+  delete env.NODE_TEST_CONTEXT; // makes it a separate test run, not a subtest of the current run
   return new Promise((resolve) => {
     const start = Date.now();
     const child = spawn(process.execPath, ["--test", file], {env});

@@ -51,7 +51,7 @@ describe("encoders of a running arm", () => {
     }
     assert.deepEqual(answer.body.tip, await shows(tab, server, joints(59), 20));
     assert.ok((await changes(tab)) > 2, "the read-out stood until the last posture");
-    // The switch is present as long as the arm sends data.
+    // The switch is shown only while the arm sends data.
     await ask(server, "live/encoders", {joints: joints(59), load: 20});
     await tab.waitForSelector("input[aria-label='Follow the running arm']:checked");
     await tab.focus(".slider input[type=range] >> nth=0");

@@ -96,7 +96,7 @@ describe("the loop", () => {
     const tab = await openTab(browser, `${own.address}#error`);
     await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {timeout: 120000});
     await tab.dispatchEvent(".next", "click");
-    await tab.evaluate(() => document.querySelector(".next").click()); // a double click
+    await tab.evaluate(() => document.querySelector(".next").click()); // the second click of a double click
     await tab.waitForSelector(".job >> text=/catalogue|effects/", {timeout: 60000});
     assert.equal(await tab.locator(".notice").count(), 0);
     const start = Date.now();
@@ -232,7 +232,7 @@ describe("the catalogue", () => {
     await tab.focus(".effect-list [aria-selected=true]");
     await tab.keyboard.press("ArrowDown");
     await tab.waitForSelector(".effects-view h2 >> text=tool-weight");
-    // Confounding of effects with a single parameter each is mutual.
+    // Confounding must be mutual between effects with a single parameter each.
     const {causes} = (await ask(server, "confounding")).body;
     const confoundingOf = (effect, at) => causes.find((cause) => cause.effect === effect && cause.at === at).confounded;
     const has = (list, effect, at) => list.some((other) => other.effect === effect && other.at === at);

@@ -1,5 +1,5 @@
-// Tests with sixty tubes of the mock-up: touched, calibrated, planned, played and exported as files; a job is stopped
-// meanwhile.
+// Tests of a session with the mock-up: holes are touched, the base is calibrated, sixty tubes are planned, the plan is
+// played and exported, and a job is stopped.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import path from "node:path";

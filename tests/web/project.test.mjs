@@ -131,7 +131,7 @@ describe("the work", () => {
       await dying;
       const next = await serve(made.folder, "bench.yaml", [], state);
       const now = await stateOf(next);
-      // The program may have made one change without its answer arriving.
+      // The program may have made one change whose answer did not arrive.
       const more = now.revision - answered.revision;
       assert.ok(more === 0 || more === 1, `revision ${now.revision} after ${answered.revision} was answered`);
       assert.equal(now.models.length, answered.models.length);
@@ -181,7 +181,7 @@ describe("the report of a project", () => {
     assert.match(facts.get("Report made"), /^\d{4}-\d\d-\d\d \d\d:\d\d UTC$/);
     assert.equal(facts.get("Readings in use"), "59");
 
-    // Each command line is checked argument by argument, together with the results that it reproduces.
+    // Each command line is run, and must reproduce the results of the report.
     const told = report.commands.map((line) => line.split(" "));
     assert.equal(told[0][1], "report");
     const figures = told.slice(1).map((words) => {

@@ -40,7 +40,7 @@ async function opened(name, unrecorded = []) {
   assert.deepEqual(tab.errors, []);
   assert.deepEqual(asked, []);
   assert.deepEqual(await tab.locator(".missing").allInnerTexts(), unrecorded);
-  // At least two canvas pixels per pixel of the page are sharp on paper.
+  // Canvases must have about two pixels per page pixel or more, so that they are sharp on paper.
   const ratios = await tab.evaluate(() =>
     [...document.querySelectorAll("canvas")].map(({width, clientWidth}) => width / (clientWidth || width)),
   );

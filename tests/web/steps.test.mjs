@@ -56,7 +56,7 @@ describe("the models as steps", () => {
     await tab.waitForFunction(() => document.querySelectorAll(".model-panel ol button").length === 5, null, LIMIT);
     await idle(tab);
     assert.equal(await tab.locator(".model-panel input:checked").count(), fitted);
-    // Esc closes only the topmost panel.
+    // Esc must close the panel, with or without the focus in it, and so must a click elsewhere.
     await tab.focus(".model-panel input >> nth=0");
     await tab.keyboard.press("Escape");
     await tab.waitForSelector(".model-panel", {state: "hidden"});
@@ -309,7 +309,7 @@ describe("the sheet", () => {
     await tab.click("text=Work out the sag", LIMIT);
     await tab.waitForSelector(".before-after >> text=after", LIMIT);
     await tab.waitForFunction(() => !document.querySelector(".to-compute"), null, LIMIT);
-    await tab.click(".before-after >> text=before"); // computed automatically
+    await tab.click(".before-after >> text=before"); // the missing field is computed automatically
     await tab.waitForSelector(".before-after .muted >> text=as given");
     await tab.waitForFunction(
       () => !document.querySelector(".to-compute") && !document.querySelector(".job"),

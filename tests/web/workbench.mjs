@@ -19,7 +19,7 @@ export const page = process.env.TUBEPLAN_PAGE ?? "";
 const slowness = Number(process.env.TUBEPLAN_SLOWNESS ?? 1);
 /** Maximum delay of each request and each answer [ms], so that events overtake requests and answers. */
 const jitter = Number(process.env.TUBEPLAN_JITTER ?? 0);
-// Limits [ms], short enough that a failed start is reported within seconds.
+// Time limits [ms]; a failed start is reported within seconds.
 const SIMULATE_LIMIT = 120_000;
 const START_LIMIT = 20_000;
 const ANSWER_LIMIT = 20_000;

@@ -1,4 +1,4 @@
-// The rules by which the workbench accepts or refuses HTTP requests.
+// Tests of the rules by which the workbench accepts or refuses HTTP requests.
 #include "app/workbench/door.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The rules of access over a real socket: a refused request stays refused, whatever follows on the connection.
+// Tests of the access rules over a real socket: a refused request stays refused, whatever follows on the connection.
 #include "tests/app/workbench/raw_connection.hpp"
 #include "tests/app/workbench/running_server.hpp"
 
@@ -13,7 +13,7 @@ class HttpDoor : public WorkbenchTest {
     return socket;
   }
 
-  /// Returns what the server answers to these bytes until the server closes the connection.
+  /// Returns all that the server sends in answer to these bytes until it closes the connection.
   [[nodiscard]] std::string said(const std::string& bytes) const { return saidTo(server->port(), bytes); }
   [[nodiscard]] std::string host() const { return "Host: 127.0.0.1:" + std::to_string(server->port()) + "\r\n"; }
 };

@@ -1,5 +1,5 @@
-// Data sent by a running arm: postures are answered at once and not stored, readings join the loaded readings, and
-// readings are held out.
+// Tests of data sent by a running arm: postures are answered at once and not stored, and readings join the loaded
+// readings. Readings can also be held out of fits.
 #include "app/workbench/live.hpp"
 
 #include <fmt/format.h>
@@ -159,7 +159,7 @@ TEST_F(LiveTest, WhatCannotBeReadTogetherJoinsAsItIs) {
   EXPECT_NE(known->source, nullptr);
   readings.resize(1);
   readings.front().id = "3";
-  readings.front().q[0] = 100;  // far beyond the joint limits: refused in a file
+  readings.front().q[0] = 100;  // far beyond the joint limits, so a file with this reading would be refused
   const auto joined = joinedSet(known.get(), readings, cell);
   EXPECT_EQ(joined->readings.size(), 3u);
   EXPECT_EQ(joined->source, nullptr);

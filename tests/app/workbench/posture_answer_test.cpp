@@ -1,4 +1,4 @@
-// The page shows the figures of a posture that a plan uses.
+// The page shows the same clearance of a posture as a plan uses.
 #include "app/workbench/posture_answer.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace tubeplan::app {
 namespace {
 
-// Backlash lets a joint jump; the resulting motion reduces the margin, in a plan and on the page.
+// Backlash lets a joint jump, which reduces the margin: on the page by as much as in a plan.
 TEST(PostureAnswer, TheMarginIsThatOfAPlan) {
   Cell cell = readCell(TUBEPLAN_SOURCE_DIR "/app/cells/mockup.yaml");
   const double without = clearanceOf(*makeModel(0, "", "given", cell), Eigen::Vector4d(-0.6, 0.8, -0.6, -0.2), 0)

@@ -1,4 +1,4 @@
-// Random calls of the workbench: valid calls, damaged calls, and bytes that are no call.
+// Random requests to the workbench: valid requests, damaged requests, and bytes that are no request.
 #pragma once
 
 #include <unistd.h>
@@ -13,10 +13,10 @@
 
 namespace tubeplan::app {
 
-/// Number of calls for each HTTP status of the answer; status 0: the connection was closed without an answer.
+/// Number of requests for each HTTP status of the answer; status 0: the connection was closed without an answer.
 using CallCounts = std::map<int, int>;
 
-/// Draws random calls and sends them to a server on loopback.
+/// Draws random requests and sends them to a server on loopback.
 class RandomCalls {
  public:
   RandomCalls(int port, std::uint64_t seed) : port_(port), random_(seed) {}

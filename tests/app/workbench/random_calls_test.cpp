@@ -4,7 +4,8 @@
 
 #include "tests/app/workbench/running_server.hpp"
 
-/// Reduces the freed memory that the address sanitizer keeps, which could exceed the growth allowed to the server.
+/// Limits the freed memory that the address sanitizer retains, which could exceed the memory growth that the test
+/// allows.
 extern "C" const char* __asan_default_options() { return "quarantine_size_mb=32"; }
 
 namespace tubeplan::app {

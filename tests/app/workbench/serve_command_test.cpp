@@ -1,4 +1,4 @@
-// The command `tubeplan serve`.
+// Tests of the command `tubeplan serve`.
 #include "tests/app/program.hpp"
 
 namespace tubeplan::app {

@@ -77,7 +77,7 @@ TEST_F(SessionKeeping, touchesComeBack) {
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_EQ(back["touches"][k]["name"], touches["touches"][k]["name"]);
     EXPECT_EQ(back["touches"][k]["simulated"], true);
-    for (std::size_t j = 0; j < 4; ++j)  // twelve digits, as in any file of readings
+    for (std::size_t j = 0; j < 4; ++j)  // stored with twelve digits, as in any file of readings
       EXPECT_NEAR(back["touches"][k]["joints"][j], touches["touches"][k]["joints"][j], 1e-9);
   }
   EXPECT_EQ(get("/api/results/calibrate").body["base"], base);

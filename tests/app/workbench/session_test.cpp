@@ -27,7 +27,7 @@ TEST(Session, OldDocumentsOfOtherModelsGiveWayToNewOnes) {
   const int last = currentModel(session).id;
   for (int id = last - 3; id <= last; ++id) EXPECT_TRUE(findResult(session, "compare", id)) << id;
 
-  session.current = 0;  // after going back: a repeated result is kept and is not the first to be discarded
+  session.current = 0;  // after going back, the results of the current model are kept, those of others discarded
   ++session.revision;
   putResult(session, "compare", currentModel(session).id, listing(10000));
   ++session.revision;
@@ -39,7 +39,8 @@ TEST(Session, OldDocumentsOfOtherModelsGiveWayToNewOnes) {
 
 class KeptSession : public FolderTest {};
 
-/// Keys of results had other names in earlier versions.
+/// Results in a project of an earlier version are read with the present names of their keys and the present sign of
+/// errors.
 TEST_F(KeptSession, ResultsOfAnEarlierProgramAreReadFromItsProjects) {
   Session session;
   const int id = pushModel(session, "as given", "given", readCell((shippedCells() / "bench.yaml").string()));

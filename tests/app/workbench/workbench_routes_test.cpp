@@ -164,7 +164,8 @@ TEST_F(WorkbenchRoutes, inverseFindsPosturesThatCentreTheTip) {
   ASSERT_EQ(found["status"], "found");
   const json pose = post("/api/pose", {{"joints", found["joints"]}, {"hole", 40}}).body;
   EXPECT_LT(pose["centring"]["distance"].get<double>(), 1e-4);
-  // The joints cannot correct the tilt of the tool, and the third step has a clearance of 0.010 in.
+  // The joints cannot correct the tilt of the tool. The third step enters if the tilt over a length of 1.5 in uses up
+  // no more than its clearance of 0.010 in.
   EXPECT_EQ(pose["centring"]["steps"], pose["centring"]["tilt"].get<double>() * M_PI / 180 * 1.5 <= 0.010 ? 3 : 2);
   EXPECT_EQ(post("/api/inverse", {{"hole", 96}}).status, 422);
   EXPECT_EQ(post("/api/inverse", {{"hole", -1}}).status, 422);
@@ -303,7 +304,7 @@ TEST_F(WorkbenchRoutes, touchingHolesPlacesTheBase) {
   EXPECT_EQ(get("/api/state").body["touches"], 3);
   EXPECT_EQ(replyOf(client->Delete("/api/touch/1")).status, 200);
   EXPECT_EQ(replyOf(client->Delete("/api/touch/9")).status, 404);
-  EXPECT_EQ(work("/api/calibrate")["status"], "failed");  // two touches do not place a base
+  EXPECT_EQ(work("/api/calibrate")["status"], "failed");  // two touches do not determine a base
   EXPECT_EQ(post("/api/touch", {{"hole", 6}, {"load", -3}}).status, 422);
   EXPECT_EQ(post("/api/touch", {{"hole", 6}, {"load", 20}}).status, 200);
   const json touches = get("/api/touches").body["touches"];

@@ -42,14 +42,14 @@ TEST(WilsonInterval, CoversTheTruthAsOftenAsItSays) {
     int cases = 0;
     for (double share = 0.02; share < 0.985; share += 0.005, ++cases) {
       const double covered = coverage(of, share);
-      EXPECT_GT(covered, 0.83) << share << " of " << of;  // known to dip near 0 and 1
+      EXPECT_GT(covered, 0.83) << share << " of " << of;  // the coverage is known to dip near 0 and 1
       sum += covered;
     }
     EXPECT_NEAR(sum / cases, 0.95, 0.01) << of;
   }
 }
 
-/// Returns runs of ten cases; the cases of a run share a random success probability.
+/// Returns the sums of runs of ten cases; the cases of a run share a random success probability.
 RunSums clusteredRuns(int runs, double spread, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
   RunSums sums;

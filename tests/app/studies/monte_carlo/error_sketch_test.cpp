@@ -82,7 +82,7 @@ TEST(ErrorSketch, WordsBringItBack) {
 }
 
 TEST(ErrorSketch, EverySizeHasOnePartThatHoldsIt) {
-  // From zero to beyond the largest bin, and on both sides of every power of two.
+  // The errors extend from zero to beyond the largest one, with both neighbours of every power of two.
   for (int power = 0; power < 43; ++power)
     for (const int beside : {-1, 0, 1}) {
       const std::uint64_t units = (std::uint64_t{1} << power) + static_cast<std::uint64_t>(beside);
@@ -91,7 +91,7 @@ TEST(ErrorSketch, EverySizeHasOnePartThatHoldsIt) {
       const auto points = sketch.distribution();
       ASSERT_EQ(points.size(), 1u);
       EXPECT_EQ(points[0].error,
-                static_cast<double>(units) * ErrorSketch::kUnit);  // the bin ends at its largest value
+                static_cast<double>(units) * ErrorSketch::kUnit);  // the bin ends at the error itself
       EXPECT_EQ(sketch.quantile(0.5), points[0].error);
     }
   EXPECT_EQ(ErrorSketch::unitsOf(1e300), ErrorSketch::unitsOf(ErrorSketch::kLargest));

@@ -1,4 +1,4 @@
-// The predicted centring error that tubeplan identify reports.
+// Tests of the predicted centring error that `tubeplan identify` reports.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program.hpp"
@@ -61,8 +61,8 @@ TEST_F(PredictedCentring, fallsWithTheRootOfTheReadings) {
   EXPECT_NEAR(few / many, 3, 0.9);
 }
 
-// With a known truth, the actual error at the holes agrees with the predicted error. The actual error of one fit lies
-// within the predicted band in 19 of 20 cases; the mean over three fits is tested.
+// If the truth is known, the actual error at the holes agrees with the predicted error. One fit in 20 lies outside its
+// predicted band, so the mean over three fits is tested.
 TEST_F(PredictedCentring, isWhatTheTrueArmDoes) {
   double predicted = 0, real = 0;
   for (const int seed : {11, 12, 13}) {

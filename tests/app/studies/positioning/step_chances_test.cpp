@@ -1,4 +1,5 @@
-// Probabilities of steps: compared with true arms of other physics, and as stated in a plan.
+// Tests of the step probabilities: as stated in a plan, and compared with how often steps enter with true arms of other
+// physics.
 #include <nlohmann/json.hpp>
 
 #include "studies/step_chance_trials.hpp"
