@@ -1,6 +1,6 @@
-// Mistake: coordinates with exchanged or reversed axes. All signed orders of x, y and z are tried, except the order of
-// the file and orders with a single changed sign (see mirror.hpp). For the value "-yxz", the three coordinates in the
-// file are -y, x and z of the world.
+// Mistake: coordinates with exchanged or reversed axes. All signed permutations of x, y and z are tried, except the
+// file's own order and those that only reverse one sign (see mirror.hpp). For the value "-yxz", the three coordinates
+// in the file are -y, x and z of the world.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace tubeplan::calibration::mistakes::axes {
 
 /// Returns the rotation or reflection from the file's three coordinates to world coordinates; nullopt if `value` is not
-/// a signed order.
+/// a signed permutation such as "-yxz".
 inline std::optional<Eigen::Matrix3d> matrixOf(const std::string& value) {
   Eigen::Matrix3d to_world = Eigen::Matrix3d::Zero();
   int column = 0;
@@ -29,8 +29,8 @@ inline std::optional<Eigen::Matrix3d> matrixOf(const std::string& value) {
   return to_world;
 }
 
-/// Returns true if at least one reading has coordinates written in the file. Positions that follow from the name of a
-/// hole do not count; for them, a mirrored sheet is tried (sheet_mirrored.hpp).
+/// Returns true if at least one reading has coordinates written in the file. Positions looked up by the name of a hole
+/// do not count: for them, sheet_mirrored.hpp tries a mirrored sheet.
 inline bool areWritten(const CheckedReadings& checked) {
   return std::ranges::any_of(
       checked.readings, [&](const Measurement& reading) { return reading.p_W && !isPlacedBySheet(checked, reading); });
@@ -48,7 +48,7 @@ inline void turn(const Eigen::Matrix3d& to_world, std::vector<Measurement>& read
   }
 }
 
-/// Returns all signed orders of x, y and z.
+/// Returns all signed permutations of x, y and z, such as "-yxz".
 inline std::vector<std::string> signedOrders() {
   std::vector<std::string> texts;
   std::string order = "xyz";

@@ -14,7 +14,8 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return is_known ? std::vector<std::string>{"unknown"} : std::vector<std::string>{};
 }
 
-/// Returns the correction that assigns the readings of a set-up from reading `from` on to a new set-up.
+/// Returns the correction that moves reading `from`, and all later readings of its set-up, to a new set-up; nullopt if
+/// there is no such reading.
 inline std::optional<Mend> mendFrom(const CheckedReadings& checked, const std::string& from) {
   const auto first = std::ranges::find(checked.readings, from, &Measurement::id);
   if (first == checked.readings.end()) return std::nullopt;
@@ -37,8 +38,8 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   return mend;
 }
 
-/// Returns one step form for each set-up. If all readings state a time, a slip of the base is also an effect of the
-/// catalogue.
+/// Returns one step form for each set-up. If all readings state a time, the step is marked as an effect, since the
+/// catalogue has the slip of a base.
 inline std::vector<StepForm> steps(const CheckedReadings& checked) {
   const bool are_timed =
       std::ranges::all_of(checked.readings, [](const auto& m) { return m.conditions.states(Condition::kTime); });

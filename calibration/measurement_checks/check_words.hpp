@@ -1,4 +1,4 @@
-// Text for readings in the messages of a check.
+// Lists of readings for the messages of a check.
 #pragma once
 
 #include <string>

@@ -15,13 +15,14 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kFewestTimes = 8;  // least number of times needed to see whether the rows are ordered by time
-// Fraction of readings with a time that goes back, above which rows are not ordered by time.
+constexpr std::size_t kFewestTimes = 8;  // smallest number of times that shows whether rows are in time order
+// Rows are not considered to be in time order if more than this fraction of the readings is earlier than the reading
+// before.
 constexpr double kMostBack = 0.05;
-constexpr double kSlow = 3;        // longest time between readings, relative to the usual gap
+constexpr double kSlow = 3;        // multiple of the usual gap between readings above which a gap is conspicuous
 constexpr double kHour = 3600;     // [s]
-constexpr double kMostHours = 14;  // most hours by which a clock is reset: time zones and daylight-saving time
-constexpr double kNearHour = 120;  // greatest deviation from whole hours [s]; also limited to the usual gap
+constexpr double kMostHours = 14;  // largest shift of a clock by time zones and daylight-saving time [h]
+constexpr double kNearHour = 120;  // jumps this close to whole hours [s], and closer than the usual gap, count as whole
 constexpr double kMonth = 30 * 24 * kHour;
 
 double timeOf(const Measurement& reading) { return reading.conditions[deflection::Condition::kTime]; }
@@ -87,15 +88,15 @@ class Clock {
     return is_whole ? whole : jump;
   }
 
-  /// Returns the index of the only gap longer than any reading takes, if its excess is whole hours or the gap exceeds a
-  /// month; nullopt otherwise. If there are several such gaps, some are pauses.
+  /// Returns the index of the only gap that is longer than a reading takes, if its excess is a whole number of hours or
+  /// the gap exceeds a month; nullopt otherwise. Of several such gaps, some are pauses, so none is returned.
   [[nodiscard]] std::optional<std::size_t> forward() const {
     std::vector<std::size_t> longest;
     for (std::size_t k = 1; k < timed_.size(); ++k)
       if (gap(k) > std::max(kSlow * usual_, kHour)) longest.push_back(k);
     if (longest.size() != 1) return std::nullopt;
     const std::size_t k = longest.front();
-    const bool is_of_next = k + 1 < timed_.size() && gap(k + 1) < 0;  // a single reading with a wrong time
+    const bool is_of_next = k + 1 < timed_.size() && gap(k + 1) < 0;  // then only reading k has a wrong time
     const bool is_set = jumpAt(k) != gap(k) - usual_ || gap(k) > kMonth;
     return is_set && !is_of_next ? std::optional(k) : std::nullopt;
   }

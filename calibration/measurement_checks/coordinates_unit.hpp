@@ -1,4 +1,4 @@
-// Mistake: coordinates and measured distances are in another unit than their columns state. Positions from the sheet
+// Mistake: coordinates and measured distances are not in the unit that their columns state. Positions from the sheet
 // are not affected.
 #pragma once
 

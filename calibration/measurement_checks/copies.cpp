@@ -90,8 +90,8 @@ std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked) {
 }
 
 std::optional<MeasurementCheck> takeCopiesOut(CheckedReadings& checked) {
-  // Resolution in sigmas below which equal coordinates indicate a copy; two separate readings agree in all three
-  // coordinates in one of 10^4 cases.
+  // Resolution, in sigmas, below which equal coordinates indicate a copy: two separate readings then agree in all three
+  // coordinates in fewer than one of 10^4 cases.
   constexpr double kFine = 0.1;
   const double step = stepOfCoordinates(checked);
   auto copies = copiesIn(checked.readings);

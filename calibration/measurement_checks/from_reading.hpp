@@ -1,5 +1,5 @@
-// Mistakes of some of the readings: from one reading on, written "VALUE@READING", or of consecutive readings, written
-// "FIRST..LAST".
+// Mistakes that affect only some of the readings: all readings from one on, written "VALUE@READING", or a run of
+// consecutive readings, written "FIRST..LAST".
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace tubeplan::calibration {
 
-/// Splits "VALUE@READING" into the value and the id of the reading from which on it applies; nullopt instead of the id
+/// Splits "VALUE@READING" into the value and the id of the first reading to which it applies; nullopt instead of the id
 /// if the value applies to all readings.
 [[nodiscard]] std::pair<std::string, std::optional<std::string>> partedAtReading(const std::string& value);
 
@@ -28,7 +28,7 @@ struct Run {
 /// Returns the run named by "FIRST..LAST"; nullopt if one of the two ids does not exist, or if LAST precedes FIRST.
 [[nodiscard]] std::optional<Run> runNamed(const std::vector<Measurement>& readings, const std::string& text);
 
-/// Returns the text "FIRST..LAST" for a run of readings.
+/// Returns the name "FIRST..LAST" of a run of readings.
 [[nodiscard]] std::string textOf(const Run& run, const std::vector<Measurement>& readings);
 
 [[nodiscard]] std::set<std::string> idsOf(const Run& run, const std::vector<Measurement>& readings);

@@ -3,7 +3,7 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the argument between `a` and `b` that minimises `valueAt`, after the given number of steps.
+/// Returns the argument between `a` and `b` that minimises `valueAt`, as found in the given number of steps.
 template <class ValueAt>
 double leastOf(const ValueAt& valueAt, double a, double b, int steps) {
   constexpr double kGolden = 0.6180339887498949;

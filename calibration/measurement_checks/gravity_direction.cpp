@@ -14,15 +14,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFallByGravity = 5;    // least factor by which another direction must reduce the error
-constexpr double kAboveNoise = 5;       // least ratio of the error to the noise for a search
+constexpr double kFallByGravity = 5;    // smallest factor by which another direction must reduce the error
+constexpr double kAboveNoise = 5;       // smallest ratio of error to noise at which a search starts
 constexpr double kSameDirection = 0.9;  // cosine above which two directions count as equal
-// Factor of error reduction by the best of the first directions above which the search continues.
+// The search continues if the best of the first directions reduces the error by more than this factor.
 constexpr double kPromisingFall = 1.3;
-constexpr double kClear = 2;  // least ratio of the error at an angle of kAway to the least error
-// Greatest ratio of the error along a world axis to the least error, for which the axis is chosen.
+constexpr double kClear = 2;  // smallest ratio of the errors in directions kAway from the best one to the best error
+// The nearest world axis is chosen if its error is smaller than this multiple of the best error.
 constexpr double kNearAxis = 1.5;
-// First and last step of the search, and angle of the comparison with other directions [rad].
+// First and last step of the search, and angle from the best direction at which other directions are compared [rad].
 constexpr double kFirstLean = 0.35, kLastLean = 0.004, kAway = 0.3;
 
 struct TriedDirection {
@@ -57,7 +57,7 @@ TriedDirection bestOfFew(const MistakeTrials& trials) {
   return best;
 }
 
-/// Returns the four directions at this angle [rad] to `gravity_W`, on four sides of it, with their fits.
+/// Returns four directions at this angle [rad] from `gravity_W`, each tilted to a different side, with their fits.
 std::vector<TriedDirection> around(const MistakeTrials& trials, const Vector3d& gravity_W, double angle) {
   const Vector3d across = gravity_W.unitOrthogonal(), other = gravity_W.cross(across);
   std::vector<TriedDirection> tried;

@@ -1,5 +1,5 @@
-// Mistake: holes were counted from another first row or column, so every named hole is one or more rows or columns away
-// from the touched hole.
+// Mistake: holes were counted from the wrong first row or column, so every named hole is one or more rows or columns
+// away from the touched hole.
 #pragma once
 
 #include <algorithm>

@@ -22,13 +22,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kLooked = 20;        // most readings in the quick comparison
-constexpr std::size_t kMostTogether = 16;  // most hypotheses that are returned
-constexpr int kMostSigns = 8;              // most joints for which all sets of signs are tried
-constexpr int kMostOrdered = 7;            // most joints for which all orders are tried
-constexpr double kNearer = 0.25;           // least decrease of the mean log error due to each correction
-constexpr double kByWeights = 0.5;         // further decrease of the mean log error that robust weights may contribute
-constexpr std::size_t kMostSettled = 100;  // most hypotheses whose zeros are refined between the tried values
+constexpr std::size_t kLooked = 20;        // maximum number of readings in the quick comparison
+constexpr std::size_t kMostTogether = 16;  // maximum number of hypotheses that are returned
+constexpr int kMostSigns = 8;              // maximum number of joints for which all sets of signs are tried
+constexpr int kMostOrdered = 7;            // maximum number of joints for which all orders are tried
+constexpr double kNearer = 0.25;           // smallest accepted decrease of the mean log error due to each correction
+constexpr double kByWeights = 0.5;         // by how much robust weights may decrease the mean log error further
+constexpr std::size_t kMostSettled = 100;  // maximum number of hypotheses whose zeros are refined
 constexpr double kZerosApart = std::numbers::pi / 12;  // range on either side of a tried zero [rad]
 constexpr int kZeroSteps = 10;                         // number of golden-section steps
 
@@ -150,7 +150,8 @@ class JoinedSearch {
     for (const TriedQuickly& signs : sets_of_signs_) found_.push_back({&signs, nullptr, signs.score});
   }
 
-  /// Tries scales for all joints whose readings exceed the range of any real joint, if there are at least two.
+  /// Tries scales for all joints whose readings exceed the range of any real joint, if there are at least two such
+  /// joints.
   void lookAtScales() {
     const CheckedReadings& checked = trials_.checked();
     const auto joints = mistakes::joint_scale::jointsBeyondTurns(checked);
@@ -163,7 +164,8 @@ class JoinedSearch {
     for (const TriedQuickly& scales : scales_) found_.push_back({&scales, nullptr, scales.score});
   }
 
-  /// Tries all permutations of the joints' columns, except an exchange of only two columns, which is a single mistake.
+  /// Tries all permutations of the columns of joints of the same type. An exchange of only two columns is excluded,
+  /// since it is a single mistake.
   void lookAtOrders() {
     const CheckedReadings& checked = trials_.checked();
     const auto& arm = checked.start.arm;

@@ -1,5 +1,6 @@
 // Mistake: the reading of a joint contains the angle of another joint, as on controllers that show the elbow relative
-// to the horizontal, or with a parallel linkage. The arm file's theta3 is then theta3 - theta2 of the readings.
+// to the horizontal, or with a parallel linkage. With the value theta3:theta2:-1, theta3 of the arm's file is theta3 -
+// theta2 of the readings.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,8 +10,8 @@
 
 namespace tubeplan::calibration::mistakes::joint_coupling {
 
-/// Returns the sum and the difference of every revolute joint with every other revolute joint, neighbouring joints
-/// first.
+/// Returns two values for every ordered pair of revolute joints: the second joint's reading is subtracted from the
+/// first joint's, or added to it. Neighbouring joints come first.
 inline std::vector<std::string> values(const CheckedReadings& checked) {
   const auto& arm = checked.start.arm;
   std::vector<std::string> texts;

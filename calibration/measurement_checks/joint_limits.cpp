@@ -24,12 +24,12 @@ NamedUnit columnUnitOf(const CheckedReadings& checked, int joint) {
   return checked.start.arm.joint(joint).type == deflection::JointType::kRevolute ? units.angles : units.coordinates;
 }
 
-/// Returns the distance of a reading beyond the nearer limit [rad or m]; negative within both limits.
+/// Returns how far a reading lies beyond the nearer limit [rad or m]; negative within both limits.
 double pastLimit(const deflection::Joint<double>& joint, double q) {
   return std::max(joint.lower - q, q - joint.upper);
 }
 
-/// Returns the distance beyond a limit that a joint's noise explains [rad or m].
+/// Returns how far beyond a limit a joint's encoder noise may carry a reading [rad or m].
 double usualNoiseOf(const deflection::Joint<double>& joint) { return 1e-9 + 5 * joint.encoder_sigma; }
 
 /// Returns the indices of readings beyond a joint's limits; empty unless a turn brings all of them within the limits.

@@ -8,8 +8,8 @@
 
 namespace tubeplan::calibration {
 
-/// Returns true if a joint's reading `q` [rad or m] is beyond a limit by more than its noise and a thousandth of the
-/// range. Limits are rounded, and a joint at its stop may read slightly more.
+/// Returns true if a joint's reading `q` [rad or m] is beyond a limit by more than both its noise and a thousandth of
+/// the joint's range. Limits are rounded, and a joint at its stop may read slightly more.
 [[nodiscard]] bool isPastLimit(const deflection::Joint<double>& joint, double q);
 
 /// Returns the reading [rad] moved by one whole turn, if it is then within both limits; nullopt otherwise, and for a

@@ -9,7 +9,7 @@
 
 namespace tubeplan::calibration::mistakes::joint_order {
 
-/// Returns all pairs of joints of the same type; longer cycles are tried in joined_mistakes.cpp.
+/// Returns one value for each pair of joints of the same type; joined_mistakes.cpp tries longer cycles.
 inline std::vector<std::string> values(const CheckedReadings& checked) {
   std::vector<std::string> texts;
   const auto& arm = checked.start.arm;
@@ -58,7 +58,8 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   return mend;
 }
 
-/// Returns the cycles of a permutation of all joints, in which column `k` contains the readings of joint `order[k]`.
+/// Returns one correction for each cycle of the permutation in which column `k` contains the readings of joint
+/// `order[k]`.
 inline std::vector<Mend> ringsOf(const CheckedReadings& checked, const std::vector<int>& order) {
   std::vector<Mend> rings;
   std::vector<bool> is_seen(order.size(), false);

@@ -1,5 +1,5 @@
-// Mistake: the motors of a differential were logged instead of two joints. Each column then contains a mixture of both
-// joints, such as their sum and difference.
+// Mistake: the two motors of a differential were logged instead of the two joints that they drive. Each column then
+// contains a mixture of both joints, such as their sum and difference.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,13 +12,14 @@
 
 namespace tubeplan::calibration::mistakes::joint_pair {
 
-/// Two joints whose readings are the matrix `shares` times the values in their columns.
+/// Two joints whose correct readings are the matrix `shares` times the values in their columns.
 struct Pair {
   int first = -1, second = -1;
   Eigen::Matrix2d shares = Eigen::Matrix2d::Zero();
 };
 
-/// Returns the two joints and the four coefficients between colons, row by row; nullopt if the text has another form.
+/// Parses "JOINT:JOINT:A:B:C:D", where A to D are the coefficients row by row; nullopt if the string has another form
+/// or the matrix is singular.
 inline std::optional<Pair> pairOf(const deflection::Arm& arm, const std::string& value) {
   std::size_t names = value.size();
   for (int k = 0; k < 4 && names > 0 && names != std::string::npos; ++k) names = value.rfind(':', names - 1);
@@ -33,9 +34,9 @@ inline std::optional<Pair> pairOf(const deflection::Arm& arm, const std::string&
   return is_pair && std::abs(pair.shares.determinant()) > 1e-9 ? std::optional(pair) : std::nullopt;
 }
 
-/// Returns values for neighbouring revolute joints as sum and difference. Each joint may be the sum, and each motor may
-/// come first in the difference. `sizes` are the tried magnitudes of the coefficients: one half if the motors turn by
-/// the sum of the joints, one if they turn by half of this sum.
+/// Returns values for all pairs of neighbouring revolute joints, of which one is the sum and the other the difference
+/// of the motors. Either joint may be the sum, and either motor may come first in the difference. `sizes` are the tried
+/// magnitudes of the coefficients: 0.5 if the motors turn by the sum of the joints, 1 if they turn by half of this sum.
 inline std::vector<std::string> valuesOf(const CheckedReadings& checked, const std::vector<double>& sizes) {
   static constexpr std::array<std::array<int, 4>, 4> kSigns{
       {{1, 1, 1, -1}, {1, 1, -1, 1}, {1, -1, 1, 1}, {-1, 1, 1, 1}}};
@@ -62,8 +63,8 @@ inline std::string mixtureText(const Eigen::RowVector2d& shares, const std::stri
          term(std::abs(shares[1]), second);
 }
 
-/// Returns the direction of a mixture's last motion, from the directions of both joints; 0 if their
-/// contributions disagree in direction.
+/// Returns the direction of a mixture's last motion, from the directions of its two parts; 0 if their contributions
+/// disagree.
 inline int senseOf(const Eigen::RowVector2d& shares, int first, int second) {
   const auto sign = [](double number) { return (number > 0) - (number < 0); };
   const int a = sign(shares[0]) * first, b = sign(shares[1]) * second;

@@ -14,11 +14,11 @@ namespace tubeplan::calibration::mistakes::joint_scale {
 
 namespace {
 
-constexpr double kTurns = 2.5;           // most turns of a real joint, if its limits do not allow more
-constexpr double kLeastMotion = 0.2;     // least range of motion of a usable joint among the readings [rad]
+constexpr double kTurns = 2.5;           // maximum number of turns of a real joint, if its limits do not allow more
+constexpr double kLeastMotion = 0.2;     // smallest range of a joint's readings after scaling [rad]
 constexpr int kScales = 400;             // number of scales tried for each sign, in a geometric series
 constexpr int kFiner = 40;               // number of golden-section steps
-constexpr std::size_t kMostScaled = 60;  // most readings in the comparison
+constexpr std::size_t kMostScaled = 60;  // maximum number of readings in the comparison
 // Values of QuickAlignmentOptions::share: in the series, and in its refinement.
 constexpr double kCoarse = 1, kFine = 0.01;
 

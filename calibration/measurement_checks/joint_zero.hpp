@@ -1,5 +1,5 @@
-// Mistake: the zero of a joint differs from the drawing by more than any misadjustment, since the joint was homed to
-// another mark or is a quarter turn off.
+// Mistake: the zero of a joint differs from the drawing by more than any misadjustment, for example because the joint
+// was homed to another mark or is a quarter turn off.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 
 namespace tubeplan::calibration::mistakes::joint_zero {
 
-/// Least error of a zero that counts as a mistake and not as a misadjustment [rad]: five times the prior sigma of a
+/// Smallest error of a zero that counts as a mistake and not as a misadjustment [rad]: five times the prior sigma of a
 /// joint's offset.
 inline constexpr double kLeast = 0.1;
 
@@ -36,8 +36,8 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return texts;
 }
 
-/// Returns offsets at multiples of 30 deg and at 15 deg, both signs. The actual zero is refined from the nearest
-/// offset.
+/// Returns values with offsets of 15 deg and of multiples of 30 deg, of both signs. The nearest of them is later
+/// refined to the actual zero.
 inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) {
   std::vector<std::string> texts;
   for (const int j : turningJoints(checked.start.arm))

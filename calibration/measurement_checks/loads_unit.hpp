@@ -1,4 +1,4 @@
-// Mistake: hung loads are in another unit than their column states: newtons, kilograms or pounds.
+// Mistake: hung loads are not in the unit that their column states: newtons, kilograms or pounds.
 #pragma once
 
 #include <algorithm>

@@ -47,12 +47,13 @@ std::optional<SigmaUnit> likeliestSigma(const MistakeTrials& trials, bool is_sma
 void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& checks) {
   const CheckedReadings& checked = trials.checked();
   const Trial& as_is = trials.asIs();
-  // Chi-square per degree of freedom below which the readings agree more than five times better than their noise
+  // Chi-square per degree of freedom below which the readings agree more than five times better than their stated noise
   // allows.
   constexpr double kFarBelow = 1. / 30;
-  // Factor within which chi-square per degree of freedom agrees with noise, given the usual precision of sigmas.
+  // Factor by which chi-square per degree of freedom may differ from 1, since sigmas are usually stated no more
+  // precisely.
   constexpr double kAgrees = 5;
-  // Least credible sigma relative to the arm's reach: interferometers measure a machine to 0.5 um in a metre.
+  // Smallest credible sigma relative to the arm's reach: interferometers measure a machine to 0.5 um in a metre.
   constexpr double kFinest = 2e-7;
   constexpr std::size_t kFew = 6;
   std::vector<double> sigmas;
@@ -81,7 +82,7 @@ void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& chec
 /// Returns true if the fitted base is farther than any mounting from its nominal place, in a cell with a sheet. Without
 /// a sheet the nominal place is only a start value.
 bool isElsewhere(const MistakeTrials& trials) {
-  constexpr double kTurned = 0.8;  // least rotation [rad] of a base that, if also shifted far, faces another way
+  constexpr double kTurned = 0.8;  // rotation [rad] above which a base that is also shifted far faces another way
   const Trial& as_is = trials.asIs();
   return trials.checked().sheet && trials.hasPlaces() &&
          (as_is.base_shift > trials.reach() ||
@@ -144,7 +145,8 @@ MeasurementCheck likelier(const MistakeTrials& trials, FoundMistake mistake, Fou
   return std::move(named.check);
 }
 
-/// Returns a mistake that concerns all readings, or another direction of gravity; nullopt if neither is found.
+/// Returns the likeliest mistake: a common mistake in the readings, reversed twists or another direction of gravity;
+/// nullopt if none is found.
 std::optional<MeasurementCheck> mistakeOrGravity(const MistakeTrials& trials) {
   auto found = findMistake(trials);
   const bool is_mistake = found && found->check.severity == CheckSeverity::kMistake;

@@ -1,9 +1,10 @@
 // Checks of readings before any physical effect is considered: common mistakes (mistake.hpp) are tried one by one.
 //
-// Method. Readings are fitted twice, as stated and as corrected for the mistake. One fit uses the drawing alone, with
-// the tip free, and the base as well if it is unknown; this fit gives the error in metres. The other fit frees all
-// parameters that the drawing leaves open, and every stiffness, within their priors, with a prior of the base about its
-// nominal place; this fit gives the probability (robust_fit.hpp). A mistake is suspected if both fits support it:
+// Method. Two kinds of fit are made, each with the readings as stated and as corrected for the mistake. The first keeps
+// the arm as drawn and frees only the tip, and the base if it is unknown; it gives the error in metres. The second
+// frees, within their priors, every stiffness and all other parameters that the drawing leaves open, with a prior of
+// the base about its nominal place; it gives the probability (robust_fit.hpp). A mistake is suspected if both fits
+// support it:
 // - The error relative to the drawing falls to a third or less. A physical effect follows its own law and is not
 //   removed by another unit, sign or order. A wrong hypothesis may remove some of the error by chance, but not two
 //   thirds of it in all rows and directions.

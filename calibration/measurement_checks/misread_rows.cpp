@@ -13,7 +13,7 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr double kFarOff = 0.02;       // error beyond any tolerance of a drawing, relative to the reach
-constexpr double kFallByRows = 5;      // least factor by which other rows must reduce the error
+constexpr double kFallByRows = 5;      // smallest factor by which other rows must reduce the error
 constexpr double kLeastTwist = 0.017;  // twist [rad] below which its sign cannot be determined
 
 using Rows = std::vector<deflection::Row<double>>;

@@ -13,8 +13,8 @@ namespace tubeplan::calibration {
 /// be made in the arm's file.
 [[nodiscard]] std::optional<MeasurementCheck> standardRows(const MistakeTrials& trials);
 
-/// Returns a mistake if the readings fit with the sign of one row's twist, or of all rows' twists, reversed: the
-/// variant with the least error. Returns nullopt if no variant fits.
+/// Returns a mistake if the readings fit once the sign of one row's twist, or of every row's twist, is reversed; of
+/// these variants, the one with the smallest error is reported. Returns nullopt if no variant fits.
 [[nodiscard]] std::optional<MeasurementCheck> negatedTwists(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

@@ -24,14 +24,14 @@ struct NamedUnit {
 /// Units that a file's columns state, and the units that they may have instead.
 struct ReadingUnits {
   NamedUnit coordinates{"m", 1}, loads{"N", 1}, angles{"rad", 1}, sigma{"m", 1};
-  /// Units of the noise columns: one common column for all coordinates, and columns for x, y and z. Without a name: no
-  /// such column.
+  /// Units of the noise columns: one common column for all coordinates, and columns for x, y and z. An empty name means
+  /// that there is no such column.
   NamedUnit sigma_column{"", 1}, axis_sigma_columns{"", 1};
   std::vector<NamedUnit> lengths, forces, angle_units, sigmas;
   std::vector<NamedUnit> joints;  ///< unit of each joint's column; empty if unknown
 };
 
-/// Readings of a file, with all data for comparison.
+/// Readings of a file, with the arm, the units and the sheet against which they are checked.
 struct CheckedReadings {
   PlacedArm start;  ///< arm as stated by the cell, with one base pose for every set-up
   std::vector<Measurement> readings;
@@ -49,7 +49,7 @@ struct NewSetup {
 
 /// Correction of the readings for one mistake.
 struct Mend {
-  std::string mistake, value;  ///< names in `--assume MISTAKE=VALUE`
+  std::string mistake, value;  ///< the two parts of `--assume MISTAKE=VALUE`
   std::string sentence;  ///< description, such as "the unit of the coordinates is mm, not in as their columns say"
   std::function<void(std::vector<Measurement>&)> change = [](std::vector<Measurement>&) {};
   /// Corrects noise that is in the same wrong unit; empty if there is no such noise.
@@ -60,7 +60,7 @@ struct Mend {
   std::vector<int> zeros_of = {};  ///< joints whose zeros are fitted, starting from the tried values
   int numbers_fitted = 0;          ///< number of parameters fitted to the readings: zeros and scales
   std::optional<NewSetup> new_setup = {};
-  double against = 0;  ///< prior log odds against the mistake, due to the choice among many readings
+  double against = 0;  ///< prior log odds against the mistake if it may begin at any of many readings
 
   /// Applies the corrections and updates the references between readings.
   void apply(std::vector<Measurement>& readings) const {
@@ -86,8 +86,8 @@ struct StepForm {
   std::function<Eigen::MatrixXd(const Prediction&)> slopes;
   std::function<std::string(const Eigen::VectorXd& size, const std::string& from)> value;
   std::optional<std::string> setup = {};  ///< set-up to which the mistake is limited; nullopt: not limited
-  /// True if an effect of the catalogue is equivalent, so that this step is left to the diagnosis. Another step must
-  /// then explain more than this one.
+  /// True if an effect of the catalogue describes this step, which is then left to the diagnosis. A step of another
+  /// form is proposed only if it explains clearly more.
   bool is_effect = false;
   bool is_of_tip = false;  ///< true: a step of the tip, such as a tool that was mounted again for a set-up
 };
@@ -115,30 +115,28 @@ const std::vector<MistakeKind>& mistakeKinds();
 /// corrections after commas, as in `--assume`.
 [[nodiscard]] Mend joined(const std::vector<Mend>& parts);
 
-/// Splits a text such as "joint-sign=q1,tip=0.2" into assumptions. Checks propose several assumptions together in this
-/// form.
+/// Splits a string such as "joint-sign=q1,tip=0.2", the form in which checks propose several assumptions together.
 [[nodiscard]] std::vector<std::string> partedAssumptions(const std::string& text);
 
 [[nodiscard]] const MistakeKind* findMistakeKind(const std::string& name);
 
-/// Returns true if the reading's position is that of the hole it names, so that its coordinates were not written in the
-/// file.
+/// Returns true if the reading's position is that of the hole it names; its coordinates then count as taken from the
+/// sheet, not from the file.
 [[nodiscard]] bool isPlacedBySheet(const CheckedReadings& checked, const Measurement& reading);
 
 /// Returns the index of the joint with this name; -1 if there is none.
 [[nodiscard]] int jointNamed(const deflection::Arm& arm, const std::string& name);
 
-/// Splits a text at the last colon, such as two joint names or a joint and a number; both parts are empty if there is
-/// no colon.
+/// Splits a string such as "JOINT:NUMBER" at its last colon; both parts are empty if there is no colon.
 [[nodiscard]] std::pair<std::string, std::string> partedAtColon(const std::string& value);
 
-/// Splits a text at every `mark`.
+/// Splits a string at every `mark`.
 [[nodiscard]] std::vector<std::string> partedAt(char mark, const std::string& text);
 
 /// Returns the indices of the revolute joints.
 [[nodiscard]] std::vector<int> turningJoints(const deflection::Arm& arm);
 
-/// Returns `count` finite numbers between colons, such as "0:0.5:0"; nullopt if the text has another form.
+/// Parses `count` finite numbers separated by colons, such as "0:0.5:0"; nullopt if the string has another form.
 [[nodiscard]] std::optional<std::vector<double>> numbersAtColons(const std::string& text, std::size_t count);
 
 /// Returns no values, for a mistake that is searched for elsewhere or is not tried together with others.

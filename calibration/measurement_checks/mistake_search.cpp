@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kFinalists = 8;
 constexpr double kLimitSlack = 0.05;    // accepted distance beyond a joint's limit [rad or m]
-constexpr double kShareOutside = 0.02;  // accepted fraction of readings beyond limits in a hypothesis
+constexpr double kShareOutside = 0.02;  // accepted fraction of corrected readings that are beyond joint limits
 
 class MistakeSearch {
  public:
@@ -98,7 +98,7 @@ class MistakeSearch {
   }
 
   /// Decides whether the noise is corrected as well if its column states the same wrong unit. The noise is not
-  /// corrected if the readings agree better with the stated noise, which may have been written separately.
+  /// corrected if the readings agree better with the noise as stated, since its column may state the right unit.
   void settleSigma(Suspect& best, MeasurementCheck& check) const {
     if (!best.mend.change_sigma) return;
     Mend apart = best.mend;
@@ -123,8 +123,8 @@ class MistakeSearch {
     }));
   }
 
-  /// Returns true if the corrected readings are within the joints' limits, or if the correction has no zeros and does
-  /// not move more readings beyond the limits.
+  /// Returns true if nearly all corrected readings are within the joints' limits, or if the correction fits no joint's
+  /// zero and moves no further readings beyond the limits.
   [[nodiscard]] bool isWithinLimits(const Mend& mend) const {
     auto readings = trials_.pool().readings;
     mend.apply(readings);
@@ -185,10 +185,11 @@ class MistakeSearch {
     return -3 * static_cast<double>(trials_.pool().counted_quickly.size()) * std::log(trials_.shrinkage(trial));
   }
 
-  /// Sets the errors as stated and as corrected at the depth where they differ most: relative to the drawing, with the
-  /// tip as drawn, or with all open parameters free. If only some readings are corrected, the errors of all readings
-  /// are considered as well, since the best nine tenths may not include the corrected readings. A fit with as many
-  /// parameters as measured values yields no error, and no error is stated below the noise.
+  /// Sets the errors of the readings as stated and as corrected, from the depth of fit at which they differ most:
+  /// relative to the drawing, with the tip as drawn, or with all open parameters free. If only some readings are
+  /// corrected, the error over all readings is considered as well, since the best nine tenths may not include the
+  /// corrected readings. A fit with as many parameters as measured values yields no error, and no error is stated below
+  /// the noise.
   void stateErrors(const Suspect& best, MeasurementCheck& check) const {
     struct Fall {
       TrialDepth depth;

@@ -15,8 +15,9 @@ struct FoundMistake {
   Trial drawn;
 };
 
-/// Returns the mistake that explains most, with the values of mistakes that explain as much. Returns nullopt if there
-/// is no error to explain, or if no mistake explains it. Throws WorkStopped on a request to stop.
+/// Returns the mistake that explains most, with the values of `--assume` for other mistakes that explain as much.
+/// Returns nullopt if there is no error to explain, or if no mistake explains it. Throws WorkStopped on a request to
+/// stop.
 [[nodiscard]] std::optional<FoundMistake> findMistake(const MistakeTrials& trials);
 
 /// Returns the distance of the base from its nominal place as text, such as "12 in (8.0 pitches) and 3 deg".

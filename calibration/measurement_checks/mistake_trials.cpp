@@ -55,8 +55,7 @@ std::vector<Measurement> only(std::vector<Measurement> readings, const std::set<
   return readings;
 }
 
-/// Returns everything that the drawing leaves open: the cell's free parameters, the geometry, and every stiffness as
-/// one parameter.
+/// Returns everything that the drawing leaves open: the cell's free parameters, the geometry, and every stiffness.
 FreeChoice allThatIsOpen(const CheckedReadings& checked) {
   FreeChoice open = checked.free;
   open.base = true;  // frees base poses that are not known

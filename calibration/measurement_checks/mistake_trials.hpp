@@ -12,9 +12,9 @@
 
 namespace tubeplan::calibration {
 
-/// Least rotation of the base from its nominal place that counts as far [rad].
+/// Rotation of the base from its nominal place above which the base counts as far [rad].
 inline constexpr double kFarTurn = 0.35;
-/// Least shift of the base from its nominal place that counts as far, relative to the arm's reach.
+/// Shift of the base from its nominal place above which the base counts as far, relative to the arm's reach.
 inline constexpr double kFarShift = 0.25;
 
 /// Fit of the readings, as stated or as corrected for one mistake. The lack of fit includes the base's prior. In the
@@ -32,8 +32,8 @@ enum class TrialDepth {
   kOpen,   ///< all parameters free that the drawing leaves open
 };
 
-/// Drawn subset of the readings together with neighbouring readings, for mistakes in the order of rows. The ids name
-/// the readings that count, in the full and in the quick fits.
+/// Randomly drawn readings together with their neighbours, which are needed to correct mistakes in the order of rows.
+/// The ids name the drawn readings that count in full fits and in quick fits.
 struct ReadingPool {
   std::vector<Measurement> readings;
   std::set<std::string> counted, counted_quickly;
@@ -68,8 +68,8 @@ class MistakeTrials {
 
   /// Returns the ratio by which a mistake contracts the spread of the touched tips; at least 1.
   [[nodiscard]] double shrinkage(const Trial& trial) const;
-  /// Returns the decrease of the lack of fit due to a mistake, without the decrease due to contracted tips; very large
-  /// if the readings as stated cannot be fitted.
+  /// Returns by how much the correction of a mistake decreases the lack of fit, without the part that is due to
+  /// contracted tips; very large if the readings as stated cannot be fitted.
   [[nodiscard]] double gain(const Trial& trial) const;
   /// Returns true if the base of a trial is far from its nominal place. Returns false if there are only touches of
   /// unknown points, which give no information on the base.

@@ -1,5 +1,5 @@
-// Mistake: one reading names another hole than the touched one. This mistake is searched for reading by reading
-// (measurement_checks.cpp).
+// Mistake: one reading names a hole other than the touched one. mistakenHoles() in plain_checks.hpp searches for this
+// mistake reading by reading.
 #pragma once
 
 #include "calibration/measurement_checks/mistake.hpp"

@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t kMostLooked = 2000;
 constexpr std::size_t kShortest = 2;  // a single wrong reading may have any cause
 
-/// Returns the run of rows with the largest sum (Kadane's algorithm), searched at a fixed stride and then extended row
-/// by row at both ends; nullopt if no run is significant.
+/// Returns the run of rows with the largest sum of RowComparison::at() (Kadane's algorithm), searched at a fixed stride
+/// and then extended row by row at both ends; nullopt if no run is significant.
 std::optional<Run> bestRun(RowComparison& comparison, std::size_t count) {
   const std::size_t stride = (count + kMostLooked - 1) / kMostLooked;
   double best = 0, sum = 0;

@@ -21,7 +21,7 @@ namespace tubeplan::calibration {
 namespace {
 
 /// Returns a remark on joint readings that are all as small as angles in radians, and that would be within the joints'
-/// limits as radians. Touches of unmeasured points fit in both units, so no error shows this mistake.
+/// limits as radians. Touches of unknown points fit in either unit, so their errors do not show this mistake.
 std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
   constexpr double kTurn = 2 * std::numbers::pi;
   constexpr std::size_t kFew = 4;
@@ -44,8 +44,8 @@ std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
       "angles=rad");
 }
 
-/// Returns a remark on joints whose readings exceed the range of any real joint. The scales of such joints must be
-/// stated; a single scale can be fitted.
+/// Returns a remark on joints whose readings exceed the range of any real joint. The remark asks the user to state
+/// their scales, in case no fit has found them.
 std::optional<MeasurementCheck> pulses(const CheckedReadings& checked) {
   const auto joints = mistakes::joint_scale::jointsBeyondTurns(checked);
   if (joints.empty()) return std::nullopt;
@@ -121,7 +121,8 @@ std::optional<MeasurementCheck> fewReadings(const CheckedReadings& checked) {
                                       " free parameters: a model error would hardly show; measure more, or free fewer");
 }
 
-/// Returns the effects that vary with a condition, such as "base-slip or base-drift"; empty if there are none.
+/// Returns the names of the effects that vary with a condition, such as "base-slip or base-drift"; empty if there are
+/// none.
 std::string effectsOf(Condition condition) {
   std::string names;
   for (const auto& kind : deflection::effectKinds())

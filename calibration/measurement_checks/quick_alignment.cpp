@@ -13,7 +13,7 @@ using Eigen::Matrix3d, Eigen::Matrix4d, Eigen::Vector3d;
 namespace {
 
 constexpr double kBlindShare = 0.01;  // usual error of a rigid drawing, relative to the reach
-constexpr double kRows = 3;           // number of rows of a reading
+constexpr double kRows = 3;           // number of measured coordinates of a reading
 // Usual displacement of a base: rotation [rad], and shift relative to the reach.
 constexpr double kUsualTurnOfBase = 0.05, kUsualShiftOfBase = 0.05;
 constexpr int kReweighings = 3;
@@ -52,9 +52,9 @@ double largestEigenvalue(const Matrix4d& K, const Matrix3d& H, double bound) {
   return value;
 }
 
-/// Returns the rotation from vectors a to vectors b, where H is the sum of a b^T: Horn 1987 with unit quaternions, the
-/// eigenvector as in Theobald 2005 and in Liu, Agrafiotis and Theobald 2010. `bound` is half the sum of the squared
-/// lengths of all a and b.
+/// Returns the rotation that best maps vectors a to vectors b, where H is the sum of a b^T: Horn 1987 with unit
+/// quaternions, the eigenvector as in Theobald 2005 and in Liu, Agrafiotis and Theobald 2010. `bound` is half the sum
+/// of the squared lengths of all a and b.
 Matrix3d turnBetween(const Matrix3d& H, double bound) {
   Matrix4d K;
   K << H(0, 0) + H(1, 1) + H(2, 2), H(1, 2) - H(2, 1), H(2, 0) - H(0, 2), H(0, 1) - H(1, 0),  //
@@ -81,7 +81,7 @@ Matrix3d turnBetween(const Matrix3d& H, double bound) {
   return Eigen::Quaterniond(best[0], best[1], best[2], best[3]).toRotationMatrix();
 }
 
-/// Returns the pose with the least weighted sum of squares.
+/// Returns the pose that minimises the weighted sum of squared distances between the tips and their measured positions.
 Placing aligned(const Cloud& cloud, const std::vector<double>& weights) {
   double sum = 0, squares = 0;
   Vector3d tip = Vector3d::Zero(), place = Vector3d::Zero();
@@ -116,7 +116,7 @@ double sumOf(const std::vector<double>& squares, double blind) {
 }
 
 /// Returns sumOf() after the best alignment of the base, plus the log prior odds against this base. If the sum is below
-/// `promising`, the alignment uses Cauchy weights about the typical squared error.
+/// `promising`, the alignment is repeated with Cauchy weights, scaled by the typical squared error.
 double alignedSum(const Cloud& cloud, const Eigen::Isometry3d& nominal, double blind, double promising) {
   std::vector<double> weights(cloud.tips.size(), 1), squares;
   Placing X = aligned(cloud, weights);

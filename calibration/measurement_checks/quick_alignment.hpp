@@ -12,8 +12,8 @@ namespace tubeplan::calibration {
 
 struct QuickAlignmentOptions {
   bool frees_base = false;
-  double share = 1;  ///< scale of the error that counts as zero, relative to a hundredth of the reach
-  /// Score above which greater accuracy is not needed.
+  double share = 1;  ///< error that counts as zero, relative to a hundredth of the reach
+  /// Score above which the alignment of the base is not refined.
   double promising = std::numeric_limits<double>::infinity();
 };
 
@@ -27,9 +27,9 @@ class QuickAlignment {
   [[nodiscard]] std::vector<Eigen::Vector3d> tips(const std::vector<Measurement>& readings);
 
   /// Returns the mean over all readings of log(1 + e^2 / b^2) / 2, where e is the error and b the error that counts as
-  /// zero. Infinite if too few readings state a position. An unknown base is placed in closed form, with weights that
-  /// decrease with the error if the score is promising; the score then includes a penalty for the base's distance from
-  /// its nominal place.
+  /// zero. Infinite if too few readings state a position. An unknown base is placed in closed form; if the score is
+  /// then below `promising`, the placement is repeated with weights that decrease with the error. The score of an
+  /// unknown base includes a penalty for its distance from its nominal place.
   [[nodiscard]] double score(const std::vector<Measurement>& readings, const std::vector<Eigen::Vector3d>& tips,
                              const QuickAlignmentOptions& options = {}) const;
 

@@ -17,11 +17,11 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kBest = 0.9;  // fraction of the readings, those with the smallest errors, for which an error is stated
+constexpr double kBest = 0.9;  // fraction of the readings, those with the smallest errors, that the stated error covers
 constexpr int kScaleSteps = 40;
-constexpr double kTellingFreedom = 12;  // least degrees of freedom for which chi-square is informative on the noise
-constexpr double kConverged = 0.05;     // decrease of the lack of fit in one step below which the fit ends
-constexpr int kMostTrials = 6;          // most attempts at a step, each shorter than the one before
+constexpr double kTellingFreedom = 12;  // fewest degrees of freedom at which chi-square is informative about the noise
+constexpr double kConverged = 0.05;     // the fit ends once a step decreases the lack of fit by less
+constexpr int kMostTrials = 6;          // maximum number of attempts at a step, each shorter than the one before
 
 /// Returns the sum of the smallest values, up to the fraction `share` of all values, and the number of summed values.
 std::pair<double, std::size_t> sumOfLeast(std::vector<double> values, double share) {
@@ -38,7 +38,7 @@ class StudentLoss {
   StudentLoss(const std::vector<Measurement>& readings, const ReadingWeights& weights)
       : readings_(readings), weights_(weights), square_(readings.size()), weight_(readings.size()) {}
 
-  /// Sets the best scale and the weights, and returns the negative log likelihood.
+  /// Finds and stores the most likely scale, with the weights that belong to it; returns the negative log likelihood.
   double settle(const VectorXd& r) {
     for (std::size_t k = 0; k < square_.size(); ++k)
       square_[k] = r.segment(weights_.first_row[k], rowsOf(readings_[k])).squaredNorm();
@@ -73,9 +73,10 @@ class StudentLoss {
     return rows;
   }
 
-  /// Returns chi-square of the best readings relative to its expectation, if all readings have `degrees_of_freedom`.
+  /// Returns chi-square of the best readings relative to its expectation; `degrees_of_freedom` are those of all
+  /// readings.
   [[nodiscard]] double chi2PerFreedom(double degrees_of_freedom) const {
-    // The worst tenth of readings with three rows has a quarter of the chi-square.
+    // If noise is normal, the worst tenth of readings with three rows contributes a quarter of the chi-square.
     constexpr double kShareOfBest = 0.74;
     return sumOfLeast(square_, kBest).first / (degrees_of_freedom * kShareOfBest);
   }

@@ -18,7 +18,7 @@ constexpr double kDisplayDegrees[] = {1, 0.5, 0.1, 0.05, 0.01};                /
 constexpr double kDisplayRadians[] = {0.1, 0.05, 0.01, 0.005, 0.001, 0.0005};  // display resolutions [rad]
 constexpr double kNearStep = 0.02;  // tolerance for a value written with few digits, relative to the step
 constexpr std::size_t kLeastReadings = 8, kLeastStops = 4;
-// Least ratio between the errors and those that rounding causes, in both directions.
+// Smallest accepted ratio of the errors to those that rounding causes, and of the latter to the former.
 constexpr double kShareOfError = 1. / 3;
 
 struct DisplayStep {
@@ -35,8 +35,8 @@ std::vector<DisplayStep> displaySteps() {
   return steps;
 }
 
-/// Returns true if a joint's readings are whole multiples of a step and have several different values. A joint at rest
-/// may have any value.
+/// Returns true if a joint's readings are whole multiples of a step and have several different values. A joint that
+/// never moves may have a round value by chance.
 bool areMultiples(const std::vector<Measurement>& readings, int joint, double step) {
   std::set<double> places;
   for (const auto& reading : readings) {
@@ -47,8 +47,8 @@ bool areMultiples(const std::vector<Measurement>& readings, int joint, double st
   return places.size() >= kLeastStops;
 }
 
-/// Returns for each joint the largest display resolution to which it is rounded, if coarser than the encoder; size 0
-/// for other joints.
+/// Returns for each joint the largest display resolution of which its readings are multiples, if coarser than the
+/// encoder; size 0 for other joints.
 std::vector<DisplayStep> stepsOf(const CheckedReadings& checked) {
   const auto& arm = checked.start.arm;
   const auto steps = displaySteps();
@@ -88,8 +88,8 @@ double shareLeft(const MistakeTrials& trials) {
   return std::clamp(trials.freedom({}, TrialDepth::kOpen) / std::max(1., rows), 0., 1.);
 }
 
-/// Returns a text such as "all joint readings are multiples of 0.1 deg", or "the readings of q1 and q2 are multiples of
-/// 0.1 deg, of q3 of 0.001 rad".
+/// Returns a phrase such as "all joint readings are multiples of 0.1 deg", or "the readings of q1 and q2 are multiples
+/// of 0.1 deg, of q3 of 0.001 rad".
 std::string stepsText(const CheckedReadings& checked, const std::vector<DisplayStep>& steps) {
   const auto is_alike = [&](const DisplayStep& step) { return step.text == steps.front().text; };
   if (std::ranges::all_of(steps, is_alike)) return "all joint readings are multiples of " + steps.front().text;
@@ -110,7 +110,7 @@ std::string stepsText(const CheckedReadings& checked, const std::vector<DisplayS
 std::optional<MeasurementCheck> roundedJoints(const MistakeTrials& trials) {
   const CheckedReadings& checked = trials.checked();
   const Trial& as_is = trials.asIs();
-  constexpr double kMisfit = 2;  // least chi-square per degree of freedom that counts as a misfit
+  constexpr double kMisfit = 2;  // chi-square per degree of freedom above which the fit is inadequate
   if (checked.readings.size() < kLeastReadings || !(as_is.chi2_per_freedom > kMisfit)) return std::nullopt;
   const auto steps = stepsOf(checked);
   if (std::ranges::none_of(steps, [](const DisplayStep& step) { return step.size > 0; })) return std::nullopt;

@@ -9,7 +9,7 @@ namespace tubeplan::calibration {
 
 /// Returns a remark if the readings of revolute joints are whole multiples of a round angle, which may differ between
 /// joints. The rounding must move the tip by more than the readings' noise and by about the size of the errors. Returns
-/// nullopt otherwise, since postures may be both round and exact.
+/// nullopt otherwise, since exact readings may be round, too.
 [[nodiscard]] std::optional<MeasurementCheck> roundedJoints(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

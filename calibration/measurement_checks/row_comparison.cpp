@@ -10,7 +10,7 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr double kBlind = 0.01;   // error below which errors count as zero, relative to the reach
-constexpr double kMostOfRow = 3;  // most evidence from a single row, as the log of a ratio of errors
+constexpr double kMostOfRow = 3;  // largest evidence that a single row contributes: log of the ratio of its errors
 constexpr std::size_t kEndRows = 20;
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Row-by-row comparison of two versions of the readings with an arm, in order to find the row where a mistake begins.
+// Row-by-row comparison of two versions of the readings with an arm's predictions, which shows the row where a mistake
+// begins.
 #pragma once
 
 #include <optional>
@@ -10,8 +11,7 @@
 namespace tubeplan::calibration {
 
 /// Returns arms with possible base poses: the nominal poses and, if a base is unknown, poses fitted to the first and to
-/// the last readings. A mistake that begins or ends in the middle leaves at least one of these
-/// two fits correct.
+/// the last readings. A mistake that begins or ends in the middle leaves at least one of these two fits correct.
 [[nodiscard]] std::vector<PlacedArm> likelyPlacings(const CheckedReadings& checked);
 
 /// Distances between readings and an arm's predictions, each computed on first use. Arm and readings must outlive the
@@ -36,7 +36,8 @@ class RowErrors {
 /// Comparison of the rows as stated with the corrected rows.
 class RowComparison {
  public:
-  /// Least mean of at() over a run that a mistake explains; a mistake changes values by a larger factor.
+  /// Smallest mean of at() over rows that a mistake affects: its correction reduces their errors by a factor of e or
+  /// more.
   static constexpr double kLeastMean = 1;
 
   RowComparison(RowErrors& as_is, RowErrors& mended, double reach);

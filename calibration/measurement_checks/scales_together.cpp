@@ -18,8 +18,8 @@ namespace {
 constexpr double kSharesOfLimit[] = {0.95, 0.7, 0.5, 0.36};
 constexpr double kHalfTurn = 3.2;          // limit that is assumed if the joint's limit is farther away [rad]
 constexpr double kPastByScale = 0.05;      // largest accepted excess over a limit [rad]
-constexpr std::size_t kMostTried = 5000;   // most combinations that are tried
-constexpr std::size_t kMostLookedAt = 20;  // most readings in the comparison
+constexpr std::size_t kMostTried = 5000;   // maximum number of combinations that are tried
+constexpr std::size_t kMostLookedAt = 20;  // maximum number of readings in the comparison
 // Numbers of combinations that are improved, and that are proposed.
 constexpr std::size_t kBettered = 16, kProposed = 2;
 constexpr int kScaleTurns = 3, kSectionSteps = 8, kFitRepeats = 3;

@@ -14,9 +14,9 @@ namespace tubeplan::calibration::mistakes::shifted_rows {
 namespace {
 
 constexpr std::size_t kMostRowsLooked = 2000;
-constexpr std::size_t kFewest = 3;  // least number of rows before and after a lost point
+constexpr std::size_t kFewest = 3;  // smallest number of rows before and after a lost point
 constexpr int kTried[] = {-1, 1};   // tried shifts, in rows, from some row on
-constexpr double kFits = 0.03;      // usual error of a row that is not shifted, relative to the reach
+constexpr double kFits = 0.03;      // error up to which a row counts as not shifted, relative to the reach
 
 /// Copies the measured values of a reading, but not its joints and loads.
 void takeMeasured(const Measurement& from, Measurement& to) {
@@ -34,7 +34,8 @@ void takeMeasured(const Measurement& from, Measurement& to) {
   to.turn_sigma = from.turn_sigma;
 }
 
-/// Shift "-1" or "-1@P37": the number of rows, and the id of the first shifted reading; nullopt: whole table.
+/// Parsed value such as "-1" or "-1@P37": the number of rows, and the id of the first shifted reading; nullopt: whole
+/// table.
 struct Shift {
   int by = 0;
   std::optional<std::string> from;

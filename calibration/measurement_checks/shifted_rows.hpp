@@ -1,4 +1,4 @@
-// Mistake: measured values are in another row than their joints and loads, in the whole table or from a lost or
+// Mistake: measured values are one or more rows away from their joints and loads, in the whole table or from a lost or
 // duplicated point on. Values without a matching row are left out.
 #pragma once
 

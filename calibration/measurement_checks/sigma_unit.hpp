@@ -1,5 +1,5 @@
-// Mistake: the noise is in another unit than its column states. Errors do not show this mistake; only their size
-// relative to the noise does. It is searched for separately (measurement_checks.cpp), so no values are tried here.
+// Mistake: the noise is not in the unit that its column states. Only the size of the errors relative to the noise shows
+// this mistake. It is searched for separately (measurement_checks.cpp), so no values are tried here.
 #pragma once
 
 #include "calibration/measurement_checks/units_of_columns.hpp"

@@ -19,9 +19,10 @@ namespace tubeplan::calibration {
 
 namespace {
 
-// Ratio of a gross error to the usual error or to the noise; no physical law leaves a single reading so far off.
+// Smallest ratio of a gross error to the usual error and to the noise; no physical law leaves a single reading so far
+// off.
 constexpr double kGross = 10;
-constexpr std::size_t kLeast = 6;  // least number of readings from which the usual error is known
+constexpr std::size_t kLeast = 6;  // smallest number of errors that determine the usual error
 // Fraction of stale readings above which the joints are not the cause, unless the readings are consecutive.
 constexpr double kMostOfThem = 0.2;
 constexpr double kMostOfRun = 0.4;  // largest accepted fraction of stale readings if these are consecutive
@@ -44,7 +45,7 @@ std::optional<Station> placeMeasured(const Measurement& reading) {
   return Station{{reading.p_W->begin(), reading.p_W->end()}, reading.setup};
 }
 
-/// Group of values of a reading that may belong to another reading, with its texts for messages.
+/// Group of values of a reading that may belong to another reading, with the wording of its messages.
 struct Side {
   const char *name, *one, *several, *cause;
   std::optional<Station> (*of)(const Measurement&);

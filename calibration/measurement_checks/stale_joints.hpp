@@ -1,5 +1,6 @@
-// Mistake: readings have the joints of another reading, logged too early or copied from the row above, or the position
-// of another reading, from a tracker that stood still. Both occur in single readings and in consecutive ones.
+// Mistake: readings repeat the joints of another reading, because they were logged too early or copied from the row
+// above, or repeat its position, because the tracker stood still. Both occur in single readings and in consecutive
+// ones.
 #pragma once
 
 #include <vector>

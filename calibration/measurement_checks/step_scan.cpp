@@ -16,8 +16,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Weights under Student's t distribution about the scale of most readings, which is at least that of the noise;
-/// `roots` are their square roots, one per row.
+/// Weights under Student's t distribution, whose scale is that of most readings but at least that of the noise; `roots`
+/// are the square roots of the weights, one per row.
 struct RowWeights {
   VectorXd roots;
   double variance = 1;
@@ -103,7 +103,7 @@ bool StepScan::isOf(const StepForm& form, std::size_t reading) const {
 
 std::optional<StepScan::Explained> StepScan::explained(const Sums& sums) const {
   MatrixXd left = sums.by_step - sums.by_fit.transpose() * sums.by_fit;
-  constexpr double kTold = 1e-6;  // least fraction of a column's squared length that the fit must leave
+  constexpr double kTold = 1e-6;  // smallest fraction of a column's squared length that the fit must leave unexplained
   for (Index k = 0; k < left.rows(); ++k)
     if (!(left(k, k) > kTold * sums.by_step(k, k))) return std::nullopt;
   const VectorXd scale = left.diagonal().cwiseSqrt().cwiseInverse();

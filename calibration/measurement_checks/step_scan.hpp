@@ -10,7 +10,7 @@
 
 namespace tubeplan::calibration {
 
-inline constexpr std::size_t kFewestOfStep = 4;  ///< least number of readings before and after a step
+inline constexpr std::size_t kFewestOfStep = 4;  ///< smallest number of readings before and after a step
 
 /// Best step of one form: its reading and size.
 struct FoundStep {
@@ -25,7 +25,7 @@ struct FoundStep {
 class StepScan {
  public:
   /// Linearises the model at the state of a fit. `readings` and `forms` must outlive the object. ok() is false if the
-  /// model cannot be evaluated.
+  /// model cannot be evaluated or there are too few readings.
   StepScan(PlacedArm fitted, const FreeChoice& open, const std::vector<Measurement>& readings,
            const std::vector<StepForm>& forms);
 
@@ -54,7 +54,7 @@ class StepScan {
   [[nodiscard]] std::vector<std::vector<Eigen::VectorXd>> courses(const StepForm& form) const;
   [[nodiscard]] bool isOf(const StepForm& form, std::size_t reading) const;
   [[nodiscard]] std::optional<FoundStep> bestStep(std::size_t form) const;
-  /// Returns the log odds gained by a decrease `fall` of half of chi-square, for an unknown error scale that is at
+  /// Returns the log odds gained if half of chi-square decreases by `fall`. The scale of the errors is unknown, but at
   /// least that of the noise.
   [[nodiscard]] double gainOf(double fall) const;
 
@@ -66,7 +66,7 @@ class StepScan {
   /// Transformed Jacobian of the fit (parameters x rows), such that the squared length of its product with a residual
   /// is the decrease of chi-square due to the fit.
   Eigen::MatrixXd by_fit_;
-  std::vector<Eigen::MatrixXd> by_step_;  ///< columns of each form (rows x parameters)
+  std::vector<Eigen::MatrixXd> by_step_;  ///< derivatives with respect to each form's parameters (rows x parameters)
 };
 
 }  // namespace tubeplan::calibration

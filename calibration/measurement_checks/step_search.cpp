@@ -16,10 +16,10 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr std::size_t kMostSteps = 3;  // most steps that are fitted, for the readings as stated
-constexpr int kTurns = 4;              // most alternations between fitting the size and searching for the reading
-constexpr double kBeyondCreep = 5;     // least log odds of a step relative to a creep
-constexpr double kDrasticFall = 8;     // least factor of error reduction that no creep causes
+constexpr std::size_t kMostSteps = 3;  // maximum number of steps that are proposed for the readings as stated
+constexpr int kTurns = 4;              // maximum number of alternations between size fit and search for the reading
+constexpr double kBeyondCreep = 5;     // smallest log odds of a step relative to a creep
+constexpr double kDrasticFall = 8;     // factor of error reduction above which a step cannot be a creep
 
 class StepSearch {
  public:
@@ -89,7 +89,7 @@ class StepSearch {
     return mend;
   }
 
-  /// Returns the change of the step's size from a linear fit together with all open parameters.
+  /// Returns the correction of the step's size from a linear fit of the size and of all open parameters.
   [[nodiscard]] VectorXd change(std::size_t form, const VectorXd& size, const PlacedArm& placed,
                                 const std::vector<Measurement>& readings, const std::string& from) const {
     const auto ids = idsFrom(all_, from);
@@ -100,7 +100,7 @@ class StepSearch {
     return scan.sizeAt(0, static_cast<std::size_t>(first - readings.begin()));
   }
 
-  /// Returns the id of the reading that minimises the errors, if the step applies from this reading on and not before.
+  /// Returns the id of the reading for which the errors are smallest if the step begins there.
   [[nodiscard]] std::string beginning(std::size_t form, const VectorXd& size, const std::string& from,
                                       const Trial& fit) const {
     std::vector<std::size_t> members;

@@ -9,9 +9,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kLeastFall = 3;  // least factor by which a mistake must reduce the error relative to the drawing
+constexpr double kLeastFall = 3;  // smallest factor by which a mistake must reduce the error relative to the drawing
 constexpr double kOdds = 14;      // required log odds: log of a million
-// Factor of error reduction relative to the drawing that no fit of the drawing's parameters achieves.
+// Factor by which no fit of the drawing's parameters reduces the error relative to the drawing.
 constexpr double kDrastic = 8;
 constexpr double kAsGood = 3;         // log odds within which another mistake explains the readings equally well
 constexpr double kAsGoodError = 1.5;  // ratio of errors within which another mistake explains the readings equally well
@@ -19,7 +19,7 @@ constexpr double kNoisePerRow = 0.6;  // lack of fit per row due to noise alone
 constexpr double kFits = 0.05;        // largest error of readings that count as corrected, relative to the reach
 // Error, relative to the reach, above which several mistakes are tried after one is corrected.
 constexpr double kLeftOver = 0.001;
-constexpr double kBent = 0.005;     // error with the tip as drawn that exceeds the arm's sag, relative to the reach
+constexpr double kBent = 0.005;     // error with the tip as drawn that is larger than any sag, relative to the reach
 constexpr double kMostAtNoise = 2;  // largest chi-square per degree of freedom due to noise alone
 
 /// Returns true if a correction has fitted parameters; without them, no reduction of the error is due to a fit.
@@ -97,9 +97,11 @@ bool SuspectJudgement::explainsError(const Suspect& suspect) const {
   if (!trials_.asIs().ok) return suspect.drawn.error < kFits * trials_.reach();
   const double shrinks = trials_.shrinkage(suspect.drawn);
   const auto falls = [&](double as_is, double mended) { return as_is >= kLeastFall * mended * shrinks; };
-  // A step that leaves only noise, and that no creep explains (step_search.hpp), may reduce the error less.
+  // A step that leaves only noise, and that no creep explains (step_search.hpp), need not reduce the error by
+  // kLeastFall.
   if (suspect.mend.against > 0 && isAtNoise(suspect) && gainOf(suspect) >= kOdds) return true;
-  // A base is common to all readings; after a slip it does not apply to earlier readings.
+  // A wrong base affects all readings, so that freeing it must also reduce the error over all of them, not only over
+  // the best nine tenths.
   if (suspect.mend.frees_base && !falls(trials_.asIs().whole_error, suspect.open.whole_error)) return false;
   if (!hasNumbers(suspect.mend) && trials_.gain(suspect.open) > 0 &&
       trials_.asIs().held_error >= kDrastic * suspect.drawn.held_error * shrinks)
@@ -115,7 +117,7 @@ bool SuspectJudgement::explainsError(const Suspect& suspect) const {
 }
 
 bool SuspectJudgement::bringsBack(const Trial& before, const Trial& after) const {
-  constexpr double kBack = 4;  // least ratio of distances before and after
+  constexpr double kBack = 4;  // smallest ratio of the distances before and after
   const double far_shift = kFarShift * trials_.reach();
   const bool turns_back = before.base_turn > kFarTurn && before.base_turn >= kBack * after.base_turn;
   const bool shifts_back = before.base_shift > far_shift && before.base_shift >= kBack * after.base_shift;

@@ -27,11 +27,11 @@ class SuspectJudgement {
   /// Returns true if no single mistake reduces the error to about the usual error of a model.
   [[nodiscard]] bool isLeftOver(const std::vector<Suspect>& suspects) const;
 
-  /// Returns true if an error remains, or if every suspect has its base far from the nominal place or a distorted
-  /// drawing.
+  /// Returns true if several mistakes are worth trying together: an error remains, or every suspect leaves the base far
+  /// from its nominal place or needs a distorted drawing.
   [[nodiscard]] bool asksForSeveral(const std::vector<Suspect>& suspects) const;
 
-  /// Returns true if a suspect lowers the error as much as required of a mistake.
+  /// Returns true if a suspect lowers the error as much as measurement_checks.hpp requires of a mistake.
   [[nodiscard]] bool explainsError(const Suspect& suspect) const;
   /// Returns true if a suspect brings the base back to its nominal place without a larger error.
   [[nodiscard]] bool explainsBase(const Suspect& suspect) const;
@@ -43,7 +43,7 @@ class SuspectJudgement {
   /// out.
   [[nodiscard]] bool isDetermined(const Mend& mend) const;
 
-  /// Returns the log odds that a suspect gains, minus the penalty for its choice among many readings.
+  /// Returns the log odds that a suspect gains, minus the penalty for mistakes that may begin at any of many readings.
   [[nodiscard]] double gainOf(const Suspect& suspect) const;
   /// Returns gainOf(suspect) minus the prior log odds against each further mistake.
   [[nodiscard]] double merit(const Suspect& suspect) const;

@@ -1,4 +1,4 @@
-// Mistake: a tool or target was changed within a set-up, so the measured point is elsewhere on the tool from a reading
+// Mistake: a tool or target was changed within a set-up, so that another point of the tool is measured from one reading
 // on.
 #pragma once
 

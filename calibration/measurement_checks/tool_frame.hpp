@@ -1,6 +1,6 @@
-// Mistake: rotations are those of another frame than the arm file's tool frame. Value "yzx": another convention of the
-// flange, whose x, y and z are the tool's y, z and x. Value "90:0:35": a tracked body that is mounted on the tool with
-// this roll, pitch and yaw.
+// Mistake: the rotations are those of a frame other than the tool frame of the arm's file. Value "yzx": another
+// convention of the flange, whose x, y and z are the tool's y, z and x. Value "90:0:35": a tracked body that is mounted
+// on the tool with this roll, pitch and yaw.
 #pragma once
 
 #include <fmt/format.h>
@@ -53,7 +53,7 @@ inline std::optional<Eigen::Matrix3d> meanTurn(const CheckedReadings& checked) {
 }
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {
-  constexpr double kSmall = 0.1;  // prior sigma of a mounting (`tool.turn`) [rad], which the fit can find
+  constexpr double kSmall = 0.1;  // prior sigma of a mounting (`tool.turn`) [rad]; the fit finds smaller rotations
   std::vector<std::string> texts;
   if (std::ranges::none_of(checked.readings, statesFrame)) return texts;
   const auto mean = meanTurn(checked);
@@ -69,7 +69,7 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return texts;
 }
 
-/// Returns, as text, the tool's `rpy` with which the arm file's tool frame would be the measured frame.
+/// Returns as text the tool's `rpy` that would make the tool frame of the arm's file equal to the measured frame.
 inline std::string rpyText(const CheckedReadings& checked, const Eigen::Matrix3d& R_TM) {
   const Eigen::Vector3d rpy = fixedAngles(checked, checked.start.arm.R_LT * R_TM);
   return fmt::format("[{:.6g}, {:.6g}, {:.6g}] {}", rpy.x(), rpy.y(), rpy.z(), checked.units.angles.name);

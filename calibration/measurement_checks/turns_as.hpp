@@ -1,5 +1,5 @@
-// Mistake: rotations in the roll, pitch and yaw columns have another form, such as Euler angles of a controller or a
-// rotation vector.
+// Mistake: rotations in the roll, pitch and yaw columns are written in another form, such as Euler angles of a
+// controller or a rotation vector.
 #pragma once
 
 #include <algorithm>

@@ -23,8 +23,8 @@ std::vector<Measurement> placesOfPoses(const std::vector<Measurement>& readings)
   return places;
 }
 
-/// Returns the corrections of a text such as "joint-sign=q1,joint-sign=q4", except corrections of the noise; empty if
-/// one of them does not apply to these readings.
+/// Parses a string such as "joint-sign=q1,joint-sign=q4" into corrections, without those of the noise; empty if one of
+/// them does not apply to these readings.
 JoinedMends mendsOf(const CheckedReadings& checked, const std::string& assume) {
   JoinedMends mends;
   for (const std::string& text : partedAssumptions(assume)) {

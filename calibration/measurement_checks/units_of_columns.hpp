@@ -1,4 +1,5 @@
-// Common functions for mistakes of units: names of other units, and the factor from the stated unit.
+// Common functions for mistakes of units: names of the units that a column may have instead, and the factors that
+// correct its values.
 #pragma once
 
 #include <cmath>
@@ -16,8 +17,8 @@ inline std::vector<std::string> otherNames(const std::vector<NamedUnit>& units, 
   return names;
 }
 
-/// Returns the factor that converts values read in unit `own` to values read in the named unit; nullopt if there is no
-/// such unit.
+/// Returns the factor that corrects values which were read in unit `own` but are in the named unit; nullopt if there is
+/// no such unit.
 inline std::optional<double> factorOf(const std::vector<NamedUnit>& units, const NamedUnit& own,
                                       const std::string& name) {
   for (const auto& unit : units)
@@ -25,9 +26,9 @@ inline std::optional<double> factorOf(const std::vector<NamedUnit>& units, const
   return std::nullopt;
 }
 
-/// Returns the correction, by the same factor, of noise whose columns state the same unit as the coordinates' columns.
-/// The correction applies to all axes or, if `axis` is given, to this axis only; a common sigma is then not changed.
-/// Empty if there is no such noise column.
+/// Returns the correction that multiplies by `factor` the noise whose columns state the same unit as the coordinates'
+/// columns. The correction applies to all axes or, if `axis` is given, to this axis only; a common sigma is then not
+/// changed. Empty if there is no such noise column.
 inline std::function<void(std::vector<Measurement>&)> sigmaAlong(const CheckedReadings& checked, double factor,
                                                                  std::optional<Eigen::Index> axis = {}) {
   const auto& units = checked.units;

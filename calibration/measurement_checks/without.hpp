@@ -1,4 +1,4 @@
-// Correction that leaves out readings: duplicates, readings beyond the arm's reach, or consecutive readings of a point
+// Correction that leaves out readings: duplicates, readings beyond the arm's reach, or a run of readings from a device
 // that stood still.
 #pragma once
 
