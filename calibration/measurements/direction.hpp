@@ -26,8 +26,8 @@ inline Eigen::Matrix3d frameOf(double azimuth, double elevation) {
   return R_WM;
 }
 
-/// Angles [rad] between a direction and the third axis, towards the first and the second axis, and their derivatives
-/// with respect to the direction.
+/// Angle [rad] between a direction and the third axis, resolved towards the first and the second axis, with the
+/// derivatives with respect to the direction.
 struct Deviation {
   Eigen::Vector2d angles;
   Eigen::Matrix<double, 2, 3> slope;

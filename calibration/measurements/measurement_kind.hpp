@@ -56,7 +56,7 @@ struct ReadingLack {
   std::string what, advice;
 };
 
-/// Returns the problem that x, y, z are missing, which most kinds need; empty if they are stated.
+/// Returns a lack of x, y, z, which most kinds need; empty if the reading states them.
 [[nodiscard]] inline std::optional<ReadingLack> lackOfPlace(const Measurement& reading, const std::string& kind) {
   if (reading.p_W) return std::nullopt;
   return ReadingLack{"the reading of kind " + kind + " has no x, y, z", "write its coordinates"};

@@ -140,7 +140,7 @@ Eigen::Matrix3d correlationMatrix(const Eigen::Vector3d& correlation) {
 Eigen::Vector3d correlationNumbers(const Eigen::Matrix3d& matrix) { return {matrix(0, 1), matrix(0, 2), matrix(1, 2)}; }
 
 bool isPossibleCorrelation(const Eigen::Vector3d& correlation) {
-  constexpr double kLeastOwn = 1e-9;  // least fraction of a variance that the other coordinates do not determine
+  constexpr double kLeastOwn = 1e-9;  // smallest accepted eigenvalue of a correlation matrix
   if (!correlation.allFinite()) return false;
   return correlationMatrix(correlation).selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() > kLeastOwn;
 }

@@ -1,4 +1,4 @@
-// The open table of kinds of readings. A new kind is one header in this folder and one row of the table.
+// Extensible table of the kinds of readings. A new kind is one header in this folder and one row of the table.
 #pragma once
 
 #include <cmath>
@@ -97,7 +97,8 @@ void linkReferences(std::vector<Measurement>& readings);
 /// Returns the stated standard deviation of each row [m]; NaN where none is stated.
 [[nodiscard]] MeasuredValue rowSigmas(const Measurement& reading);
 
-/// Returns the root mean square of the standard deviations of x, y and z [m], which stands for all three.
+/// Returns the root mean square of the standard deviations of x, y and z [m], for use where one value represents all
+/// three.
 [[nodiscard]] double meanSigma(const Eigen::Vector3d& sigma_W);
 
 /// Convert the correlations of x with y, x with z and y with z to a correlation matrix, and back.
@@ -134,7 +135,8 @@ void linkReferences(std::vector<Measurement>& readings);
 /// all its readings.
 [[nodiscard]] std::vector<std::vector<int>> groupsByPlace(const std::vector<Measurement>& readings);
 
-/// Returns the least number of readings of an unknown place that give information: one more than determine the place.
+/// Returns the smallest number of readings of an unknown place that give information on the arm: one more than
+/// determine the place.
 [[nodiscard]] inline int leastOfPlace(const Measurement& reading) {
   return placeNumbers(reading) / rowsOf(reading) + 1;
 }

@@ -25,7 +25,7 @@ inline Eigen::Vector3d without(Eigen::Vector3d values, Eigen::Index unseen) {
   return values;
 }
 
-/// Returns the index of the tool frame axis that is closest to parallel with a direction in the world.
+/// Returns the index of the axis of the tool frame that is most nearly parallel to a direction in the world frame.
 inline Eigen::Index axisAlong(const Eigen::Vector3d& direction_W, const ToolPose& tool) {
   Eigen::Index axis = 0;
   (tool.R_WT.transpose() * direction_W).cwiseAbs().maxCoeff(&axis);

@@ -35,7 +35,7 @@ inline PlaceColumns byPlaceNumbers(const Measurement& reading, const ToolPose& t
   return columns;
 }
 
-/// Fits the plane. The normal is the direction of least spread of the points, oriented like the previous normal.
+/// Fits the plane. The normal is the direction in which the points are spread least, oriented like the previous normal.
 inline bool settle(const Eigen::Matrix3Xd& points_W, const Measurement&, Surface& surface) {
   constexpr double kLine = 1e-6;  // spread relative to the largest one, below which the points form a line
   if (points_W.cols() < kNumbers) return false;

@@ -17,7 +17,7 @@ inline constexpr std::array<MeasuredColumn, 3> kColumns{{{"range", deflection::Q
 
 inline Eigen::Vector3d wayTo(const Measurement& reading, const ToolPose& tool) { return tool.p_W - *reading.p_W; }
 
-/// Returns the range [m], then the horizontal and the vertical angle [rad], along a vector from the station.
+/// Returns the range [m], then the horizontal and the vertical angle [rad], of a vector from the station.
 inline Eigen::Vector3d numbersOf(const Eigen::Vector3d& way) {
   return {way.norm(), std::atan2(way.y(), way.x()), std::atan2(way.z(), way.head<2>().norm())};
 }

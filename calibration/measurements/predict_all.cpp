@@ -23,8 +23,8 @@ bool areForKernels(const deflection::Arm& arm, const std::vector<Measurement>& r
 
 namespace {
 
-constexpr std::size_t kReadingsOfCore = 128;  // block for one core, solved side by side
-constexpr std::size_t kReadingsInTurn = 16;   // block for one core, solved one by one with the same prepared arm
+constexpr std::size_t kReadingsOfCore = 128;  // readings per block for one core, solved side by side
+constexpr std::size_t kReadingsInTurn = 16;   // readings per block for one core, solved singly with one prepared arm
 
 /// The readings to predict, and the requested derivatives.
 struct AskedReadings {

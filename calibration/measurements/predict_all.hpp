@@ -13,8 +13,8 @@ class Kinematics;
 namespace tubeplan::calibration {
 
 /// Returns true if the model of these readings depends on joints, load and gravity only, so that their shapes can be
-/// solved side by side (SIMD). This holds for arms without effects, tips that carry only a load, and readings of no
-/// row's frame.
+/// solved side by side (SIMD). This holds for arms without effects, tips that carry only a hung load, and readings that
+/// do not measure a row's frame.
 [[nodiscard]] bool areForKernels(const deflection::Arm& arm, const std::vector<Measurement>& readings);
 
 /// Calls `each(k, prediction)` for every reading, in any order and on any thread; reading k is made at base pose

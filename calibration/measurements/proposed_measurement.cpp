@@ -59,7 +59,8 @@ std::optional<Measurement> expectedReading(const PlacedArm& placed, const Propos
     if (!rest) return std::nullopt;
     tool->p_W -= rest->p_W;
   }
-  // If the model centres the tool, all steps of the tool enter.
+  // Without measured values the reading counts as one in which all steps entered, as the model expects of a centred
+  // tool.
   if (kind.counts_steps) return reading;
   if (proposed.is_length_alone)
     reading.own[0] = tool->p_W.norm();

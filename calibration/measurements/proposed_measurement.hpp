@@ -36,7 +36,7 @@ struct ProposedMeasurement {
   deflection::ConditionValues conditions;  ///< expected conditions; the time is the earliest one for the reading
 };
 
-/// Return true if a proposed reading touches a point of known position, or of unknown position.
+/// Return true if a proposed reading touches a point of known or of unknown position, respectively.
 [[nodiscard]] bool touchesKnownPoint(const ProposedMeasurement& proposed);
 [[nodiscard]] bool touchesUnknownPoint(const ProposedMeasurement& proposed);
 

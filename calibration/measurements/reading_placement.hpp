@@ -1,4 +1,4 @@
-// Placement of an arm for fits to readings: a base pose for every set-up that the readings name.
+// Initial base poses for a fit: one for every set-up that the readings name.
 #pragma once
 
 #include <vector>

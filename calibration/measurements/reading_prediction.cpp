@@ -11,7 +11,7 @@ using Eigen::Matrix3d, Eigen::MatrixXd;
 
 namespace {
 
-/// Computes the tool frame, or the frame of `row`, and its motion. Returns false if the shape does not converge.
+/// Computes the tool frame, or the frame of `row`, with its derivatives. Returns false if the shape does not converge.
 bool solveFrame(deflection::TipDifferentiation& tip, const deflection::Posture& posture,
                 const std::vector<deflection::Variable>& variables, const std::optional<int>& row, FrameMotion& frame) {
   const auto status = row ? tip.solveRow(*row, posture, variables) : tip.solve(posture, variables);

@@ -17,11 +17,12 @@ struct ReadingProblem {
   std::string advice;
 };
 
-/// Returns the number of measured values less the parameters of unknown places.
+/// Returns the number of measured values minus the number of parameters of unknown places.
 [[nodiscard]] int numbersMeasured(const std::vector<Measurement>& readings);
 
-/// Returns the first fault that makes the readings useless: no reading at all, a point of unknown position touched
-/// once, all readings at one posture, or fewer measured values than free parameters.
+/// Returns the first fault that makes the readings useless: no reading at all, a point touched once or a surface
+/// touched too few times while its position is unknown, all readings at one posture, or fewer measured values than free
+/// parameters.
 [[nodiscard]] std::optional<ReadingProblem> findReadingProblem(const std::vector<Measurement>& readings,
                                                                const std::vector<Unknown>& unknowns);
 

@@ -1,6 +1,6 @@
 // Kind `relative`: the displacement of the tip from its position at another reading, `reference`, as x, y, z in the
 // world frame or as its length alone. This kind exploits a known distance at an unknown position: two sockets of a jig,
-// two holes one pitch apart, the travel on a slide's scale.
+// two holes one pitch apart, the travel that the scale of a linear stage shows.
 #pragma once
 
 #include "calibration/measurements/coordinates.hpp"
@@ -28,7 +28,7 @@ inline bool isPossible(const Measurement& reading) {
   return reading.p_W ? std::isnan(reading.own[0]) : distance::isPossible(reading);
 }
 
-/// Returns the reference reading or, while that is unknown, the unloaded tip of this reading.
+/// Returns the reference reading or, while none is set, this reading without load.
 inline Departure departure(const Measurement& reading) {
   return reading.reference ? Departure{reading.reference.get(), false} : Departure{&reading, true};
 }

@@ -1,6 +1,6 @@
 // Kind `sphere`: the tip touches a sphere of unknown centre, such as a tooling ball. The joints are read. The error is
 // the tip's distance from the best-fit sphere of all readings of the same sphere. The radius of the sphere (including
-// that of a ball at the tip) is either known, which adds a length to the readings, or fitted with the centre.
+// that of a ball at the tip) is either known, so that the readings contain a known length, or fitted with the centre.
 #pragma once
 
 #include <array>
@@ -56,7 +56,7 @@ inline Distances distancesFrom(const Surface& surface, const Eigen::Matrix3Xd& p
   return distances;
 }
 
-/// Fits the sphere |p|^2 = 2 c p + (r^2 - |c|^2), which is linear in c and in the bracket.
+/// Fits the sphere |p|^2 = 2 c p + (r^2 - |c|^2), which is linear in c and in the term in parentheses.
 inline Surface algebraic(const Eigen::Matrix3Xd& points_W) {
   const Eigen::Vector3d mean = points_W.rowwise().mean();
   const Eigen::Matrix3Xd from = points_W.colwise() - mean;

@@ -8,7 +8,8 @@ namespace tubeplan::calibration {
 struct TipPlacementOptions {
   double tolerance = 1e-11;  ///< largest distance of the tip from the goal [m]
   int max_iterations = 60;
-  /// Least singular value of the tip's Jacobian per rad, divided by the arm's reach; below it: kStretched.
+  /// Smallest accepted singular value of the tip's Jacobian [m/rad], divided by the arm's reach; below it the status is
+  /// kStretched.
   double singular_floor = 0.01;
 };
 
@@ -21,8 +22,8 @@ struct TipPlacement {
 
 /// Moves the tip to `p_BT` [m] by Broyden's method on the tip's three coordinates, with the smallest joint motion from
 /// the joint readings of `start`. The first Jacobian treats the deflected shape as rigid, which is right within a few
-/// per cent and far quicker than exact derivatives. Joint limits are ignored. kStretched: the arm can hardly move in
-/// some direction at the point.
+/// per cent and far quicker than exact derivatives. Joint limits are ignored. kStretched means that the tip can hardly
+/// move in some direction there.
 [[nodiscard]] TipPlacement placeTip(const deflection::Arm& arm, const deflection::Posture& start,
                                     const Eigen::Vector3d& p_BT, const TipPlacementOptions& options = {});
 

@@ -24,11 +24,11 @@ struct ValueColumns {
   bool has_joints = false;              ///< true: all joint readings, which alone measure a tip that rests at a point
   bool has_place = false;               ///< true: x, y, z; otherwise x, y, z is the point from which the kind measures
   std::vector<MeasuredColumn> numbers;  ///< x, y, z if measured, then the kind's own columns
-  int least = 0;                        ///< least number of `numbers` that a reading states
+  int least = 0;                        ///< smallest number of `numbers` that a reading must state
 };
 
-/// Return the columns of kinds that measure, in the order of the functions below: all of their own columns; some of
-/// them; x, y, z and all of them; x, y, z or else their own; only the joints.
+/// Return the value columns of a kind. In the order of the functions below, the kind measures all of its own columns;
+/// some of them; x, y, z and all of its own; x, y, z or else its own; only the joints.
 [[nodiscard]] inline ValueColumns allOfOwn(std::span<const MeasuredColumn> own) {
   return {false, false, {own.begin(), own.end()}, static_cast<int>(own.size())};
 }
