@@ -1,5 +1,5 @@
-// Clocks that were set or misread during a campaign are named, with the first affected reading, and corrected; pauses
-// and reordered rows are left unchanged.
+// A clock that was set or misread during a campaign is named with the first affected reading, and is corrected; pauses
+// and reordered rows are not reported.
 #include "calibration/measurement_checks/clock.hpp"
 
 #include <gtest/gtest.h>

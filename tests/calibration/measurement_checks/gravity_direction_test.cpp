@@ -11,7 +11,8 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// Returns checks of 40 readings of a Cobra under gravity `gravity_W`; the cell states gravity downwards.
+/// Returns the checks of 40 readings that a Cobra took under gravity `gravity_W`, while its cell states gravity
+/// downwards.
 MeasurementChecks checksUnder(const Eigen::Vector3d& gravity_W, bool is_base_known, std::uint64_t seed = 8) {
   PlacedArm real = cobra();
   real.arm.gravity_W = gravity_W;
@@ -62,7 +63,7 @@ void expectGravity(const MeasurementCheck* gross, const Eigen::Vector3d& gravity
   EXPECT_LT(gross->error_if_mended, gross->error_as_is / 5);
 }
 
-// For a base on a tilted pedestal or wall the direction is found within two degrees.
+// If gravity is oblique, as for a base on a tilted pedestal, its direction is found within two degrees.
 TEST(GravityDirection, IsFoundWhereItIsOblique) {
   for (const double lean : {50., 75., 120.})
     for (const double azimuth : {0., 35., 200.}) {
@@ -72,7 +73,8 @@ TEST(GravityDirection, IsFoundWhereItIsOblique) {
     }
 }
 
-// Exchanged axes rotate an unknown base to within 45 degrees of any direction, but the true gravity fits better.
+// Exchanged axes can turn an unknown base to within 45 degrees of any direction, but gravity is named in at least five
+// of six cases, since it fits better.
 TEST(GravityDirection, IsFoundWhereItIsObliqueAndTheBaseUnknown) {
   int named = 0;
   for (const double lean : {75., 120.})
@@ -89,8 +91,8 @@ TEST(GravityDirection, IsFoundWhereItIsObliqueAndTheBaseUnknown) {
   EXPECT_GE(named, 5);
 }
 
-// Along a coordinate axis exchanged axes and gravity explain the readings equally; an unmoved base decides between
-// them.
+// If gravity is along a coordinate axis, exchanged axes explain the readings equally well; the cause that leaves the
+// base in its nominal place is named.
 TEST(GravityDirection, IsToldFromExchangedAxesByTheBase) {
   for (const Eigen::Vector3d& gravity_W :
        {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, -1, 0)}) {
@@ -112,7 +114,8 @@ TEST(GravityDirection, IsToldFromExchangedAxesByTheBase) {
   }
 }
 
-// Below about 26 degrees the effect gravity-tilt applies: a tilt of 30 may be left to it, but is never named otherwise.
+// A tilt of 30 degrees, not far above the 26 up to which it is left to the effect gravity-tilt, is left to this effect
+// or named as gravity, but never named as another mistake.
 TEST(GravityDirection, IsFoundOrLeftToTheFitWhereItLeansLittle) {
   for (const double azimuth : {0., 35., 200.})
     for (const bool is_base_known : {true, false}) {

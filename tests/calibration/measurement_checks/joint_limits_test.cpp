@@ -50,7 +50,7 @@ TEST(JointLimits, AHairIsAThousandthOfTheRange) {
   EXPECT_TRUE(isPastLimit(endless, -120.1 * kDeg));
 }
 
-/// Returns the changed readings of a set, written to the form of a file and read back.
+/// Returns the readings of a set after `change`, written in the format of a file and read back.
 app::ReadingsWithChecks readUnwound(SeededSet& set, const std::function<void(std::vector<Measurement>&)>& change) {
   change(set.table.readings);
   return app::parseAndCheck(app::measurementsCsv(set.table.readings, set.cell.arm, set.cell.units), "m.csv", set.cell,
@@ -77,7 +77,7 @@ TEST(JointLimits, ReadingsOfAnEncoderFromZeroToATurnAreTakenBackAndSaidSo) {
   EXPECT_EQ(grossMistake(read.checks), nullptr);
 }
 
-// A reading slightly beyond a limit is accepted with a note; at three times the excess it is refused, with the limits.
+// A reading 0.1 deg beyond a limit is accepted with a remark; a reading 0.3 deg beyond it is refused.
 TEST(JointLimits, AReadingAHairPastIsTakenAndSaidSo) {
   const auto raised = [](double hair) {
     return [hair](std::vector<Measurement>& readings) { readings[4].q[1] = (180 + hair) * kDeg; };
@@ -92,7 +92,8 @@ TEST(JointLimits, AReadingAHairPastIsTakenAndSaidSo) {
   EXPECT_THROW((void)readUnwound(*other, raised(0.3)), app::InputError);
 }
 
-// A reading that no full turn brings within the limits contradicts an encoder that counts from 0 to 360 deg.
+// A file is refused if one turn does not bring all readings of a joint within its limits, since its encoder then does
+// not count from 0 to 360 deg.
 TEST(JointLimits, AJointWithAReadingThatNoTurnBringsBackIsRefused) {
   auto set = simulatedSet("bench.yaml", "bench", 30, {}, 3);
   ASSERT_TRUE(set);
@@ -104,7 +105,8 @@ TEST(JointLimits, AJointWithAReadingThatNoTurnBringsBackIsRefused) {
                app::InputError);
 }
 
-// A count from zero together with another mistake: the count is corrected, and the other mistake is still named.
+// If one encoder counts from zero and another joint has the wrong sign, the count is corrected and the sign is still
+// named.
 TEST(JointLimits, AnotherMistakeBesideTheTurnIsNamed) {
   auto set = simulatedSet("bench.yaml", "bench", 30, {}, 3);
   ASSERT_TRUE(set);

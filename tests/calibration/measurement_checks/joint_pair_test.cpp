@@ -1,5 +1,5 @@
-// Columns of two joints that contain a differential's motors: corrected, named together with another mistake, and never
-// named wrongly.
+// Two joint columns that contain the motors of a differential are corrected, and named also when combined with another
+// mistake.
 #include "calibration/measurement_checks/joint_pair.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,8 @@ TEST(JointPair, TakesSensesOfMotionThatTheMotorsTell) {
   }
 }
 
-// Combined with a wrong unit, sign or coordinate axis, the correction restores the clean readings.
+// If the columns contain the motors and a unit, sign or coordinate axis is wrong, too, the proposed correction restores
+// the clean readings in all cases but at most one.
 TEST(JointPair, IsNamedBesideAnotherMistake) {
   int made = 0, mended = 0;
   std::string found;

@@ -1,5 +1,5 @@
 // Common mistakes in readings are named, no mistake is reported in clean readings, and each proposal corrects its
-// mistake. studies/measurement_checks is the same test with many more readings.
+// mistake. studies/measurement_checks.cpp runs the same judgement on many more sets.
 #include "calibration/measurement_checks/measurement_checks.hpp"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ namespace {
 
 class MeasurementChecks : public ::testing::TestWithParam<std::size_t> {};
 
-// Three sets each, since priors may explain the mistake in a single set. The zero of the last joint is left out: for
-// tip positions it is equivalent to a tool mounted elsewhere.
+// Each mistake is named in at least two of three sets, since priors may explain it in a single one. The zero of the
+// last joint is left out: for tip positions it is equivalent to a tool mounted elsewhere.
 TEST_P(MeasurementChecks, NameTheMistake) {
   constexpr int kSets = 3;
   const auto& kind = seededMistakes().at(GetParam());
@@ -59,8 +59,8 @@ double chi2Mended(SeededSet& set, const std::string& assume) {
   return comparison.after_refit.chi2 / comparison.after_refit.degrees_of_freedom;
 }
 
-// The correction applies to the noise, too: noise left in the wrong unit would change chi-square by a factor of
-// hundreds.
+// The proposed correction leads to a chi-square that the noise explains. Noise left in the wrong unit would change it
+// by a factor of hundreds.
 TEST_P(MeasurementChecks, AreMendedByWhatTheyOffer) {
   constexpr int kSets = 2;
   const auto& kind = seededMistakes().at(GetParam());
@@ -87,7 +87,7 @@ TEST_P(MeasurementChecks, AreMendedByWhatTheyOffer) {
 
 INSTANTIATE_TEST_SUITE_P(OfEveryKind, MeasurementChecks, ::testing::Range<std::size_t>(0, seededMistakes().size()));
 
-// Few readings are fitted exactly by all free parameters, but no fit can know of an error below the noise.
+// No error is stated below the noise, even if the free parameters fit few readings exactly.
 TEST(MeasurementChecksOf, ErrorsAreQuotedNoLowerThanTheNoise) {
   int quoted = 0;
   for (const auto& kind : seededMistakes())
@@ -134,7 +134,8 @@ TEST(MeasurementChecksOf, PhysicsIsNoMistake) {
   }
 }
 
-// Drifts, and slips at a time that the readings state, are effects for the diagnosis.
+// Drifts, and slips of the base in readings with times, are left to the diagnosis, so no check proposes a mistake from
+// a reading on.
 TEST(MistakesFromAReading, AreNotSeenInWhatCreeps) {
   static constexpr const char* kHidden[] = {"base-drift@base", "thermal-growth@arm", "base-slip@base"};
   for (const char* hidden : kHidden)
@@ -146,7 +147,8 @@ TEST(MistakesFromAReading, AreNotSeenInWhatCreeps) {
     }
 }
 
-/// A zero that drifts as the arm warms up, by as much as a step of twenty times the noise.
+/// A zero that drifts as the arm warms up, by as much as a step of twenty times the noise, is not named as a mistake
+/// from a reading on.
 TEST(MistakesFromAReading, AreNotSeenInAZeroThatCreeps) {
   for (const std::uint64_t number : {0, 3, 5, 8})
     for (const double share : {0.1, 0.4, 3.}) {
@@ -162,7 +164,7 @@ TEST(MistakesFromAReading, AreNotSeenInAZeroThatCreeps) {
     }
 }
 
-// Readings corrected as proposed contain no further mistake.
+// The checks find no further mistake in readings that are corrected as proposed.
 TEST(MistakesFromAReading, AreGoneOnceMended) {
   int mended = 0;
   for (const char* label : {"counts lost midway", "another target midway", "tracker bumped midway"})
@@ -183,7 +185,8 @@ TEST(MistakesFromAReading, AreGoneOnceMended) {
   EXPECT_GE(mended, 6);
 }
 
-// A mistake of the whole table and one that starts within the table: both are named, in the order of their correction.
+// If one mistake affects the whole table and another starts within it, both are named, in the order of their
+// correction.
 TEST(MistakesFromAReading, AreNamedBesideOthers) {
   int made = 0, named = 0;
   std::string found;
@@ -230,7 +233,7 @@ TEST(MeasurementChecksOf, BeamsThatBendTooFarForTheirSegmentsAreNamed) {
   EXPECT_FALSE(has());
 }
 
-// Returns an elbow arm of six joints with standard Denavit-Hartenberg parameters.
+// Returns an elbow arm of six joints whose standard Denavit-Hartenberg table is taken for a modified one.
 PlacedArm elbowArm() {
   PlacedArm placed;
   const double alpha[] = {90, 0, -90, 90, -90, 0}, a[] = {0, 0.43, 0.02, 0, 0, 0}, d[] = {0.6, 0.1, 0.15, 0.43, 0, 0.1};
@@ -279,7 +282,8 @@ TEST(MeasurementChecksOf, ATwistWithTheOtherSignIsNamed) {
   EXPECT_LT(gross->error_if_mended, 1e-3);
 }
 
-// The first pairs by number; the study studies/measurement_checks counts five hundred.
+// At least 10 of the first 12 pairs are named completely, or with a correction that fits as well as the clean readings.
+// studies/measurement_checks.cpp counts five hundred pairs.
 TEST(PairsOfMistakes, AreBothNamed) {
   constexpr int kPairs = 12;
   int made = 0, named = 0;
@@ -298,7 +302,7 @@ TEST(PairsOfMistakes, AreBothNamed) {
   EXPECT_GE(named, 10) << found;
 }
 
-// If each joint is rounded to its own step, each is named with its step.
+// If joints are rounded to different steps, the remark names both steps.
 TEST(MeasurementChecksOf, JointsRoundedEachByItselfAreRemarkedOn) {
   auto set = cleanSet(0);
   ASSERT_TRUE(set);
@@ -314,7 +318,7 @@ TEST(MeasurementChecksOf, JointsRoundedEachByItselfAreRemarkedOn) {
   EXPECT_NE(said->sentence.find("0.005 rad"), std::string::npos) << said->sentence;
 }
 
-// Scales of several joints in pulses cannot be estimated together, so the user is asked for them.
+// If all joints are read in pulses, their scales are found or the user is asked for them.
 TEST(MeasurementChecksOf, PulsesOfSeveralJointsAreAskedFor) {
   auto set = cleanSet(0);
   ASSERT_TRUE(set);
@@ -323,7 +327,7 @@ TEST(MeasurementChecksOf, PulsesOfSeveralJointsAreAskedFor) {
   EXPECT_NE(std::ranges::find(checks, std::string("joint-scale"), &MeasurementCheck::name), checks.end());
 }
 
-/// Joint readings rounded as on a display, of postures with more digits.
+/// Joint readings rounded as on a display get a remark; readings with all digits get none.
 TEST(MeasurementChecksOf, RoundedJointsAreRemarkedOn) {
   for (const double degrees : {0., 0.1, 0.5}) {
     auto set = cleanSet(0);
@@ -354,7 +358,8 @@ TEST(MeasurementChecksOf, MissingColumnsSayWhatTheyWouldShow) {
   EXPECT_EQ(columns, (std::vector<std::string>{"<joint>_dir", "temperature", "time"}));
 }
 
-// The direction of a tilt and the tool point of a position move with the measured value, whichever joints the row has.
+// If the measured values are shifted by a row, the direction of a tilt and the tool point of a position are shifted
+// with them.
 TEST(MeasurementChecksOf, ShiftedRowsKeepWholeWhatWasMeasured) {
   std::vector<Measurement> readings(3);
   readings[1].kind = MeasurementKind::kTilt;
@@ -393,7 +398,7 @@ TEST(MeasurementChecksOf, CopiesAreTakenOutWhereNoTwoReadingsWouldBeAlike) {
   EXPECT_EQ(copied.readings.back().id, clean.readings.back().id);
 }
 
-// A dial gauge often shows equal values: such readings are repeats, not copies.
+// Coarse readings with equal values, as a dial gauge often shows, are not taken for copies.
 TEST(MeasurementChecksOf, CoarseReadingsThatAgreeAreNoCopies) {
   auto set = simulatedSet("bench.yaml", "bench", 30, {}, 7);
   ASSERT_TRUE(set);
@@ -426,7 +431,8 @@ TEST(MeasurementChecksOf, ManyReadingsAreThinnedOut) {
   EXPECT_EQ(grossMistake(checks)->name, "joint-sign");
 }
 
-// A touch of a hole outside the sheet would otherwise be left out, and the fit of the others would improve.
+// A miscount that puts a touched hole outside the sheet is refused. Otherwise this touch would be left out, which would
+// improve the fit of the others.
 TEST(MistakeKinds, HolesWereNotCountedSoThatOneIsMissing) {
   const app::Cell cell = shippedCell("mockup.yaml");
   CheckedReadings checked;

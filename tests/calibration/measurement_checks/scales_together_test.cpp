@@ -19,7 +19,8 @@ void countPulses(SeededSet& set, const std::vector<int>& joints, const std::vect
       m.q[joints[k]] = std::round(m.q[joints[k]] / kDegree * counts[k]) * kDegree;
 }
 
-// The readings do not determine a common sign: an arm read with all signs reversed has another base.
+// At least three quarters of the sets are corrected. The others may get the wrong common sign, since an arm with all
+// signs reversed fits with another base.
 TEST(ScalesTogether, OfSeveralJointsAreNamed) {
   int made = 0, mended = 0;
   std::string found;

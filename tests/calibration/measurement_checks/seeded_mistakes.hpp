@@ -16,7 +16,8 @@
 
 namespace tubeplan::calibration {
 
-/// One mistake. `make` applies it and returns the text of its correction; empty if the set does not allow the mistake.
+/// One mistake. `make` applies it and returns its correction as for `--assume`; empty if the set does not allow the
+/// mistake.
 struct SeededMistake {
   const char* name;  ///< name of the check that should find the mistake
   const char* label;
@@ -34,7 +35,7 @@ inline void scalePlaces(SeededSet& set, double factor) {
   }
 }
 
-/// Converts the coordinates to `unit`, without changing the column's unit.
+/// Converts the coordinates to `unit`, without changing the unit that their columns state.
 inline Made writtenIn(SeededSet& set, const std::string& unit) {
   const auto& units = set.table.units;
   if (unit == units.coordinates.name || !set.table.readings.front().p_W) return std::nullopt;
@@ -93,7 +94,7 @@ inline Made coordinateInMillimetres(SeededSet& s, SeededRandom& random) {
   for (auto& m : s.table.readings) (*m.p_W)[axis] *= s.table.units.coordinates.factor / 1e-3;
   return std::string("coordinate-unit=") + "xyz"[axis] + ":mm";
 }
-/// Converts the noise from reading `first` on to `unit`, the actual unit of the coordinates.
+/// Converts the noise of reading `first` and of all later readings to `unit`, the actual unit of the coordinates.
 inline Made withSigma(SeededSet& set, const std::string& unit, std::size_t first, Made mend) {
   const double factor = set.table.units.coordinates.factor / app::findUnit(app::UnitKind::kLength, unit)->factor;
   for (std::size_t k = first; mend && k < set.table.readings.size(); ++k) set.table.readings[k].sigma *= factor;
@@ -165,8 +166,8 @@ inline Made jointCoupling(SeededSet& s, SeededRandom& random) {
   for (auto& m : s.table.readings) m.q[joint] -= share * m.q[of];
   return fmt::format("joint-coupling={}:{}:{}", jointName(s, joint), jointName(s, of), share);
 }
-/// Puts a differential's motors into the columns of two adjacent joints, with the sum in either column and either order
-/// of the difference. The motors turn by the sum of the joints or by half of it.
+/// Puts the angles of a differential's motors into the columns of two adjacent joints, with the sum in either column
+/// and either order of the difference. The motors turn by the sum of the joints or by half of it.
 inline Made jointPair(SeededSet& s, SeededRandom& random) {
   const int a = drawnBelow(static_cast<int>(s.table.joints.size()) - 1, random), b = a + 1;
   const double size = random() % 2 ? 0.5 : 1;
@@ -181,7 +182,7 @@ inline Made jointPair(SeededSet& s, SeededRandom& random) {
   return fmt::format("joint-pair={}:{}:{:g}:{:g}:{:g}:{:g}", jointName(s, a), jointName(s, b), shares(0, 0),
                      shares(0, 1), shares(1, 0), shares(1, 1));
 }
-/// Converts the readings of a joint to encoder pulses, at some thousands of pulses per degree.
+/// Converts the readings of a joint to encoder pulses, at 200 to 5000 pulses per degree.
 inline Made jointInPulses(SeededSet& s, SeededRandom& random) {
   if (!arePlaces(s)) return std::nullopt;
   const int joint = drawnJoint(s, random);
@@ -220,7 +221,7 @@ inline Made jointOrder(SeededSet& s, SeededRandom& random) {
   for (auto& m : s.table.readings) std::swap(m.q[a], m.q[b]);
   return "joint-order=" + jointName(s, std::min(a, b)) + ":" + jointName(s, std::max(a, b));
 }
-/// Exchanges three joints in a ring, as when the third axis is logged last.
+/// Permutes the columns of three joints cyclically, as when the first of them is logged last.
 inline Made jointRing(SeededSet& s, SeededRandom& random) {
   const int joints = static_cast<int>(s.table.joints.size());
   if (joints < 3) return std::nullopt;
@@ -266,7 +267,7 @@ inline Made shiftedFromAPoint(SeededSet& s, SeededRandom& random) {
   if (by < 0) readings.pop_back();
   return "shift=" + std::to_string(by) + "@" + readings[static_cast<std::size_t>(first)].id;
 }
-/// Counts holes from another row or column; only for a known base, since an unknown base would absorb the shift.
+/// Counts holes from the wrong row or column; only for a known base, since an unknown base would absorb the shift.
 inline Made holesOff(SeededSet& s, SeededRandom& random) {
   if (!areHoles(s) || !s.cell.base_known) return std::nullopt;
   const bool of_rows = random() % 2;
@@ -367,8 +368,7 @@ inline Made staleJoints(SeededSet& s, SeededRandom& random) {
   return "without=" + readings[k].id;
 }
 
-/// A reading and the displacement of the measured points from this reading on, between ten times the noise and a tenth
-/// of the reach.
+/// A reading and the displacement of the measured points from this reading on, between 10 and 1000 times the noise.
 struct SeededStep {
   std::size_t first = 0;
   double motion = 0;  // displacement of the measured points [m]
@@ -390,8 +390,8 @@ inline std::optional<SeededStep> drawnStep(const SeededSet& s, SeededRandom& ran
 }
 inline double drawnTimes(SeededRandom& random) { return 10 * std::pow(10., drawnBetween(0, 2, random)); }
 
-/// Loses encoder counts of a joint from a reading on, so that the tip's mean displacement is the drawn one. The last
-/// joint is excluded, since its lost counts would equal a tool mounted elsewhere.
+/// Removes encoder counts of a joint from one reading on, as many as give the drawn mean displacement of the tip. The
+/// last joint is excluded, since its lost counts would equal a tool mounted elsewhere.
 inline Made zeroFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   const auto step = drawnStep(s, random, times_noise);
   if (!step) return std::nullopt;
@@ -533,8 +533,8 @@ inline const std::vector<SeededMistake>& seededMistakes() {
   return kMistakes;
 }
 
-/// Returns true if two texts name a step of the same kind and joint, with values within 30 % and rows at most two
-/// apart, since near a row that hardly moves the first affected row cannot be determined.
+/// Returns true if two corrections name a step of the same kind and joint, with values within 30 % and first rows at
+/// most two apart. The first row cannot be determined exactly where the step hardly changes the readings.
 inline bool isSameStep(const std::string& a, const std::string& b) {
   constexpr double kRows = 2, kShare = 0.3;
   const auto at = [](const std::string& text) { return std::min(text.find('@'), text.size()); };

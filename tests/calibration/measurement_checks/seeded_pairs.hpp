@@ -20,7 +20,7 @@ struct SeededPair {
   std::string label;
 };
 
-/// Returns the mistakes that affect a whole table and show in its errors; any two of them may be combined.
+/// Returns the labels of mistakes that affect a whole table and show in its errors; any two of them may be combined.
 inline const std::vector<std::string>& pairedMistakes() {
   static const std::vector<std::string> kLabels{
       "coordinates in mm",    "coordinates in m",     "radians under deg",   "one joint in radians under deg",
@@ -102,8 +102,8 @@ inline bool fitsAsClean(const SeededPair& pair, const std::string& assume) {
 }
 
 /// Judges whether a check names both mistakes. Both: its proposal, or an equally good one, restores the clean readings
-/// up to a few hundredths of a zero. As good: a named mistake corrects the readings to fit as well as clean ones. One:
-/// a proposal contains one of the two mistakes.
+/// to within 0.05 rad and 0.05 m. As good: a named mistake corrects the readings to fit as well as clean ones. One: a
+/// proposal contains one of the two mistakes.
 inline PairNaming judgePair(const SeededPair& pair, const MeasurementChecks& checks) {
   constexpr double kSame = 0.05;
   bool is_one = false, is_any = false;

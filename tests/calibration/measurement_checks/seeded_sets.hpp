@@ -1,4 +1,4 @@
-// Clean readings of arms slightly different from their drawing: from a design of a shipped cell, or by set number.
+// Clean readings of arms that differ slightly from their drawing, from a design of a shipped cell or by set number.
 #pragma once
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@
 
 namespace tubeplan::calibration {
 
-/// Cell with readings in the form of a measurement file.
+/// Cell with readings in the format of a measurement file.
 struct SeededSet {
   std::string name;
   app::Cell cell;
@@ -42,7 +42,7 @@ inline app::Cell shippedCell(const std::string& name) {
 }
 
 /// Returns readings from a design of a shipped cell, with stiffnesses wrong by a tenth, a displaced base where it is
-/// unknown, and the hidden effects. Empty if the arm does not reach the readings.
+/// unknown, and the hidden effects. Empty if the simulation cannot make the readings.
 inline std::optional<SeededSet> simulatedSet(const std::string& cell_name, const std::string& design, int readings,
                                              const std::vector<std::string>& hidden, std::uint64_t seed,
                                              const std::function<void(app::SimulationTask&)>& change = {}) {

@@ -64,7 +64,7 @@ TEST(TurnsAs, IsNamedAndMendedOfEveryForm) {
     for (const auto kind : {MeasurementKind::kPose, MeasurementKind::kOrientation})
       for (const std::uint64_t seed : {1, 2, 3})
         for (const bool is_base_known : {true, false}) {
-          if (kind == MeasurementKind::kOrientation && !is_base_known) continue;  // no base position from rotations
+          if (kind == MeasurementKind::kOrientation && !is_base_known) continue;  // rotations do not determine a base
           const auto turned = turnedIn(write, kind, seed == 3 ? 12 : 40, seed, is_base_known);
           const auto checked = checkedTurns(turned);
           const auto checks = checkMeasurements(checked);

@@ -1,5 +1,5 @@
-// A mistake of the rotations under roll, pitch, yaw combined with one of joints or coordinates, or two mistakes of the
-// rotations: both are named.
+// If a mistake in the rotations under roll, pitch, yaw is combined with one in joints or coordinates, or with another
+// in the rotations, both are named.
 #include "calibration/measurement_checks/turns_beside.hpp"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ TEST(TurnsBeside, AnotherMistakeBothAreNamed) {
   std::string found;
   const auto& others = mistakesOfOthers();
   for (const auto& of_turns : mistakesOfTurns())
-    for (std::size_t k = 0; k < others.size() / 2; ++k) {  // two others per rotation mistake and vice versa
+    for (std::size_t k = 0; k < others.size() / 2; ++k) {  // each mistake is combined with two of the other kind
       const auto& other = others[static_cast<std::size_t>(made) % others.size()];
       const auto checks = checksOfPoses({&of_turns, &other}, static_cast<std::uint64_t>(++made));
       const auto* gross = grossMistake(checks);
