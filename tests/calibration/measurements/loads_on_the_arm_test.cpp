@@ -1,5 +1,5 @@
-// Readings under tip forces and moments, and of arms with side chains: as exact, identifiable and well covered as
-// readings under a hung load alone.
+// Readings under tip forces and moments, and of arms with side chains, have exact derivatives, and the intervals fitted
+// to them cover the truth.
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/identification.hpp"

@@ -24,7 +24,8 @@ Measurement anyReading(const MeasurementKindRow& row) {
   return m;
 }
 
-/// Returns readings of every kind, at the tip and at another point of the tool; for step counts also with all steps in.
+/// Returns readings of every kind, at the tip and at another point of the tool. Displacements are also given as a
+/// length, step counts also with all steps entered.
 std::vector<Measurement> readingsOfEveryKind() {
   std::vector<Measurement> readings;
   for (const MeasurementKindRow& row : measurementKinds()) {
@@ -81,7 +82,7 @@ TEST(MeasurementKinds, SlopesAreDifferencesOfValues) {
 TEST(MeasurementKinds, WhatIsRecordedWasMeasured) {
   const ToolPose tool = anyTool();
   for (const MeasurementKindRow& row : measurementKinds()) {
-    if (row.is_touch || row.settle) continue;  // measures no value of its own: the tip's position is the touched place
+    if (row.is_touch || row.settle) continue;  // records no value: the touched place is the tip's position
     Measurement m = anyReading(row);
     row.record(tool, 1, MeasuredValue::Zero(row.rows), m);
     EXPECT_LE((row.measured(m) - row.value(m, tool)).norm(), 1e-12) << row.name;
@@ -97,7 +98,7 @@ TEST(MeasurementKinds, WhatIsRecordedIsAllThatAReadingHasToState) {
     EXPECT_EQ(statesEnough(m), valueColumnsOf(row).least == 0) << row.name;
     if (row.state) row.state(places, m);
     row.record(anyTool(), 1, MeasuredValue::Zero(row.rows), m);
-    if (row.counts_steps) m.own[0] = 3;  // counted by whoever has the tool
+    if (row.counts_steps) m.own[0] = 3;  // the caller, who knows the tool, counts the steps
     m.point = "P1";
     EXPECT_TRUE(statesEnough(m)) << row.name;
     EXPECT_FALSE(row.lack && row.lack(m, row.name)) << row.name;
@@ -107,7 +108,7 @@ TEST(MeasurementKinds, WhatIsRecordedIsAllThatAReadingHasToState) {
   }
 }
 
-// The tilts are compared with the tool frame itself: three sines whose squares sum to one.
+// The sines of the tilts equal the vertical components of the tool's axes, and their squares sum to one.
 TEST(MeasurementKinds, TiltsAreTheElevationsOfTheToolsAxes) {
   const ToolPose tool = anyTool();
   Measurement m = anyReading(kindOf(MeasurementKind::kTilt));
@@ -122,7 +123,8 @@ TEST(MeasurementKinds, TiltsAreTheElevationsOfTheToolsAxes) {
   EXPECT_NEAR(sum, 1, 1e-12);
 }
 
-// Among 200 intervals of 95 %, 186 to 194 contain the truth with a probability of 2/3, 180 to 197 with 0.995.
+// Between 180 and 198 of 200 intervals of 95 % contain the truth; for correct intervals, this has a probability of
+// 0.998.
 TEST(MeasurementKinds, IntervalsHoldTheTruthAsOftenAsTheySay) {
   for (const MeasurementKindRow& row : measurementKinds()) {
     if (row.is_touch) continue;  // one inverse solution per touch is too slow; the tests of campaigns cover touches

@@ -25,8 +25,8 @@ TEST(PredictTip, DerivativesByTheBaseIncludeGravity) {
           (2 * h);
       EXPECT_LE((slope - tip.by_base.col(k)).norm(), 1e-6 * tip.by_base.col(k).norm()) << k;
     }
-    // The sag makes the rotation of gravity significant: without it the derivative is wrong by over a thousandth of the
-    // lever.
+    // Since the arm sags, the derivative also depends on gravity's rotation: without this part it would be wrong by
+    // over a thousandth of the lever.
     const Eigen::Vector3d lever = tip.value - cell.X_WB_true.translation();
     double without_gravity = 0;
     for (int k = 0; k < 3; ++k)

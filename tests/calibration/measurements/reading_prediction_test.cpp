@@ -107,7 +107,8 @@ TEST(ReadingPrediction, DerivativesByTheJointsMatchDifferences) {
   }
 }
 
-// Encoder noise moves both tips of a deflection together, so it almost cancels.
+// The predicted covariance is that of randomly drawn readings. In a deflection, encoder noise moves both tips together
+// and almost cancels.
 TEST(ReadingPrediction, CovarianceIsThatOfDrawnReadings) {
   PlacedArm placed = cobra();
   for (auto& row : placed.arm.rows) row.joint.encoder_sigma *= 3;

@@ -108,7 +108,8 @@ TEST(RowReadings, DerivativesMatchDifferences) {
   }
 }
 
-// Tool readings are solved in batches, or singly if readings of rows are among them: the results are equal.
+// Residuals and derivatives of tool readings are the same whether these are solved in batches or, together with
+// readings of rows, singly.
 TEST(RowReadings, AmongOthersChangeNothingOfThem) {
   const PlacedArm placed = cobraTwice();
   ReadingMaker maker(placed, 8, ReadingMaker::Noise::kStated);
@@ -135,7 +136,8 @@ struct Stiffness {
   const char* name;
 };
 
-// Among 200 intervals of 95 %, 180 to 197 contain the truth with a probability of 0.995.
+// Between 180 and 198 of 200 intervals of 95 % contain the truth; for correct intervals, this has a probability of
+// 0.998.
 TEST(RowReadings, IntervalsHoldTheTruthAsOftenAsTheySay) {
   for (const auto kind : kindsOfRows())
     for (const auto& [row, name] :

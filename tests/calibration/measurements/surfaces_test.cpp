@@ -43,8 +43,8 @@ TEST(Surfaces, ExactReadingsLieOnThem) {
     }
 }
 
-// Independent check with the simulator's own tips: the cross product of two vectors in a plane, and equal distances
-// from a centre.
+// The fitted surfaces contain the simulator's own tips: a plane is normal to the cross product of two vectors between
+// its tips, and the centre of a sphere is at the same distance from all of its tips.
 TEST(Surfaces, AreThoseThatWereTouched) {
   const PlacedArm placed = cobra();
   const auto tipsOf = [&](const std::vector<Measurement>& readings) {
@@ -138,7 +138,7 @@ TEST(Surfaces, TooFewTouchesOfOneAreRefused) {
   }
 }
 
-// Collinear points do not determine a plane: settling the surface fails, and the readings carry no weight.
+// The fit of a plane fails if all points are collinear, and succeeds once one point is off the line.
 TEST(Surfaces, ALineOfPointsIsNoPlane) {
   const auto& plane = kindOf(MeasurementKind::kPlane);
   Eigen::Matrix3Xd points(3, 5);

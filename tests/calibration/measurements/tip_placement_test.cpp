@@ -1,4 +1,4 @@
-// Placing the tip at a position, starting from a nearby posture.
+// Placement of the tip at a given position, starting from a nearby posture.
 #include "calibration/measurements/tip_placement.hpp"
 
 #include <gtest/gtest.h>
