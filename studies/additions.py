@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""additions.py TUBEPLAN BENCH-CELL BOWL-CELL SETS-FOLDER: compares errors after Add with the diagnosis's promise.
+"""additions.py TUBEPLAN BENCH-CELL BOWL-CELL SETS-FOLDER: compares errors of added models with promised ones.
 
 For each set (measurements.csv, truth.json with a design) whose diagnosis names a cause, the output has three held-out
-errors: the error promised by the diagnosis, that of the cell after `add` and `identify`, and that of the model added by
-the served page's Add. A set is right if the latter two are within 5 % of the promise.
+errors: the error promised by the diagnosis, that of the cell after `add` and `identify`, and that of the model that the
+served page adds. A set is right if the latter two are within 5 % of the promise.
 """
 import json
 import pathlib

@@ -1,6 +1,5 @@
-// Study of the inverse kinematics of each arm: the fraction of the postures found from random starts that the inverse
-// kinematics also finds, the number of false postures, and the tubes solved per second. All postures should be found,
-// and none should be false.
+// Study of the inverse kinematics of each arm: how many of the postures found from random starts it misses, how many
+// false postures it returns, and how many tubes it solves per second. No posture should be missed or false.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -150,7 +150,7 @@ std::vector<SeededSet> setsBeside() {
   return sets;
 }
 
-/// Returns a random effect as "effect@at:parameters", with the largest size on real machines or twice that size.
+/// Returns a randomly drawn effect at a randomly drawn place, as "effect@at"; the simulation chooses its size.
 std::string drawnEffect(const deflection::Arm& arm, SeededRandom& random) {
   for (;;) {
     const auto& kinds = deflection::effectKinds();

@@ -22,7 +22,7 @@ RUNS = [
 
 
 def run(command):
-    """Runs a command and returns wall time [s], CPU time [s], peak memory [MB] and exit code."""
+    """Runs a command and returns wall time [s], CPU time [s] and exit code."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     start = time.monotonic()
     child = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""real_robots.py TUBEPLAN REAL-FOLDER [SET...] [--farthest]: `improve` on measured robots, and a black box.
+"""real_robots.py TUBEPLAN REAL-FOLDER [SET...] [--farthest]: compares `improve` with a black box on measured robots.
 
-REAL-FOLDER holds one folder per robot, with a nominal cell and readings of which the column `split` holds out one half.
+REAL-FOLDER holds one folder per robot, with a nominal cell and readings, half of which the column `split` holds out.
 REAL-FOLDER is not part of the repository; without it, the study says so and exits with code 77. For each set:
 
   improve   `improve` from the nominal cell; `compare` judges the resulting cell without a refit. A cell has only one
@@ -45,7 +45,7 @@ class RobotSet:
     readings: str
     goal: float = None      # mean held-out error to be reached [mm]
     setup: str = ""         # set-up whose readings are used; empty: all
-    carried_to: str = ""    # further readings to judge the improved cell on, after refitting base, or base and tip
+    carried_to: str = ""    # further readings on which the improved cell is judged with base, or base and tip, refitted
     carried_goal: float = None
     pair_apart: float = None  # independently known distance between the points NAME-0 and NAME-1 [mm]
 
@@ -66,7 +66,7 @@ SETS = {
 
 
 class Refused(Exception):
-    """Raised with the program's message if the program did not do what it was asked."""
+    """Raised with the program's message if a command fails."""
 
 
 def read_rows(path):
@@ -146,8 +146,8 @@ def is_slide(column):
 
 
 def features_of(rows):
-    """Returns the features of the readings: sine and cosine of rotary joints, slides and loads divided by their
-    standard deviation, directions of motion, and set-ups as 0 or 1."""
+    """Returns the features of the readings: sine and cosine of revolute joints, prismatic joints and loads divided
+    by their standard deviation, directions of motion, and set-ups as 0 or 1."""
     columns = []
     for name in rows[0]:
         if name.endswith("_deg") and not name.startswith("temperature"):
@@ -266,7 +266,8 @@ def without_farthest(program, cell, rows, far, folder):
 
 
 def carried(program, written, readings, folder):
-    """Returns the mean held-out errors of the improved cell on other readings: base refitted, and base and tip."""
+    """Returns the mean held-out errors of the improved cell on other readings, with the base refitted, and
+    with base and tip refitted."""
     figures = program.compare(copy_of_cell(written, folder / "carried.yaml", ["tool.tip"]), readings)
     errors = figures["refit"]["errors"]
     return errors["heldout_before"]["mean"], errors["heldout_after"]["mean"]

@@ -125,7 +125,7 @@ int run(int sets, int count, int rounds, std::uint64_t first_seed) {
     const auto whole = app::diagnoseModel(input, request);
     if (whole.diagnosis.verdict != Verdict::kAmbiguous) continue;
     ++ambiguous;
-    if (whole.next.times != 1) continue;  // this number of readings does not suffice, as stated
+    if (whole.next.times != 1) continue;  // the proposal itself states that these readings do not suffice
     ++separable;
     const int at_once = count / rounds;  // the first readings of a long proposal are the shorter proposal
     const auto after = Session(truth, input, seed).run(whole, rounds, at_once, asProposed);

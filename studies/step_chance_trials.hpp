@@ -132,8 +132,8 @@ class StepChanceTrials {
 
   static double uniform(Draw& draw) { return static_cast<double>(draw.seed() >> 11) * 0x1p-53; }
 
-  /// Adds an effect of random kind and location to the arm. The logarithm of the size is uniform between 1/50 and 1/3
-  /// of the largest size on real machines.
+  /// Adds an effect of random kind and place to the arm. Its size is log-uniform between 1/50 and 1/3 of the largest
+  /// size on real machines.
   void hide(deflection::Arm& arm, Draw& draw) const {
     const int kind = kinds_[draw.seed() % kinds_.size()];
     const auto& row = deflection::effectKinds()[static_cast<std::size_t>(kind)];

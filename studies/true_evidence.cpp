@@ -1,5 +1,5 @@
-// Study that compares the evidence of the model with the truly hidden effects, fitted from the true sizes, with the
-// evidence of the models found by the diagnosis. The comparison shows whether a miss is due to the search or to the
+// Study of the evidence of two kinds of models: the model of the truly hidden effects, fitted from their true sizes,
+// and the models that the diagnosis finds. Their comparison shows whether a miss is due to the search or to the
 // readings. The output is JSON for studies/blind_trial/oracle.py.
 #include <CLI/CLI.hpp>
 #include <iostream>

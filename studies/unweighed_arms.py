@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
-"""unweighed_arms.py TUBEPLAN [--seeds 50] [--first-seed 1] [--each]: effects of arms without weights.
+"""unweighed_arms.py TUBEPLAN [--seeds 50] [--first-seed 1] [--each]: naming of effects of arms without weights.
 
-Three practice arms without weights and compliances: an elbow arm of six joints, an arm of seven, and one of five with a
-slide. In each seed the true arm's lengths are off the drawing's by 1 mm and its angles by 3 mrad (standard deviations),
-its base stands off its nominal place by as much as `simulate` moves one, and it hides two effects that need no weights.
-Of each, the size is 0.3 to 1 of the largest usual one, or of that which moves the tip by 3 mm where that is less.
-`simulate` reads 150 postures of it, unloaded, with directions of motion, by a tracker and a repeatability of 0.032 mm
-together, and keeps a third out of the fit; `diagnose` gets the drawing and the readings.
+There are three practice arms without weights and compliances: an elbow arm with six joints, an arm with seven, and one
+with five, of which one is prismatic. For each seed, the lengths of the true arm differ from the drawing by 1 mm and its
+angles by 3 mrad (standard deviations), `simulate` displaces its base, and it hides two effects that need no weights.
+The size of an effect is 0.3 to 1 times the smaller of two sizes: the largest usual one, and that which moves the tip by
+3 mm. `simulate` makes readings of 150 unloaded postures with directions of motion, with 0.032 mm noise of tracker and
+repeatability together, and holds out a third of them; `diagnose` gets the drawing and the readings.
 
-An effect is named where it, or what it is an exact equal of (`also`), is a cause of an alternative. One effect at all
-joints that holds the hidden one counts as half. Needs PyYAML. The goal is both named in 90 % of the seeds.
+An effect counts as named if it, or an effect that is exactly equivalent (`also`), is a cause of an alternative. It
+counts as half if an alternative has it at all joints. The goal is to name both effects for 90 % of the seeds. Needs
+PyYAML.
 """
 import argparse
 import collections
@@ -34,7 +35,7 @@ FIRST_PLACES = 4                                    # number of places of the ra
 SECONDS = 300                                       # time limit of a diagnosis
 GOAL = .9
 ALL_JOINTS = "all joints"
-# Largest usual sizes, as in the table of effects: rad (m for a slide), or a dimensionless fraction.
+# Largest usual sizes, as in the table of effects: rad (m for a prismatic joint), or a dimensionless fraction.
 USUAL = {"gravity-sag": .005, "hysteresis": .01, "joint-scale": .01, "transmission-error": .005,
          "encoder-eccentricity": .01, "joint-coupling": .05}
 TURNING_ONLY = ("gravity-sag", "transmission-error", "encoder-eccentricity", "joint-coupling")
@@ -82,7 +83,7 @@ def cell_of(arm):
 
 
 def true_arm(drawn, rng):
-    """Returns the arm as built, with random deviations from the drawing; the offset of a slide is a length."""
+    """Returns the arm as built, with deviations from the drawing. The offset of a prismatic joint is a length."""
     built = copy.deepcopy(drawn)
     for row in built["links"]:
         numbers, joint = row.get("dh", {}), row["joint"]
@@ -98,7 +99,7 @@ def true_arm(drawn, rng):
 
 
 def length_of(row):
-    """Returns the distance from the row before to this row [mm], with a slide fully extended."""
+    """Returns the distance from the row before to this row [mm], with a prismatic joint fully extended."""
     if "origin" in row:
         return math.hypot(*row["origin"]["position"])
     along = row["joint"]["limits"][1] if row["joint"]["type"] == "prismatic" else row["dh"]["d"]
@@ -111,7 +112,7 @@ def reach_beyond(arm, index):
 
 
 def largest_reading(row):
-    """Returns the largest absolute joint value within the limits [rad; m for a slide]."""
+    """Returns the largest absolute joint value within the limits [rad; m for a prismatic joint]."""
     furthest = max(abs(limit) for limit in row["joint"]["limits"])
     return furthest / 1e3 if row["joint"]["type"] == "prismatic" else math.radians(furthest)
 
@@ -142,7 +143,8 @@ def places_of(arm, effect):
 
 
 def numbers_of(effect, size, is_slide, rng):
-    """Returns the effect's parameters in the cell's units for a size in rad (m for a slide, or a fraction)."""
+    """Returns the effect's parameters in the cell's units for a size in rad (m for a prismatic joint, or a
+    fraction)."""
     angle = size * 1e3 if is_slide else math.degrees(size)
     phase = rng.uniform(0, 2 * math.pi)
     sign = rng.choice([-1, 1])

@@ -1,5 +1,5 @@
-// Study of ten thousand random calls of a workbench: the answers, and whether the workbench ended or changed any file
-// outside its folder.
+// Study of ten thousand random calls of a workbench: the number of answers of each HTTP status, the growth of memory,
+// and whether the workbench left files outside its folder.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

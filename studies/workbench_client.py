@@ -42,7 +42,7 @@ class Workbench:
             raise WorkbenchLost(f"{path}: {error}; exit code {self.process.poll()}; {self.words()[-300:]}") from error
 
     def job(self, name, body=None):
-        """Starts a job and waits for its end; returns the error message, or an empty text if the job succeeded."""
+        """Starts a job and waits for its end; returns the error message, or an empty string if the job succeeded."""
         status, text = self.ask(f"api/{name}", body or {})
         if status >= 400:
             return text

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """workbench_soak.py TUBEPLAN CELLS-FOLDER [--minutes 15] [--rate 20]
 
-A day's use of the served page, compressed: pages, state, postures, signatures and exports all the time, a comparison, a fit,
-a diagnosis or a reload of the readings now and then; at half time 200 connections that send half a request and no more.
-In the end each kind of request many times in a row, after some for what it needs once: what grows then is a leak. Over the whole time the
-heap wanders by what the largest work leaves free in it.
-Fails where an answer is a server error, where a kind of request leaks or open files grow, or where the 200 stall the others.
-At most --rate requests a second, to the program that it starts on this machine, for so long and no longer.
+Compresses a day's use of the served page: requests for pages, state, postures, signatures and exports all the time; a
+comparison, a fit, a diagnosis or a reload of the readings every few seconds; at half time, 200 connections that send
+only half a request.
+
+Finally, each kind of request is repeated many times. Memory that then grows, after some first repetitions, is a leak.
+Memory over the whole time does not show leaks, because it varies with the memory that the largest jobs leave free.
+
+Fails if an answer is a server error, if a kind of request leaks, if files or threads are left open, or if the 200
+connections stall other requests. Sends at most --rate requests per second, only to the program that it starts itself.
 """
 import argparse
 import collections

@@ -72,7 +72,7 @@ std::vector<Measurement> readingsOf(const PlacedArm& built, RandomStream& random
   return readings;
 }
 
-/// Results of all fits of arms in one notation.
+/// Statistics of all fits of arms that are described in the same kinematic notation.
 struct Tally {
   int fits = 0, failed = 0, within = 0, asked = 0;
   double squares = 0, foretold = 0, chi2 = 0, freedom = 0, worst = 0;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""wrong_readings.py TUBEPLAN CELLS-FOLDER [--runs 5000] [--seed 1] [--jobs 1] [--command NAME] [--pairs]: plausible wrong readings through the real commands.
+"""wrong_readings.py TUBEPLAN CELLS-FOLDER [--runs 5000] [--seed 1] [--jobs 1] [--command NAME] [--pairs]: gives plausible wrong readings to the commands.
 
 Readings are simulated, then altered by typical human mistakes: wrong units, signs, orders or zeros, shifted or lost
 rows, wrong digits, or few readings of a single posture. Each altered file is given to one command. No run may crash,
@@ -223,7 +223,7 @@ def refuse_constant(word):
 
 
 def serve(program, cell, folder, rng):
-    """Opens the readings in a workbench and runs three random jobs; returns what is wrong, or an empty text."""
+    """Opens the readings in a workbench and runs three random jobs; returns what is wrong, or an empty string."""
     bench = Workbench(program, [cell, "m.csv"], folder, SECONDS)
     try:
         if bench.code is not None:
@@ -245,7 +245,8 @@ def serve(program, cell, folder, rng):
 
 
 def attempt(program, cells, seed, command, pairs):
-    """Alters one set and runs one command (by default a random command); returns what happened and what is wrong."""
+    """Alters one set and runs one command (by default a random command); returns a description of the run and
+    what is wrong with it."""
     rng = random.Random(seed)
     cell, design = rng.choice(CELLS)
     effect, size, command = rng.choice(EFFECTS), rng.choice(SIZES), command or COMMANDS[seed % len(COMMANDS)]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs every benchmark, then whole commands, and writes what came out: a table and the raw figures.
+"""Runs every benchmark, then whole commands, and writes the results as a table and as raw figures.
 
 Ratios compare medians of one run, in which reference libraries are timed in the same process. Times are for one core
 unless the row says otherwise.

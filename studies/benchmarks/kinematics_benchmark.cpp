@@ -26,8 +26,8 @@ KDL::Chain rigidChain(const Arm& arm) {
   for (const auto& row : arm.rows) {
     const auto& dh = std::get<DenavitHartenberg<double>>(row.placement);
     const bool moves = row.joint.type != JointType::kPassive;
-    // In Craig's convention, a and alpha precede the joint. Only at the base, KDL needs a separate fixed segment up to
-    // the joint.
+    // In Craig's convention, a and alpha precede the joint. The joint therefore turns about the z axis at the end of
+    // the segment.
     const auto before = KDL::Frame::DH_Craig1989(dh.a, dh.alpha, dh.d, dh.theta + row.joint.offset);
     if (!moves) {
       chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), before));

@@ -26,8 +26,8 @@ using Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
 
 constexpr double kSolveSeconds = 5;  // time limit of one travel [s]; RRTConnect usually needs a thousandth of this time
 
-/// Solid in FCL, enlarged by `padding`. A capsule is enlarged in all directions, other solids are enlarged by moving
-/// their flat faces outwards.
+/// Solid in FCL, enlarged by `padding`. Spheres and capsules are enlarged in all directions, boxes and cylinders by
+/// moving their faces outwards.
 struct LibraryBody {
   std::shared_ptr<fcl::CollisionGeometryd> geometry;
   Isometry3d X_FC;
@@ -107,7 +107,8 @@ class LibraryChecker {
   std::vector<LibraryBody> padded_, plain_, obstacles_;
 };
 
-/// Returns the standoff posture of the first collision-free posture of each tube.
+/// Returns the standoff posture of the first collision-free inverse solution of each tube; tubes without one are left
+/// out.
 Waypoints libraryStandoffs(const Workcell& cell, const std::vector<int>& tubes, const LibraryChecker& checker) {
   Waypoints standoffs;
   for (const int tube : tubes)

@@ -3,7 +3,7 @@
 // For each tube, the plan uses the first collision-free posture of the flexible inverse kinematics. The tubes are
 // visited in nearest-neighbour order by the time of straight joint moves. Each travel is planned by OMPL's RRTConnect
 // with default settings and OMPL's path simplification; FCL checks the postures at OMPL's default resolution. The
-// program provides the costly parts: the deflected bodies, padded by the required clearance and their greatest bow, and
+// program provides the costly parts: the deflected bodies, padded by the required clearance and their largest bow, and
 // closed-form distances to the bowl and the planes, for which FCL has no fast shapes.
 #pragma once
 
@@ -31,7 +31,7 @@ class Watch {
   std::clock_t ticks_ = std::clock();
 };
 
-/// Result of planning with the libraries or with this planner.
+/// Result of planning with the libraries or with the program's own planner.
 struct Outcome {
   std::string name;
   int visits = 0, asked = 0, detours = 0, failed = 0;

@@ -1,5 +1,5 @@
-// Benchmark of plans for the same tubes by OMPL and FCL alone (library_plan.hpp) and by this planner, in one run. Both
-// paths are then examined in small steps with the program's distance queries.
+// Benchmark of plans for the same tubes by OMPL and FCL alone (library_plan.hpp) and by the program's planner, in one
+// run. Both paths are then examined in small steps with the program's distance queries.
 #include <fmt/format.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
@@ -45,9 +45,10 @@ Outcome planByOwn(const Workcell& cell, const std::vector<int>& tubes, std::uint
 struct Look {
   double time = 0;           ///< time with a stop at every waypoint [s]
   double straight_time = 0;  ///< time of straight joint moves between the same postures in the same order [s]
-  double flowing_time = 0;   ///< least time, without intermediate stops [s]
+  double flowing_time = 0;   ///< shortest time, without intermediate stops [s]
   double least_clearance = std::numeric_limits<double>::infinity();  ///< [m]
-  int below_clearance = 0, colliding = 0;                            ///< numbers of such travels
+  /// Numbers of travels that are nearer than the scene's clearance, and that collide.
+  int below_clearance = 0, colliding = 0;
 };
 
 double flowingTime(const Waypoints& travel, const JointSpeeds& speeds) {

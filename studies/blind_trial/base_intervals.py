@@ -1,13 +1,14 @@
 #!/usr/bin/python3
 """base_intervals.py TUBEPLAN [--runs 300] [--seed 1] [--touches 3] [--world exact|stiffness|geometry] [--prior default|world] [--jobs 1]
 
-The stated uncertainty of a calibrated base held against true arms of this folder's physics, and the step probabilities
-of the plans that follow. A world says what of the arm's file is wrong: nothing; the six stiffnesses, by a standard
-deviation of 10 %; and joint zeros by 0.04 deg, link lengths by 0.015 in and the tip by 0.020 in as well. The cell states
-the world's own spread (`world`) or nothing (`default`).
+Compares the stated uncertainty of a calibrated base, and the step probabilities of plans made with it, with true arms
+of this folder's physics. --world selects the errors of the arm's file: none; those of six stiffnesses, with a standard
+deviation of 10 %; or, in addition, those of joint zeros (0.04 deg), link lengths (0.015 in) and the tip (0.020 in).
+With --prior world, the cell states these standard deviations; with --prior default, it states none.
 
-Right by `world` where the 95 % region of the base holds the true one in 93 to 97 of 100 calibrations, whatever the
-command's exit code, and predicted and happened steps agree within 3 %.
+The goal, with --prior world, is that the 95 % region of the base contains the true base in 93 to 97 of 100
+calibrations, whatever the command's exit code, and that predicted and observed fractions of each number of steps agree
+within 3 %.
 """
 import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -69,7 +70,7 @@ def cell_text(world):
 
 
 def base_error(found, position, turn):
-    """Returns displacement [in] and rotation vector [deg] of the base found from the true base, in the sheet's axes."""
+    """Returns displacement [in] and rotation vector [deg] from the true to the calibrated base, in the sheet's axes."""
     nominal = np.array(yaml.safe_load(CELL.read_text())["base"]["position"])
     shift = np.array(found["position"]) - (nominal + R_SN @ position)
     roll, pitch, yaw = np.radians(found["rpy"])

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""check_physics.py: holds the rods and the chain against closed forms and independent poses. Exit 0 where all hold.
+"""check_physics.py: compares rods and chain with closed forms and independent poses. Exit code 0 if all agree.
 
-The poses (200 postures by another rod solver) stand in shared/reference/poses.csv beside the repository; without them
-that part is left out.
+The poses (200 postures computed by another rod solver) are in shared/reference/poses.csv next to the repository;
+without this file, the comparison with them is left out.
 """
 import argparse
 import pathlib
@@ -65,8 +65,8 @@ def elastica_error(pieces):
 
 
 def pure_couple_error():
-    """Checks combined bending and torsion: the end of a rod with equal stiffness about all axes rotates under an end
-    couple M by exactly exp(L M / EI)."""
+    """Returns the error of combined bending and torsion: the end of a rod with equal stiffness about all axes rotates
+    under an end couple M by exactly exp(L M / EI)."""
     length, stiffness = 10., 100.
     arm = cantilever(length, stiffness, isotropic=True)
     numbers = Numbers.nominal(arm, np.zeros((1, 1)), [1.])

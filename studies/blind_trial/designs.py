@@ -114,8 +114,8 @@ def _bowl(arm, rng, holes=45, loads=(0., 30.)):
 
 
 def _touch(arm, rng, points=31):
-    """Returns a design that touches each point without load and under one or two loads; every second point is also
-    touched with another elbow side or tilt."""
+    """Returns a design that touches each point without load and under one or two loads. For about half of the points,
+    the touch under the first load has another elbow side or tilt."""
     first = _work_postures(arm, rng, 2 * points, 8.)
     tip = solve(arm, Numbers.nominal(arm, first, np.zeros(len(first))), 4).tip
     tilt = first[:, 1:].sum(1)

@@ -10,7 +10,7 @@ AXES = "xyz"
 
 
 def row_and_axis(arm, place):
-    """`tool.z` -> (5, 2)."""
+    """Returns the indices of row and axis, such as (5, 2) for `tool.z`."""
     row, axis = place.split(".")
     return arm.row(row), AXES.index(axis)
 

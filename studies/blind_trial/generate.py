@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""generate.py --out DIR --sets SPEC --seed S: measurements of a Cobra that hides something, each with its truth beside.
+"""generate.py --out DIR --sets SPEC --seed S: generates measurements of a Cobra with hidden effects.
 
-SPEC is a list such as null=24,null-outliers=4,null-heavy-tails=4,single=60,pair=12,odd=16. DIR/NAME/measurements.csv is
-what `tubeplan diagnose` gets, DIR/NAME/truth.json what it must not see. The same seed gives the same sets.
+SPEC is a list such as null=24,null-outliers=4,null-heavy-tails=4,single=60,pair=12,odd=16. Each set has a folder
+DIR/NAME: `tubeplan diagnose` gets measurements.csv and must not see truth.json. The same seed gives the same sets.
 """
 import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")      # matrices are small, so that threads only slow each other down

@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""judge.py TUBEPLAN DIR [--jobs 2]: asks `TUBEPLAN diagnose` about every set in DIR and scores it by the truth.
+"""judge.py TUBEPLAN DIR [--jobs 2]: diagnoses every set in DIR and scores the answers by the truth.
 
-Fair where the data is weak: below d = 8 `adequate` and `inconclusive` are no fault; below d = 12 an effect outside the
-catalogue need not be refused, only not be named. `separable` are sets whose truth has no rival above a correlation of
-0.99 beyond the fitted parameters; `without a peer` those with no such rival of as few parameters.
+Weak data are judged leniently: below d = 8, `adequate` and `inconclusive` are no faults; below d = 12, an effect
+outside the catalogue need not be refused, but must not be named. A set is `separable` if no rival of its truth has a
+correlation above 0.99 beyond the fitted parameters, and `without a peer` if no such rival has as few parameters as
+the truth.
 """
 import argparse
 import collections
@@ -40,7 +41,7 @@ def median(values):
 
 
 def stratum_row(stratum, cases):
-    """Returns the results of one stratum as a list of texts."""
+    """Returns the results of one stratum as a list of strings."""
     null, odd = cases[0].kind == "null", cases[0].kind == "odd"
     pair, known = cases[0].kind == "pair", cases[0].kind in ("single", "pair")
     def only(when, part, whole=cases): return share(part, whole) if when else ""
@@ -116,7 +117,7 @@ def said(case):
 
 
 def print_confusion(cases):
-    """Returns the answers given to each truth, most frequent first."""
+    """Prints the answers given to each truth, most frequent first."""
     table = collections.defaultdict(collections.Counter)
     for case in cases:
         truth = " + ".join(sorted(effect for effect, _ in case.wanted)) if case.kind != "pair" else "(pairs)"

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
-"""judge_steps.py TUBEPLAN DIR [--jobs 2]: several hidden effects found step by step, by `TUBEPLAN improve`.
+"""judge_steps.py TUBEPLAN DIR [--jobs 2]: counts hidden effects that `improve` finds step by step.
 
-For every set in DIR that hides three effects (or so many as --of says): how many of them are in the improved model, and
-how many effects it has that nobody hid. An effect counts as found by a name that no reading could tell from its own.
+For every set in DIR that hides three effects (or the number given by --of), prints how many of them the improved model
+has, and which further effects it has. A hidden effect also counts as found under the name of an equivalent effect,
+which no reading can distinguish from it.
 """
 import argparse
 import collections

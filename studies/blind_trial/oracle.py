@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 """oracle.py TRUE_EVIDENCE DIR [--jobs 2] [--only pair,single]: what limits the diagnosis on sets whose truth is known.
 
-TRUE_EVIDENCE is build/studies/true_evidence. For every set with a known truth: the log weight (prior times evidence)
-of the true model fitted from the true sizes, less that of the best model that the diagnosis found. A set that was missed
-is lost to
+TRUE_EVIDENCE is build/studies/true_evidence. For every set with a known truth, prints the log weight (prior times
+evidence) of the true model, fitted from the true sizes, minus that of the best model that the diagnosis found. If the
+truth is not in the answer, the cause is
 
-- the search, where the true model is the more probable and was not among those that were fitted,
-- the fit, where it was fitted and ended in a worse optimum,
-- the answer, where it was found as the most probable, and the verdict does not hold it,
-- the readings, where the true model is less probable than what was answered: no rule by evidence names it first.
+- the search, if the true model is more probable than that model but was not among the fitted ones,
+- the fit, if the true model was fitted but ended in a worse optimum,
+- the answer, if the true model was found as the most probable one but is not in the answer,
+- the readings, if the true model is less probable than the best one found: no rule by evidence names it first.
 """
 import argparse
 import collections

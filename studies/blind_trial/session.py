@@ -1,4 +1,4 @@
-"""One measuring session: the readings in the order taken, with the recorded conditions of each."""
+"""One measurement session: the readings in the order taken, with the recorded conditions of each."""
 from dataclasses import dataclass
 
 import numpy as np

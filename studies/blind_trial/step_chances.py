@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """step_chances.py TUBEPLAN [--runs 1000] [--seed 1] [--touches 3] [--hidden mixed|effects|odd|stiffnesses] [--jobs 1]
 
-Step probabilities held against true arms of this folder's physics: stiffnesses off by up to a tenth, a base off by
-millimetres, and up to two effects that the model lacks, of the catalogue or not. The program is given the touches that
-such an arm made; it plans visits and predicts how many steps of the tool go in. The true arm then drives there.
-Right where predicted and happened agree within 3 % for each number of steps.
+Compares step probabilities with true arms of this folder's physics, which have stiffness errors of up to a tenth, a
+base displaced by millimetres, and up to two effects that the model lacks, from the catalogue or not. The program gets
+the touches of such an arm, plans visits and predicts how many steps of the tool enter. The visits are then simulated
+with the true arm. The predicted and observed fractions must agree within 3 % for each number of steps.
 """
 import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -64,7 +64,7 @@ def draw_effects(scene, arm, rng, hidden):
 
 
 def draw_holes(holes, count, touches, rng):
-    """Returns random hole indices, first those of the touched holes, which are at least 20 in apart."""
+    """Returns randomly drawn holes; the first of them are touched and are at least 20 in apart."""
     while True:
         chosen = rng.permutation(len(holes))[:count]
         places = np.array([holes[k]["hole"] for k in chosen[:touches]])
