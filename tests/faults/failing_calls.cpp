@@ -1,5 +1,5 @@
 // Library preloaded into a program: makes one of the program's system calls or allocations fail, as with a bad disk or
-// full memory, and logs the calls on files.
+// full memory, and logs its calls on files.
 //
 // FAULT_KIND     kind of call: write, short-write, rename, fsync, close, open, mkdir (failing with EIO, ENOSPC or
 //                EACCES as usual) or memory

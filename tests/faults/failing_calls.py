@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """failing_calls.py TUBEPLAN CELLS-FOLDER LIBRARY [--kinds write,rename] [--commands plan,add] [--memory 8] [--most 0]
 
-Runs every command that writes files once for each call of a kind that it makes, that call failing (LIBRARY, preloaded).
-Calls of kind thread-memory are those for memory by threads other than the first.
-After each run: a documented exit code with a word why; every output wholly the old file or wholly the new one, files
-that belong together all of one kind; and nothing else in the folder. Of calls for memory there are too many: --memory
-says how many are tried for each command (0: every one). `--kinds order` checks instead that what is renamed has been
-brought to the disk, and that the folder is brought there after it.
+Runs each command that writes files once for every call of a kind; in each run the preloaded LIBRARY makes another call
+fail. Calls of kind thread-memory are allocations by threads other than the first. After each run, the exit code must be
+a documented one with a message, every output must be entirely old or entirely new, files that belong together must be
+all old or all new, and nothing else may be left in the folder. Allocations are too many to try all: --memory limits
+them for each command (0: no limit). `--kinds order` instead checks that every renamed file was synchronised to disk
+before the rename, and its folder after it.
 """
 import argparse
 import pathlib
@@ -105,7 +105,7 @@ class Check:
 
 
 def places(total, most, seed):
-    """Returns the numbers of the calls that fail: all, or at most `most`, half among the first and half anywhere."""
+    """Returns the numbers of the calls that fail: all, or at most `most`, half of them early and half anywhere."""
     if most == 0 or total <= most:
         return range(1, total + 1)
     rng = random.Random(seed)
@@ -114,7 +114,7 @@ def places(total, most, seed):
 
 
 def disk_faults(check, kind, from_on, options):
-    """Fails each call in turn until there are no more, or --most of the calls and one beyond the last."""
+    """Yields faults with their problems: each call fails in turn, or --most of them, then a call beyond the last."""
     calls = check.run(FAULT_KIND=kind).calls
     for at in [*places(calls, options.most, options.seed), calls + 1]:
         variables = {"FAULT_KIND": kind, "FAULT_AT": str(at), **({"FAULT_FROM_ON": "1"} if from_on else {})}

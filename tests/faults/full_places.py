@@ -37,7 +37,7 @@ def with_outputs_in(case, place):
 
 
 def on_full_disk(program, folder, place):
-    """Runs every case on a full disk."""
+    """Runs the cases on a full disk and returns the problems."""
     found = []
     for case in cases.CASES:
         if case.name not in ("show",):
@@ -49,7 +49,7 @@ def on_full_disk(program, folder, place):
 
 
 def in_locked_folder(program, folder, place):
-    """Runs the cases as user nobody, for whom the folder is read-only."""
+    """Runs the cases as user nobody, for whom the folder is read-only, and returns the problems."""
     found = []
     for case in cases.CASES:
         done = subprocess.run([program, *with_outputs_in(case, place)], cwd=folder, capture_output=True, user=65534,
@@ -73,7 +73,7 @@ def to_bad_output(program, folder):
 
 
 def mounted(name):
-    """Runs this script again in a separate mount namespace."""
+    """Runs this script again in a separate mount namespace; returns True in that run, False if it is not permitted."""
     if os.environ.get("FULL_PLACES_MOUNTED") or os.geteuid() != 0:
         return bool(os.environ.get("FULL_PLACES_MOUNTED"))
     if subprocess.run(["unshare", "-m", "true"], capture_output=True).returncode != 0:

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """stop_signals.py TUBEPLAN CELLS-FOLDER [--instants 5] [--readings 10000] [--most 1.0] [--commands plan,identify] [--seconds 8]
 
-Interrupts every long command (Ctrl-C and SIGTERM in turn) at instants spread over its first --seconds, and holds it to:
-an end within --most seconds, exit code 130 (a command that is done before: its own), old files untouched, nothing left
-behind but what the next run goes on from.
+Interrupts every long command, by Ctrl-C and SIGTERM in turn, at instants spread over its first --seconds. The command
+must end within --most seconds, with exit code 130 (its own code if it was done before), must not change existing files,
+and must leave no files except those from which the next run resumes.
 """
 import argparse
 import pathlib

@@ -18,7 +18,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Returns the workbench, which is never destroyed, like the servers below, because the fuzzer exits abruptly.
+/// Returns the workbench. It is never destroyed, like the servers below, because the fuzzer exits abruptly.
 Workbench& workbench() {
   static Workbench& workbench = *new Workbench([] {
     WorkbenchOptions options;
