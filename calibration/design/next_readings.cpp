@@ -14,11 +14,11 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// Fraction of a parameter's typical size below which its sigma counts as identifiable.
+// A parameter counts as identifiable if its sigma is below this fraction of its typical size.
 constexpr double kIdentifiable = 0.5;
 
-/// Returns the expected readings of each candidate; empty for a candidate whose shape does not converge. Touches of
-/// different unknown points get different point names.
+/// Returns the expected readings of each candidate; empty for a candidate at which the arm's deflected shape does not
+/// converge. Each candidate's touches of an unknown point get a point name of their own.
 std::vector<std::vector<Measurement>> expectedReadings(const PlacedArm& placed,
                                                        const std::vector<ReadingCandidate>& candidates) {
   std::vector<std::vector<Measurement>> expected(candidates.size());

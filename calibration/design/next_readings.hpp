@@ -1,5 +1,5 @@
-// Proposals of the next measurements, given present knowledge: the postures and loads, or the touches, that most
-// improve the free parameters and the tip at the work postures.
+// Proposals for the next measurements, given those made so far: the postures and loads, or the touches, that most
+// reduce the uncertainty of the free parameters or of the tip at the work postures.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace tubeplan::calibration {
 
-/// A possible proposal: a single reading, or touches of the same unknown point under several loads, which determine
-/// nothing singly. Each reading has its set-up and its expected sigma.
+/// A candidate for proposal: a single reading, or touches of the same unknown point under several loads, each of which
+/// gives no information by itself. Each reading states its set-up and its expected sigma.
 struct ReadingCandidate {
   std::vector<ProposedMeasurement> readings;
 };
 
-/// Work postures, where the tip must be known.
+/// Work postures, at which the position of the tip must be known.
 struct Work {
   std::vector<Eigen::VectorXd> postures;
   double load = 0;  ///< load hung from the tip [N]
@@ -25,12 +25,12 @@ struct Work {
 
 struct NextReadingsOptions {
   DesignOptions design;
-  int random_draws = 20;  ///< number of random choices of equally many readings, for comparison
+  int random_draws = 20;  ///< number of random choices, each of `design.count` readings, for comparison
   std::uint64_t seed = 1;
 };
 
-/// Standard deviations of one free parameter, in the parameter's unit: now, after the proposed readings, and after
-/// equally many random readings (median of the draws).
+/// Standard deviations of one free parameter, in the parameter's unit: now, after the proposed readings, and after the
+/// same number of random readings (median of the draws).
 struct NumberForecast {
   Unknown unknown;
   double value = 0;
@@ -46,7 +46,7 @@ enum class NextReadingsStatus { kNotRun, kDone, kTooFewCandidates };
 struct NextReadings {
   NextReadingsStatus status = NextReadingsStatus::kNotRun;
   std::string reason;
-  /// Indices of the candidates whose shape converges; the design's indices refer to this list.
+  /// Indices of the candidates at which the arm's shape converges; the indices in `design` refer to this list.
   std::vector<int> candidates;
   Design design;
   std::vector<NumberForecast> numbers;
@@ -55,15 +55,15 @@ struct NextReadings {
   double bits_random = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Design problem of the candidates whose shape converges; the others are left out.
+/// Design problem of the candidates at which the arm's shape converges; other candidates are left out.
 struct PosedDesign {
   DesignProblem problem;
-  std::vector<int> candidates;  ///< original index of each candidate of the problem
+  std::vector<int> candidates;  ///< index, among all candidates, of each candidate of the problem
 };
 [[nodiscard]] PosedDesign poseDesign(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates,
                                      const Work& work);
 
-/// Returns the effect of the readings chosen in `design`, compared with equally many random readings.
+/// Returns the effect of the readings chosen in `design`, in comparison with the same number of random readings.
 [[nodiscard]] NextReadings forecastReadings(const Estimate& estimate, const PosedDesign& posed, Design design,
                                             const NextReadingsOptions& options = {});
 

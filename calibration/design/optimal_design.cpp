@@ -17,7 +17,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kWorthSwapping = 1e-9;  // least relative improvement of the score for a swap: less is rounding
+constexpr double kWorthSwapping = 1e-9;  // smallest relative improvement of the score that is worth a swap
 
 MatrixXd inverseOf(const MatrixXd& information) {
   return information.selfadjointView<Eigen::Lower>().ldlt().solve(
@@ -53,10 +53,10 @@ MatrixXd meanOfSquares(const std::vector<MatrixXd>& work, Index variables) {
   return mean;
 }
 
-/// A choice in progress. The effect of one more reading H needs matrices of the reading's rows only: (M + H^T H)^-1 = C
-/// - C H^T S^-1 H C, with C = M^-1 and S = I + H C H^T. The determinant of C falls by the factor det S. The determinant
-/// of the block of C without the nuisance variables b falls by det S / det S_b, where S_b = I + H_b M_bb^-1 H_b^T is S
-/// with all variables other than b known.
+/// A choice of readings in progress. To add a reading with Jacobian H, only a matrix with as many rows as the reading
+/// is inverted: (M + H^T H)^-1 = C - C H^T S^-1 H C, with C = M^-1 and S = I + H C H^T. The determinant of C falls by
+/// the factor det S. The determinant of the block of C without the nuisance variables b falls by det S / det S_b, where
+/// S_b = I + H_b M_bb^-1 H_b^T is S with all variables other than b known.
 class Choice {
  public:
   static constexpr int kVacant = -1;
@@ -99,14 +99,15 @@ class Choice {
     const Eigen::LLT<MatrixXd> S(MatrixXd::Identity(H.rows(), H.rows()) + H * CHt);
     if (optimality_ == Optimality::kMeanTip)
       return variances_.mean() - S.solve(CHt.transpose() * (mean_work_ * CHt)).trace();
-    // Each column of `fall` belongs to one coordinate of one work posture.
+    // Each column of `fall` belongs to one tip coordinate at one work posture, whose variance falls by the column's
+    // squared length.
     const MatrixXd fall = S.matrixL().solve((stacked_work_ * CHt).transpose());
     VectorXd variances = variances_;
     for (Index w = 0; w < variances.size(); ++w) variances[w] -= fall.middleCols(3 * w, 3).squaredNorm();
     return variances.maxCoeff();
   }
 
-  /// Returns the present score for the criteria of the tip's variance.
+  /// Returns the score of the present choice by a criterion of the tip's variance (kWorstTip, kMeanTip).
   [[nodiscard]] double score() const {
     return optimality_ == Optimality::kWorstTip ? variances_.maxCoeff() : variances_.mean();
   }
@@ -153,7 +154,8 @@ class Choice {
   VectorXd variances_;
 };
 
-/// Swaps chosen readings for better ones, one at a time, until a whole pass finds none. Returns the number of swaps.
+/// Swaps chosen readings for better ones, one at a time, until a whole pass makes no swap or `most_passes` are done.
+/// Returns the number of swaps.
 int exchange(Choice& choice, int most_passes) {
   int swaps = 0;
   for (int pass = 0; pass < most_passes; ++pass) {
@@ -172,8 +174,8 @@ int exchange(Choice& choice, int most_passes) {
   return swaps;
 }
 
-/// Returns the best choice by greedy selection and exchange. For the tip criteria, exchange also starts from the best
-/// choice by determinant, because the worst posture alone misleads greedy selection.
+/// Returns the best choice by greedy selection and exchange. By the tip criteria, greedy selection may start badly. The
+/// exchange is therefore repeated from the best choice by determinant, and the better result is returned.
 std::vector<int> bestChoice(const DesignProblem& problem, const DesignOptions& options, int& swaps) {
   Choice greedy(problem, options.optimality);
   for (int k = 0; k < options.count; ++k) greedy.add(greedy.best().candidate);
@@ -190,7 +192,7 @@ std::vector<int> bestChoice(const DesignProblem& problem, const DesignOptions& o
   return other.chosen();
 }
 
-/// Adds a reading to the choice, and a step with its effect on the covariance to the design.
+/// Adds a reading to the choice, and to the design a step that states the effect of the reading.
 void take(Choice& choice, int candidate, const DesignProblem& problem, Design& design) {
   DesignStep& step = design.steps.emplace_back();
   step.candidate = candidate;

@@ -42,7 +42,7 @@ struct TipSigma {
 
 struct DesignStep {
   int candidate = -1;
-  /// Information that the candidate adds, without the nuisance variables [bit].
+  /// Information that the candidate adds on the variables, nuisance variables excepted [bit].
   double bits = std::numeric_limits<double>::quiet_NaN();
   TipSigma tip;          ///< sigma of the tip after this step
   int most_helped = -1;  ///< index of the variable whose sigma falls most, among all but the nuisance variables
@@ -60,11 +60,12 @@ struct Design {
   int swaps = 0;
 };
 
-/// Returns the best readings among the candidates, each at most once. A swap is made only if it helps, so exchange is
-/// never worse than the greedy choice. By the tip criteria, the choice is never worse than the choice by determinant.
+/// Returns the best readings among the candidates, each at most once. A swap is made only if it improves the choice, so
+/// the result is never worse than the greedy choice. By the tip criteria, it is never worse than the choice by
+/// determinant either.
 [[nodiscard]] Design chooseReadings(const DesignProblem& problem, const DesignOptions& options = {});
 
-/// Evaluates a given choice of readings in the given order, with the same results as chooseReadings().
+/// Evaluates the given readings, in the given order, as chooseReadings() evaluates the readings that it chooses.
 [[nodiscard]] Design judgeReadings(const DesignProblem& problem, const std::vector<int>& chosen);
 
 /// Returns `draws` random choices of `count` different indices below `candidates`.

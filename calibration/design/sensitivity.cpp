@@ -99,8 +99,8 @@ Tips tipsAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const std
   return result;
 }
 
-/// Returns the response of a calibration by touches to a unit error of each parameter: the estimated variables, one
-/// column per parameter. Empty if the touches do not determine the base; zero if there are no touches.
+/// Returns the response of a calibration by touches to a unit error of each parameter: the change of the estimated
+/// variables, one column per parameter. Empty if the touches do not determine the base; zero if there are no touches.
 std::optional<MatrixXd> calibratedResponse(const Estimate& untouched, const SensitivityTask& task, const Tips& touches,
                                            Index numbers) {
   const Index all = untouched.information.rows();
@@ -122,8 +122,8 @@ std::optional<MatrixXd> calibratedResponse(const Estimate& untouched, const Sens
   return -(untouched.information + information).ldlt().solve(right);
 }
 
-/// Adds the derivative of the mean deflection: the derivative of the deflected tip less that of the rigid tip, along
-/// the deflection.
+/// Sets each parameter's derivative of the mean deflection: the derivative of the deflected tip less that of the rigid
+/// tip, along the deflection, as a mean over the work postures.
 void addDeflection(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const SensitivityTask& task,
                    const Tips& work, std::vector<NumberSensitivity>& numbers) {
   const deflection::Arm rigid = deflection::rigidCopy(arm);

@@ -33,11 +33,11 @@ struct NumberSensitivity {
   NumberKind kind = NumberKind::kOther;
   /// Derivative of the mean deflection with respect to the parameter [m per unit].
   double deflection = std::numeric_limits<double>::quiet_NaN();
-  /// Derivative of the mean error without compensation, with respect to the parameter [m per unit].
+  /// Derivative, with respect to the parameter, of the mean error if the deflection is not compensated [m per unit].
   double centring = std::numeric_limits<double>::quiet_NaN();
-  /// Mean error at the work postures, with compensation, per unit of unknown error of the parameter [m per unit]:
-  /// `error_base_known` with the base known, `error` with the base placed by touches. Touches absorb part of the error
-  /// in the base and in the parameters fitted with it.
+  /// Mean error [m per unit] at the work postures, with the deflection compensated, per unit of an unknown error of the
+  /// parameter: `error_base_known` if the base is known, `error` if touches determine it. The fit of the touches
+  /// absorbs part of the error in the base and in the parameters fitted with it.
   double error_base_known = std::numeric_limits<double>::quiet_NaN();
   double error = std::numeric_limits<double>::quiet_NaN();
 };
@@ -48,13 +48,14 @@ struct Sensitivity {
   SensitivityStatus status = SensitivityStatus::kNotRun;
   std::string reason;
   double mean_deflection = std::numeric_limits<double>::quiet_NaN();  ///< mean deflection over the work postures [m]
-  /// Mean error at the work postures with rigid kinematics, for a base placed by touches with rigid kinematics too [m].
+  /// Mean error at the work postures with rigid kinematics, for a base also determined from the touches by rigid
+  /// kinematics [m].
   double mean_uncompensated = std::numeric_limits<double>::quiet_NaN();
   std::vector<NumberSensitivity> numbers;  ///< sensitivities to every parameter of the arm, in file order
 };
 
-/// Computes the sensitivities. Derivatives are exact, except that of the uncompensated error: a central difference with
-/// a step of one thousandth of the parameter (NaN for a parameter that is zero).
+/// Computes the sensitivities. Derivatives are exact, except that of the uncompensated error. It is a central
+/// difference with a step of one thousandth of the parameter (NaN for a parameter that is zero).
 [[nodiscard]] Sensitivity findSensitivities(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                             const SensitivityTask& task);
 
@@ -63,8 +64,9 @@ struct Sensitivity {
 [[nodiscard]] double meanDeflection(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                     const SensitivityTask& task);
 
-/// Returns the mean error over the work postures [m] if rigid kinematics both places the base by the touches and moves
-/// the arm: the part of the deflection that no small motion of the base removes. NaN if a shape does not converge.
+/// Returns the mean error over the work postures [m] if rigid kinematics both determines the base from the touches and
+/// moves the arm: the part of the deflection that remains after the base has been fitted to the touches. NaN if a shape
+/// does not converge.
 [[nodiscard]] double meanUncompensatedError(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                             const SensitivityTask& task);
 

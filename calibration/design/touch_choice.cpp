@@ -17,8 +17,8 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-/// Blocks of the tip's variance after some touches, for all candidates with three rows each. W is the mean of J^T J
-/// over the tip coordinates of all work postures, J = [T U].
+/// Matrices of all candidates, three rows each, from which the tip's variance after any set of touches is assembled
+/// (notation of touch_choice.hpp). W is the mean of J^T J over the tip coordinates of all work postures, J = [T U].
 struct TouchBlocks {
   explicit TouchBlocks(const DesignProblem& problem) : prior(problem.information.topLeftCorner<6, 6>()) {
     const Index rows = 3 * static_cast<Index>(problem.candidates.size()), all = 6 + problem.beside;
@@ -42,8 +42,8 @@ struct TouchBlocks {
   MatrixXd B, ZZ, ZWZ, ZW;
 };
 
-/// A set of touches, and the tip's variance with one more candidate, of index `first` or above: the blocks of that
-/// candidate less the part that the set already determines.
+/// A set of touches to which one more candidate, of index `first` or above, may be added. Holds the blocks of all such
+/// candidates less the part that the set already determines.
 class GrownSet {
  public:
   GrownSet(const TouchBlocks& blocks, const std::vector<int>& touches, int first) : blocks_(blocks), first_(first) {
@@ -65,8 +65,8 @@ class GrownSet {
     by_numbers_ = blocks.numbers_variance - V.solve(ZWZ).trace();
   }
 
-  /// Returns the mean variance of a tip coordinate over the work postures [m^2]; infinite if the touches do not
-  /// determine the base.
+  /// Returns the mean variance of a tip coordinate over the work postures [m^2] if `touch` is added to the set;
+  /// infinite if these touches do not determine the base.
   [[nodiscard]] double varianceWith(int touch) const {
     using Block = Eigen::Matrix<double, 3, 6>;
     const Index row = 3 * touch, here = row - 3 * first_;
@@ -98,7 +98,7 @@ struct BestSet {
   double variance = kNowhere;
 };
 
-/// Returns the set with the most helpful further touch, among the candidates of index `first` or above.
+/// Returns `touches` plus the most helpful candidate of index `first` or above.
 BestSet withNext(const TouchBlocks& blocks, const std::vector<int>& touches, int first) {
   const GrownSet grown(blocks, touches, first);
   BestSet best{touches, kNowhere};
@@ -110,7 +110,7 @@ BestSet withNext(const TouchBlocks& blocks, const std::vector<int>& touches, int
   return best;
 }
 
-/// Returns the best of all triples; empty if none determines the base.
+/// Returns the best set of three touches; empty if no three touches determine the base.
 BestSet bestTriple(const TouchBlocks& blocks) {
   std::vector<BestSet> best(static_cast<std::size_t>(blocks.count()));
   tbb::parallel_for(0, blocks.count(), [&](int i) {

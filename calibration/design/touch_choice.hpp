@@ -1,11 +1,11 @@
-// Choice of the holes to touch so that the base is known best for the work postures, for an arm with uncertain
+// Choice of the holes to touch so that the tip is known best at the work postures, for an arm with uncertain
 // parameters.
 //
 // Let B and Z be the whitened Jacobians of all rows of some touches with respect to the base and the parameters
 // (independent standard normal variables). The touches' information on the base is F = B^T V^-1 B with V = I + Z Z^T.
 // The position of a tip with Jacobians T and U has the error covariance
-//     (T - U Z^T V^-1 B) F^-1 (T - U Z^T V^-1 B)^T + U (I - Z^T V^-1 Z) U^T:
-// matrices of three rows per touch, assembled from blocks that are computed once for every pair of holes.
+//     (T - U Z^T V^-1 B) F^-1 (T - U Z^T V^-1 B)^T + U (I - Z^T V^-1 Z) U^T.
+// Its largest matrices have three rows per touch; their blocks are computed once for every pair of holes.
 #pragma once
 
 #include <string>
@@ -33,12 +33,12 @@ struct TouchChoice {
   double mean_sigma = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Chooses the best of all triples (least mean variance of the tip over the work postures), then the best further holes
-/// one by one. The problem's variables are the six of the base, then nuisance variables: independent standard normal
-/// variables without earlier readings. Every candidate has three rows.
+/// Chooses the best three touches (smallest mean variance of the tip over the work postures), then the best further
+/// touches one by one. The problem's variables are the six of the base, then nuisance variables: independent standard
+/// normal variables on which there are no readings yet. Every candidate has three rows.
 [[nodiscard]] TouchChoice chooseTouches(const DesignProblem& problem, int count);
 
-/// Chooses touches for an arm that stands near X_WB, before any touch, so that the tip is known best in the work
+/// Chooses touches for an arm whose base is near X_WB and not yet calibrated, so that the tip is known best at the work
 /// postures without load.
 [[nodiscard]] TouchChoice chooseTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                         const std::vector<TouchPlan>& candidates,

@@ -8,7 +8,8 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Returns the base errors to try, as fractions of the doubt: shifts along the axes, then rotations about the axes.
+/// Returns the errors of the base pose to try, three shifts along and three rotations about the axes, as fractions of
+/// the largest error (BaseDoubt): each component alone with either sign, then all six with every combination of signs.
 std::vector<Vector6> waysOff() {
   std::vector<Vector6> ways;
   for (int axis = 0; axis < 6; ++axis)

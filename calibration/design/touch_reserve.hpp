@@ -8,15 +8,15 @@
 namespace tubeplan::calibration {
 
 /// Largest error of the base pose: shift along any direction, and rotation about any axis through the base's origin.
-/// The defaults are three standard deviations of the errors that `campaign` and `score` draw.
+/// The defaults are three standard deviations of the errors that the commands `campaign` and `score` draw.
 struct BaseDoubt {
   double shift = 0.0381;  ///< largest shift [m] (1.5 in)
   double turn = 0.0262;   ///< largest rotation [rad] (1.5 deg)
 };
 
 /// Returns the candidates that the arm can touch (joint limits and deflection considered, collisions not) from every
-/// base displaced from X_WB: by the whole doubt along or about each axis, and by the same total along and about all
-/// axes together.
+/// base displaced from X_WB in these ways: by the largest error along or about one axis, and by an error of the same
+/// relative size along and about all axes at once.
 [[nodiscard]] std::vector<TouchPlan> keepTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                                    const std::vector<TouchPlan>& candidates,
                                                    const BaseDoubt& doubt = {});
