@@ -46,7 +46,7 @@ double priorSigma(const Parameter& parameter, const deflection::Arm& arm, const 
 
 /// Returns a square root of a covariance, without columns of zero variance.
 MatrixXd rootOf(const MatrixXd& covariance) {
-  // Least eigenvalue relative to the largest, with each parameter scaled by its standard deviation.
+  // Eigenvalues below this fraction of the largest count as zero; each parameter is in units of its standard deviation.
   constexpr double kLeast = 1e-14;
   const VectorXd sigma = covariance.diagonal().cwiseMax(0).cwiseSqrt();
   const VectorXd scale = sigma.unaryExpr([](double s) { return s > 0 ? 1 / s : 0; });

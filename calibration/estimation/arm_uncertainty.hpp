@@ -27,14 +27,15 @@ struct ArmUncertainty {
   [[nodiscard]] static ArmUncertainty none() { return {0, 0, 0, 0, 0, 0, {}, {}}; }
 };
 
-/// Parameters of an arm with a joint normal distribution, as variables that are zero at the arm's values.
+/// Jointly normally distributed parameters of an arm, as variables that are zero at the arm's values.
 struct UncertainNumbers {
   std::vector<Unknown> unknowns;  ///< n uncertain parameters
   Eigen::MatrixXd root;  ///< n x k matrix: the variables are `root` times k independent standard normal variables
 };
 
-/// Returns the parameters with a standard deviation above zero. Placements up to the first joint's axis only move the
-/// whole arm; they belong to the base and are left out. Of a beam's E and I, only I is included and stands for both.
+/// Returns the parameters with a standard deviation above zero. Parameters that place the rows up to the first joint's
+/// axis only move the whole arm; they count as part of the base and are left out. Of a beam's E and I, only I is
+/// included and stands for both.
 [[nodiscard]] UncertainNumbers uncertainNumbers(const deflection::Arm& arm, const ArmUncertainty& uncertainty);
 
 }  // namespace tubeplan::calibration

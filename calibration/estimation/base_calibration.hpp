@@ -11,7 +11,7 @@
 
 namespace tubeplan::calibration {
 
-/// A hole for which the touched hole may have been mistaken.
+/// A hole that may have been touched in place of the named one.
 struct NeighbourHole {
   std::string name;
   Eigen::Vector3d p_WH = Eigen::Vector3d::Zero();  ///< centre of the hole in the world frame [m]
@@ -20,9 +20,10 @@ using NeighbourQuestion = std::function<std::vector<NeighbourHole>(const Measure
 
 struct BaseCalibrationOptions {
   ArmUncertainty arm;  ///< uncertainty of the parameters in the arm's file, which are fitted with the base
-  double model_sigma =
-      7.62e-4;  ///< usual model error per coordinate [m] (0.030 in, the mean touch error in Calkins 1994)
-  double collinear_ratio = 0.05;        ///< least height of the triangle of touches, relative to its longest side
+  /// Usual model error per coordinate [m] (0.030 in, the mean touch error in Calkins 1994).
+  double model_sigma = 7.62e-4;
+  /// Smallest spread of the holes across their best-fit line, relative to that along it.
+  double collinear_ratio = 0.05;
   double mistaken_hole_p_value = 1e-4;  ///< p-value below which a mistaken hole is searched for; 0: never
   /// Function that returns the neighbours of a touched hole, to search for a mistaken hole.
   NeighbourQuestion neighbours;
@@ -38,14 +39,15 @@ struct TouchResidual {
   std::string id, hole;
   /// Tip minus hole, for the fitted base and arm, in world axes [m].
   Eigen::Vector3d residual_W = Eigen::Vector3d::Zero();
-  Eigen::Vector3d sigma_W = Eigen::Vector3d::Zero();  ///< standard deviation of the touch itself, in world axes [m]
+  /// Standard deviation of touch and encoder noise, in world axes [m].
+  Eigen::Vector3d sigma_W = Eigen::Vector3d::Zero();
 };
 
-/// Distance between two touched holes, predicted by the arm of the file and known on the sheet. It does not depend on
-/// the base.
+/// Distance between two touched holes: as the arm of the file predicts it, and as known from the sheet. Neither depends
+/// on the base.
 struct DistanceCheck {
   std::string from, to;
-  double by_arm = 0, on_sheet = 0;  ///< distance predicted by the arm, and known on the sheet [m]
+  double by_arm = 0, on_sheet = 0;  ///< distance predicted by the arm, and known from the sheet [m]
   /// Standard deviation of the difference, due to touch noise and the arm's uncertain parameters [m].
   double sigma = 0;
 };
@@ -63,23 +65,24 @@ struct SuspectReading {
   std::string touch;
   Eigen::Index joint = -1;
   double off = 0;      ///< reading minus the value required by the other touches [rad or m]
-  double p_value = 0;  ///< p-value of all touches after this correction
+  double p_value = 0;  ///< p-value of the fit to all touches after this correction
 };
 
 struct BaseCalibration : TouchedBase {
   CalibrationStatus status = CalibrationStatus::kNotRun;
   std::string reason;                  ///< reason if the status is not kDone
-  std::vector<std::string> suspects;   ///< possible mistaken holes, such as "touch T2 named R10C20 fits hole R10C21"
-  std::vector<TouchedNumber> numbers;  ///< parameters whose fitted values differ from the given arm
+  std::vector<std::string> suspects;   ///< possibly mistaken holes, such as "touch T2 named R10C20 fits hole R10C21"
+  std::vector<TouchedNumber> numbers;  ///< uncertain parameters of the arm, which were fitted with the base
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Constant(kNotKnown);
-  int odd_touch = -1;  ///< index of the only touch without which the others fit, of four or more; -1: none
+  /// Index of the only touch, of four or more, whose removal makes the others fit; -1: none or several.
+  int odd_touch = -1;
   double rms_of_others = kNotKnown;              ///< rms of the other touches without the odd touch [m]
   std::vector<SuspectReading> suspect_readings;  ///< joint readings that may explain a lack of fit, likeliest first
   std::vector<TouchResidual> residuals;
   std::vector<DistanceCheck> distances;
   double rms = kNotKnown;  ///< root mean square of the residuals' lengths [m]
-  /// Step from the start of the search, where the base should stand: shift [m], then rotation vector [rad], in world
-  /// axes.
+  /// Step to the found base from the start of the search, where the base was expected: shift [m], then rotation vector
+  /// [rad], in world axes.
   BaseStep from_start = BaseStep::Constant(kNotKnown);
 };
 
@@ -88,13 +91,14 @@ struct BaseCalibration : TouchedBase {
 [[nodiscard]] bool isFitRefused(const BaseCalibration& calibration);
 
 /// Finds the base by fitTouches(), from any start. All touches must have known positions, a stated sigma and the same
-/// set-up. A rejected fit still has residuals and possible errors of the touches.
+/// set-up. If chi-square rejects the fit, the result still has the residuals, and names touches and joint readings that
+/// may be wrong.
 [[nodiscard]] BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Measurement>& touches,
                                             const Eigen::Isometry3d& X_WB_start,
                                             const BaseCalibrationOptions& options = {});
 
 /// Returns why these touches cannot determine a base (fewer than three holes, the same hole twice under the same load,
-/// almost on a line); empty if they can.
+/// holes almost on a line); empty if they can.
 std::string findTouchProblem(const std::vector<Measurement>& touches, const BaseCalibrationOptions& options = {});
 
 }  // namespace tubeplan::calibration

@@ -14,10 +14,10 @@ using Eigen::Index, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::Ve
 
 namespace {
 
-/// Subtracts in place the components that the unknown places absorb.
+/// Subtracts from whitened columns, in place, the components that the estimates of unknown places absorb.
 void takePointsOff(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
   for (const auto& point : weights.points) {
-    // Rows of each of the point's readings.
+    // Number of rows of each of the point's readings.
     const Index rows = point.Q.rows() / static_cast<Index>(point.readings.size());
     const auto rowsOfTouch = [&](int reading) {
       return columns.middleRows(weights.first_row[static_cast<std::size_t>(reading)], rows);
@@ -31,7 +31,7 @@ void takePointsOff(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) 
   }
 }
 
-/// Subtracts the estimates of the unknown places from the errors.
+/// Subtracts from the errors the part that the estimates of unknown places explain.
 void takeEstimatesOff(const ReadingWeights& weights, VectorXd& error) {
   for (const auto& point : weights.points) {
     const Index rows = point.Q.rows() / static_cast<Index>(point.readings.size());
@@ -119,7 +119,7 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   if (!linearize(x, jacobian != nullptr)) return false;
   r.resize(weights_.rows + prior_slopes_.size());
   if (jacobian) jacobian->setZero(r.size(), x.size());
-  if (x.size() == 0) jacobian = nullptr;  // no columns: nothing to weight, and no storage for their rows
+  if (x.size() == 0) jacobian = nullptr;  // a Jacobian without columns needs no weights and has no storage
   applyWeights(r, jacobian);
   if (error) *error = last_.error;
   takeSharedOff(weights_, r);
@@ -131,7 +131,7 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   return true;
 }
 
-/// Computes the errors at x, and their Jacobian if requested; reuses the last ones if the state is unchanged.
+/// Computes the errors at x, and their Jacobian if requested; reuses the last ones if x is unchanged.
 bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
   const bool is_there = last_.ok && last_.x.size() == x.size() && last_.x == x && last_.error.size() == weights_.rows;
   if (is_there && (!with_jacobian || last_.jacobian.cols() == x.size())) return true;
@@ -141,7 +141,7 @@ bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
   last_.jacobian.setZero(with_jacobian ? weights_.rows : 0, with_jacobian ? x.size() : 0);
   if (!settled_.empty() && !settleSurfaces(placed_, settled_)) return false;
   if (!fill(with_jacobian)) {
-    goOn(stop_);  // rows left out after a stop are no results
+    goOn(stop_);  // a stop leaves rows uncomputed; it must not count as a failure of the model
     return false;
   }
   last_.x = x;
@@ -150,7 +150,7 @@ bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
 
 namespace {
 
-/// Computes whitener * from, with fixed-size blocks for the common sizes.
+/// Computes whitener * from, with matrices of fixed size for readings of three rows, which are the most common.
 void whiten(const MatrixXd& whitener, const Eigen::Ref<const MatrixXd>& from, Eigen::Ref<MatrixXd> to) {
   if (whitener.rows() == 3)
     to.noalias() = Matrix3d(whitener).lazyProduct(from);
@@ -169,7 +169,8 @@ void CampaignResidual::applyWeights(VectorXd& r, MatrixXd* jacobian) const {
   }
 }
 
-/// Returns false if a shape does not converge.
+/// Fills `last_` with the errors of all readings and, if requested, their Jacobian. Returns false if a shape does not
+/// converge.
 bool CampaignResidual::fill(bool with_jacobian) {
   static const PredictionRequest kValues;
   const auto& readings = taken();

@@ -13,7 +13,7 @@ namespace tubeplan::calibration {
 
 class CampaignResidual {
  public:
-  /// Choice of appending the priors of the unknowns to the residuals of the readings, one residual per unknown.
+  /// Selects whether the residuals of the readings are followed by those of the priors, one per unknown.
   enum class Priors { kNone, kAppended };
 
   /// All arguments must outlive this object. An evaluation during which a stop is requested throws WorkStopped.
@@ -23,17 +23,17 @@ class CampaignResidual {
   CampaignResidual(const CampaignResidual&) = delete;
   CampaignResidual& operator=(const CampaignResidual&) = delete;
 
-  /// Computes the residual at the variables x, and its Jacobian if not null. Returns false if the model cannot be
-  /// evaluated.
+  /// Computes the residual at the variables x, and its Jacobian if `jacobian` is not null. Returns false if the model
+  /// cannot be evaluated.
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) {
     return evaluate(x, r, jacobian, nullptr);
   }
 
-  /// Computes also the unwhitened error in metres (WhitenedResidual::error), if `error` is not null.
+  /// Also computes the unwhitened error in metres (WhitenedResidual::error), if `error` is not null.
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian, Eigen::VectorXd* error);
 
  private:
-  /// Errors in metres and their Jacobian at one state, without weights; no Jacobian if not requested.
+  /// Errors in metres and their Jacobian at one state, without weights; the Jacobian is empty if not requested.
   struct Unweighted {
     Eigen::VectorXd x;
     Eigen::VectorXd error;
@@ -47,7 +47,7 @@ class CampaignResidual {
   bool fill(bool with_jacobian);
   void scatter(int base_pose, const Prediction& prediction, Eigen::Index row);
 
-  /// Returns the readings; touched surfaces are fitted to the arm at the last variables.
+  /// Returns the readings, with touched surfaces fitted to the arm at the last variables.
   [[nodiscard]] const std::vector<Measurement>& taken() const { return settled_.empty() ? readings_ : settled_; }
 
   const PlacedArm& start_;
@@ -60,12 +60,12 @@ class CampaignResidual {
   std::vector<int> base_pose_of_;      ///< index of each reading's base pose
   PredictionRequest slopes_asked_;     ///< requested derivatives: the parameters, and the base if one is free
   std::vector<Eigen::Index> numbers_;  ///< Jacobian column of each parameter
-  std::vector<std::vector<Eigen::Index>> bases_;  ///< six Jacobian columns of each base; empty for a known base
+  std::vector<std::vector<Eigen::Index>> bases_;  ///< Jacobian columns of a base step, -1 if fixed; empty: known base
   PlacedArm placed_;                              ///< placed arm at the last variables
   std::vector<double> slopes_;                    ///< derivative of each parameter with respect to its variable
   /// Matrices that map the rate of the rotation vector to the angular velocity, one per base.
   std::vector<Eigen::Matrix3d> turns_;
-  std::optional<deflection::Kinematics> prepared_;  ///< kinematics of the placed arm, if no variable changes it
+  std::optional<deflection::Kinematics> prepared_;  ///< kinematics of the arm, if no variable changes the arm
   Unweighted last_;
 };
 

@@ -29,8 +29,8 @@ UncertainNumbers heldNumbers(const Identification& fit, const std::vector<Unknow
   return held;
 }
 
-/// Returns true for parameters that the result includes. Base steps are included for an arm with a single base pose;
-/// with several, each belongs to a set-up and none to the cell.
+/// Returns true for parameters that the result includes. The base step is included only if there is a single base pose:
+/// of several, each belongs to its own set-up.
 bool isKept(const Unknown& unknown, const Identification& fit) {
   return unknown.owner == Unknown::Owner::kArm || fit.fitted.base_poses.size() == 1;
 }
@@ -52,7 +52,7 @@ std::optional<ArmUncertainty> determinedNumbers(const Identification& fit, const
   if (!weights) return std::nullopt;
   const auto at = whitenedResidual(fit.fitted, all, readings, *weights, zerosOf(all), true);
   if (!at.ok) return std::nullopt;
-  // Variables: the fitted parameters, then independent standard normal variables of the held parameters.
+  // The variables are the fitted parameters, then independent standard normal variables for the held parameters.
   const auto own = static_cast<Index>(fitted.size()), n = static_cast<Index>(all.size());
   MatrixXd to_numbers = MatrixXd::Zero(n, own + held.root.cols());
   to_numbers.topLeftCorner(own, own).setIdentity();
@@ -62,7 +62,7 @@ std::optional<ArmUncertainty> determinedNumbers(const Identification& fit, const
   prior.head(own) = priorSlopes(fitted).cwiseAbs2();
   gradient.head(own) += priorSlopes(fitted).cwiseProduct(priorResiduals(fitted, zerosOf(fitted)));
   const MatrixXd inverse = inverseOfInformation(jacobian.transpose() * jacobian + MatrixXd(prior.asDiagonal()));
-  const VectorXd shift = inverse * gradient;  // step from the stated to the most probable values
+  const VectorXd shift = inverse * gradient;  // difference between the stated and the most probable values
   const MatrixXd covariance = to_numbers * (inverse + shift * shift.transpose()) * to_numbers.transpose();
   ArmUncertainty determined = held_numbers;
   determined.determined.clear();

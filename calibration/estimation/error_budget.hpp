@@ -1,9 +1,9 @@
-// Division of a model's error into an explained part, a residual and noise. This is the only error stated in a
-// document.
+// Division of a model's error into an explained part, an unexplained remainder and noise. Documents state a model's
+// error in this form only.
 //
 // The error is the root mean square, over the readings in use, of the length of measured minus predicted (ErrorSize).
 // Held-out errors come from fits without the judged readings, fitted errors from fits with them. Readings that are set
-// aside enter no result.
+// aside as outliers are not counted.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,8 @@
 
 namespace tubeplan::calibration {
 
-/// Parts of an error [m]. The signed squares add up: total = explained + remainder + noise.
+/// Parts of an error [m]. Their squares add up, with the sign of each part: total^2 = explained |explained| +
+/// remainder^2 + noise^2.
 struct ErrorBudget {
   double total = kNotKnown;      ///< error before the explanation is applied
   double explained = kNotKnown;  ///< part removed by the explanation; negative where the error rose

@@ -44,7 +44,7 @@ VectorXd informationBeforehand(const Estimate& estimate) {
   return information;
 }
 
-/// Returns true if only a base is to be found, by touches that calibrateBase() accepts.
+/// Returns true if only a base pose is to be found, and all readings are touches that calibrateBase() accepts.
 bool placesByTouches(const Estimate& estimate, const std::vector<Measurement>& readings) {
   const bool is_base_alone = std::ranges::all_of(
       estimate.unknowns, [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; });
@@ -68,7 +68,7 @@ bool fitBaseByTouches(const std::vector<Measurement>& touches, Estimate& estimat
   return true;
 }
 
-/// Fits the free parameters, with all others exact; returns false if the readings do not allow a fit.
+/// Fits the free parameters, with all others taken as exact; returns false if the readings do not allow a fit.
 bool fitFreeNumbers(const PlacedArm& placed, const std::vector<Measurement>& readings, const FreeChoice& free,
                     Estimate& estimate) {
   IdentificationOptions options;
@@ -129,7 +129,7 @@ std::optional<MatrixXd> sensitivityOf(const Estimate& estimate, const std::vecto
 
 std::vector<MatrixXd> tipSensitivities(const Estimate& estimate, const std::vector<VectorXd>& postures, double load) {
   std::vector<Measurement> tips;
-  ReadingWeights weights;  // left empty: coordinates are not weighted
+  ReadingWeights weights;  // identity matrices: coordinates are not weighted
   for (const auto& q : postures) {
     Measurement tip;
     tip.q = q;

@@ -1,4 +1,4 @@
-// Information on the free parameters from the readings so far, to which further readings add.
+// Information on the free parameters that the readings made so far give, and to which further readings add.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,15 +17,15 @@ struct DoubtBeside {
   double model_error = 0;  ///< standard deviation of the model error per coordinate, known beforehand [m]
 };
 
-/// Present knowledge of the model: values and uncertainty of the free parameters. Every parameter has a prior of its
-/// typical size (Unknown::typical), so that undetermined parameters have a sigma too.
+/// Present knowledge of the model: values and uncertainty of the free parameters. Every parameter has a prior with a
+/// sigma of its typical size (Unknown::typical) at most, so that undetermined parameters have a sigma too.
 struct Estimate {
   std::vector<FreeProblem> problems;  ///< reasons why names cannot be freed; if any, the other members are invalid
-  std::string note;  ///< reason why the readings could not be fitted; the values are then those of the arm's file
+  std::string note;  ///< reason why the readings could not be fitted; parameters then keep the values of the arm's file
   PlacedArm start;
   std::vector<Unknown> unknowns;
   Eigen::VectorXd x;  ///< fitted values of the unknowns' variables, relative to `start`
-  /// Standard deviation of each coordinate beyond the readings' noise (Identification::model_error) [m].
+  /// Standard deviation of the model error of each coordinate, in addition to the readings' noise [m].
   double model_error = 0;
   UncertainNumbers beside;  ///< uncertain parameters of the arm that are not free
   /// Information matrix of the variables divided by their typical sizes, then of the standard normal variables of
@@ -33,9 +33,9 @@ struct Estimate {
   Eigen::MatrixXd information;
 };
 
-/// Fits the readings (there may be none; held-out readings are not used) and sums up their information. Touches of
-/// known holes that determine only a base are fitted as `calibrate` does, with the uncertain parameters of `doubt`. For
-/// other readings, these parameters count as exact.
+/// Fits the readings (there may be none; held-out readings are not used) and sums up their information. If only a base
+/// is free and the readings are touches of known holes, the base is fitted as by calibrateBase(), together with the
+/// uncertain parameters of `doubt`. In all other cases, these parameters count as exact.
 [[nodiscard]] Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                                     const std::vector<Measurement>& readings, const FreeChoice& free,
                                     const DoubtBeside& doubt = {});

@@ -19,10 +19,10 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 namespace {
 
 constexpr int kMaxRounds = 3;
-constexpr double kWeightsRest = 1e-3;  // least relative change of chi-square by new weights that requires another round
+constexpr double kWeightsRest = 1e-3;  // relative change of chi-square by new weights above which the fit is repeated
 constexpr double kNearMinimum = 0.01;  // expected decrease of chi-square below which a slow fit counts as converged
 constexpr int kMaxModelErrorRounds = 8;
-// Largest relative change of the model error that requires no further round.
+// Relative change of the model error below which the fit is not repeated.
 constexpr double kModelErrorConverged = 0.01;
 
 LeastSquaresProblem problemOf(const std::shared_ptr<CampaignResidual>& residual, const std::vector<Unknown>& unknowns,
@@ -139,8 +139,8 @@ class Fitting {
     return comparableChi2(readings_, stated, by_stated.r, options_.loss);
   }
 
-  /// Repeats the fit until the weights converge. They change with the solution: encoder noise depends on the
-  /// derivatives at the posture, and a robust weight on the residual.
+  /// Repeats the fit until the weights converge. They change with the solution: the effect of encoder noise depends on
+  /// the derivatives there, and a robust weight depends on the residual.
   bool untilWeightsRest() {
     const bool is_robust = options_.loss != RobustLoss::kNone;
     const int rounds = is_robust ? 5 * kMaxRounds : kMaxRounds;

@@ -1,5 +1,5 @@
 // A weighted fit of chosen unknowns to chosen readings, with priors on the unknowns. Identification, cross-validation
-// and profiles repeat this step.
+// and profile intervals repeat this step.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct Fit {
   Eigen::MatrixXd covariance;  ///< posterior covariance of the variables
   Eigen::VectorXd factors;     ///< weight factors of the robust loss, included in `weights`; empty without a loss
   double chi2 = kNotKnown;     ///< chi-square of the readings, from their stated noise alone
-  /// Rows of the readings less the number of parameters that they determine; may not be positive.
+  /// Number of rows less the number of parameters and unknown places that they determine; may be zero or negative.
   int degrees_of_freedom = 0;
   double p_value = kNotKnown;
 };
@@ -54,16 +54,16 @@ struct FitOptions {
                                              const Eigen::VectorXd& x, const StopQuestion& stop = {});
 
 /// Determines every unknown base pose by closed-form alignment of the predicted tips with the measured positions. The
-/// alignment is repeated, because the direction of gravity depends on the base pose. Set-ups with fewer than three
-/// distinct positions are not moved.
+/// alignment is repeated, because the direction of gravity depends on the base pose. A base with fewer than three
+/// positions, or with all positions on one line, is not moved.
 void alignBases(PlacedArm& placed, const std::vector<Measurement>& readings);
 
 [[nodiscard]] ErrorSize errorSize(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                   const Eigen::VectorXd& error);
 
-/// Returns the standard deviation of each coordinate [m] that, added to the readings' noise, makes chi-square of the
-/// errors equal to `degrees_of_freedom`; 0 if the noise alone suffices (p >= 0.01). Gross errors of single readings are
-/// left out. `error` is as in WhitenedResidual.
+/// Returns the model error: the standard deviation of each coordinate [m] that, added to the readings' noise, makes
+/// chi-square of the errors equal to `degrees_of_freedom`; 0 if the noise alone suffices (p >= 0.01). Gross errors of
+/// single readings are left out. `error` is as in WhitenedResidual.
 [[nodiscard]] double modelErrorOf(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                   const Eigen::VectorXd& error, int degrees_of_freedom);
 

@@ -10,12 +10,12 @@ namespace tubeplan::calibration {
 
 /// The readings and the optimum of a fit, with derivatives.
 struct FittedBasis {
-  std::vector<Measurement> readings;  ///< readings in use
+  std::vector<Measurement> readings;  ///< fitted readings
   PlacedArm fitted;                   ///< placed arm at the optimum of the baseline fit
   std::vector<Unknown> unknowns;      ///< unknowns of the baseline fit, 0 at the optimum
   ReadingWeights weights;             ///< weights from the stated noise alone
   WhitenedResidual residual;          ///< residual at the optimum, with the Jacobian with respect to `unknowns`
-  StopQuestion stop = {};             ///< asked within fits, which throw WorkStopped once it returns true
+  StopQuestion stop = {};             ///< called within fits, which throw WorkStopped once it returns true
 };
 
 /// Returns the basis of a baseline fit, with the variables shifted so that 0 is the optimum.

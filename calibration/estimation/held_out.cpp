@@ -18,8 +18,8 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kLeastLeft = 6;  // least number of a set-up's groups that must remain to determine its base
-// Largest joint difference between readings at one posture, by noise or by a load [rad, m].
+constexpr std::size_t kLeastLeft = 6;  // smallest number of a set-up's groups that must remain to determine its base
+// Largest joint difference between readings at one posture, due to noise or load [rad, m].
 constexpr double kSamePosture = 0.01;
 
 /// Assigns postures to numbered groups: a posture close to the first posture of a group belongs to that group.
@@ -38,7 +38,7 @@ class PostureGroups {
   }
 
  private:
-  // Indices of the groups' first readings, by set-up and cell of the first joint.
+  // Indices of the groups' first readings, keyed by set-up and by cell of the first joint's value.
   std::map<std::pair<std::string, long>, std::vector<int>> leaders_;
 };
 
@@ -58,7 +58,8 @@ std::vector<int> groupByPose(const std::vector<Measurement>& readings) {
   std::map<std::string, int> index;
   std::vector<int> groups;
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    // For readings that state the tip's position, `point` may name the reflector, which is the same at every posture.
+    // Only touches are grouped by `point`: for a measured tip position, it may name the reflector, which is the same at
+    // every posture.
     const bool is_touch = touchesKnownPoint(readings[k]) || touchesUnknownPoint(readings[k]);
     const std::string key = is_touch && !readings[k].point.empty()
                                 ? "point " + readings[k].point
@@ -82,7 +83,7 @@ std::map<std::string, std::vector<int>> groupsBySetup(const std::vector<Measurem
 
 /// Returns the fold of each group. Groups are assigned in the order of `rank`, set-up by set-up, so that no fold
 /// contains most of one set-up. A set-up that would keep too few groups to determine its base is never held out (-1),
-/// if there are other set-ups.
+/// provided that another set-up is large enough.
 std::vector<int> dealt(std::map<std::string, std::vector<int>> by_setup, const std::vector<int>& rank, int folds) {
   const auto leavesFew = [&](const std::vector<int>& groups) {
     const auto parts = static_cast<std::size_t>(folds);
@@ -117,7 +118,7 @@ std::vector<int> foldsOf(const std::vector<Measurement>& readings, int folds, st
 std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Measurement>& readings) {
   ReadingPredictor predictor(placed.arm);
   const std::vector<int> groups = groupByPose(readings);
-  // Distance of each pose from the base [m], keyed by set-up and pose.
+  // Largest distance of the tip from the base in each group of readings [m], keyed by set-up and group.
   std::map<std::string, std::map<int, double>> reach;
   for (std::size_t k = 0; k < readings.size(); ++k) {
     Measurement tip = readings[k];
@@ -127,7 +128,7 @@ std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Meas
     double& farthest = reach[readings[k].setup].emplace(groups[k], 0).first->second;
     if (predicted.ok) farthest = std::max(farthest, predicted.value.norm());
   }
-  std::map<std::string, double> least;  // least reach in the farthest quarter of the poses [m], keyed by set-up
+  std::map<std::string, double> least;  // smallest distance in the farthest quarter of the groups [m], keyed by set-up
   for (const auto& [setup, poses] : reach) {
     if (reach.size() > 1 && 3 * poses.size() / 4 < kLeastLeft) {
       least[setup] = std::numeric_limits<double>::infinity();
@@ -213,8 +214,8 @@ std::vector<Index> rowsOutside(int fold, const std::vector<int>& folds, const st
   return rows;
 }
 
-/// Returns the step from the variables of the whole fit to those of a fit to these rows alone; empty if the step is too
-/// long.
+/// Returns the step, to first order, from the variables of the whole fit to those of a fit to these rows alone; empty
+/// if the step is too long or leaves the bounds.
 std::optional<VectorXd> stepTo(const std::vector<Index>& rows, const Fit& whole, const std::vector<Unknown>& unknowns) {
   const VectorXd& x = whole.solution.x;
   const MatrixXd jacobian = whole.residual.jacobian(rows, Eigen::all);

@@ -1,6 +1,6 @@
 // Hybrid method: Levenberg-Marquardt first, which is quickest for well-posed fits. If it does not converge soon, as in
-// a long curved valley, Ipopt starts from the same point, and the lower of the two end points is followed to its
-// minimum.
+// a long curved valley, Ipopt starts from the same point. If Ipopt ends at a higher point, Levenberg-Marquardt
+// continues from its own end point.
 #include <algorithm>
 #include <cmath>
 

@@ -11,13 +11,14 @@ namespace {
 
 // Largest sigma of an identifiable parameter, as a fraction of its prior uncertainty.
 constexpr double kSharpened = 0.5;
-constexpr double kCorrelated = 0.3;  // least correlation at which a parameter is named as a partner
+constexpr double kCorrelated = 0.3;  // correlation above which a parameter is named as a partner
 constexpr double kOneWithIt = 0.95;  // correlation above which a parameter is known no better than its partner
 constexpr std::size_t kMostPartners = 4;
-// Least distance of a compliance from zero, in sigmas; at less, its stiffness has no upper limit.
+// Smallest distance of an identifiable compliance from zero, in sigmas; closer to zero, the stiffness has no upper
+// limit.
 constexpr double kSeen = 2;
 
-/// Returns the prior uncertainty of a parameter.
+/// Returns the prior uncertainty of a parameter: its typical size or its prior sigma, whichever is smaller.
 double yardstickOf(const Unknown& unknown) { return std::min(unknown.typical, unknown.prior_sigma); }
 
 bool isSharp(const Unknown& unknown, double sigma, double x) {

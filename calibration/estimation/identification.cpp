@@ -23,7 +23,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr double kStrongCorrelation = 0.9;
-// Number of readings from which a fold's fit is replaced by one step from the fit to all readings.
+// From this number of readings on, the fit of each fold is replaced by one step from the fit to all readings.
 constexpr std::size_t kManyReadings = 1000;
 
 std::vector<int> placesOf(const std::vector<Measurement>& all, bool held_out) {
@@ -62,7 +62,7 @@ void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& all,
     return;
   }
   if (model.options.folds < 2) return;
-  if (model.unknowns.empty()) {  // every fold has the same error
+  if (model.unknowns.empty()) {  // nothing is fitted: leaving readings out changes no error
     result.heldout = result.heldout_before = result.after_base;
     return;
   }
@@ -77,7 +77,7 @@ void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& all,
   result.heldout = by_steps ? *by_steps
                             : crossValidate(model.start, model.unknowns, model.fitted, model.fit.solution.x, folds,
                                             options, model.options.hooks);
-  const bool is_fixed = bases.empty() && result.heldout.readings > 0;  // every fold has the same error
+  const bool is_fixed = bases.empty() && result.heldout.readings > 0;  // no base is fitted: the same
   result.heldout_before =
       is_fixed ? result.after_base : crossValidate(model.start, bases, model.fitted, zerosOf(bases), folds, options);
 }
@@ -119,7 +119,7 @@ void summarize(const FittedModel& model, Identification& result) {
   for (auto& outlier : result.outliers) outlier.reading = result.used[static_cast<std::size_t>(outlier.reading)];
 }
 
-/// Fits the unknown bases with nothing else free, so that the full fit starts from a sensible place.
+/// Fits the unknown bases with nothing else free, so that the full fit starts near its solution.
 void fitBases(FittedModel& model, Identification& result) {
   const auto bases = basesOf(model.unknowns);
   if (bases.empty()) return;
@@ -193,12 +193,12 @@ void giveUp(const IdentifiedNumber& number, PlacedArm& start) {
 
 /// Returns how far a parameter is from the value that it would have if dropped, in sigmas.
 double needOf(const IdentifiedNumber& number) {
-  if (number.unknown.scale != Unknown::Scale::kLinear) return number.value / number.sigma;  // compliance: equal ratio
+  // A stiffness has the same ratio to its sigma as its compliance has.
+  if (number.unknown.scale != Unknown::Scale::kLinear) return number.value / number.sigma;
   return std::abs(number.value - number.unknown.start) / number.sigma;
 }
 
-/// Returns the index of the parameter that the readings require least, if the probability that it is zero exceeds the
-/// level; -1 otherwise.
+/// Returns the index of the parameter that the readings require least, if its p-value exceeds the level; -1 otherwise.
 int leastNeeded(const Identification& result, double level) {
   int least = -1;
   double need = std::numeric_limits<double>::infinity();
@@ -213,7 +213,8 @@ int leastNeeded(const Identification& result, double level) {
 Identification identifyOnce(const PlacedArm& start, const std::vector<Measurement>& readings,
                             const IdentificationOptions& options);
 
-/// Identifies repeatedly, each time without the parameter that the readings require least, if dropping is requested.
+/// Identifies once or, if dropping is requested, repeatedly, each time without the parameter that the readings require
+/// least.
 Identification identifyNeeded(const PlacedArm& start, const std::vector<Measurement>& readings,
                               const IdentificationOptions& options) {
   PlacedArm from = start;

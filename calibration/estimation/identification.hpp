@@ -61,8 +61,8 @@ struct IdentificationOptions {
   bool may_hold_all = false;  ///< true: a model without free parameters is judged as it stands; false: it is refused
   /// Uncertainty of the parameters that are held fixed; empty: Identification::uncertainty is not computed.
   std::optional<ArmUncertainty> uncertainty;
-  WorkHooks hooks;  ///< hooks, whose `stop` also stops the solver
-  /// Called for fits to all readings, from every start, but not for refits to some of the readings.
+  WorkHooks hooks;  ///< progress report and stop request; `stop` also stops the solver
+  /// Called at every iteration of a fit to all readings, from every start, but not of refits to some of the readings.
   IterationObserver observe = {};
 };
 
@@ -119,17 +119,18 @@ struct Identification {
   /// Covariance of the variables of `numbers`, in the same order (compliances for stiffnesses).
   Eigen::MatrixXd covariance;
   std::vector<StrongCorrelation> correlations;
-  /// Errors as the model stands, with only the bases fitted, and with everything fitted.
+  /// Errors of the fitted readings: with the model as it stands, with only the bases fitted, and with everything
+  /// fitted.
   ErrorSize before, after_base, after;
   /// Errors of held-out readings, with only the bases fitted and with everything fitted.
   ErrorSize heldout_before, heldout;
   int not_judged = 0;              ///< number of held-out readings that the fit cannot predict (judgeable())
   double noise_floor = kNotKnown;  ///< rms error due to noise alone [m]
   double chi2 = kNotKnown;
-  /// Rows of the readings less the number of parameters that they determine; may not be positive.
+  /// Number of rows less the number of parameters and unknown places that they determine; may be zero or negative.
   int degrees_of_freedom = 0;
   double p_value = kNotKnown;
-  /// Standard deviation of each coordinate beyond the noise, included in the covariance [m]; above 0 if chi-square
+  /// Standard deviation of the model error of each coordinate, included in the covariance [m]; above 0 if chi-square
   /// rejects the stated noise.
   double model_error = 0;
   /// Uncertainty of all parameters of the arm after the readings, if requested.
@@ -158,9 +159,9 @@ struct IdentificationStage {
   std::string setup;
 };
 
-/// Identifies in stages, as in the thesis. Each stage frees its own parameters. Parameters of earlier stages are held
+/// Identifies in stages, as in Calkins 1994; each stage frees its own parameters. Parameters of earlier stages are held
 /// at their values, and their covariance is carried over. Returns one result per stage, up to a stage that is refused
-/// or stopped. The sigmas of the last stage include the whole covariance.
+/// or stopped. The sigmas of each stage include the uncertainty of the parameters held.
 [[nodiscard]] std::vector<Identification> identifyInStages(const PlacedArm& start,
                                                            const std::vector<Measurement>& readings,
                                                            const std::vector<IdentificationStage>& stages,

@@ -80,8 +80,8 @@ class NonlinearProgram : public Ipopt::TNLP {
   }
 
   /// Stops the iteration at the minimum. Ipopt's own test is absolute in the gradient: with a large lack of fit,
-  /// rounding prevents it from ever being met. The minimum is reached if the best step predicts no decrease beyond
-  /// rounding, or if two steps brought none.
+  /// rounding prevents it from ever being met. The minimum counts as reached if a Gauss-Newton step predicts no
+  /// decrease beyond rounding, or if two steps in a row brought none.
   bool intermediate_callback(Ipopt::AlgorithmMode, Ipopt::Index iteration, Number value, Number, Number, Number,
                              Number step, Number damping, Number, Number, Ipopt::Index, const Ipopt::IpoptData*,
                              Ipopt::IpoptCalculatedQuantities*) override {
@@ -100,7 +100,7 @@ class NonlinearProgram : public Ipopt::TNLP {
 
  private:
   /// Returns true if a Gauss-Newton step predicts no further decrease. The prediction is valid only away from all
-  /// bounds, because the barriers of bounds affect every step.
+  /// bounds, because Ipopt's steps also depend on the barrier terms of nearby bounds.
   [[nodiscard]] bool isAtBottom(Number value) const {
     const double now = 2 * value;
     if (!linearized_ || !(std::abs(r_.squaredNorm() - now) <= kRestingShare * now)) return false;
@@ -148,7 +148,7 @@ Ipopt::SmartPtr<Ipopt::IpoptApplication> makeSolver() {
   auto settings = solver->Options();
   settings->SetIntegerValue("print_level", 0);
   settings->SetStringValue("sb", "yes");
-  // Whitened residuals need no further scaling, and a start at a bound should not be moved off the bound.
+  // Whitened residuals need no further scaling, and bounds must hold exactly, whereas Ipopt relaxes them by default.
   settings->SetStringValue("nlp_scaling_method", "none");
   settings->SetNumericValue("bound_relax_factor", 0);
   settings->SetStringValue("mu_strategy", "adaptive");
@@ -192,8 +192,8 @@ Meaning meaningOf(Ipopt::ApplicationReturnStatus status) {
 
 LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
                                            const IterationObserver& observe) {
-  // MUMPS, the linear solver of Debian's Ipopt, keeps its instances in an unguarded table of the process. A single
-  // Ipopt instance serves all calls, because its setup takes longer than many a problem.
+  // Calls run one at a time, because MUMPS, the linear solver of Debian's Ipopt, keeps its instances in a table of the
+  // process without a lock. One Ipopt instance serves all calls, because its set-up takes longer than many a solution.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   static const Ipopt::SmartPtr<Ipopt::IpoptApplication> solver = makeSolver();

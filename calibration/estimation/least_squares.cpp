@@ -26,7 +26,7 @@ LeastSquaresResult evaluateFixed(const LeastSquaresProblem& problem) {
                              : scaled.failureAtStart();
 }
 
-/// Minimises with evaluations that fail after a stop, so that every method ends at once.
+/// Minimises with an `evaluate` that fails once a stop has been requested, so that every method soon ends.
 LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, const LeastSquaresProblem& problem,
                                         const LeastSquaresStop& rest, const LeastSquaresOptions& options) {
   bool is_stopped = false;

@@ -19,14 +19,15 @@ namespace tubeplan::calibration {
 struct LeastSquaresProblem {
   Eigen::VectorXd start, lower, upper;
   Eigen::VectorXd scale;  ///< typical size of each variable, above zero; the solvers work in x / scale
-  /// Computes r, and the Jacobian (residuals x variables) if not null. Returns false if r cannot be evaluated at x.
-  /// Called only within the bounds.
+  /// Computes r, and the Jacobian (residuals x variables) if `jacobian` is not null. Returns false if r cannot be
+  /// evaluated at x. Called only within the bounds.
   std::function<bool(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian)> evaluate;
 };
 
 enum class LeastSquaresMethod { kHybrid, kInteriorPoint, kLevenbergMarquardt };
 
-/// Stopping rule of a method. Each method compares another quantity with the tolerance; see leastSquaresMethods().
+/// Stopping rule of a method. Each method compares a quantity of its own with the tolerance; see the table in
+/// least_squares.cpp.
 struct LeastSquaresStop {
   double tolerance;
   int max_iterations;
@@ -67,7 +68,7 @@ struct LeastSquaresResult {
   int jacobian_evaluations = 0;  ///< calls of `evaluate` for r and the Jacobian together
 };
 
-/// Adds the iteration and evaluation counts of one search to the counts of others.
+/// Adds the iteration and evaluation counts of the result `of` to those of `to`.
 template <class Counted>
 void countWork(const LeastSquaresResult& of, Counted& to) {
   to.iterations += of.iterations;
@@ -84,7 +85,7 @@ struct LeastSquaresMethodKind {
                                  const IterationObserver& observe);
 };
 
-/// Returns the open table of methods. A new method is one file and one row of the table.
+/// Returns the table of methods. A new method takes one file and one row of the table.
 [[nodiscard]] std::span<const LeastSquaresMethodKind> leastSquaresMethods();
 
 /// Solves with the chosen method. Reversed bounds are rejected (kFailed). If every variable is fixed, only chi2 is

@@ -1,5 +1,5 @@
 // Levenberg-Marquardt with bounds, as a trust-region method: Gauss-Newton steps in the variables not held by a bound,
-// damped until they are no longer than the region in which the model has proved good (Moré 1978, "The
+// damped until they are no longer than the radius within which the quadratic model has proved good (Moré 1978, "The
 // Levenberg-Marquardt algorithm: implementation and theory"). The method has little start-up cost, so repeated refits
 // use it.
 #include <algorithm>
@@ -14,18 +14,19 @@ namespace {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr double kFirstRadius = 1;  // first radius in typical sizes, as the root mean square over the variables
-// Least radius in typical sizes, as the root mean square: shorter steps change nothing.
+// Smallest radius in typical sizes, as the root mean square: shorter steps change nothing.
 constexpr double kLeastRadius = 1e-14;
-// Relative increase of a variable's own curvature, which suppresses changes by rounding.
+// Relative increase of each diagonal element of the normal matrix, so that rounding alone moves no variable.
 constexpr double kRest = 1e-13;
-// Increase of all curvatures, as a fraction of the largest one: variables without effect on any residual do not move.
+// Increase of all diagonal elements, as a fraction of the largest, so that variables without effect on any residual do
+// not move.
 constexpr double kUnseen = 1e-30;
 constexpr double kLengthRest = 0.1;  // fraction of the radius by which a damped step may exceed the radius
 constexpr int kDampings = 20;        // maximum number of attempts to fit a step to the radius
 // Maximum number of attempts to make the damped matrix positive definite, doubling each time.
 constexpr int kFactorisations = 100;
 constexpr double kNoLackOfFit = 1e-6;  // chi2 below which the tolerance is no longer relative to chi2
-// Fractions of the predicted decrease: above kGood, the radius grows; below kPoor, it shrinks.
+// Decrease of chi2 as a fraction of the predicted one: above kGood, the radius grows; below kPoor, it shrinks.
 constexpr double kGood = 0.75, kPoor = 0.25;
 
 /// Half of the change of chi2 by a step, to second order: gradient . step + step . normal step / 2.
@@ -42,8 +43,8 @@ struct QuadraticModel {
   }
 };
 
-/// Returns the indices of the variables that take part in a step: all except those at a bound against which the
-/// gradient pushes.
+/// Returns the indices of the variables that take part in a step: all except fixed ones and those at a bound beyond
+/// which the direction of descent would move them.
 std::vector<Index> movable(const ScaledProblem& problem, const VectorXd& x, const VectorXd& gradient) {
   std::vector<Index> free;
   for (Index k = 0; k < x.size(); ++k) {
@@ -54,8 +55,8 @@ std::vector<Index> movable(const ScaledProblem& problem, const VectorXd& x, cons
   return free;
 }
 
-/// Returns -(normal + damping) \ pull. If the length of this solution exceeds `radius`, the damping is increased until
-/// it does not (Newton's method on the inverse length).
+/// Returns -(normal + damping I)^-1 pull. If the length of this solution exceeds `radius`, the damping is increased
+/// until it does not (Newton's method on the inverse length).
 VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, double& damping) {
   normal.diagonal() *= 1 + kRest;
   normal.diagonal().array() += kUnseen * normal.diagonal().maxCoeff() + damping;
@@ -63,7 +64,7 @@ VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, do
   int indefinite = 0;
   for (int k = 0; k <= kDampings; ++k) {
     factor.compute(normal);
-    if (factor.info() != Eigen::Success) {  // rounding: the damping is too small to have an effect
+    if (factor.info() != Eigen::Success) {  // not positive definite by rounding: more damping
       if (++indefinite > kFactorisations) break;
       const double more = std::max(damping, kRest * normal.diagonal().maxCoeff());
       normal.diagonal().array() += more;
@@ -81,8 +82,8 @@ VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, do
   return VectorXd::Zero(pull.size());
 }
 
-/// Returns the step of the free variables, with length `radius` at most. Variables that would leave their bounds are
-/// set to the bound, and the others are solved again with the same damping.
+/// Returns the step of the free variables, damped to a length of `radius` at most. Variables that would leave their
+/// bounds are set to the bound, and the others are solved for again with the same damping.
 VectorXd boundedStep(const ScaledProblem& problem, const QuadraticModel& model, const VectorXd& x,
                      std::vector<Index> free, double radius, double& damping) {
   VectorXd step = VectorXd::Zero(x.size());
@@ -142,7 +143,7 @@ class TrustRegionMinimizer {
   double length_ = 0, damping_ = 0;  ///< length and damping of the last step taken
 };
 
-/// Adapts the radius to the quality of the last predicted decrease.
+/// Adapts the radius to how well the model predicted the last decrease of chi2.
 void TrustRegionMinimizer::adaptRadius(double length, double fall, double predicted) {
   const double share = fall > 0 ? fall / predicted : 0;  // a step limited by bounds may predict a rise
   if (share > kGood)
@@ -151,8 +152,8 @@ void TrustRegionMinimizer::adaptRadius(double length, double fall, double predic
     radius_ = kPoor * std::min(radius_, length);
 }
 
-/// Moves x_ to a point if chi2 decreases there. Most first trials succeed, so the Jacobian is computed with the value;
-/// after a rejected step, only the value.
+/// Moves x_ to a point if chi2 decreases there. Most first trials succeed, so they compute the Jacobian with the value;
+/// trials after a rejected step compute the value only.
 bool TrustRegionMinimizer::moveTo(const VectorXd& next, double predicted, bool is_first) {
   const bool is_linear = predicted > 0 && is_first && scaled_.linearizeAt(next, next_r_, next_jacobian_);
   const double tried = is_linear ? next_r_.squaredNorm() : predicted > 0 ? scaled_.chi2At(next) : chi2_;
@@ -175,7 +176,7 @@ TrustRegionMinimizer::Step TrustRegionMinimizer::step(double tolerance) {
     const VectorXd next = scaled_.withinBounds(x_ + boundedStep(scaled_, model_, x_, free_, radius_, damping));
     const double predicted = model_.predictedReduction(next - x_);
     const double little = tolerance * std::max(chi2_, kNoLackOfFit);
-    // If steps had to be short, the last step must have gained as little as this one would.
+    // A damped step may gain little only because it is short; at rest, the last step must have gained little too.
     if (std::abs(predicted) <= little && (damping == 0 || (is_first && last_fall_ <= little))) return Step::kAtRest;
     if (moveTo(next, predicted, is_first)) {
       damping_ = damping;

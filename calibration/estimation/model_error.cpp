@@ -46,7 +46,7 @@ class ErrorVariance {
     return high;
   }
 
-  /// Returns the median over the readings of the mean square, relative to the median expected of normal noise.
+  /// Returns the median of meanSquare() over the readings, relative to its median for normal noise.
   [[nodiscard]] double usualSquare(double variance) const {
     std::vector<double> squares;
     for (std::size_t k = 0; k < squares_.size(); ++k)

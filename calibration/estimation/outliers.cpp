@@ -18,7 +18,7 @@ struct Alone {
   double square = 0;  // square of the error relative to its covariance: chi-square with one degree of freedom per row
 };
 
-/// Returns the rows of each reading in the basis Q of its unknown point; empty for other readings.
+/// Returns each reading's rows of the basis Q of its unknown point; empty for readings without an unknown point.
 std::vector<MatrixXd> pointBlocks(const ReadingWeights& weights, std::size_t readings) {
   std::vector<MatrixXd> blocks(readings);
   for (const auto& point : weights.points)

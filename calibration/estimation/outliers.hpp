@@ -7,10 +7,10 @@
 
 namespace tubeplan::calibration {
 
-/// Compares each reading with the fit without that reading, in units of noise. Returns the readings whose error chance
-/// would exceed with a probability below `level` in the whole set, worst first, as indices into `readings`. If most
-/// readings have errors beyond their noise, the errors are scaled by the typical error. The weights of a robust fit are
-/// removed first.
+/// Compares each reading with the fit without that reading, in units of noise. Returns the readings with errors so
+/// large that noise would cause one anywhere in the set with a probability below `level`; worst first, as indices into
+/// `readings`. If most errors exceed the noise, they are compared with the typical error instead. The weights of a
+/// robust fit are removed first.
 [[nodiscard]] std::vector<Outlier> findOutliers(const std::vector<Measurement>& readings, const Fit& fit, double level);
 
 }  // namespace tubeplan::calibration

@@ -9,7 +9,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kSingular = 1e-14;  // least eigenvalue relative to the largest, for columns of unit length
+constexpr double kSingular = 1e-14;  // fraction of the largest eigenvalue below which another counts as zero
 
 }  // namespace
 

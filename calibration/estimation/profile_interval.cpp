@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRise = 3.841458820694124;  // 95 % quantile of chi-square with one degree of freedom
 constexpr int kMaxSteps = 12;
-constexpr double kFarthest = 40;  // [sigmas]; a variable that can move farther counts as unbounded on that side
+constexpr double kFarthest = 40;  // distance from the optimum [sigmas] beyond which the interval counts as unbounded
 
 /// Returns solver options for fits that start from the last fit.
 LeastSquaresOptions nearby(const StopQuestion& stop) {

@@ -29,7 +29,7 @@ bool areAlike(const Measurement& a, const Measurement& b) {
          a.wrench == b.wrench && areClose(a.q, b.q) && areClose(a.side_q, b.side_q);
 }
 
-/// Returns the chi-square of the members' errors about their weighted mean.
+/// Returns the chi-square of the errors of a group of repeated readings about their weighted mean.
 double scatterOf(const std::vector<int>& members, const ReadingWeights& weights, const VectorXd& error, Index rows) {
   const auto n = static_cast<Index>(members.size());
   MatrixXd design(n * rows, rows);
@@ -45,7 +45,8 @@ double scatterOf(const std::vector<int>& members, const ReadingWeights& weights,
 }  // namespace
 
 std::vector<int> groupRepeats(const std::vector<Measurement>& readings) {
-  // Only readings with nearly the same first joint value can be repeats, so only neighbouring cells are searched.
+  // Repeats have nearly the same value of the first joint, so only readings in the same or a neighbouring cell of this
+  // value are compared.
   std::map<std::tuple<std::string, std::string, long>, std::vector<int>> firsts;
   std::vector<int> groups;
   int count = 0;

@@ -34,13 +34,13 @@ struct Repeats {
 /// same point from different postures are no repeats.
 [[nodiscard]] std::vector<int> groupRepeats(const std::vector<Measurement>& readings);
 
-/// Evaluates repeats. `error` [m] holds the readings' errors relative to a model whose lack of fit has the chi-square
-/// `chi2` with `freedom` degrees of freedom.
+/// Evaluates repeats. `error` [m] holds the readings' errors relative to a model; their chi-square is `chi2` with
+/// `freedom` degrees of freedom.
 [[nodiscard]] Repeats judgeRepeats(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                    const Eigen::VectorXd& error, double chi2, int freedom);
 
-/// Returns true if the repeats reject the stated noise at this significance level; the lack of
-/// fit is then tested against the noise of the repeats.
+/// Returns true if the repeats reject the stated noise at this significance level. The lack of fit is then tested
+/// against the noise of the repeats.
 [[nodiscard]] bool disagreesWithStatedNoise(const Repeats& repeats, double level);
 
 /// Returns true if repeated readings differ by more than any plausible noise.

@@ -13,7 +13,7 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-/// Returns the weight factor of a reading, given the ratio of its whitened length to the usual length.
+/// Returns the weight factor of a reading, given the length of its whitened residual relative to the usual length.
 double robustFactor(double length, RobustLoss loss) {
   if (loss == RobustLoss::kNone) return 1;
   return loss == RobustLoss::kHuber ? (length > 1.6 ? 1.6 / length : 1) : 1 / (1 + length * length / 6);

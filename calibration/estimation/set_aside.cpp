@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kFewOutliers = 10;  // at most one reading in kFewOutliers may be an outlier
 
-/// Returns the number of readings of each unknown place that remain without the readings set aside.
+/// Returns, for each unknown place, the number of its readings that are neither held out nor set aside.
 std::map<std::string, int> touchesLeft(const std::vector<int>& set_aside, const std::vector<Measurement>& readings) {
   std::map<std::string, int> left;
   for (std::size_t k = 0; k < readings.size(); ++k)
@@ -36,9 +36,9 @@ std::vector<int> outliersOf(const Identification& fit) {
   return places;
 }
 
-/// Returns the readings set aside whose errors relative to the fit of the other readings exceed their noise, because a
-/// robust fit also names readings that are no outliers. Only kinds that state the tip's position are checked; readings
-/// of other kinds are always returned.
+/// Returns those readings set aside whose errors, relative to the fit of the other readings, exceed their noise: a
+/// robust fit may also have named readings that are no outliers. Only readings of the tip's position are checked; all
+/// others are returned.
 std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set_aside,
                           const std::vector<Measurement>& readings, double level) {
   std::vector<int> missed;
@@ -63,8 +63,7 @@ std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set
   return missed;
 }
 
-/// Returns the outliers and the touches that remain alone at a point of unknown position, because such touches
-/// determine nothing.
+/// Returns the outliers, and the touches that they leave alone at a point of unknown position, which determine nothing.
 std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector<Measurement>& readings) {
   const auto isLeft = [&](std::size_t k) {
     return !readings[k].is_held_out && !std::binary_search(outliers.begin(), outliers.end(), static_cast<int>(k));

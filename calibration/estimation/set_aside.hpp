@@ -27,9 +27,9 @@ struct WithoutOutliers {
 using BaselineFit = std::function<Identification(const std::vector<Measurement>& readings, RobustLoss loss)>;
 
 /// Finds outliers and fits the remaining readings. The search is repeated on the remaining readings, because a large
-/// outlier hides a smaller one. If the baseline fit fails and names no outlier, a robust fit is used, because several
-/// outliers bias a plain fit. `level` is IdentificationOptions::outlier_level. Empty if there are no outliers, or more
-/// than one reading in ten.
+/// outlier hides a smaller one. If chi-square rejects the baseline fit, but the fit names no outlier, those of a robust
+/// fit are taken, because several outliers bias a plain fit. `level` is IdentificationOptions::outlier_level. Empty if
+/// there are no outliers, or if more than one reading in ten is an outlier.
 [[nodiscard]] std::optional<WithoutOutliers> withoutOutliers(const std::vector<Measurement>& readings,
                                                              const Identification& baseline, double level,
                                                              const BaselineFit& fit);

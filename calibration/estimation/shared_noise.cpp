@@ -53,8 +53,8 @@ void takeOff(const SharedNoise& shared, const std::vector<Index>& rows, Eigen::R
   columns(rows, Eigen::all) = own - shared.Q * (shared.shrink.asDiagonal() * (shared.Q.transpose() * own));
 }
 
-/// Returns true if these readings can share noise: the components that an unknown place absorbs must not extend beyond
-/// the touches of that place.
+/// Returns true if these readings may share noise. An unknown place is eliminated from its own touches alone, so these
+/// may share noise only with one another.
 bool canShare(const std::vector<Share>& shares, const std::vector<Measurement>& readings) {
   const auto at = [&](const Share& share) -> const Measurement& {
     return readings[static_cast<std::size_t>(share.reading)];
@@ -65,8 +65,8 @@ bool canShare(const std::vector<Share>& shares, const std::vector<Measurement>& 
   });
 }
 
-/// Returns true for each station whose shared noise is affordable. Stations connected by long chains of displacements
-/// mix all their readings, which are too many.
+/// Returns true for each station whose shared noise can be computed at an acceptable cost. Long chains of displacements
+/// connect many stations, whose readings would all be mixed.
 std::vector<bool> areAffordable(const std::vector<const std::vector<Share>*>& stations,
                                 const std::vector<Measurement>& readings, Index joints) {
   constexpr double kMostNumbers = 5e6;  // largest number of entries of all Q of connected readings
@@ -97,7 +97,7 @@ SharedNoise sharedBy(const std::vector<Share>& shares, const VectorXd& sigmas, s
     auto columns = by_joints[static_cast<std::size_t>(reading)].middleCols(first, sigmas.size());
     const MatrixXd slopes = columns * sigmas.asDiagonal();
     columns.setZero();
-    // A displacement that ends at its reference posture.
+    // A displacement that ends at its reference posture is listed twice in a row; the derivatives add up.
     if (!shared.readings.empty() && shared.readings.back() == reading) {
       shared.slopes.back() += slopes;
       continue;
@@ -150,7 +150,7 @@ std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm, const s
 
 namespace {
 
-/// Earlier groups of shared noise that affect the rows of some readings, in their order, and all readings that the
+/// The earlier groups of shared noise that affect the rows of some readings, in order, and all readings that these
 /// groups mix.
 struct Reach {
   std::vector<std::size_t> before;
@@ -169,7 +169,7 @@ Reach reachOf(const std::vector<SharedNoise>& shared, const std::vector<int>& re
     open.erase(open.begin());
     reach.before.push_back(next);
     for (const int k : shared[next].mixed)
-      if (mixed.insert(k).second)  // rows of zeros so far: groups placed before `next` left them unchanged
+      if (mixed.insert(k).second)  // its rows of U are zero before `next`: earlier groups do not change them
         for (const std::size_t other : placed[static_cast<std::size_t>(k)])
           if (other > next) open.insert(other);
   }

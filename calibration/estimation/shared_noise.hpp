@@ -11,8 +11,8 @@
 
 namespace tubeplan::calibration {
 
-/// Encoder errors at one posture, which affect every reading there: several readings at the same joint values, and the
-/// reference posture of a campaign's displacements.
+/// Encoder errors at one posture, which are common to all readings taken there and to all displacements measured from
+/// there.
 ///
 /// With the readings' own noise whitened, the covariance with shared errors is I + U U^T, where U is the whitened
 /// derivatives times the encoders' standard deviations. The inverse square root of this covariance is I - Q
@@ -32,8 +32,8 @@ struct ReadingWeights;
 /// Returns the standard deviation of each joint reading [rad, m].
 [[nodiscard]] Eigen::VectorXd encoderSigmas(const deflection::Arm& arm);
 
-/// Returns the shared noise, smallest groups first, from the matrix `by_joints` of each reading (ReadingPredictor). Q
-/// and shrink are still empty. On return, `by_joints` keeps only the noise of single readings; the rest is set to zero.
+/// Returns the shared noise, smallest groups first, from the matrix `by_joints` of each reading (Prediction). Q and
+/// shrink are still empty. On return, `by_joints` keeps only the noise of single readings; the rest is set to zero.
 /// Touches of an unknown point share noise only with touches of the same point.
 [[nodiscard]] std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm,
                                                            const std::vector<Measurement>& readings,
@@ -46,10 +46,11 @@ struct ReadingWeights;
 /// Computes Q and shrink of `weights.shared` from the whiteners.
 void placeSharedNoise(ReadingWeights& weights);
 
-/// Transforms whitened columns, which have the rows of `weights`, to columns of readings without shared noise.
+/// Removes the correlation due to shared noise from whitened columns, which have the rows of `weights`.
 void decorrelate(const ReadingWeights& weights, Eigen::Ref<Eigen::MatrixXd> columns);
 
-/// Transforms the stacked rows of these readings alone; noise shared with other readings remains.
+/// Removes the correlation due to shared noise from the stacked rows of these readings alone; noise shared with other
+/// readings remains.
 void decorrelateWithin(const ReadingWeights& weights, const std::vector<int>& readings,
                        Eigen::Ref<Eigen::MatrixXd> rows);
 

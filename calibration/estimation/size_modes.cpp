@@ -21,9 +21,9 @@ namespace {
 constexpr std::size_t kMostReadings = 400;
 // Increase of chi-square (with priors) up to which sizes explain the readings equally well.
 constexpr double kAsGood = 4;
-constexpr double kPromising = 0.5;  // fraction of the best decrease of chi-square from which a fit is started
-constexpr double kApart = 3;        // least difference between two modes, in standard deviations
-// Least difference of predictions that distinguishes two modes, in standard deviations of the reading.
+constexpr double kPromising = 0.5;  // a start is fitted if it attains this fraction of the best decrease of chi-square
+constexpr double kApart = 3;        // smallest difference between two modes, in standard deviations
+// Smallest difference of predictions that distinguishes two modes, in standard deviations of the reading.
 constexpr double kDecides = 4;
 constexpr int kIterations = 20;
 constexpr double kExact = 1e-6;                      // tip error assumed if no encoder noise is stated [m]
@@ -110,7 +110,7 @@ class SizeSearch {
                                                                 : std::numeric_limits<double>::infinity();
   }
 
-  /// Returns the best of several amplitudes along a direction, with all other unknowns as found.
+  /// Returns the variables at the best of several amplitudes along a direction, with all other unknowns as found.
   [[nodiscard]] VectorXd bestAlong(const Direction& direction, const std::vector<Unknown>& unknowns) const {
     VectorXd best = zerosOf(unknowns);
     double least = std::numeric_limits<double>::infinity();
@@ -126,7 +126,8 @@ class SizeSearch {
     return best;
   }
 
-  /// Returns the standard deviations of all sizes; 0 for sizes that are not among the last unknowns of the problem.
+  /// Returns the standard deviations of all sizes; 0 for those not in `sizes`, which are the last unknowns of the
+  /// problem.
   [[nodiscard]] VectorXd sigmaAt(const LeastSquaresProblem& problem, const VectorXd& x,
                                  const std::vector<std::size_t>& sizes) const {
     VectorXd sigma = VectorXd::Zero(static_cast<Index>(asked_.sizes.size())), r;
@@ -220,7 +221,8 @@ class SizeSearch {
     mode.upper = least.cwiseMax(most).cwiseMax(mode.values + doubt);
   }
 
-  /// Adds a mode, or replaces a similar mode if the new one is better by more than the penalty for a parameter.
+  /// Adds a mode unless a similar one is known. Replaces that one if the new mode's chi-square is lower by more than
+  /// kAsGood.
   static void keep(const SizeMode& mode, std::vector<SizeMode>& modes) {
     if (!std::isfinite(mode.cost)) return;
     for (SizeMode& other : modes) {
@@ -258,8 +260,8 @@ std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm
       if (kind.names_hole && !asked.p_W) continue;
       const auto here = toolAt(one, asked), there = toolAt(other, asked);
       if (!here || !there) continue;
-      // A touch states its hole, and the joint readings follow: the predicted tips differ by as much as a measured
-      // position would.
+      // A touch has no measured value that differs between the states. It decides as well as a measured position does:
+      // by the distance between the predicted tips.
       kind.record(*here, 1, MeasuredValue::Zero(6), asked);
       const double apart = kind.is_touch ? (here->p_W - there->p_W).norm()
                                          : (predictedValue(asked, *there) - predictedValue(asked, *here)).norm();

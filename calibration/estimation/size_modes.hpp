@@ -28,8 +28,9 @@ struct SizeModesQuestion {
 /// than the rest. However often the same count is read, the sizes may lie anywhere within the intervals.
 struct SizeMode {
   PlacedArm state;
-  Eigen::VectorXd values, sigma;  ///< value and standard deviation of each size; 0 deviation if the size has no effect
-  /// Limits of each size if all sizes vary in proportion; at least two sigmas from the value.
+  /// Value and standard deviation of each size; the latter is 0 for a size not searched.
+  Eigen::VectorXd values, sigma;
+  /// Limits of each size if all sizes vary in proportion; at least two sigmas from a value that exceeds two sigmas.
   Eigen::VectorXd lower, upper;
   double cost = std::numeric_limits<double>::infinity();  ///< chi-square including priors
   bool is_as_found = false;
@@ -37,7 +38,7 @@ struct SizeMode {
 
 struct SizeModes {
   std::vector<SizeMode> modes;  ///< most probable first; all explain the readings equally well; empty: not searched
-  /// Kinds of measurement; one reading of such a kind would distinguish the first from the last mode.
+  /// Kinds of measurement of which a single reading would distinguish the first from the last mode.
   std::vector<MeasurementKind> decided_by;
 };
 
@@ -45,7 +46,8 @@ struct SizeModes {
 /// stopped.
 [[nodiscard]] SizeModes findSizeModes(const SizeModesQuestion& question);
 
-/// Returns a text such as "one reading of kind position or offset decides", for kinds that would distinguish the sizes.
+/// Returns a phrase such as "one reading of kind position or offset decides", for kinds that would distinguish the
+/// sizes.
 [[nodiscard]] std::string decidedByText(const std::vector<MeasurementKind>& kinds);
 
 }  // namespace tubeplan::calibration

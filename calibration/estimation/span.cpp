@@ -8,7 +8,7 @@ using Eigen::MatrixXd;
 
 namespace {
 
-constexpr double kRank = 1e-8;  // least norm outside the span that adds to the rank, for columns of unit length
+constexpr double kRank = 1e-8;  // smallest norm outside the span that adds to the rank, for columns of unit length
 
 }  // namespace
 

@@ -26,7 +26,8 @@ std::vector<int> placesOf(const std::vector<Measurement>& all, const std::string
   return places;
 }
 
-/// Converts the indices of a stage's result from the stage's readings to all readings, which is what the caller knows.
+/// Converts the reading indices in a stage's result: from indices among the stage's readings to indices among all
+/// readings.
 void countAmongAll(const std::vector<int>& places, Identification& stage) {
   const auto rename = [&](int& reading) { reading = places[static_cast<std::size_t>(reading)]; };
   for (auto& outlier : stage.outliers) rename(outlier.reading);
@@ -46,8 +47,8 @@ void inflateCovariance(Identification& stage) {
   }
 }
 
-/// Adds the uncertainty of held parameters. Their errors move the optimum of a stage by A = -C J^T J_held, where C is
-/// the posterior covariance of the stage.
+/// Adds the uncertainty of held parameters to a stage's covariance. Errors e of these parameters move the stage's
+/// optimum by A e, where A = -C J^T J_held and C is the posterior covariance of the stage.
 void carry(const std::vector<Measurement>& readings, Found& found, Identification& stage) {
   auto own = fittedUnknowns(stage);
   const auto weights = weighReadings(stage.fitted, readings, {}, stage.model_error);

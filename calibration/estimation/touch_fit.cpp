@@ -19,7 +19,7 @@ constexpr double kFarthest = 8;  // largest deviation of a parameter in a fit, i
 constexpr int kModelErrorRounds = 24;
 
 /// Least-squares problem of touches with a base and uncertain parameters of the arm. The variables x are the base step,
-/// then z.
+/// then the standard normal variables z of the parameters.
 class TouchProblem {
  public:
   TouchProblem(const deflection::Arm& arm, const UncertainNumbers& numbers, const std::vector<Measurement>& touches,
@@ -61,8 +61,8 @@ class TouchProblem {
     return true;
   }
 
-  /// Computes whitened errors and their derivatives with respect to x, followed by those of the prior of z; also the
-  /// errors in metres if `error` is not null.
+  /// Computes the whitened errors, followed by the residuals z of the prior, and the derivatives of both with respect
+  /// to x; also the errors in metres if `error` is not null.
   bool evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobian, Eigen::Matrix3Xd* error = nullptr) const {
     const deflection::Arm arm = armAt(x);
     const Isometry3d X_WB = baseAt(x);
@@ -103,7 +103,7 @@ class TouchProblem {
     return problem;
   }
 
-  /// Returns the covariance of the base step from the fitted pose and of the parameters' variables, given the Jacobian
+  /// Returns the covariance of the base step about the fitted pose and of the parameters' variables, given the Jacobian
   /// at x.
   [[nodiscard]] MatrixXd covarianceAt(const VectorXd& x, const MatrixXd& jacobian) const {
     const Index n = numbers_.root.rows();

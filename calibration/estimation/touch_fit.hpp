@@ -4,9 +4,9 @@
 // minimises
 //     sum_k |L_k^-1 (tip_k(s, z) - hole_k)|^2 + |z|^2,
 // where L_k L_k^T is the covariance of a touch: its own noise, encoder noise and the stated model error. In this way,
-// the covariance of the base includes the uncertainty of the arm's file: a touch moves the base only by the part of its
-// error that the arm's parameters cannot explain. The minimum has 3 n - 6 degrees of freedom, n the number of touches,
-// if the parameters have their stated uncertainty.
+// the covariance of the base includes the uncertainty of the arm's parameters, and a touch moves the base only by the
+// part of its error that these parameters do not explain. If they have their stated uncertainty, the minimum is
+// chi-square distributed with 3 n - 6 degrees of freedom, where n is the number of touches.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,8 @@ struct TouchFitOptions {
   LeastSquaresMethod method = LeastSquaresMethod::kHybrid;
 };
 
-/// Jointly uncertain variables, all zero at the present base and arm: the six of the base first, then parameters.
+/// Jointly uncertain variables, all zero at the present base and arm: the six of the base first, then those of the
+/// arm's parameters.
 struct JointUncertainty {
   std::vector<Unknown> numbers;
   Eigen::MatrixXd covariance;  ///< covariance of the base step and the parameters' variables, (6 + n) x (6 + n)
@@ -36,9 +37,9 @@ struct JointUncertainty {
 struct TouchedBase {
   int iterations = 0;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  deflection::Arm arm;                ///< the arm with the parameter values found from the touches, standing at X_WB
-  JointUncertainty uncertainty;       ///< joint uncertainty of base and parameters about X_WB and `arm`
-  double model_error = 0;             ///< standard deviation per coordinate included in the covariance [m]
+  deflection::Arm arm;           ///< arm with the parameter values found from the touches
+  JointUncertainty uncertainty;  ///< joint uncertainty of base and parameters about X_WB and `arm`
+  double model_error = 0;  ///< standard deviation of the model error per coordinate, included in `uncertainty` [m]
   bool is_model_error_found = false;  ///< true: these touches require a larger model error than was known beforehand
   double chi2 = kNotKnown;            ///< chi-square with the model error known beforehand
   int degrees_of_freedom = 0;
@@ -52,8 +53,8 @@ struct TouchFit : TouchedBase {
   Eigen::Matrix3Xd error_W;            ///< tip minus hole of each touch, in world axes [m]
 };
 
-/// Fits three or more touches of known positions, not on one line, starting from a nearby base or, after an alignment,
-/// from any base.
+/// Fits three or more touches of known positions, not on one line. The start may be far off, because the base is first
+/// aligned with the touches in closed form.
 [[nodiscard]] TouchFit fitTouches(const deflection::Arm& arm, const UncertainNumbers& numbers,
                                   const std::vector<Measurement>& touches, const Eigen::Isometry3d& X_WB_start,
                                   const TouchFitOptions& options = {});

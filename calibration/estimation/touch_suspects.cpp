@@ -11,8 +11,8 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kFarBetter = 0.25;        // largest fraction of chi-square that may remain with a supposed hole
-constexpr std::size_t kLeastOthers = 4;    // least number of other touches: any three fit nearly any base
+constexpr double kFarBetter = 0.25;        // largest fraction of chi-square that may remain if another hole is supposed
+constexpr std::size_t kLeastOthers = 4;    // smallest number of touches, so that three remain without the odd one
 constexpr double kFirstStep = 2e-3;        // first correction of a misread joint in the search [rad or m]
 constexpr double kMostMisread = 0.2;       // largest correction of a misread joint [rad or m]
 constexpr std::size_t kMostSuspected = 3;  // largest number of joint readings named
@@ -38,7 +38,8 @@ class CorrectedReading {
     return fit.status == LeastSquaresStatus::kConverged ? fit.chi2 : std::numeric_limits<double>::infinity();
   }
 
-  /// Returns the correction with the least chi-square, found by parabolas through three ever closer corrections.
+  /// Returns the correction with the smallest chi-square, found by parabolas through three corrections that are ever
+  /// closer together.
   double best() {
     constexpr int kRounds = 4;
     double at = 0, step = kFirstStep;

@@ -19,17 +19,19 @@ struct TouchesToExplain {
 };
 
 /// Returns a sentence for each neighbouring hole that makes the touches fit if it replaces the named hole, best first.
-/// The model's usual error is allowed for. `chi2` is that of the touches as stated, fitted in the same way.
+/// The fits allow for the usual model error (`model_sigma`). `chi2` is that of the touches as stated, fitted in the
+/// same way.
 [[nodiscard]] std::vector<std::string> findMistakenHoles(const TouchesToExplain& asked, double chi2);
 
-/// The only touch, of four or more, without which the others fit (-1: none), and the rms of these others [m].
+/// The only touch, of four or more, without which the others fit (-1: none or several), and the rms of these others
+/// [m].
 struct OddTouch {
   int touch = -1;
   double rms_of_others = kNotKnown;
 };
 [[nodiscard]] OddTouch findOddTouch(const TouchesToExplain& asked);
 
-/// Returns the joint readings each of which, if corrected alone, makes the touches fit, likeliest first.
+/// Returns the joint readings of which a single correction makes all touches fit, at most three, likeliest first.
 [[nodiscard]] std::vector<SuspectReading> findSuspectReadings(const TouchesToExplain& asked);
 
 }  // namespace tubeplan::calibration

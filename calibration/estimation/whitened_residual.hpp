@@ -16,10 +16,10 @@ namespace tubeplan::calibration {
 
 /// Rows of each reading, their weights, and the groups of readings that touched the same unknown point.
 ///
-/// Elimination: the whitened readings of an unknown point P are W_i p_i, and Q is an orthonormal basis of the stacked
-/// W_i. The best P leaves (I - Q Q^T) W p, so the point costs 3 degrees of freedom and no variable. For a touched
-/// surface, the stacked rows are W_i C_i, where C_i is the reading's derivative with respect to the surface's
-/// parameters. Undetermined directions cost no degree of freedom.
+/// Elimination: touches of an unknown point P have the residuals W_i (p_i - P), where W_i is the whitener and p_i the
+/// predicted tip. Let Q be an orthonormal basis of the stacked W_i. The best P leaves (I - Q Q^T) W p, so the point
+/// costs 3 degrees of freedom and no variable. For a touched surface, the stacked rows are W_i C_i, where C_i is the
+/// reading's derivative with respect to the surface's parameters. Undetermined directions cost no degree of freedom.
 struct ReadingWeights {
   struct UnknownPoint {
     std::string name;
@@ -29,14 +29,14 @@ struct ReadingWeights {
     Eigen::MatrixXd estimate;  ///< matrix that maps the stacked errors to the parameters of the place
   };
   std::vector<int> first_row;  ///< index of the first row of each reading
-  /// L^-1 of each reading's own covariance L L^T, times the square root of its weight.
+  /// L^-1 of each reading's own covariance L L^T, times the square root of its robust weight factor.
   std::vector<Eigen::MatrixXd> whitener;
   std::vector<Eigen::MatrixXd> noise;  ///< covariance of each reading due to its own noise and encoder noise [m^2]
   /// Covariance of each reading without the part shared with other readings [m^2].
   std::vector<Eigen::MatrixXd> own_noise;
   std::vector<Eigen::MatrixXd> by_place_numbers;  ///< C_i of each reading; empty for readings without an unknown place
   std::vector<SharedNoise> shared;
-  double model_error = 0;  ///< standard deviation of each coordinate beyond the noise, added to every covariance [m]
+  double model_error = 0;  ///< standard deviation of the model error of each coordinate, added to every covariance [m]
   std::vector<UnknownPoint> points;
   int rows = 0;
   int degrees_of_freedom = 0;  ///< rows less the degrees of freedom that the unknown places cost
@@ -76,16 +76,16 @@ struct WhitenedResidual {
 /// reading: noise of encoders that were read once, and the components that unknown points absorb.
 void takeSharedOff(const ReadingWeights& weights, Eigen::Ref<Eigen::MatrixXd> columns);
 
-/// Removes the shared parts as takeSharedOff() does, from the stacked rows of these readings alone, as far as they
-/// share nothing with other readings.
+/// Removes shared parts as takeSharedOff() does, but from the stacked rows of these readings alone; parts shared with
+/// other readings remain.
 void takeOffWithin(const ReadingWeights& weights, const std::vector<int>& readings, Eigen::MatrixXd& rows);
 
 /// Returns the length of each reading's error [m].
 [[nodiscard]] Eigen::VectorXd errorLengths(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                            const Eigen::VectorXd& error);
 
-/// Returns the root mean square over the readings of the square root of the number of rows: the length of an error that
-/// is 1 in every row.
+/// Returns the root mean square of the readings' errors if every row had an error of 1: the square root of the mean
+/// number of rows per reading.
 [[nodiscard]] double lengthOfRows(const std::vector<Measurement>& readings);
 
 /// Returns the rms error due to noise alone: the root mean square over the readings of the error's length [m], after
