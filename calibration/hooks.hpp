@@ -1,4 +1,4 @@
-// Progress reports of long work, and the request to stop it.
+// Progress reports of long-running work, and the request to stop it.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@ namespace tubeplan::calibration {
 /// call it concurrently. An empty function never requests a stop.
 using StopQuestion = std::function<bool()>;
 
-/// Hooks of long work; either may be empty, and neither changes a result. The calling thread calls `progress` with the
-/// number of steps done in a stage and their total (0: unknown). `stop` is asked whether to stop. The status of stopped
-/// work then says so, and there is no other result.
+/// Hooks of long-running work; either may be empty, and neither changes a result. The calling thread calls `progress`
+/// with the number of steps done in a stage and their total (0: unknown). If `stop` requests a stop, the result only
+/// states that the work was stopped.
 struct WorkHooks {
   std::function<void(std::string_view stage, std::size_t done, std::size_t total)> progress;
   StopQuestion stop;

@@ -18,9 +18,9 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr int kPostures = 12;
-constexpr double kNothingNew = 1e-6;  // fraction of a column's norm outside the span that counts as zero
-constexpr double kHardlyNew = 0.01;   // fraction below which a parameter is deferred until all ranks have been tried
-constexpr double kNearlyAsNew = 0.3;  // multiple of the largest such fraction: the first column above that is taken
+constexpr double kNothingNew = 1e-6;  // newness of a column (fraction of its norm outside the span) that counts as zero
+constexpr double kHardlyNew = 0.01;   // newness below which a parameter is deferred until all ranks have been tried
+constexpr double kNearlyAsNew = 0.3;  // the first column with at least this fraction of the largest newness is taken
 constexpr std::uint64_t kPosturesSeed = 7;
 constexpr int kRanks = 5;
 
@@ -34,8 +34,8 @@ Arm mechanismOf(const Arm& arm) {
   return mechanism;
 }
 
-/// Returns random postures over the full turn of each revolute joint and within a metre of each prismatic joint. Joint
-/// limits are ignored, because they restrict the readings only.
+/// Returns random postures over the full turn of each revolute joint and within a metre of zero for each prismatic
+/// joint. Joint limits are ignored, because they restrict the readings only.
 std::vector<deflection::Posture> posturesAllOver(const Arm& mechanism) {
   RandomStream random(kPosturesSeed);
   std::vector<deflection::Posture> postures(kPostures);
@@ -70,7 +70,7 @@ MatrixXd motionsBy(const Arm& mechanism, const std::vector<Parameter>& numbers) 
   return motions;
 }
 
-/// Residuals of all columns outside the span of the columns taken so far.
+/// Components of all columns outside the span of the columns taken so far.
 class Span {
  public:
   explicit Span(const MatrixXd& motions) : rest_(motions), lengths_(motions.colwise().norm()) {}
@@ -90,7 +90,7 @@ class Span {
   VectorXd lengths_;
 };
 
-/// Returns the rank in which a parameter is tried, 0 first; nothing if it is not geometry of the bare mechanism.
+/// Returns the rank of a parameter in the order of trial, 0 first; empty if it is not geometry of the bare mechanism.
 std::optional<int> rankOf(const Parameter& number, const PlacedArm& placed) {
   if (number.path.side_chain >= 0 || number.path.effect >= 0 || !isGeometry(number.name)) return std::nullopt;
   if (number.path.row < 0) return 1;
@@ -119,8 +119,8 @@ double priorOf(const Parameter& number, const Priors& priors) {
   return number.quantity == deflection::Quantity::kAngle ? priors.angle : priors.length;
 }
 
-/// Returns the variance of each taken column caused by the parameters that are held fixed. Each held column is a
-/// combination of the taken columns and of those of `beside`, which have priors of their own.
+/// Returns the variance of each taken parameter caused by errors of those that are held fixed. Each held column is a
+/// combination of the taken columns and of those of `beside`, whose parameters have priors of their own.
 VectorXd leftByOthers(const MatrixXd& motions, const std::vector<Index>& taken, std::vector<Index> beside,
                       const std::vector<std::pair<Index, double>>& held) {
   beside.insert(beside.begin(), taken.begin(), taken.end());
@@ -141,8 +141,8 @@ VectorXd leftByOthers(const MatrixXd& motions, const std::vector<Index>& taken, 
   return variances;
 }
 
-/// Returns true if the fit determines every base. With a known base, the parameters up to the first joint remain to be
-/// found.
+/// Returns true if the fit determines every base pose. If a base is known, the parameters up to the first joint remain
+/// to be found.
 bool placesEveryBase(const PlacedArm& placed, const std::vector<Unknown>& free) {
   return std::ranges::none_of(placed.base_poses, &BasePose::is_known) &&
          std::ranges::any_of(free, [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; });

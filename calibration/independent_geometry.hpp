@@ -24,17 +24,17 @@ struct IndependentNumber {
 
 /// Returns a set of geometric parameters that is complete and not redundant, given the unknowns that are already free:
 /// every motion of the tool that geometry can cause results from exactly one combination of the set and those unknowns.
-/// The set has four parameters per revolute row, two per prismatic row and six for the tool, less six where no base is
-/// known (Everett 1987). This holds however the rows are written and whatever readings there are. Where no reading
-/// depends on the tool's rotation (`placed.shows_tool_turn` is false), the set has three fewer. What only turns the
-/// tool about its tip then counts as already free, and the last joint's zero replaces one coordinate of the tip.
+/// The set has four parameters per revolute row, two per prismatic row and six for the tool, less six if no base is
+/// known (Everett 1987). This holds in whatever convention the rows are written. If no reading depends on the tool's
+/// rotation (`placed.shows_tool_turn` is false), the set has three fewer: rotations of the tool about its tip then
+/// count as already free, and the last joint's zero replaces one coordinate of the tip.
 ///
-/// Joint zeros come first, then the tip, then rows that move, then other rows. The first row's b comes last, because it
-/// adds information only if the base is known. Among equally independent parameters, the first in file order is taken.
-/// A parameter that earlier ones nearly replace is deferred until all others have been tried. Of nearly parallel axes,
-/// therefore, beta is taken and d is not (Hayati and Mirmirani 1985), and the last joint's zero is not taken where the
-/// tip is near its axis. Parameters that are not taken may deviate from the drawing too, as `placed.priors` state. The
-/// parameters taken absorb those deviations in addition to their own.
+/// Joint zeros are tried first, then the tip, then rows that move, then other rows. The first row's b is tried last,
+/// because it adds a motion only if the base is known. Among equally independent parameters, the first in file order is
+/// taken. A parameter that earlier ones nearly replace is deferred until all others have been tried. For nearly
+/// parallel axes, therefore, beta is taken and d is not (Hayati and Mirmirani 1985), and the last joint's zero is not
+/// taken if the tip is near the joint's axis. Parameters that are not taken may deviate from the drawing too, by the
+/// standard deviations in `placed.priors`; the parameters taken absorb these deviations in addition to their own.
 [[nodiscard]] std::vector<IndependentNumber> independentGeometry(const PlacedArm& placed,
                                                                  const std::vector<Unknown>& free);
 

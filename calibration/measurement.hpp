@@ -1,4 +1,4 @@
-// A measurement of any kind: one reading of a session.
+// One measurement, or reading, of any kind.
 #pragma once
 
 #include <Eigen/Core>

@@ -18,18 +18,19 @@ using deflection::isStiffness, deflection::Parameter, deflection::Quantity;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kStiffest = 1e4;  // largest factor by which a fit may stiffen an axis relative to its start
 constexpr double kSoftest = 100;   // largest compliance of an axis in a fit, as a multiple of its typical compliance
-// Rotation of a rigid axis at the start of a fit, under the arm's whole weight at full reach [rad].
+// Rotation, at the start of a fit, of an axis that was rigid before, under the arm's whole weight at full reach [rad].
 constexpr double kNearlyRigid = 1e-5;
 constexpr double kMayGive = 0.02;  // typical rotation of an axis under the arm's whole weight at full reach [rad]
 
-/// Returns the arm's weight [N]; 100 N, which one person can hardly lift, if no weight is stated.
+/// Returns the arm's weight [N]; 100 N if no weight is stated.
 double usualWeightOf(const deflection::Arm& arm) {
   const double weight = deflection::weightOf(arm);
   return weight > 0 ? weight : 100;
 }
 
-/// Returns the likely error of a parameter: 0.5 % of the reach for lengths, about a degree for angles, the plausible
-/// size for effects, 1 for stiffnesses, and a tenth for the rest.
+/// Returns the likely error of a parameter: 0.5 % of the reach for lengths, about a degree for angles, a tenth of the
+/// arm's weight for forces, the plausible size for effects, and a tenth of the value for the rest. For stiffnesses, 1,
+/// which typicalCompliance() replaces.
 double typicalOf(const Parameter& parameter, const deflection::Arm& arm) {
   if (parameter.path.effect >= 0) {
     const auto& effect = arm.effects.at(static_cast<std::size_t>(parameter.path.effect));
@@ -95,8 +96,8 @@ bool isReplaced(const Parameter& parameter, const deflection::Arm& arm) {
          !deflection::isNearlyParallel(arm.rows.at(static_cast<std::size_t>(parameter.path.row)));
 }
 
-/// Returns true for the size of an effect of the catalogue. The likely size of a user's formula, or of a law's shape
-/// parameter, is unknown.
+/// Returns true for a size of an effect in the catalogue, whose likely value is known. That of a user's formula, or of
+/// a shape parameter of a law, is not.
 bool isSizeOfCatalogue(const Unknown& unknown, const deflection::Arm& arm) {
   if (unknown.path.effect < 0) return false;
   const auto& effect = arm.effects.at(static_cast<std::size_t>(unknown.path.effect));
@@ -172,7 +173,8 @@ const Eigen::Isometry3d& basePoseAt(const PlacedArm& placed, const Measurement& 
 
 std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::string& name) {
   const bool is_part = name.find('.') != std::string::npos;
-  // Without a known base, the base's pose replaces the shift of the first axis.
+  // The shift of the first axis is left out unless the file states it: if the base is not known, its pose has the same
+  // effect.
   const auto isPartOf = [&](const Parameter& parameter) {
     return is_part && parameter.name.starts_with(name + ".") &&
            !(isShiftOfFirstAxis(parameter.name) && parameter.value == 0);

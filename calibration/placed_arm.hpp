@@ -31,8 +31,8 @@ struct BasePose {
 
 /// A variable that a fit may change: a parameter of the arm or one of the six components of a base pose (a shift [m]
 /// along or a rotation [rad] about a world axis, relative to the start). The variable of a stiffness is the change of
-/// its inverse, the compliance: readings are nearly linear in compliance up to the rigid axis. The variable's bounds
-/// keep stiffnesses positive.
+/// its inverse, the compliance: readings depend almost linearly on it, even for a rigid axis, where it is zero. The
+/// variable's bounds keep stiffnesses positive.
 struct Unknown {
   enum class Owner { kArm, kBase };
   std::string name;  ///< dotted name, such as "tool.joint_stiffness.z", "base.shift.x" or "base.turn.z@SETUP"
@@ -70,8 +70,8 @@ void takeSizePrior(const deflection::EffectParameter& parameter, Unknown& unknow
 
 /// Prior standard deviations of the parameters about their values in the arm's file. Lengths and angles of frames,
 /// joint offsets, the tip and the tool's rotation each have one. The prior of an effect's size has the neutral value as
-/// mean and the largest size on real machines as standard deviation. All other parameters have a weak prior, a multiple
-/// of Unknown::typical, which data soon outweigh.
+/// mean and the largest size on real machines as standard deviation. All other parameters have a weak prior, whose
+/// standard deviation is a multiple of Unknown::typical; a few readings outweigh it.
 struct Priors {
   double length = 0.005;  ///< lengths of frames, and offsets of prismatic joints [m]
   double angle = 0.02;    ///< angles of frames, and offsets of revolute joints [rad]
@@ -86,7 +86,7 @@ struct Priors {
 struct PlacedArm {
   deflection::Arm arm;
   std::vector<BasePose> base_poses;
-  Priors priors = {};  ///< priors of the latest choice of unknowns, also used for parameters freed in addition
+  Priors priors = {};  ///< priors of the latest choice of unknowns, also used for parameters freed later
   /// True: some reading depends on the tool's rotation. False: the parameters of that rotation do not count as
   /// geometry.
   bool shows_tool_turn = false;
@@ -144,8 +144,8 @@ void apply(const PlacedArm& start, const std::vector<Unknown>& unknowns, const E
 /// Returns the variable at a parameter value: the inverse of valueAt().
 [[nodiscard]] double variableAt(const Unknown& unknown, double value);
 
-/// Returns the least and the largest parameter value between two values of the variable. If the compliance may be zero,
-/// the largest stiffness is infinite.
+/// Returns the smallest and the largest parameter value between two values of the variable. If the compliance may be
+/// zero, the largest stiffness is infinite.
 [[nodiscard]] std::pair<double, double> valuesBetween(const Unknown& unknown, double lower, double upper);
 
 }  // namespace tubeplan::calibration

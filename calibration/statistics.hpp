@@ -6,7 +6,7 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the median: of an even number of values the upper of the middle two; NaN if there are no values.
+/// Returns the median, which is the upper of the middle two for an even number of values; NaN if there are no values.
 [[nodiscard]] double median(std::vector<double> values);
 
 /// Returns the normalised probabilities of alternatives, given the logarithms of their weights.
