@@ -1,4 +1,4 @@
-// The base pose from touches: recovery, coverage, and refusals.
+// The base pose from touches: recovery of the true base, coverage of the stated regions, and refusals.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ TEST(BaseCalibration, IsTheSameByEitherSolver) {
   const auto cell = touchedCell();
   BaseCalibrationOptions quick;
   quick.method = LeastSquaresMethod::kLevenbergMarquardt;
-  quick.mistaken_hole_p_value = 0;  // a rigid arm is wrong by inches
+  quick.mistaken_hole_p_value = 0;  // never refuse: the rigid arm is wrong by inches
   quick.finds_model_error = quick.finds_suspects = false;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     auto touches = touchesOf(cell, 0.005, seed);
@@ -71,7 +71,7 @@ TEST(BaseCalibration, RecoversAHangingBase) {
   EXPECT_LE(stepBetween(found.X_WB, X_WB).head<3>().norm(), 1e-6 * kInch);
 }
 
-/// Counts how often the stated regions contain the true base, for arms that deviate within the cell's uncertainty.
+/// Counts how often the stated 95 % regions contain the true base, for arms that deviate within their uncertainty.
 struct Coverage {
   int runs = 0, held = 0, fits = 0, held_where_it_fits = 0;
   double chi2 = 0;
@@ -101,7 +101,8 @@ Coverage coverageOf(const ArmUncertainty& uncertainty, int runs) {
   return coverage;
 }
 
-/// Tests exact arms, arms with deviating stiffnesses, and arms with deviations of all parameters.
+/// In 95 % of the runs, the stated region must contain the true base: for exact arms, for arms with deviating
+/// stiffnesses, and for arms with deviations of all parameters.
 TEST(BaseCalibration, NinetyFivePercentRegionsHoldTheBaseWhateverOfTheArmIsUncertain) {
   constexpr int kRuns = 1000;
   ArmUncertainty stiffnesses = ArmUncertainty::none();
@@ -225,7 +226,8 @@ TEST(BaseCalibration, NamesTheOneTouchThatDoesNotAgreeWithTheOthers) {
   EXPECT_EQ(calibrateBase(cell.arm, touches, cell.X_WB_nominal, options).odd_touch, -1) << "two do not agree";
 }
 
-/// One joint of one touch is misread by little or by much: for a larger mistake more is reported.
+/// If one joint of one touch is misread by half a degree or by five, the fit must be rejected. Of ten such readings, at
+/// least nine must be named, seven of them first.
 TEST(BaseCalibration, NamesTheJointReadingThatIsOff) {
   const auto cell = touchedCell({{-40, 10}, {38, 12}, {10, 45}, {-5, 20}, {30, 35}});
   for (const double off : {0.5, 5.}) {

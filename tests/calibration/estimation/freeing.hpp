@@ -1,4 +1,4 @@
-// Fit options for tests: parameters freed by name, without folds and profiles.
+// Fit options for tests: parameters freed by name, without cross-validation and profile intervals.
 #pragma once
 
 #include <limits>

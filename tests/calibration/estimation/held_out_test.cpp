@@ -1,4 +1,4 @@
-// Judgement by held-out readings: whole poses are held out, with the same folds for the same seed.
+// Validation by held-out readings: whole poses are held out, with the same folds for the same seed.
 #include "calibration/estimation/held_out.hpp"
 
 #include <gtest/gtest.h>
@@ -140,8 +140,8 @@ TEST(HeldOut, JudgesByTheErrorsOfTheTruth) {
   EXPECT_EQ(judge(cobra(), {}).readings, 0);
 }
 
-// Freeing parameters that need no correction increases the held-out error on average. Every reading is judged once, by
-// a fit without that reading.
+// Every reading must be judged once, by a fit without that reading. The error must therefore exceed that of a fit to
+// all readings.
 TEST(HeldOut, CrossValidationJudgesEveryReadingOnceByAFitWithoutIt) {
   PlacedArm placed = cobra();
   ReadingMaker maker(placed, 12, ReadingMaker::Noise::kStated);
@@ -164,8 +164,8 @@ TEST(HeldOut, CrossValidationJudgesEveryReadingOnceByAFitWithoutIt) {
   EXPECT_GT(cross.rms, judge(applied(placed, unknowns, all.solution.x), maker.readings).rms);
 }
 
-// With many readings, one step from the fit of all readings predicts a fold as well as a separate fit. If one fold is
-// far from the model, steps are refused.
+// Expects that, with many readings, one step from the fit to all readings predicts a fold as well as a separate fit,
+// and that steps are refused if a fold's fit is many sigmas away.
 void expectStepsLikeFits(bool with_touches) {
   SCOPED_TRACE(with_touches ? "with touched points, whose places each fold estimates" : "errors to first order");
   PlacedArm placed = cobra();

@@ -1,4 +1,4 @@
-// Two methods in turn: the second method runs only where the first needs it, and never makes the result worse.
+// Hybrid method: the second method runs only if the first does not converge soon, and never makes the result worse.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,8 @@ namespace {
 using Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
 using Status = LeastSquaresStatus;
 
-/// Returns the curved valley, ten thousand times as steep across as along, with a scale far too small for its length.
+/// Returns a problem with a curved valley that is ten thousand times as steep across as along, and scales that are far
+/// too small for the valley's length.
 LeastSquaresProblem longValley() {
   auto problem = rosenbrock();
   problem.start = Vector2d(-3, 9);
@@ -36,7 +37,7 @@ TEST(HybridMethod, WhatRestsSoonIsLeftToTheFirst) {
   }
 }
 
-/// For any number of iterations left to the second method, the better of both methods' results is returned.
+/// However many iterations are left to the second method, the result must be no worse than that of either method.
 TEST(HybridMethod, EndNoHigherThanEither) {
   constexpr int kFirst = 30;
   const auto problem = longValley();

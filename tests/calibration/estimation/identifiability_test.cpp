@@ -56,14 +56,14 @@ Eigen::MatrixXd inTypicalSizes(const Seen& seen) {
   return columns;
 }
 
-/// Returns the rank from singular values, with columns scaled by the unknowns' typical sizes.
+/// Returns the rank of the Jacobian from its singular values, with columns scaled by the unknowns' typical sizes.
 int rankOf(const Seen& seen) {
   const Eigen::MatrixXd columns = inTypicalSizes(seen);
   const Eigen::VectorXd values = columns.bdcSvd().singularValues();
   return static_cast<int>((values.array() > 1e-8 * values[0]).count());
 }
 
-/// Makes the arm rigid and its encoders nearly noise-free, so that noise hides nothing.
+/// Makes the arm rigid and its encoders nearly noise-free, so that noise hides no parameter.
 void makePrecise(PlacedArm& placed) {
   placed.arm = deflection::rigidCopy(placed.arm);
   for (auto& row : placed.arm.rows) row.joint.encoder_sigma = 1e-9;
@@ -109,7 +109,8 @@ TEST(Identifiability, ConfoundedNumbersAreDeterminedInCombinationAndNameEachOthe
   EXPECT_FALSE(result.numbers[2].note.empty());
 }
 
-// Deflections do not depend on the base's position or heading; a tilt of the base shows in the sag.
+// Deflections do not depend on the base's position, so its shifts must keep their start values and be reported as not
+// identifiable.
 TEST(Identifiability, WhatNoReadingDependsOnStaysAtItsStartAndSaysSo) {
   PlacedArm placed = cobra();
   placed.base_poses[0].is_known = false;
@@ -131,8 +132,7 @@ TEST(Identifiability, WhatNoReadingDependsOnStaysAtItsStartAndSaysSo) {
   EXPECT_LT(result.fitted.base_poses[0].X_WB.translation().x() - placed.base_poses[0].X_WB.translation().x(), 1e-9);
 }
 
-// Beside a free base, the geometry of six axes needs 4 x 6 parameters and three of the tip; the last joint and the tip
-// rotate together.
+// With a free base, 27 geometric parameters of a six-axis arm must be identifiable: four per axis and three of the tip.
 TEST(Identifiability, GeometryOfASixAxisArmIsDetermined) {
   PlacedArm placed = sixAxisArm();
   makePrecise(placed);
@@ -209,7 +209,8 @@ TEST(Identifiability, AStartFarTooStiffSaysTheSame) {
   }
 }
 
-/// If readings hardly determine a stiffness, its interval has no upper end, and the stiffness is not identifiable.
+/// A stiffness must not be called identifiable if the readings determine it so poorly that its interval has no upper
+/// end.
 TEST(Identifiability, AnIntervalWithoutAnEndIsNotYes) {
   auto readings = positions(cobra(), 6);
   for (double sigma = 1e-6; sigma < 1; sigma *= 3) {
@@ -239,8 +240,8 @@ TEST(Identifiability, SingularValuesAreThoseOfTheColumnsInTypicalSizes) {
   EXPECT_GE(result.singular_values[0], result.singular_values[1]);
 }
 
-/// Two confounded parameters with prior sigmas 1 and 10: the second has a sigma of 1, but only through the first's
-/// prior.
+/// Two confounded parameters with prior sigmas 1 and 10 must not be called identifiable: the second has a sigma of 1,
+/// but only through the prior of the first.
 TEST(Identifiability, WhatOnlyThePriorOfAConfoundedNumberDeterminesIsNotYes) {
   std::vector<Unknown> unknowns(3);
   for (auto& unknown : unknowns) unknown.typical = unknown.prior_sigma = 10;

@@ -1,4 +1,4 @@
-// Parameters of a known arm are recovered from readings: exactly without noise, and reliably with gross errors.
+// Parameters of a known arm are recovered from readings: exactly without noise, and reliably in spite of gross errors.
 #include "calibration/estimation/identification.hpp"
 
 #include <gtest/gtest.h>
@@ -95,7 +95,7 @@ TEST(Identification, AnAxisTakenAsRigidIsFoundToGive) {
 }
 
 TEST(Identification, TheNumbersOfANoisyFitAreWithinTheirIntervals) {
-  // Twelve intervals of 95 %: the probability of more than two misses is below 0.02.
+  // More than two of twelve 95 % intervals miss the truth with a probability below 0.02 only.
   int outside = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     ReadingMaker maker(cobra(), seed, Noise::kStated);
@@ -186,7 +186,7 @@ TEST(Outliers, PlantedOnesAreNamedWithTheirSize) {
       std::set<int> named;
       for (const auto& outlier : result.outliers) {
         named.insert(outlier.reading);
-        // The gross error plus the reading's own noise of a few thousandths of an inch.
+        // The stated size is the gross error plus the reading's noise of a few thousandths of an inch.
         EXPECT_NEAR(outlier.size, 0.1 * kInch, 0.025 * kInch) << seed << " loss " << static_cast<int>(loss);
       }
       EXPECT_EQ(named, (std::set<int>{4, 23})) << seed << " loss " << static_cast<int>(loss);
@@ -208,7 +208,7 @@ TEST(Outliers, CleanReadingsHaveNone) {
   EXPECT_GE(clean, 95);
 }
 
-// If all noise is understated by a factor of eight, all readings fit equally badly, and none is an outlier.
+// If all noise is understated by a factor of eight, all readings fit equally badly, and none may be named an outlier.
 TEST(Outliers, AMisfitEverywhereIsNoOutlier) {
   PlacedArm start = rigidCobra();
   for (auto& row : start.arm.rows) row.joint.encoder_sigma /= 8;
@@ -218,13 +218,13 @@ TEST(Outliers, AMisfitEverywhereIsNoOutlier) {
     for (auto& m : maker.readings) m.sigma /= 8;
     const auto result = identify(start, maker.readings, freeing(kOffsets));
     EXPECT_TRUE(result.outliers.empty()) << seed;
-    // One of eight sigmas is stated; the rest, sqrt(63) stated sigmas, is attributed to the model error.
+    // The true noise is eight stated sigmas. One is stated; the model error must account for the rest, sqrt(8^2 - 1).
     EXPECT_NEAR(result.model_error / maker.readings.front().sigma, 8 * std::sqrt(63) / 8, 2) << seed;
   }
 }
 
-// Even if a robust loss reduces weights of touches of unknown points, the reported error uses points estimated by noise
-// alone.
+// Even if a robust loss reduces the weights of some touches of unknown points, the reported errors must be relative to
+// points estimated with the weights from noise alone.
 TEST(RobustLoss, ReportsTheErrorThatTheFittedArmHas) {
   ReadingMaker maker(cobra(), 5, Noise::kStated);
   maker.addTouches(15, {0, 30 * kPound}, false);

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kTrackerSigma = 5e-5;  // [m]
 
-/// Returns the arm with every frame displaced from the drawing in all six directions, by up to 2 mm and 4 mrad.
+/// Returns the arm with every frame displaced from the drawing in all six directions, with standard deviations of 2 mm
+/// and 4 mrad.
 deflection::Arm builtFrom(const PlacedArm& drawn, RandomStream& random) {
   deflection::Arm built = byOrigins(drawn).arm;
   for (auto& row : built.rows) {

@@ -40,7 +40,7 @@ inline LeastSquaresProblem rosenbrock() {
 }
 
 /// Returns the problem log x0 = 0 and x1 = x0. It is undefined for x0 <= 0, where a full Newton step from the start
-/// ends: there the evaluation fails if `say_so`, else its residual is NaN.
+/// ends: there, the evaluation fails if `say_so` is true; otherwise the residual is NaN.
 inline LeastSquaresProblem halfPlane(bool say_so) {
   auto problem = problemAt(Eigen::Vector2d(8, 0));
   problem.evaluate = [say_so](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) {
@@ -52,8 +52,8 @@ inline LeastSquaresProblem halfPlane(bool say_so) {
   return problem;
 }
 
-/// Returns a random problem A x = b with more rows than columns, within bounds that exclude parts of the free solution.
-/// The columns are nearly equal if `own`, the weight of their independent parts, is small.
+/// Returns a random problem A x = b with more rows than columns, within bounds that some variables of the unconstrained
+/// solution exceed. The columns are nearly equal if `own`, the weight of their independent parts, is small.
 inline LeastSquaresProblem randomLinear(std::uint64_t seed, double own = 1) {
   constexpr int kRows = 12, kColumns = 5;
   boost::random::mt19937_64 random(seed);

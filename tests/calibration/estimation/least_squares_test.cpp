@@ -45,7 +45,7 @@ TEST_P(EveryMethod, FindsTheBottomOfTheValley) {
   EXPECT_DOUBLE_EQ(found.chi2, chi2Of(rosenbrock(), found.x));
 }
 
-// Iterations are reported from start to end, and a report callback does not change the result.
+// Iterations must be reported from start to end, and the callback must not change the result.
 TEST_P(EveryMethod, TellsItsIterations) {
   std::vector<LeastSquaresIteration> told;
   LeastSquaresOptions options{std::nullopt, 100000, method()};
@@ -78,8 +78,8 @@ TEST_P(EveryMethod, StaysWithinBounds) {
   EXPECT_EQ(asked.out_of_bounds, 0);
 }
 
-/// At the minimum of a convex sum within a box, the gradient is zero for each free variable and points outwards for the
-/// others.
+/// At the minimum, the gradient must be zero for each variable between its bounds; at a bound, chi2 may decrease only
+/// beyond the bound.
 TEST_P(EveryMethod, LinearProblemsEndWhereNoBoundLetsThemFallFurther) {
   int at_bounds = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -103,7 +103,7 @@ TEST_P(EveryMethod, LinearProblemsEndWhereNoBoundLetsThemFallFurther) {
   EXPECT_LT(at_bounds, 80);
 }
 
-/// With scales that are powers of two, a problem in other units gives bitwise equal results.
+/// The same problem in other units must give bitwise equal results if the scales are powers of two.
 TEST_P(EveryMethod, WorksInUnitsOfTheScale) {
   const Vector2d scale(0.25, 8);
   auto problem = rosenbrock(), stretched = rosenbrock();
@@ -183,7 +183,8 @@ TEST_P(EveryMethod, TurnsBackWhereTheModelCannotBeEvaluated) {
   }
 }
 
-/// The model has no derivatives beyond x0 = 0.5, half way down the valley.
+/// If the model has no derivatives beyond x0 = 0.5, half way along the valley, the method must fail with a reason, at a
+/// point better than the start.
 TEST_P(EveryMethod, SaysWhenTheModelCannotBeDifferentiated) {
   auto problem = rosenbrock();
   problem.evaluate = [inner = problem.evaluate](const VectorXd& x, VectorXd& r, MatrixXd* J) {
@@ -198,7 +199,7 @@ TEST_P(EveryMethod, SaysWhenTheModelCannotBeDifferentiated) {
 
 TEST_P(EveryMethod, LeavesFixedVariablesWhereTheyAre) {
   auto problem = rosenbrock();
-  problem.lower[0] = problem.upper[0] = 0.3;  // not the start
+  problem.lower[0] = problem.upper[0] = 0.3;  // differs from the start
   Asked asked;
   const auto found = minimize(watched(problem, asked));
   ASSERT_EQ(found.status, Status::kConverged) << found.reason;
@@ -245,7 +246,8 @@ TEST_P(EveryMethod, RestsWhereNothingDependsOnTheVariables) {
   EXPECT_DOUBLE_EQ(found.chi2, 25);
 }
 
-/// Converted to the scale's unit and back, this bound is rounded to a number above itself.
+/// No evaluation may exceed a bound, even if rounding makes the bound larger when it is divided by the scale and
+/// multiplied again.
 TEST_P(EveryMethod, BoundsHoldToTheLastBit) {
   auto problem = rosenbrock();
   problem.scale[0] = 0.3;
@@ -269,7 +271,8 @@ TEST_P(EveryMethod, RefusesBoundsTheWrongWayRound) {
   EXPECT_EQ(found.evaluations + found.jacobian_evaluations, 0);
 }
 
-/// A large residual hides gradient and chi2 in rounding errors: every method must still converge in reasonable time.
+/// Even if a large residual hides the decrease of chi2 in rounding errors, every method must converge in a reasonable
+/// number of iterations.
 TEST_P(EveryMethod, RestsOnALargeMisfit) {
   auto problem = rosenbrock();
   problem.evaluate = [inner = problem.evaluate](const VectorXd& x, VectorXd& r, MatrixXd* J) {

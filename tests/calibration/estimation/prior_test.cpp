@@ -1,5 +1,5 @@
-// Priors in the fit and in its covariance: linear problems with known solutions, and drawn values that readings do not
-// determine.
+// Priors in the fit and in its covariance: linear problems with known solutions, and values of the drawing that
+// readings do not determine.
 #include "calibration/estimation/prior.hpp"
 
 #include <gtest/gtest.h>
@@ -180,8 +180,8 @@ TEST(ModelError, IsFoundBesideTheNoise) {
   }
 }
 
-/// A distance reading has one row, whose square is usually less than half its mean; the estimate must not be biased by
-/// this.
+/// A distance reading has a single row, and the median of its squared error is less than half the mean; this must not
+/// bias the model error.
 TEST(ModelError, IsFoundOfDistancesToo) {
   constexpr double kSize = 1e-3;
   double mean = 0;

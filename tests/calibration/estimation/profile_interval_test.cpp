@@ -34,7 +34,8 @@ Fitted fitted(PlacedArm start, const std::vector<Measurement>& readings, const F
   return result;
 }
 
-// The tip's position in the last link is linear in the measured positions of a rigid arm.
+// Measured positions of a rigid arm depend linearly on the tip's coordinates, so the profile interval must equal the
+// normal one.
 TEST(ProfileInterval, EqualsTheNormalOneWhereTheModelIsLinear) {
   PlacedArm placed = cobra();
   placed.arm = deflection::rigidCopy(placed.arm);
@@ -59,7 +60,7 @@ TEST(ProfileInterval, OfASingleUnknownNothingElseIsFittedAgain) {
   EXPECT_NEAR(interval.upper - interval.lower, 2 * 1.959964 * f.sigmaOf(0), 0.01 * f.sigmaOf(0));
 }
 
-// At an end of the interval, with all other unknowns refitted, chi-square has increased by its 95 % quantile.
+// At an end of the interval, with all other unknowns fitted again, chi-square must have increased by its 95 % quantile.
 TEST(ProfileInterval, EndsWhereTheMisfitHasRisenByItsShare) {
   ReadingMaker maker(cobra(), 5, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 8);
@@ -77,7 +78,7 @@ TEST(ProfileInterval, EndsWhereTheMisfitHasRisenByItsShare) {
     const auto solution = minimizeLeastSquares(fitProblem(f.start, fixed, f.readings, f.fit.weights, x), {});
     EXPECT_NEAR(solution.chi2 - f.leastChi2(), 3.841459, 0.02);
   }
-  // A stiffness can be large much more easily than small, so the interval extends further upwards.
+  // The readings limit a stiffness less from above than from below, so the interval must extend farther upwards.
   const auto [least, most] = valuesBetween(f.unknowns[0], interval.lower, interval.upper);
   EXPECT_GT(most - 1 / give, 1 / give - least);
 }

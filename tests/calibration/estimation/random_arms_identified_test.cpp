@@ -56,7 +56,8 @@ RC_GTEST_PROP(RandomArms, AreIdentified, ()) {
     RC_ASSERT(!found.reason.empty());
     return;
   }
-  // Undetermined stiffnesses keep their start values; the readings themselves are reproduced.
+  // Stiffnesses that the readings do not determine may keep their start values, but the fit must reproduce the
+  // readings.
   RC_ASSERT(found.after.rms <= 0.02 * 5e-5 + 1e-4 * found.before.rms);
   for (const auto& number : found.numbers) {
     const double value = findParameter(arm, number.unknown.name)->value;

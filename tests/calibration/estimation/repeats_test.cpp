@@ -1,5 +1,5 @@
-// Repeated readings of one posture determine the noise, up to a largest plausible factor; beyond it they excuse no
-// misfit.
+// Repeated readings at one posture determine the noise up to the largest plausible factor; a larger scatter excuses no
+// lack of fit.
 #include "calibration/estimation/repeats.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(Repeats, ExcuseAModelUpToTheirBoundOnly) {
     }
 }
 
-// With two reflectors on the tool, each read twice per posture, repeats are grouped per posture and reflector.
+// If each of two reflectors on the tool is read twice per posture, repeats must be grouped by posture and reflector.
 TEST(Repeats, AreOfOnePlaceOnTheTool) {
   auto readings = makeCampaign(deflection::cobraArm(), 4);
   readings.resize(3);
@@ -60,7 +60,8 @@ TEST(Repeats, AreOfOnePlaceOnTheTool) {
     for (std::size_t b = 0; b < a; ++b) EXPECT_EQ(groups[a] == groups[b], a / 4 == b / 4 && a % 2 == b % 2);
 }
 
-// Two readings of one posture lie a metre apart, while the model fits all other readings.
+// If two readings at one posture lie a metre apart, but the model fits all others, the scatter must not count as noise,
+// and the model must be judged inadequate.
 TEST(Repeats, AStaleRowIsNotNoise) {
   auto readings = makeCampaign(deflection::cobraArm(), 4);
   readings[20].q = readings[19].q;

@@ -11,7 +11,8 @@ namespace tubeplan::calibration {
 namespace {
 
 TEST(Diagnosis, ATouchLeftAloneByAnOutlierIsSetAsideWithIt) {
-  // Two touches of each unmeasured point: if one touch is an outlier, the other gives no information.
+  // Each unmeasured point is touched twice. If one touch is an outlier, the other gives no information and must be set
+  // aside too.
   for (const std::uint64_t seed : {1, 2, 3}) {
     ReadingMaker maker(cobra(), seed, ReadingMaker::Noise::kStated);
     maker.addTouches(24, {0, 40 * kPound}, false);

@@ -14,7 +14,8 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Returns stations with three, two and one shots, and relative readings from the first station to the others.
+/// Returns six positions, three at a first station, two at a second and one at a third, and the displacements from the
+/// first station to the last four.
 std::vector<Measurement> severalAtAStation() {
   ReadingMaker maker(cobra(), 21, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 6);
@@ -87,10 +88,11 @@ void expectWhite(const std::vector<Measurement>& readings, std::size_t shared) {
 }
 
 TEST(SharedNoise, IsWhitenedAsTheWholeCovarianceHasIt) {
-  expectWhite(severalAtAStation(), 3);  // several shots at two stations; one also ends a relative reading
+  expectWhite(severalAtAStation(), 3);  // each station has several readings that share its encoder noise
 }
 
-/// Each relative reading starts where another ends: every station is in two of them, and all are correlated.
+/// A chain of displacements must be whitened completely, although each starts where another ends and all are thus
+/// correlated.
 TEST(SharedNoise, OfAChainOfWaysIsWhitenedAsTheWholeCovarianceHasIt) {
   ReadingMaker maker(cobra(), 23, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 12);
@@ -124,7 +126,8 @@ TEST(SharedNoise, OfTouchesStaysWithinTheirPoint) {
   EXPECT_EQ(weighReadings(cobra(), maker.readings)->shared.size(), 1u);
 }
 
-/// Three shots at each of forty postures with one reading of the encoders each.
+/// If three shots at each of forty postures share one reading of the encoders, their scatter must agree with the stated
+/// noise.
 TEST(SharedNoise, RepeatedShotsAgreeWithTheStatedNoise) {
   int refused = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -135,7 +138,8 @@ TEST(SharedNoise, RepeatedShotsAgreeWithTheStatedNoise) {
       for (int shot = 0; shot < 3; ++shot) {
         shots.push_back(reading);
         shots.back().id += std::string(1, static_cast<char>('a' + shot));
-        // The maker's noise serves as the encoders' part; each shot has independent noise in addition.
+        // The noise from the maker is common to the three shots, as encoder errors are; each shot has independent noise
+        // in addition.
         *shots.back().p_W += maker.noise3(reading.sigma);
       }
     const auto weights = weighReadings(cobra(), shots);

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 /// Returns unknowns of all scales: stiffnesses, among them one of a rigid axis, lengths, angles, a weight, a beam, and
-/// twelve base steps.
+/// the twelve components of two base steps.
 FreeChoice everyScale() {
   return {{"tool.joint_stiffness.z", "latch-link.beam.Iz", "base-link.joint_stiffness.y", "forearm.dh.a",
            "latch-link.joint.offset", "forearm.weight.end", "tool.tip"},
@@ -42,7 +42,7 @@ ReadingMaker everyKindTwice() {
   return maker;
 }
 
-// With no unknowns the Jacobian has rows but no columns, even if the same state was evaluated without a Jacobian
+// Without unknowns, the Jacobian must have rows but no columns, even if the same state was evaluated without a Jacobian
 // before. The sanitizers' build checks Eigen's bounds here.
 TEST(WhitenedResidual, HasSlopesWithoutColumnsWhereNothingIsUnknown) {
   ReadingMaker maker = everyKindTwice();
@@ -60,7 +60,7 @@ TEST(WhitenedResidual, HasSlopesWithoutColumnsWhereNothingIsUnknown) {
   EXPECT_EQ(jacobian.cols(), 0);
 }
 
-// Results stored for a state equal those of a new evaluation, for any weights and any order of requests.
+// Results stored for a state must equal those of a new evaluation, for any weights and any order of requests.
 TEST(WhitenedResidual, IsTheSameAtAStateThatIsAskedForAgain) {
   ReadingMaker maker = everyKindTwice();
   PlacedArm start = cobraTwice();
@@ -114,7 +114,7 @@ TEST(WhitenedResidual, JacobianMatchesDifferencesFarFromTheStart) {
   }
 }
 
-// A reading converted from a relative one keeps its reference, which does not affect other kinds.
+// A reading converted from a displacement to another kind keeps its reference, which must not affect its noise.
 TEST(WhitenedResidual, AReferenceWeighsOnlyWhereTheKindHasOne) {
   const PlacedArm placed = cobra();
   ReadingMaker maker(placed, 6);
@@ -127,7 +127,8 @@ TEST(WhitenedResidual, AReferenceWeighsOnlyWhereTheKindHasOne) {
   for (std::size_t k = 0; k < alone.size(); ++k) EXPECT_EQ(with->noise[k], without->noise[k]);
 }
 
-// If only some parameters of a base are free, the others stay fixed, and the free ones keep their own Jacobian columns.
+// If only some parameters of a base are free, the others must stay fixed, and the free ones must keep their Jacobian
+// columns.
 TEST(WhitenedResidual, SomeNumbersOfABaseHaveTheSlopesThatTheyHaveAmongAll) {
   ReadingMaker maker = everyKindTwice();
   PlacedArm start = cobraTwice();
@@ -156,7 +157,8 @@ TEST(WhitenedResidual, SomeNumbersOfABaseHaveTheSlopesThatTheyHaveAmongAll) {
   EXPECT_TRUE(part.jacobian.isApprox(whole.jacobian(Eigen::all, columns), 1e-9));
 }
 
-/// Batched and single evaluation agree; an effect of zero size excludes the kernels.
+/// Evaluation in batches and one by one must agree; an effect of zero size rules out the kernels, which evaluate in
+/// batches.
 TEST(WhitenedResidual, IsTheSameSideBySideAndOneByOne) {
   ReadingMaker maker(cobraTwice(), 5, ReadingMaker::Noise::kStated);
   addEveryKind(maker, 3, "A");
@@ -243,7 +245,7 @@ TEST(WhitenedResidual, EliminatedPointsEqualExplicitOnes) {
   EXPECT_EQ(weights->degrees_of_freedom, weights->rows - 24);
   auto eliminated = whitenedResidual(start, unknowns, maker.readings, *weights, x, true);
   auto whole = withExplicitPoints(start, unknowns, maker.readings, *weights, x);
-  for (Index k = 0; k < x.size(); ++k) {  // scales a compliance and an angle, which differ by many powers of ten
+  for (Index k = 0; k < x.size(); ++k) {  // scaled, because a compliance and an angle differ by many powers of ten
     eliminated.jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
     whole.jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
   }
@@ -268,7 +270,7 @@ TEST(WhitenedResidual, AnUnknownPointIsEstimatedFromItsTouches) {
       const auto row = weights->first_row[static_cast<std::size_t>(k)];
       sum += weights->covariance(static_cast<std::size_t>(k)).inverse() * residual.error.segment(row, 3);
     }
-    // The weighted errors about the estimated point sum to zero.
+    // The weighted errors about the estimated point must sum to zero.
     EXPECT_LE(sum.norm(), 1e-6 / maker.readings.front().sigma);
   }
   EXPECT_EQ(weights->points.size(), 3u);
