@@ -44,7 +44,7 @@ Work randomWork(int count, std::uint64_t seed) {
   return work;
 }
 
-/// Returns the reading that the arm would give at a planned reading: position and joints with noise.
+/// Returns the measurement that the arm would give for a planned one, with noise in position and joint readings.
 Measurement read(const ProposedMeasurement& planned, const deflection::Arm& arm, std::mt19937_64& random) {
   Measurement reading = conditionsOf(planned);
   std::normal_distribution<double> normal(0, 1);
@@ -77,8 +77,8 @@ VectorXd movedBy(const Measurement& reading, const std::string& name, double ste
   return predictReading(arm, Eigen::Isometry3d::Identity(), reading).value;
 }
 
-// Reference: the covariance of generalised least squares from difference quotients of the readings, with one covariance
-// matrix of all coordinates that includes the encoder noise.
+// The forecast covariance must equal that of generalised least squares, computed from difference quotients and the
+// covariance of all coordinates including encoder noise.
 TEST(NextReadings, CovarianceIsThatOfGeneralisedLeastSquaresByDifferences) {
   const auto estimate = fromNothing(kStiffnesses);
   const auto candidates = randomCandidates(30, 5);
@@ -111,7 +111,7 @@ TEST(NextReadings, CovarianceIsThatOfGeneralisedLeastSquaresByDifferences) {
   for (int k = 0; k < n; ++k) {
     const auto& number = next.numbers[static_cast<std::size_t>(k)];
     EXPECT_NEAR(number.after, number.value * std::sqrt(covariance(k, k)), 1e-4 * number.after);
-    EXPECT_NEAR(number.now, number.value, 1e-9 * number.value);  // before any reading, the prior sigma is a factor of e
+    EXPECT_NEAR(number.now, number.value, 1e-9 * number.value);  // before any reading, the prior sigma equals the value
     EXPECT_FALSE(number.is_identifiable_now);
   }
 }
@@ -231,7 +231,7 @@ TEST(NextReadings, ReadingsThatCannotBeFittedAreCountedWhereTheDrawingStands) {
   EXPECT_GT((estimate.information - MatrixXd::Identity(4, 4)).norm(), 1);
 }
 
-// An arm that cannot bear the load has no equilibrium, so no candidate can be measured.
+// If the arm has no equilibrium under the load of any candidate, the proposal must be refused.
 TEST(NextReadings, AreRefusedWhereNoCandidateCanBeMade) {
   std::mt19937_64 random(9);
   std::vector<ReadingCandidate> candidates;

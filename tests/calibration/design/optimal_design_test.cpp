@@ -99,7 +99,7 @@ TEST_P(OptimalDesign, BeatsRandomChoices) {
   }
 }
 
-// The best triple is found by trying all 14 choose 3 = 364 triples.
+// Chosen triples must come within 1 % of the best one, which is found by trying all 14 choose 3 = 364 triples.
 TEST_P(OptimalDesign, ExchangeComesWithinAPercentOfTheBestTriple) {
   const auto problem = randomProblem(14, GetParam());
   double best_determinant = 1e300, best_mean = 1e300;

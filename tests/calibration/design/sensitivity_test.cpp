@@ -97,8 +97,8 @@ TEST(Sensitivity, StiffeningLessensSagAndWeightAddsToIt) {
   EXPECT_EQ(weights, 7);
 }
 
-// If all springs and beams (only E) become stiffer by the same fraction, the sag decreases by that fraction, except for
-// a change of about 1 % because the deflected shape changes the lever arms.
+// If all joint stiffnesses and all E increase by the same fraction, the sag must decrease by that fraction, to within 2
+// %; the deflected shape changes the lever arms by about 1 %.
 TEST(Sensitivity, AllStiffnessesTogetherScaleTheSag) {
   const auto result = Case().find();
   double sum = 0;
@@ -108,8 +108,9 @@ TEST(Sensitivity, AllStiffnessesTogetherScaleTheSag) {
   EXPECT_NEAR(sum, -result.mean_deflection, 0.02 * result.mean_deflection);
 }
 
-// The whole procedure without linearisation: an arm with one parameter off by 0.1 % touches three holes. The nominal
-// model, with exact or uncertain parameters, is calibrated from the touches, and its error at the work is measured.
+// The predicted error must equal that of the whole procedure without linearisation. An arm with one parameter off by
+// 0.1 % touches three holes. The nominal model, with exact or uncertain parameters, is calibrated from the touches, and
+// its error at the work postures is measured.
 TEST(Sensitivity, ErrorAfterCalibrationIsWhatACalibrationLeaves) {
   for (const auto& doubt : {ArmUncertainty::none(), ArmUncertainty{}}) {
     Case c;
@@ -150,7 +151,7 @@ TEST(Sensitivity, UncompensatedErrorIsWhatRigidCalibrationLeaves) {
   for (const auto& q : c.task.work)
     left += (tipOf(c.cell.arm, c.cell.X_WB_nominal, q) - tipOf(rigid, base.X_WB, q)).head<2>().norm() /
             static_cast<double>(c.task.work.size());
-  // The prediction is linear in the base's motion of about 1 in on an arm of 60 in, so it may be wrong by that
+  // The prediction is linear in the base's motion of about 1 in on an arm of 60 in, so it may be wrong by about that
   // fraction.
   EXPECT_NEAR(c.find().mean_uncompensated, left, 0.01 * left);
 }

@@ -1,4 +1,4 @@
-// Touches chosen and forecast for an arm with uncertain parameters, compared with actual calibrations.
+// Choice and forecast of touches for an arm with uncertain parameters, compared with calibrations from these touches.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -58,8 +58,8 @@ std::vector<Measurement> noisyTouches(const DoubtedCell& cell, const std::vector
   return touches;
 }
 
-/// Returns the root mean square of a tip coordinate's sigma at work [m], from the base calibration's joint covariance
-/// of base and parameters.
+/// Returns the sigma of a tip coordinate [m], as root mean square over the work postures, from the covariance of base
+/// and parameters that a base calibration states.
 double tipSigmaBy(const BaseCalibration& base, const Work& work) {
   const auto& [numbers, covariance] = base.uncertainty;
   PredictionRequest request;
@@ -82,7 +82,8 @@ double tipSigmaBy(const BaseCalibration& base, const Work& work) {
 class TouchDoubt : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Cells, TouchDoubt, ::testing::Values("mockup.yaml", "puma.yaml", "iiwa.yaml", "column.yaml"));
 
-/// Tests three and five touches, with the usual and a larger uncertainty, with and without a model error.
+/// Forecast sigmas must equal those that a calibration states: for three and five touches, with an exact arm, the usual
+/// and a larger uncertainty, and a model error.
 TEST_P(TouchDoubt, SigmasForetoldAreThoseOfTheCalibration) {
   const auto cell = doubtedCell(GetParam());
   ArmUncertainty more;
@@ -113,7 +114,8 @@ TEST_P(TouchDoubt, SigmasForetoldAreThoseOfTheCalibration) {
     }
 }
 
-/// No triple is better than the chosen triple, as judged by the plain inverse of the complete information matrix.
+/// No triple of touches may be better than the chosen one, as judged by the plain inverse of the complete information
+/// matrix.
 TEST_P(TouchDoubt, TheBestTripleIsBestBesideTheDoubt) {
   const auto cell = doubtedCell(GetParam());
   const auto problem = poseDesign(nothingTouched(cell, ArmUncertainty{}), cell.candidates, cell.work).problem;
@@ -143,7 +145,8 @@ TEST_P(TouchDoubt, MoreDoubtOfStiffnessesLowersNoSigma) {
   }
 }
 
-/// Tests an arm with exact parameters, one with uncertain parameters, and one with a model error as well.
+/// Touch plans must be chosen like the same touches in a design problem: for an arm with exact parameters, with
+/// uncertain parameters, and with a model error as well.
 TEST_P(TouchDoubt, PlansAreChosenAsTheirReadingsAre) {
   const auto cell = doubtedCell(GetParam());
   std::vector<TouchPlan> plans;
@@ -161,8 +164,8 @@ TEST_P(TouchDoubt, PlansAreChosenAsTheirReadingsAre) {
     }
 }
 
-/// Touches of an arm whose parameters deviate within their uncertainty show no lack of fit; the estimate equals that of
-/// a base calibration.
+/// If an arm's parameters deviate within their uncertainty, its touches must hardly ever show a lack of fit, and the
+/// estimate must equal that of a base calibration.
 TEST_P(TouchDoubt, TouchesMadeCountAsACalibrationCountsThem) {
   const auto cell = doubtedCell(GetParam());
   int lacking = 0;
