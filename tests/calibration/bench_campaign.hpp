@@ -25,7 +25,7 @@ inline deflection::Arm withEncoders(deflection::Arm arm, double sigma) {
   return arm;
 }
 
-/// Returns the bench's arm with other stiffnesses, on bases displaced from their nominal poses.
+/// Returns the bench's arm with randomly changed stiffnesses, on bases displaced from their nominal poses.
 inline CampaignTruth benchTruth(int setups = 1, double encoder_sigma = 0) {
   TruthOptions options;
   options.parameters = deflection::parametersOf(benchCell().arm);

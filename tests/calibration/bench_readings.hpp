@@ -1,5 +1,5 @@
-// Readings of the shipped bench for an arm with one hidden effect: all joints move freely under three loads, with known
-// approach directions.
+// Simulated readings of the shipped bench cell, for an arm with one hidden effect: random postures under three loads,
+// with stated approach directions.
 #pragma once
 
 #include <boost/random/mersenne_twister.hpp>

@@ -1,4 +1,4 @@
-// Readings of the Cobra with noise, and hidden effects for the measured arm.
+// Simulated readings of the Cobra arm with noise, and hidden effects to add to the arm.
 #pragma once
 
 #include <boost/random/mersenne_twister.hpp>

@@ -13,7 +13,8 @@ namespace tubeplan::calibration {
 namespace {
 
 /// Returns derivatives of the tool's pose at random postures with respect to the named parameters. Columns of the
-/// tool's own rotation follow if no reading shows it, then columns of the base if it is free; each column has length 1.
+/// tool's own rotation follow if no reading depends on it, then columns of the base if it is free. Each column is
+/// scaled to length 1.
 Eigen::MatrixXd motions(const PlacedArm& placed, const std::vector<std::string>& names) {
   constexpr int kPostures = 30;
   std::vector<deflection::Variable> variables;
@@ -80,8 +81,8 @@ TEST(IndependentGeometry, IsCompleteAndNotRedundantHoweverRowsAreWritten) {
   }
 }
 
-// Origins with six parameters per row reach every change of geometry; on a known base, rows in either table reach as
-// many.
+// On a known base, the parameters chosen for rows in either Denavit-Hartenberg convention must cause every change of
+// geometry that origins with six parameters per row can cause.
 TEST(IndependentGeometry, IsCompleteBesideAKnownBaseByEitherTable) {
   int counted = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -113,7 +114,7 @@ TEST(IndependentGeometry, HoldsAsManyNumbersAsMechanismsHave) {
     for (const auto& joint : placed.arm.joints()) ++(joint.type == deflection::JointType::kPrismatic ? slides : turns);
     if (placed.base_poses[0].is_known) continue;
     ++open;
-    // Everett's count is 4 R + 2 P + 6; parallel slides reduce the count.
+    // Everett's count is 4 R + 2 P + 6; parallel prismatic joints reduce the count.
     const Eigen::MatrixXd columns = motions(placed, chosen(placed));
     EXPECT_EQ(rankOf(columns), columns.cols()) << seed;
     EXPECT_LE(columns.cols(), 4 * turns + 2 * slides + 6) << seed;
@@ -124,7 +125,7 @@ TEST(IndependentGeometry, HoldsAsManyNumbersAsMechanismsHave) {
   EXPECT_GT(open, 30);
 }
 
-/// If readings show the tool's rotation, the count is Everett's complete count.
+/// If readings depend on the tool's rotation, the number of parameters must be Everett's complete count.
 TEST(IndependentGeometry, HoldsTheToolsTurnWhereReadingsShowIt) {
   int whole = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -158,7 +159,8 @@ TEST(IndependentGeometry, TellsNearlyParallelAxesApartByTheirLean) {
   }
 }
 
-/// At a pitch of a right angle roll and yaw rotate about one axis; beta then provides the third rotation.
+/// At a pitch of 90 degrees, roll and yaw rotate about the same axis, so beta must be chosen to provide the third
+/// rotation.
 TEST(IndependentGeometry, IsCompleteWhereFixedAnglesAreSingular) {
   PlacedArm placed = byOrigins(mechanism(5));
   placed.base_poses[0].is_known = false;

@@ -13,7 +13,7 @@ namespace tubeplan::calibration {
 inline constexpr double kRightAngle = std::numbers::pi / 2;
 
 /// Returns an arm of three to eight joints in Denavit-Hartenberg rows. Each axis is parallel, nearly parallel,
-/// perpendicular or skew to the previous axis; about a sixth of the joints are slides.
+/// perpendicular or skew to the previous axis; about a sixth of the joints are prismatic.
 inline PlacedArm mechanism(std::uint64_t seed) {
   RandomStream random(seed);
   PlacedArm placed;

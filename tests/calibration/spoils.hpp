@@ -1,4 +1,5 @@
-// Common ways to spoil the readings of a campaign; all statements about the spoilt readings must be consistent.
+// Common faults of measured data, applied to the readings of a campaign. Whatever the fault, all results computed from
+// the readings must agree with one another.
 #pragma once
 
 #include <algorithm>
@@ -20,14 +21,14 @@ inline void moveAtRandom(Measurement& reading, double by, std::mt19937_64& rando
   for (double& p : *reading.p_W) p += normal(random);
 }
 
-/// One method of spoiling readings.
+/// A fault that is applied to good readings.
 struct Spoil {
   const char* name;
   int repeats;  ///< number of readings of each posture
   std::function<void(std::vector<Measurement>&, std::mt19937_64&)> apply;
 };
 
-/// Returns the methods of spoiling readings; the first two change nothing.
+/// Returns all faults; the first two change nothing.
 inline const std::vector<Spoil>& spoils() {
   static const std::vector<Spoil> kSpoils{
       {"nothing", 1, [](std::vector<Measurement>&, std::mt19937_64&) {}},
@@ -82,7 +83,7 @@ inline const std::vector<Spoil>& spoils() {
   return kSpoils;
 }
 
-/// Returns a spoilt campaign of forty readings of an arm.
+/// Returns a campaign of forty readings of an arm, with one fault applied.
 inline std::vector<Measurement> spoiltCampaign(const deflection::Arm& arm, std::uint64_t seed, const Spoil& spoil) {
   std::mt19937_64 random(seed);
   CampaignPlan plan;

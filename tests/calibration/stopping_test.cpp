@@ -1,5 +1,5 @@
-// Long work that is asked to stop reports that it was stopped and returns no results, at any stage; being stoppable
-// changes no result.
+// Long-running work that is stopped at any stage must report so and return no results; hooks must not change the
+// results of work that is not stopped.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -15,7 +15,8 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// Hooks that count progress reports and stop requests, and request a stop from the n-th query on; -1: never.
+/// Hooks that record the reported stages, count the calls of `stop`, and request a stop from call number `stop_at` on;
+/// -1: never.
 class Watch {
  public:
   explicit Watch(int stop_at = -1) : stop_at_(stop_at) {}
@@ -41,10 +42,10 @@ class Watch {
   bool is_ordered_ = true;
 };
 
-/// Returns early, late and intermediate queries at which to stop.
+/// Returns at which of `all` calls of `stop` to request a stop: early, late and in between.
 std::vector<int> momentsOf(int all) { return {1, 2, all / 7, all / 3, all / 2, (9 * all) / 10, all}; }
 
-constexpr int kAsItEnds = 200;  // queries allowed after the stop was requested, for solvers that give up
+constexpr int kAsItEnds = 200;  // calls of `stop` allowed after the stop was requested, until solvers give up
 
 class Stopping : public testing::Test {
  protected:
@@ -71,7 +72,7 @@ class Stopping : public testing::Test {
     return options;
   }
 
-  /// Runs the work to its end, then stops it at several of its queries.
+  /// Runs the work to its end once, then stops it at several of its calls of `stop`.
   template <class Work, class IsStopped>
   void stopEverywhere(Work work, IsStopped isStopped) {
     Watch whole;
@@ -97,14 +98,14 @@ TEST_F(Stopping, IdentificationSaysThatItWasStopped) {
                  });
 }
 
-/// So many readings that they are processed in blocks, with a query per block. A stop between two blocks leaves
-/// unfilled rows, from which no result may be computed.
+/// Work on so many readings that they are processed in blocks, with a call of `stop` per block. A stop between two
+/// blocks leaves rows unfilled; no result may be computed from them.
 class StoppingBetweenBlocks : public Stopping {
  protected:
   const std::vector<Measurement> many = benchReadings(cell, "hysteresis", "theta4", {0.001}, 1100, 6);
   const PlacedArm placed = benchStart(cell, many);
 
-  /// Stops the work at each of the first queries, then at increasingly fewer.
+  /// Stops the work at each of the first `first` calls of `stop`, then at calls ever farther apart.
   template <class Work, class IsStopped>
   void stopAtAll(Work work, IsStopped isStopped, int first, double growth) {
     Watch whole;
@@ -165,7 +166,7 @@ TEST_F(Stopping, ComparisonSaysThatItWasStopped) {
 TEST_F(Stopping, ProposalsSayThatTheyWereStopped) {
   Diagnosis open = diagnose(start, readings, diagnosis({}));
   ASSERT_FALSE(open.closest.empty());
-  open.verdict = Verdict::kInconclusive;  // leaves something to discriminate
+  open.verdict = Verdict::kInconclusive;  // leaves explanations to discriminate between
   const auto candidates = app::discriminationCandidates(cell, open.baseline.fitted, readings);
   stopEverywhere(
       [&](const WorkHooks& hooks) {

@@ -37,7 +37,7 @@ inline PlacedArm cobraTwice() {
            {"B", poseOf({-0.4, 0.3, 0.1}, {-0.01, 0.04, -0.7}), false}}};
 }
 
-/// Makes readings of an arm; equal seeds give equal readings. The stated noise is independent of whether noise is
+/// Makes readings of an arm; equal seeds give equal readings. The readings state the same noise whether or not noise is
 /// added.
 class ReadingMaker {
  public:
@@ -47,10 +47,11 @@ class ReadingMaker {
       : truth_(std::move(truth)), random_(seed), has_noise_(noise == Noise::kStated), touch_sigma_(touch_sigma) {}
 
   std::vector<Measurement> readings;
-  std::optional<Eigen::Vector3d> sigma_W, correlation_W;  ///< stated and simulated; for kinds that measure x, y, z
+  /// Noise of x, y and z, both stated and added, in readings of kinds that measure them.
+  std::optional<Eigen::Vector3d> sigma_W, correlation_W;
 
-  /// Adds readings of any kind except touches at new postures; they belong to the frame of row `of_row` if given, else
-  /// to the tool.
+  /// Adds readings at new postures, of any kind except touches. They measure the frame of row `of_row` if given,
+  /// otherwise the tool frame.
   void add(MeasurementKind kind, int count, const std::string& setup = "", std::optional<int> of_row = {}) {
     for (int k = 0; k < count; ++k) {
       Measurement m = blank(kind, setup);
@@ -94,7 +95,7 @@ class ReadingMaker {
     }
   }
 
-  /// Adds points, each touched once under every load [N], with the tool at equal tilt.
+  /// Adds points, each touched once under every load [N], with the tool at the same tilt.
   void addTouches(int points, const std::vector<double>& loads, bool are_known, const std::string& setup = "") {
     for (int made = 0; made < points;) made += touchPoint(loads, are_known, setup) ? 1 : 0;
   }
@@ -182,7 +183,7 @@ class ReadingMaker {
     return noisy;
   }
 
-  /// Returns the offset [m] of a hole from a tip that centres on the hole or looks at it.
+  /// Returns a random offset [m] of a hole from the tip, which is small if the tip is centred in the hole.
   [[nodiscard]] Eigen::Vector3d besideTheTip(const MeasurementKindRow& row) {
     const double far = row.is_centring ? 0.03 * kInch : 0.02, across = row.is_centring ? 0 : 0.05;
     return {far * noiseOf(), far * noiseOf(), across};
@@ -245,8 +246,8 @@ class ReadingMaker {
   double touch_sigma_;
 };
 
-/// Adds a few readings of every kind except touches; half of them measure a point of the tool away from its tip. A few
-/// readings of a surface give no information (surfaces_test.cpp).
+/// Adds a few readings of every kind except touches of points and surfaces; a few touches of a surface would give no
+/// information (surfaces_test.cpp). Half of the readings measure a point of the tool away from its tip.
 inline void addUntouched(ReadingMaker& maker, int count, const std::string& setup = "") {
   const std::size_t first = maker.readings.size();
   for (const MeasurementKindRow& row : measurementKinds())
@@ -255,7 +256,8 @@ inline void addUntouched(ReadingMaker& maker, int count, const std::string& setu
     if (!isDisplacement(maker.readings[k])) maker.readings[k].p_TQ = Eigen::Vector3d(0.03, -0.02, 0.05);
 }
 
-/// Adds a few readings of positions, displacements, lengths and touches in one set-up, with known and unknown points.
+/// Adds a few readings of positions, deflections, distances, and touches of known and of unknown points, all in one
+/// set-up.
 inline void addEveryKind(ReadingMaker& maker, int count, const std::string& setup = "") {
   maker.add(MeasurementKind::kPosition, count, setup);
   maker.add(MeasurementKind::kDeflection, count, setup);
