@@ -2,8 +2,9 @@
 //
 // Law: rotation +g/2 where the moment is positive, -g/2 where it is negative, free in between (elements/clearance.hpp).
 // Symbols: g gap [rad].
-// Validity: at rest, without friction; about compliant axes, about any axis of a rotating row (its bearings also have
-//      transverse play) and about both axes perpendicular to a slide (the slide tilts in its guide).
+// Validity: at rest, without friction; about compliant axes, about any axis of a row with a revolute joint (its
+//      bearings also have transverse play) and about both axes perpendicular to a prismatic joint (its bar tilts in the
+//      guide).
 // Source: Signorini's complementarity; coupling backlash in Harmonic Drive's catalogues.
 #pragma once
 

@@ -1,7 +1,7 @@
 // A base that drifts with time.
 //
 // Law: the base is shifted by rate * time.
-// Symbols: rate [m/s] in base axes, time [s] counted from the zero of the measurements' times.
+// Symbols: rate [m/s] in base axes, time [s] as stated in the measurements.
 // Validity: creep proportional to time. A reading without a time counts as undrifted.
 // Source: rigid body.
 #pragma once

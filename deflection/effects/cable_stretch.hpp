@@ -1,5 +1,5 @@
-// A joint driven by cables: the cables stretch under the moment, and friction retains a fraction of the moment that
-// depends on the direction of the last motion.
+// A joint driven by cables: the cables stretch under the moment, and friction adds a rotation whose sign depends on the
+// direction of the last motion.
 //
 // Law: rotation = c M + k |M| s, with M the moment about the joint's axis.
 // Symbols: c stretch [rad/(N m)]; k contribution of friction [rad/(N m)]; s direction of the joint's last motion, -1, 0

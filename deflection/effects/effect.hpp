@@ -1,5 +1,5 @@
-// The catalogue of physical effects: deviations of an arm from its file. Each effect is a law in one file and a row of
-// the table in effects.cpp; nothing else names the effect.
+// The catalogue of physical effects: deviations of a real arm from the model in its file. Each effect has a file that
+// states its law, and a row of the table in effects.cpp; no other code names the effect.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,8 @@ struct EffectParameter {
   Quantity quantity;
   double neutral;       ///< value without effect, if all other parameters are neutral
   double lower, upper;  ///< hard physical bounds
-  double plausible;     ///< largest magnitude on a real machine; a larger value is no explanation
-  /// True: the parameter has a meaning only while the effect is not neutral, and must be scanned.
+  double plausible;     ///< largest plausible magnitude on a real machine
+  /// True: the parameter has a meaning only while the effect is not neutral, so its value must be found by a scan.
   bool is_shape = false;
   double (*least)(const Arm&, const Place&) = nullptr;  ///< replaces `lower` if the bound depends on the arm
 };
@@ -55,8 +55,8 @@ enum class EffectStage { kReading, kGeometry, kLoad, kFlexibility, kBase, kMeasu
 /// kind's fixed word.
 enum class PlaceRule { kJoint, kJointPair, kLink, kRowAxis, kSetup, kWord };
 
-/// Requirements for an effect to be observable, in addition to the conditions with which it varies: columns of the
-/// measurements, a hung load, any moments (weights of the arm, or a load), an arm without stated weights, or readings
+/// Requirements for an effect to be observable, in addition to the conditions with which it varies: stated approach
+/// directions, a hung load, any moments (weights of the arm, or a load), an arm without stated weights, or measurements
 /// that depend on the tool's rotation.
 struct EffectNeeds {
   bool approach_directions = false, load = false, moments = false, no_weights = false, tool_turn = false;
@@ -72,12 +72,12 @@ struct EffectKind {
   EffectStage stage;
   PlaceRule at;
   const char* word = "";  ///< name of the only place, for PlaceRule::kWord
-  /// Feature that a place requires and that an arm may lack, such as "a slide".
+  /// Feature that a place requires and that an arm may lack, such as "an axis with joint_stiffness in the arm file".
   const char* place_needs = "";
-  const char* places_elsewhere = "";  ///< location of the effect, if it is outside the arm
+  const char* places_elsewhere = "";  ///< description of the places, if `places` does not list them
   double odds = 1;  ///< prior odds of the kind relative to others, split among its places; 0: tried only on request
   const char* odds_reason = "";             ///< reason for the odds
-  std::vector<EffectVariable> varies_with;  ///< simplest variable first; empty: may vary with anything
+  std::vector<EffectVariable> varies_with;  ///< simplest variable first; empty: not known in advance
   EffectNeeds needs;
   std::vector<EffectParameter> parameters;
   std::vector<Place> (*places)(const Arm&);  ///< returns every place of an arm where the effect can act
@@ -99,15 +99,17 @@ const std::vector<EffectKind>& effectKinds();
 /// Returns a place as written in files and reports.
 [[nodiscard]] std::string textOf(const Arm& arm, const EffectKind& kind, const Place& place);
 
-/// Returns every place of an arm where effects of a kind can act, as text.
+/// Returns every place of an arm where effects of a kind can act, as written in files.
 [[nodiscard]] std::vector<std::string> placeTexts(const Arm& arm, const EffectKind& kind);
 
-/// Returns a clause such as "this arm has no place for it, which needs a slide", for a kind without places in an arm.
+/// Returns a sentence such as "this arm has no place for this effect, which needs ...", for a kind without places in an
+/// arm.
 [[nodiscard]] std::string lackOfPlace(const EffectKind& kind);
 
 [[nodiscard]] std::optional<Place> findPlace(const Arm& arm, const EffectKind& kind, std::string_view text);
 
-/// Returns the place of an effect as written, such as `tool.z`; for a formula, the target.
+/// Returns the place of an effect as written in files, such as `tool.z`; for a formula, its target, with "#2" for the
+/// second formula of a target.
 [[nodiscard]] std::string placeText(const Arm& arm, const Effect& effect);
 
 /// Returns the full name of an effect, such as `backlash@tool.z`.

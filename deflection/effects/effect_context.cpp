@@ -28,7 +28,8 @@ void copyWithoutEffects(const ArmOf<S>& from, ArmOf<S>& to) {
   to.tip_load = from.tip_load;
 }
 
-/// Makes the rows of a mounting rigid in the mounting's set-up, such as for an arm bolted to a bench.
+/// Makes rigid the rows that the arm declares rigid in the posture's set-up, such as those of a flexible mounting while
+/// the arm is bolted to a bench.
 template <class S>
 void makeMountingRigid(EffectContext<S>& context) {
   for (const RigidMounting& mounting : context.given.mountings) {

@@ -16,15 +16,15 @@ struct EffectContext {
   EffectContext(const ArmOf<S>& given_arm, const PostureOf<S>& asked_posture)
       : given(given_arm), asked(asked_posture) {}
 
-  const ArmOf<S>& given;                         ///< arm of the file, which effects read
+  const ArmOf<S>& given;                         ///< arm as in its file; effects read it
   const PostureOf<S>& asked;                     ///< encoder readings, and gravity in the nominal base
   ArmOf<S> arm;                                  ///< copy that effects modify; it carries no effects
   PostureOf<S> posture;                          ///< true joint values, and gravity in the moved base
-  Vector3<S> gravity_turn = Vector3<S>::Zero();  ///< rotation vector of gravity in base axes [rad]
+  Vector3<S> gravity_turn = Vector3<S>::Zero();  ///< rotation vector by which effects tilt gravity, base axes
   PoseOf<S> X_BM;                                ///< pose of the moved base M in the nominal base
   S measurement_scale{1};                        ///< ratio of measured to true coordinates
-  std::optional<RigidFrames<S>> rigid_frames;    ///< frames of `given` at `asked`, once an effect needs them
-  /// Moments of `given` at `asked`, once an effect needs them.
+  std::optional<RigidFrames<S>> rigid_frames;    ///< undeflected frames, computed on demand
+  /// Moments on the rows of the undeflected arm, computed when an effect first needs them.
   std::optional<std::vector<Vector3<S>>> rigid_moments;
   std::string undefined = {};  ///< reason why an effect has no finite value here; empty if every effect has one
 };

@@ -14,9 +14,9 @@ namespace tubeplan::deflection {
 
 namespace {
 
-// Ratio of the first to the second, narrower step of a difference, made if the first step may cross a kink.
+// Ratio of the wide to the narrow step of the differences; the narrow step is used if the wide step may cross a kink.
 constexpr double kNarrower = 64;
-constexpr double kSmoothEnough = 1e-10;  // largest relative difference between the results of both steps
+constexpr double kSmoothEnough = 1e-10;  // largest relative difference between both results for a smooth function
 constexpr const char* kConstants[] = {"pi", "_pi", "_e"};
 
 bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -58,7 +58,8 @@ std::vector<Word> wordsOf(const std::string& text) {
   return words;
 }
 
-/// Finds content that muParser would accept but a formula must not have: assignments, texts, invisible bytes.
+/// Finds content that muParser would accept but a formula must not have: assignments, string literals, non-printable
+/// bytes.
 std::optional<ExpressionProblem> findForeign(const std::string& text) {
   for (std::size_t k = 0; k < text.size(); ++k) {
     const char c = text[k];
@@ -148,7 +149,7 @@ std::mutex& buildMutex() {
 
 }  // namespace
 
-/// An evaluator borrowed from the pool for one evaluation; all evaluators of a pool are equal.
+/// An evaluator borrowed from a pool for as long as this object lives; all evaluators of a pool are interchangeable.
 class Expression::Borrowed {
  public:
   explicit Borrowed(Pool& pool) : pool_(pool) {

@@ -1,6 +1,5 @@
-// An expression such as `c*sin(3*theta1)`, as a function of the variables that it names. Only this file uses muParser,
-// whose functions and operators apply: sin, cos, exp, sqrt, abs, ^, ? : and the others in its manual; pi is also
-// defined.
+// An expression such as `c*sin(3*theta1)`, as a function of the variables that it names. It may use the functions and
+// operators of muParser, such as sin, cos, exp, sqrt, abs, ^ and ? :, and the constant pi. No other file uses muParser.
 #pragma once
 
 #include <memory>
@@ -12,11 +11,11 @@
 
 namespace tubeplan::deflection {
 
-/// Reason why a text is no expression. The message is `what`, " at character N", `rest`.
+/// Reason why a string is not an expression. The message consists of `what`, " at character N" and `rest`.
 struct ExpressionProblem {
   std::string what;                ///< beginning of the message, such as "the formula ends"
   std::string rest;                ///< end of the message, such as " where an expression should follow"; may be empty
-  std::size_t position = 0;        ///< index in the text, from 0
+  std::size_t position = 0;        ///< index of the character in the string, from 0
   std::string word;                ///< the unknown name, if a name is unknown; else empty
   std::vector<std::string> known;  ///< the known names, if a name is unknown
 };
@@ -25,14 +24,14 @@ struct ExpressionProblem {
 /// the result is NaN or infinite.
 class Expression {
  public:
-  /// Parses a text. If the text is no expression, returns null and sets `problem` to the reason.
+  /// Parses a string. If it is not an expression, returns null and sets `problem` to the reason.
   static std::shared_ptr<const Expression> parse(const std::string& text, ExpressionProblem& problem);
 
   ~Expression();
   Expression(const Expression&) = delete;
   Expression& operator=(const Expression&) = delete;
 
-  /// Returns the names of the variables, in the order in which the text first names them.
+  /// Returns the names of the variables, in order of first appearance.
   [[nodiscard]] const std::vector<std::string>& names() const;
 
   /// Returns the value of the expression; `at` has one argument for each name.
@@ -42,7 +41,7 @@ class Expression {
   /// accurate to 1e-11 for smooth functions.
   [[nodiscard]] double slope(const std::vector<double>& at, std::size_t name) const;
 
-  /// Returns the value in dual numbers; slopes are computed only for arguments that vary.
+  /// Returns the value in dual numbers; slopes are computed only with respect to arguments that have derivatives.
   [[nodiscard]] Dual value(const std::vector<Dual>& at) const;
 
  private:

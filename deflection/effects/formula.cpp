@@ -24,7 +24,7 @@ std::string trimmed(std::string_view text) {
   return first == std::string_view::npos ? "" : std::string(text.substr(first, last - first + 1));
 }
 
-/// Returns a name of the arm in the form that expressions require.
+/// Returns the symbol by which expressions refer to a part of the arm with this name: letters, digits and _.
 std::string symbolNameOf(const std::string& name) {
   std::string symbol = name;
   for (char& c : symbol)
@@ -57,7 +57,7 @@ MadeFormula refused(FormulaStatus status, std::string found, std::string expecte
 
 std::string atCharacter(std::size_t position) { return " at character " + std::to_string(position + 1); }
 
-/// Target, expression and start values of a text: "theta3", "c*sin(3*theta1)", "c=0.1".
+/// Target, expression and start values of a formula, such as "theta3", "c*sin(3*theta1)" and "c=0.1".
 struct Parts {
   std::string target, expression, starts;
   std::size_t expression_at = 0;
@@ -80,7 +80,7 @@ struct Start {
   double value;
 };
 
-/// Reads start values such as "c=0.1, k=3"; returns nothing if the text is invalid, with its invalid part in `wrong`.
+/// Reads start values such as "c=0.1, k=3". If one is invalid, returns nothing and sets `wrong` to it.
 std::optional<std::vector<Start>> readStarts(const std::string& text, std::string& wrong) {
   std::vector<Start> starts;
   for (std::size_t from = 0; from <= text.size();) {
@@ -130,7 +130,8 @@ std::optional<MadeFormula> bindNames(const Arm& arm, const FormulaUnits& units, 
   return std::nullopt;
 }
 
-/// Decides which parameters are sizes and which are shapes, and sets their start values.
+/// Decides which parameters are factors in which the formula is linear (sizes) and which are shapes, and sets the start
+/// values.
 std::optional<MadeFormula> chooseParameters(const std::vector<Start>& starts, Formula& formula, MadeFormula& made) {
   for (const Start& start : starts)
     if (std::find(formula.names.begin(), formula.names.end(), start.name) == formula.names.end()) {
@@ -170,8 +171,8 @@ std::optional<MadeFormula> chooseParameters(const std::vector<Start>& starts, Fo
   return std::nullopt;
 }
 
-/// Returns "theta3", "theta3#2", ...: the requested place, or the first place that no other formula of the arm has.
-/// Returns nothing if the request is invalid.
+/// Returns the formula's place: the one requested or, if none is requested, the first of "theta3", "theta3#2", ... that
+/// no other formula of the arm has. Returns nothing if the request is invalid.
 std::optional<std::string> placeOf(const Arm& arm, const std::string& target, std::string_view asked) {
   if (!asked.empty()) {
     const std::string_view rest = asked.substr(std::min(asked.size(), target.size()));
@@ -193,7 +194,8 @@ std::string targetName(const Arm& arm, const FormulaTarget& target) {
   return kFrameTargets[target.of == FormulaTarget::Of::kTip ? target.axis : target.axis + 3];
 }
 
-/// Reads target, expression and names. Which parameters are sizes and which are shapes remains to be decided.
+/// Reads target and expression, and binds the expression's names; chooseParameters() must complete the formula. If
+/// something is invalid, returns the refusal.
 std::optional<MadeFormula> understand(const Arm& arm, const Parts& parts, const FormulaUnits& units,
                                       std::string_view at, Formula& formula) {
   const auto target = findTarget(arm, parts.target);
@@ -222,7 +224,7 @@ std::optional<MadeFormula> understand(const Arm& arm, const Parts& parts, const 
   return wrong;
 }
 
-/// Returns the values of a formula's symbols as text, for the message that the formula has no value there.
+/// Returns a string such as " at theta1 = 0, c = 0.1", for the message that the formula has no value there.
 std::string namedValues(const Formula& formula, const std::vector<double>& at) {
   std::ostringstream text;
   const char* between = " at ";

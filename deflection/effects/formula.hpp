@@ -3,15 +3,16 @@
 //
 // Targets: a joint (its true value), tip.x, tip.y, tip.z (a shift of the tip along the last row's axes, as in
 //      tool-offset), base.x, base.y, base.z, base.yaw (a shift and a rotation of the base, as in base-slip).
-// Symbols: a joint's name (its reading: an angle in radians, for a slide a length), JOINT_dir (the direction of the
-//      joint's last motion: -1, 0 or 1), moment_ROW_x, _y, _z (moment about the axes of a row of the undeflected arm,
-//      under its weights and the hung load), load, and the conditions by their names. In names, characters other than
-//      letters and digits become _. If a reading does not state a condition, the arm's reference value is used.
-// Values are in the file's units: lengths, forces and conditions among the symbols. The value of the expression is in
-// the target's unit, in degrees for an angle if the file uses degrees.
-// All other names are parameters. The largest set of parameters in which the formula is linear, and without which it
-// vanishes, are its sizes: they start at 0 and have the target's unit. The other parameters are shapes: plain numbers
-// that need a start value.
+// Symbols: a joint's name (its reading: an angle in radians, or a length if the joint is prismatic), JOINT_dir (the
+//      direction of the joint's last motion: -1, 0 or 1), moment_ROW_x, _y, _z (moment about the axes of a row of the
+//      undeflected arm, under its weights and the hung load), load, and the conditions by their names. In names,
+//      characters other than letters and digits become _. If a reading does not state a condition, the arm's reference
+//      value is used.
+// Values of symbols that are lengths, forces, moments or conditions are in the file's units. The value of the
+// expression is in the target's unit, in degrees for an angle if the file uses degrees.
+// All other names are parameters. The formula's sizes are the largest set of parameters in which it is linear and that
+// make it vanish if they are all zero: they start at 0 and have the target's unit. The other parameters are shapes:
+// plain numbers that need a start value.
 #pragma once
 
 #include <memory>
@@ -38,7 +39,7 @@ struct FormulaUnits {
 struct FormulaTarget {
   enum class Of { kJoint, kTip, kBase };
   Of of = Of::kJoint;
-  int row = -1;   ///< row of the joint; -1 if the target is no joint
+  int row = -1;   ///< row of the joint; -1 if the target is not a joint
   int axis = -1;  ///< axis of tip or base: 0, 1, 2; 3: yaw; -1: none
 };
 
@@ -64,14 +65,14 @@ struct NamedSymbol {
 
 /// A parsed formula, shared by the effects that carry it and never changed.
 struct Formula {
-  std::string text;  ///< text as written
+  std::string text;  ///< the formula as the user wrote it
   /// Place of the effect: the target's name, with "#2" appended for the second formula of a target, and so on.
   std::string at;
   FormulaTarget target;
   Quantity quantity = Quantity::kAngle;  ///< quantity of the target: an angle or a length
   double unit = 1;                       ///< internal units of the target per unit of the expression's value
 
-  /// Meaning of one name in the expression: the parameter with an index, or a symbol (`parameter` -1).
+  /// Meaning of one name in the expression: the parameter with index `parameter` or, if that is -1, `symbol`.
   struct Input {
     int parameter = -1;
     FormulaSymbol symbol;
@@ -92,23 +93,23 @@ enum class FormulaStatus { kNotRun, kMade, kBadTarget, kBadExpression, kBadStart
 
 struct MadeFormula {
   FormulaStatus status = FormulaStatus::kNotRun;
-  /// Value found if no formula was made; if nothing is expected, a sentence that states the problem.
+  /// If no formula was made: the wrong value found or, if `expected` is empty, a sentence that states the problem.
   std::string found;
-  std::string expected;            ///< expected value; empty unless a value is wrong
+  std::string expected;            ///< description of valid values; empty unless a value is wrong
   std::string word;                ///< the unknown name, if a name is unknown; else empty
   std::vector<std::string> known;  ///< the known names, if a name is unknown
-  /// Parameters without a start value, if a formula was made; a misspelt symbol would be among them.
+  /// Names of the parameters without a start value. A misspelt symbol would be among them.
   std::vector<std::string> free;
   Effect effect;  ///< the effect at its start values
 };
 
-/// Parses a formula for an arm. `at` is the effect's place in a file. If `at` is empty, the place becomes the target
-/// with the first free number.
+/// Parses a formula for an arm. `at` is the effect's place as stated in a file. If `at` is empty, the place is the
+/// target's name, with "#2", "#3", ... appended if it is taken.
 [[nodiscard]] MadeFormula makeFormula(const Arm& arm, std::string_view text, const FormulaUnits& units,
                                       std::string_view at = "");
 
-/// Returns what a formula of an arm lacks at a posture: a finite value, or finite derivatives with respect to joints
-/// and the formula's parameters. Empty if nothing is lacking.
+/// Returns a sentence about the first formula of an arm that lacks a finite value, or a finite derivative with respect
+/// to one of its symbols or parameters, at a posture. Empty if there is none.
 [[nodiscard]] std::string findUndefinedFormula(const Arm& arm, const Posture& posture);
 
 }  // namespace tubeplan::deflection

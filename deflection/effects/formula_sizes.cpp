@@ -10,9 +10,9 @@ namespace tubeplan::deflection {
 namespace {
 
 constexpr int kSamples = 24;      // number of points at which a formula is evaluated
-constexpr double kLinear = 1e-9;  // relative error allowed for a linear formula
+constexpr double kLinear = 1e-9;  // relative error up to which a formula counts as linear
 
-/// A fixed series of irregular numbers from -2 to 2, which no formula is likely to match.
+/// A fixed sequence of irregular numbers between -2 and 2, at which a nonlinear formula is unlikely to look linear.
 class Spread {
  public:
   double next() {
@@ -31,7 +31,7 @@ bool isLinear(const Formula& formula, unsigned mask) {
   for (int n = 0; n < kSamples; ++n) {
     // The parameters of the mask are 0, u, v, u + v and -2 u; all other arguments are unchanged.
     std::array<std::vector<double>, 5> at;
-    const double scale = std::pow(10., n % 4);  // temperatures and moments are larger than angles
+    const double scale = std::pow(10., n % 4);  // up to 1000: temperatures and moments are larger than angles
     for (const Formula::Input& input : formula.inputs) {
       const double u = spread.next(), v = spread.next();
       const bool is_in = input.parameter >= 0 && (mask >> input.parameter & 1U) != 0;

@@ -1,13 +1,14 @@
-// Search for the sizes among a formula's parameters: the largest set of parameters in which the formula is linear, and
-// without which it vanishes.
+// Search for the sizes among a formula's parameters: the largest set of parameters in which the formula is linear and
+// that make it vanish if they are all zero.
 #pragma once
 
 #include "deflection/effects/formula.hpp"
 
 namespace tubeplan::deflection {
 
-/// Returns the sizes as a bit mask: bit k for parameter k. Among several largest sets, the set named first is returned.
-/// The search evaluates the expression at two dozen points; a formula without a value at any of them has no sizes.
+/// Returns the sizes as a bit mask: bit k for parameter k. Among several largest sets, the one with the smallest mask
+/// is returned. The search evaluates the expression at two dozen points; a formula that has a finite value at none of
+/// them has no sizes.
 [[nodiscard]] unsigned findSizes(const Formula& formula);
 
 }  // namespace tubeplan::deflection

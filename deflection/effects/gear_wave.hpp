@@ -1,4 +1,4 @@
-// A gear with an error once per turn of its input: a wave of short period in the joint's reading.
+// A gear with a cyclic error once per turn of its input: a wave of short period over the joint's reading.
 //
 // Law: true joint value = reading + A sin(N q) + B cos(N q).
 // Symbols: A, B amplitudes [rad]; N gear ratio stated in the arm file (joint.gear_ratio); q reading [rad].

@@ -1,9 +1,10 @@
-// A compliant joint under weights that the file does not state, as a few products of compliance and weight.
+// A compliant joint under weights that the arm file does not state, described by three products of compliance and
+// weight.
 //
 // Law: rotation about the joint's axis z = z . [(x u_x + y u_y) + (p_T - p_J) w / (1 m)] x g.
-// Symbols: x, y the row's axes perpendicular to z; u_x, u_y rotation [rad] due to the joint's own part where x or y is
-//      level; w rotation [rad] due to the weight at the tip, where the tip is level and 1 m away; p_T, p_J positions of
-//      tip and joint [m]; g direction of gravity.
+// Symbols: x, y the row's axes perpendicular to z; u_x, u_y rotation [rad] due to the weight of the link itself while x
+//      or y is horizontal; w rotation [rad] due to the weight at the tip while the tip is level with the joint and 1 m
+//      away; p_T, p_J positions of tip and joint [m]; g direction of gravity.
 // Validity: linear, in the undeflected shape. If the arm's weights are stated, joint stiffness describes the same sag.
 // Source: compliance times the first moment of mass, as base parameters of gravity: Gautier and Khalil 1990, "Direct
 //      calculation of minimum set of inertial parameters of serial robots".

@@ -2,7 +2,8 @@
 //
 // Law: the direction of gravity is rotated by the rotation vector (wx, wy, 0) in base axes; the geometry is unchanged.
 // Symbols: wx, wy [rad].
-// Validity: angles far below one radian, where their order does not matter; a rotation about gravity has no effect.
+// Validity: angles far below one radian, so that the order of the two rotations does not matter. A rotation about
+//      gravity itself has no effect.
 // Source: statics; the tilt of an instrument's vertical axis in levelling.
 #pragma once
 

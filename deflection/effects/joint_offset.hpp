@@ -1,7 +1,7 @@
 // An offset of a joint's zero.
 //
 // Law: true joint value = reading + d.
-// Symbols: d offset [rad; m on a slide].
+// Symbols: d offset [rad; m for a prismatic joint].
 // Validity: the same for every reading.
 // Source: Craig, Introduction to Robotics; the first of the geometric errors in Klimchik et al. (arXiv 1211.5739).
 #pragma once

@@ -2,7 +2,8 @@
 //
 // Law: curvature = b M about the row's axis projected perpendicular to the member (elements/beam.hpp); b = 1/(E I).
 // Symbols: b [1/(N m^2)], M moment about that axis [N m].
-// Validity: as for the beam. A member bends about two axes: the row's axis nearest to the member is no place.
+// Validity: as for the beam. A member bends about two axes, so the effect cannot act about the row's axis nearest to
+//      the member's direction.
 // Source: Calkins 1994, eq. 2.8 to 2.16.
 #pragma once
 

@@ -1,4 +1,4 @@
-// A link whose far joint axis is not parallel to its near joint axis.
+// A link whose two joint axes, drawn nearly parallel, lean relative to each other.
 //
 // Law: the next row's frame is rotated by dbeta about its own y axis, before its joint rotates it.
 // Symbols: dbeta [rad].

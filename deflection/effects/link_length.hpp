@@ -2,7 +2,7 @@
 //
 // Law: a to the next frame = a drawn + dL; a row placed as in URDF is moved along its own position vector.
 // Symbols: dL [m].
-// Validity: geometry only; a distributed weight grows with the length. The last row is no place: see tool-offset.
+// Validity: geometry only; a distributed weight grows with the length. Not for the last row: see tool-offset.
 // Source: Denavit and Hartenberg 1955, as modified by Craig; Klimchik et al. (arXiv 1211.5739).
 #pragma once
 
@@ -25,7 +25,8 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   std::get<Origin<S>>(next.placement).position += drawn * S(effect.values[0] / sqrt(drawn.squaredNorm()));
 }
 
-/// Returns true if the link has a direction to grow along: its next frame is at another position.
+/// Returns true if the link has a direction along which it can grow: the next frame is placed by Denavit-Hartenberg
+/// parameters, or its origin differs from the link's own.
 inline bool hasPlace(const Arm& arm, int row) {
   if (row + 1 == static_cast<int>(arm.rows.size())) return false;
   const auto* origin = std::get_if<Origin<double>>(&arm.rows[row + 1].placement);

@@ -1,4 +1,4 @@
-// A link whose far joint axis is twisted.
+// A link that is twisted about its own length, so that its far joint axis is rotated relative to the drawing.
 //
 // Law: alpha to the next frame = alpha drawn + dalpha; for a row placed as in URDF, dalpha is added to the roll.
 // Symbols: dalpha [rad].

@@ -16,7 +16,8 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   context.arm.rows[effect.place.row].weight.end += effect.values[0];
 }
 
-/// Returns the lower bound [N]: a link cannot lose more than its end weight, lumps and distributed weight.
+/// Returns the lower bound of the added weight [N]: a link cannot lose more than its end weight, lumps and distributed
+/// weight.
 inline double least(const Arm& arm, const Place& place) {
   return -rowWeightOf(arm, static_cast<std::size_t>(place.row)).weight;
 }

@@ -1,4 +1,4 @@
-// An effect of an arm: its law, place and values. See effects/effect.hpp for the laws.
+// An effect of an arm: its kind, place and values. See effects/effect.hpp for the kinds.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,8 @@ namespace tubeplan::deflection {
 
 struct Formula;
 
-/// Place of an effect. Members that the place rule does not use are -1; indices are row indices of the arm.
+/// Place of an effect. Members that the kind's PlaceRule does not use are -1; `row` and `other` are row indices of the
+/// arm.
 struct Place {
   int row = -1;
   int axis = -1;           ///< 0, 1, 2: x, y, z axis of the row

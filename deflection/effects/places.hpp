@@ -1,4 +1,4 @@
-// The places of an arm at which effects can act, for each rule of places.
+// Lists of the places of an arm at which effects of different kinds can act.
 #pragma once
 
 #include "deflection/effects/effect.hpp"
@@ -11,7 +11,8 @@ std::vector<Place> ofRevoluteJoints(const Arm& arm);
 /// Returns every ordered pair of two joints of the same type: joint `row` is driven by joint `other`.
 std::vector<Place> ofJointPairs(const Arm& arm);
 
-/// Returns every pair of a slide and a revolute joint: the slide `row` is driven by the joint `other`.
+/// Returns every pair of a prismatic and a revolute joint: the prismatic joint `row` is driven by the revolute joint
+/// `other`.
 std::vector<Place> ofSlidesTurned(const Arm& arm);
 
 std::vector<Place> ofRows(const Arm& arm);

@@ -2,7 +2,7 @@
 //
 // Law: measured coordinate = (1 + e) * true world coordinate.
 // Symbols: e [1].
-// Validity: one instrument in the world frame; the arm itself does not change.
+// Validity: all coordinates are measured by one instrument in the world frame; the arm itself does not change.
 // Source: calibration of length-measuring instruments.
 #pragma once
 

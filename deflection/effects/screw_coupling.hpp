@@ -1,6 +1,7 @@
-// A slide that a rotating joint also moves along its screw, as on the ball screw spline of a SCARA's last axes.
+// A prismatic joint that a revolute joint also moves along their common screw, as on the ball screw spline of a SCARA's
+// last axes.
 //
-// Law: true position of the slide = reading of the slide + travel * reading of the rotating joint, as in
+// Law: true value of the prismatic joint = its reading + travel * reading of the revolute joint, as in
 //      joint_coupling.hpp.
 // Symbols: travel [m/rad]: lead of the screw per rotation angle, if the controller does not compensate for it.
 // Validity: readings counted from the encoders' zeros.

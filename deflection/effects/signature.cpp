@@ -14,13 +14,13 @@ namespace {
 using Eigen::Index, Eigen::Matrix3Xd, Eigen::Vector3d;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-// Weight of a change with a condition relative to a change with a joint, because few laws depend on a condition.
+// Weight of a tip shift that changes with a condition or direction (1 for the load): few laws depend on these.
 constexpr double kOfCondition = 5;
-constexpr double kOfOwnJoint = 3;  // weight of a change with the effect's own joint
-constexpr double kOfReach = 1e-9;  // shift that may be rounding alone, as a fraction of the reach
-constexpr double kOfRange = 0.05;  // least distance from a joint's limits, as a fraction of the joint's range
+constexpr double kOfOwnJoint = 3;  // weight of a tip shift that changes with the effect's own joint
+constexpr double kOfReach = 1e-9;  // tip shift that may be due to rounding alone, as a fraction of the reach
+constexpr double kOfRange = 0.05;  // smallest distance from a joint's limits, as a fraction of its range
 
-/// Returns the effect at half of its plausible magnitude; an event occurs halfway through the sweep of time.
+/// Returns the effect at half of its plausible magnitude. A step in time occurs halfway through the sweep of time.
 Effect ofUsualSize(const Arm& arm, Effect effect) {
   const auto& numbers = numbersOf(effect);
   for (std::size_t v = 0; v < numbers.size(); ++v) {
@@ -88,7 +88,8 @@ class Sweeper {
           [&](Posture& posture, double at) { posture.conditions[kind.condition] = at; });
   }
 
-  /// Returns the shift of the tip in tool axes [m], so that a rotation of the first joint does not rotate the shift.
+  /// Returns the tip's shift due to the effect in the last row's axes [m], so that a rotation of the first joint does
+  /// not rotate the shift.
   [[nodiscard]] Vector3d shiftAt(const Posture& posture) const {
     const auto without = solveFlexibleKinematics(without_, posture), with = solveFlexibleKinematics(with_, posture);
     if (without.status != KinematicsStatus::kConverged || with.status != KinematicsStatus::kConverged)
@@ -118,7 +119,8 @@ class Sweeper {
     return row == place.row || row == place.other ? kOfOwnJoint : 1;
   }
 
-  /// Adopts the signature of a sweep; the axis along which the shifts change most becomes the plotted axis.
+  /// Keeps the signature of a sweep if the weighted change of its shifts exceeds that of all sweeps before. The
+  /// reported shift is the component along the axis on which the shifts change most.
   void take(Signature found, const Matrix3Xd& shifts) {
     Matrix3Xd changes(3, 0);
     for (Index k = 0; k < shifts.cols(); ++k) {

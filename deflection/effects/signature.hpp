@@ -20,15 +20,15 @@ struct Signature {
   std::optional<EffectVariable> kind;  ///< joint, direction, load or a condition; empty: the tip does not move
   int joint = -1;                      ///< joint index for kJoint and kDirection; else -1
   std::vector<double> at;              ///< values of the variable [rad, m, N, condition unit]; -1 and 1 for a direction
-  /// Shift of the tip along one axis of the tool frame [m]; NaN where the arm has no equilibrium.
+  /// Shift of the tip along a fixed direction in the last row's axes [m]; NaN where the arm has no equilibrium.
   std::vector<double> shift;
 };
 
 /// Computes the signature of an effect at half of its plausible magnitude, at one posture away from the joint limits;
 /// the arm's other effects are unchanged. Each joint, each direction, the load and each condition is swept in turn. The
-/// chosen sweep is the one over which the tip's shift in the tool frame changes most; variables other than joints, and
-/// the effect's own joint, count more than other joints. The reported shift is the component along the axis of that
-/// change.
+/// chosen sweep is the one over which the tip's shift in the last row's axes changes most; conditions, directions and
+/// the effect's own joint count more than other joints and the load. The reported shift is the component along the axis
+/// of that change.
 [[nodiscard]] Signature signatureOf(const Arm& arm, const Effect& effect, const Eigen::Vector3d& gravity_B,
                                     const SignatureOptions& options = {});
 

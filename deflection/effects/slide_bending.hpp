@@ -1,9 +1,9 @@
-// A slide that is more compliant the farther it is extended, because less of the slide overlaps its bearing.
+// A prismatic joint that is more compliant the farther it is extended, because less of its bar lies within the guide.
 //
-// Law: rotation = M (c1 s + c2 s^2 + c3 s^3) about the axis, at the slide's guide.
-// Symbols: s extension of the slide: its reading above the lower limit, divided by the range, if limits are stated;
-//      else its reading in metres; c1 to c3 [rad/(N m)] at s = 1; M moment about the axis at the guide [N m].
-// Validity: small rotations; readings that grow as the slide is extended. The compliance at s = 0 is joint-compliance.
+// Law: rotation = M (c1 s + c2 s^2 + c3 s^3) about the axis, at the guide.
+// Symbols: s extension: if limits are stated, the reading above the lower limit, divided by the range; else the reading
+//      in metres; c1 to c3 [rad/(N m)] at s = 1; M moment about the axis at the guide [N m].
+// Validity: small rotations; readings that grow as the bar is extended. The compliance at s = 0 is joint-compliance.
 // Source: two bearings separated by the overlap L - s have a compliance proportional to 1 / (L - s)^2, whose series in
 //      s / L has no negative term; the series is taken to third order.
 #pragma once
@@ -27,7 +27,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   const auto& joint = context.given.rows[row].joint;
   const S reading = context.asked.q[jointIndexOf(context.given, row)];
   const S along = hasRange(joint) ? S((reading - S(joint.lower)) / S(joint.upper - joint.lower)) : reading;
-  const S out = along > S(0) ? along : S(0);  // a fully retracted slide has no such compliance
+  const S out = along > S(0) ? along : S(0);  // a fully retracted bar has no such compliance
   EffectTerms<S>& effect_terms = effectTermsOf(context, row);
   effect_terms.joint_is_compliant = true;
   effect_terms.compliance[effect.place.axis] +=

@@ -1,4 +1,4 @@
-// A joint that is soft under small moments and stiff beyond a knee: the torsional stiffness of a harmonic drive.
+// A joint that is more compliant under small moments than beyond a knee moment, as a harmonic drive is in torsion.
 //
 // Law: rotation = (M + s clamp(M, -M1, M1)) / K, with K the axis's own stiffness, which applies on the stiff branch
 //      (elements/joint_stiffness.hpp). The soft branch has the stiffness K1 = K / (1 + s).

@@ -1,10 +1,10 @@
 // Links that grow with temperature.
 //
-// Law: length = length drawn (1 + x (T - T0)), for a, d or position of every row after the first row with a joint, and
-//      for the tip.
+// Law: length = length drawn (1 + x (T - T0)), for a, b and d or the position of every row after the first row with a
+//      joint, and for the tip.
 // Symbols: x expansion [1/K], T the posture's temperature [K], T0 the arm's reference temperature [K].
-// Validity: one temperature and one expansion for the whole arm; readings of slides do not grow. Parts before the first
-//      joint belong to the base.
+// Validity: one temperature and one expansion for the whole arm; readings of prismatic joints do not grow. Parts before
+//      the first joint belong to the base.
 // Source: linear thermal expansion; 2.3e-5 1/K for aluminium, 1.2e-5 for steel.
 #pragma once
 

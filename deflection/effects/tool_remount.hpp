@@ -1,9 +1,10 @@
-// A tool or target that was remounted: in one set-up, the tip is at another position than in the other set-ups.
+// A tool or target that was remounted: in one set-up, the tip's position in the last row's frame differs from that in
+// the other set-ups.
 //
 // Law: in the named set-up, tip in the last row's frame = tip in the other set-ups + (x, y, z).
 // Symbols: x, y, z [m].
 // Validity: rigid; constant throughout the set-up.
-// Source: geometry; a known error of measuring campaigns with several mountings.
+// Source: geometry; a known error of measurement campaigns with several set-ups.
 #pragma once
 
 #include "deflection/effects/places.hpp"

@@ -4,7 +4,7 @@
 //      move.
 // Symbols: v [rad], a rotation vector.
 // Validity: geometry only; observable in measured rotations of the tool and in points of the tool away from its tip.
-//      The axis along which the tool enters a hole is the tool's own and does not rotate.
+//      The axis along which the tool enters a hole does not rotate with the tool frame.
 // Source: Everett 1987 (six parameters of a mechanism's tool, three of them for the tip).
 #pragma once
 

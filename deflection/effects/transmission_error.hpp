@@ -1,4 +1,4 @@
-// A gear with an error of two periods per turn, such as from an oval ring or an elliptic bearing of the joint.
+// A gear with an error of two periods per turn of the joint, due for example to an oval ring or an elliptic bearing.
 //
 // Law: true joint angle = reading + A sin(2 q) + B cos(2 q).
 // Symbols: q reading [rad], A, B amplitudes [rad].
