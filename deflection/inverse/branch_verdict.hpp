@@ -22,7 +22,7 @@ std::string wrapIntoLimits(const Arm& arm, Eigen::VectorXd& q);
 /// Sets the status and reason of a branch from its residuals.
 void judge(const Arm& arm, const InverseKinematicsOptions& options, Branch& branch);
 
-/// Returns true if two postures are equal modulo whole turns.
+/// Returns true if two postures are nearly equal modulo whole turns.
 [[nodiscard]] bool isSameBranch(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
 /// Sorts usable branches first, and copies the status and reason of the best branch to the result.

@@ -159,7 +159,8 @@ void ClosedLoop<Size>::setInner(const Unknowns& v, double x, VectorXd& q) const 
     q[static_cast<Eigen::Index>(joint)] =
         zero_[joint] + (slides_[joint] ? numerator / denominator : 2 * std::atan2(numerator, denominator));
   };
-  // Sets a joint from the ratio of successive powers, `step` entries apart, at the pair with the largest powers.
+  // Sets a joint from the ratio of two successive powers of its unknown, `step` entries apart, at the pair with the
+  // largest magnitude.
   const auto setRatio = [&](std::size_t joint, int step, int powers) {
     int best = 0;
     for (int i = 0; i + step < kUnknowns; ++i)
@@ -231,7 +232,8 @@ void ClosedLoop<Size>::addRoots(const Vector3d& p_B, const Vector3d& axis_B, dou
     if (x.imag() < 0) continue;
     const double imaginary = slides_[kOuter] ? x.imag() : 2 * x.imag() / (1 + x.real() * x.real());
     if (!(imaginary <= most_imaginary)) continue;
-    // If the perturbed axes have made two roots complex, the real roots may lie on either side.
+    // If the perturbation of the axes has made two roots complex, the real roots of the unperturbed chain may lie on
+    // either side.
     for (const double aside : {-1., 1.}) {
       VectorXd q = readingsAt(sides, x.real() + aside * x.imag());
       if (q.allFinite()) roots.push_back(std::move(q));

@@ -1,12 +1,13 @@
 // All readings of a rigid chain that meet a goal, found together: the roots of the chain's closure equations, from the
 // eigenvalues of a matrix polynomial (Manocha and Canny 1994, "Efficient inverse kinematics for general 6R
 // manipulators", IEEE Trans. Robot. Automat. 10). Three joints control a position, with at most four postures. Five
-// joints control a position and an axis with free roll about the axis, with at most sixteen postures. Slides are
-// treated as other joints are.
+// joints control a position and an axis with free roll about the axis, with at most sixteen postures. Prismatic joints
+// are treated in the same way as revolute joints.
 //
-// The roots are those of a chain whose axes are perturbed by a ten-thousandth, so that no design is a special case of
-// the equations. Parallel or intersecting axes, which would make matrices singular, then only make them nearly
-// singular. Iterations lead from these roots to postures of the unperturbed chain. Internal to the inverse kinematics.
+// The roots are those of a chain whose axes are perturbed by a ten-thousandth of the reach and 1e-4 rad, so that no
+// design is a special case of the equations. Parallel or intersecting axes, which would make matrices singular, then
+// only make them nearly singular. Iterations lead from these roots to postures of the unperturbed chain. Internal to
+// the inverse kinematics.
 #pragma once
 
 #include <vector>
@@ -15,19 +16,19 @@
 
 namespace tubeplan::deflection {
 
-/// The closure of a chain with lengths in units of the chain's reach and slightly perturbed axes.
+/// The closure equations of a chain, with lengths in units of the chain's reach and slightly perturbed axes.
 template <int Size>
 struct ClosureChain {
   std::vector<JointClosure<Size>> joints;
-  Closure<Size> tool;  ///< tool at zero readings
+  Closure<Size> tool;  ///< quantities of the tool at zero readings
   double reach;        ///< reach of the chain [m]
 };
 
-/// Returns the closure of a chain; `reach` is the unit of length of the equations [m].
+/// Returns the closure equations of a chain; `reach` is their unit of length [m].
 template <int Size>
 ClosureChain<Size> closureChain(const AxesAtZero& axes, double reach);
 
-/// Returns the closure of the chain with its k-th joint held at `reading` [rad, m].
+/// Returns the closure equations of the chain with its k-th joint held at `reading` [rad, m].
 template <int Size>
 ClosureChain<Size> withJointHeld(ClosureChain<Size> chain, std::size_t k, double reading);
 
@@ -41,18 +42,18 @@ class ClosedLoop {
   /// `chain` must have kJoints joints.
   explicit ClosedLoop(const ClosureChain<Size>& chain);
 
-  /// Adds readings near the readings that meet the goal. Complex roots with an imaginary part up to `most_imaginary`
-  /// [rad] are included: two postures nearly coincide there, or would on a flexible arm.
+  /// Adds approximations of the readings that meet the goal. Complex roots with an imaginary part up to
+  /// `most_imaginary` [rad] are included, because two postures may nearly coincide there on a flexible arm.
   void addRoots(const Eigen::Vector3d& p_B, const Eigen::Vector3d& axis_B, double most_imaginary,
                 std::vector<Eigen::VectorXd>& roots) const;
 
  private:
-  static constexpr int kOuter = Size == kLineSize ? 2 : 1;       ///< joints next to the goal
-  static constexpr int kEliminated = Size == kLineSize ? 2 : 1;  ///< joints next to the tool
+  static constexpr int kOuter = Size == kLineSize ? 2 : 1;       ///< number of joints next to the goal
+  static constexpr int kEliminated = Size == kLineSize ? 2 : 1;  ///< number of joints next to the tool
   static constexpr int kOuterTerms = Size == kLineSize ? 9 : 3, kInnerTerms = kOuterTerms;
-  /// Equations that remain after elimination of the outer joints.
+  /// Number of equations that remain after elimination of the outer joints.
   static constexpr int kEquations = Size == kLineSize ? 6 : 2;
-  static constexpr int kUnknowns = 2 * kEquations;  ///< unknowns of the matrix polynomial
+  static constexpr int kUnknowns = 2 * kEquations;  ///< number of unknowns of the matrix polynomial
   static_assert(kUnknowns == (Size == kLineSize ? 12 : 4));
 
   using Outer = Eigen::Matrix<double, Size, kOuterTerms>;

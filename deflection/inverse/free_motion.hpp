@@ -10,9 +10,9 @@ class FreeMotion {
  public:
   explicit FreeMotion(Eigen::Index joints) : projector_(Eigen::MatrixXd::Identity(joints, joints)) {}
 
-  /// Returns the shortest free step that brings `slope` * step nearest to `wanted`, and removes the directions of the
-  /// step from the free motion. Directions in which a unit of free motion changes the goal by less than `floor` are
-  /// ignored. `Rows` is the largest number of rows of `slope`, or Eigen::Dynamic.
+  /// Returns the shortest free step that brings `slope` * step as close as possible to `wanted`, and removes the
+  /// directions that this uses from the free motion. Directions in which a unit of free motion changes the goal by less
+  /// than `floor` are ignored. `Rows` is the largest number of rows of `slope`, or Eigen::Dynamic.
   template <int Rows>
   Eigen::VectorXd take(const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Rows, Eigen::Dynamic>& slope,
                        const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Rows, 1>& wanted, double floor);

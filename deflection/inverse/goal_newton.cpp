@@ -13,17 +13,17 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Dynamic, Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
-constexpr double kPlaceFloor = 1e-4;  ///< least derivative of the position per reach that counts as motion
-/// Weight of the position residual, in reaches, relative to the tilt in rad, in the merit of a step.
+constexpr double kPlaceFloor = 1e-4;  ///< smallest derivative of the position / reach that counts as motion
+/// Weight of the position residual (as a fraction of the reach), relative to the tilt [rad], in the merit of a posture.
 constexpr double kPlaceWeight = 10;
-constexpr double kLimitWeight = 2;          ///< weight of the scaled excess over joint limits
-constexpr double kIntoLimits = 1e-3;        ///< shortest scaled step into the limits that continues the iteration
-constexpr double kLongestScaledStep = 0.5;  ///< longest step of any joint, scaled
-constexpr double kLeastShare = 0.1;         ///< least fraction of a step that is tried
+constexpr double kLimitWeight = 2;          ///< weight of the excess over joint limits [rad, reaches]
+constexpr double kIntoLimits = 1e-3;        ///< step into the limits below which the iteration may end [rad, reaches]
+constexpr double kLongestScaledStep = 0.5;  ///< longest step of any joint [rad, reaches]
+constexpr double kLeastShare = 0.1;         ///< smallest fraction of a step that is tried
 constexpr int kMostStrikes = 4;             ///< steps without improvement at any length before the start is abandoned
 constexpr std::size_t kSideBySide = 32;
 
-/// Returns the smallest singular value of the derivatives of the position, for a turret arm together with those of the
+/// Returns the smallest singular value of the derivatives of the position and, if `with_lean` (for turret arms), of the
 /// pitch.
 double smallestSingularValue(const GoalResidual& r, bool with_lean) {
   const Index rows = r.by_off.rows() + (with_lean ? r.by_lean.rows() : 0);
@@ -37,12 +37,12 @@ double smallestSingularValue(const GoalResidual& r, bool with_lean) {
 }
 
 struct GoalStep {
-  VectorXd joints;         ///< step of the joints, scaled
-  double lean = 0;         ///< reduction of the tilt [rad]
-  double into_limits = 0;  ///< length of the part that moves joints into their limits, scaled
+  VectorXd joints;         ///< step of the joints [rad, reaches]
+  double lean = 0;         ///< predicted reduction of the tilt [rad]
+  double into_limits = 0;  ///< length of the part that moves joints into their limits
 };
 
-/// Adds to the step a motion of joints back into their limits, as far as goals of higher rank leave it free.
+/// Adds to the step a motion of joints back into their limits, as far as the position and the tilt leave it free.
 void addWayIntoLimits(const GoalProblem& problem, const VectorXd& q, FreeMotion& free, GoalStep& step) {
   std::vector<Index> past;
   for (Index k = 0; k < q.size(); ++k)
@@ -120,7 +120,7 @@ class Lead {
       there_ = q_ + share_ * whole_;
       return true;
     }
-    // If even the shortest step does not improve the merit, it is taken nevertheless, a few times.
+    // If even the shortest step does not reduce the merit, take it nevertheless, up to kMostStrikes times.
     if (next_.isFinite()) take();
     if (++strikes_ == kMostStrikes) return false;
     ++iterations_;

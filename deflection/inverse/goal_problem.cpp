@@ -12,7 +12,7 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
-constexpr double kWithin = 0.02;  ///< scaled distance inside the limits to which a joint outside its limits is led
+constexpr double kWithin = 0.02;  ///< joints beyond a limit are led this far inside it [rad, reaches]
 
 /// Adds the pitch residual of a turret arm: the tilt about the axis h of the last joint, which moves with the tool.
 void addPitch(const Vector3d& n, const TipMotion& tip, GoalResidual& out) {
@@ -26,11 +26,12 @@ void addPitch(const Vector3d& n, const TipMotion& tip, GoalResidual& out) {
   }
 }
 
-/// Adds the rotation from the tool axis to the goal axis, about two directions perpendicular to the tool.
+/// Adds the direction residual of other arms: the rotation from the tool axis to the goal axis, about two directions
+/// perpendicular to the tool axis.
 void addLean(const Vector3d& n, const TipMotion& tip, GoalResidual& out) {
   const Vector3d t = tip.axis, across = t.cross(n);
   const double sine = across.norm();
-  // For a tool that points the opposite way, a rotation about any perpendicular direction is right.
+  // If tool axis and goal axis are parallel or opposite, any perpendicular direction can serve as the rotation axis.
   const Vector3d u = sine > 1e-12 ? Vector3d(across / sine) : Vector3d(t.unitOrthogonal()), v = t.cross(u);
   out.lean.resize(2);
   out.lean << out.tilt, 0;

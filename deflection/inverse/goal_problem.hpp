@@ -10,7 +10,8 @@
 
 namespace tubeplan::deflection {
 
-/// Computes the tip and its motion at each column of q [rad, m], for the flexible or the rigid arm.
+/// Computes the tip and its derivatives at the readings in each column of q [rad, m], for the flexible or the rigid
+/// arm.
 using PlaceTips = std::function<void(const Eigen::Ref<const Eigen::MatrixXd>& q, std::span<TipMotion> tips)>;
 
 /// Returns the function that computes the deflected tip under a load [N]. `arm` must outlive the function.
@@ -19,12 +20,12 @@ using PlaceTips = std::function<void(const Eigen::Ref<const Eigen::MatrixXd>& q,
 /// Returns the function that computes the tip of the rigid arm. `axes` must outlive the function.
 [[nodiscard]] PlaceTips rigidTips(const AxesAtZero& axes);
 
-/// Derivatives of up to three equations with respect to scaled joints.
+/// Derivatives of up to three equations with respect to the scaled joints of GoalResidual.
 using GoalSlopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, Eigen::Dynamic>;
 using GoalSides = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
 
-/// Residual of a posture at its goal, and its derivatives with respect to scaled joints (rad; slides as fractions of
-/// the reach).
+/// Residual of a posture at its goal, and its derivatives with respect to scaled joints (revolute joints in rad,
+/// prismatic joints as fractions of the reach).
 struct GoalResidual {
   GoalSides off;  ///< residual of the position as a fraction of the reach, 3 rows
   /// Residual of the tool's direction [rad]: for a turret arm the pitch about its last joint, 1 row; for other arms the
@@ -46,8 +47,8 @@ class GoalProblem {
   /// Computes the residual of a tip; scales `tip.columns` in place.
   void evaluate(const ToolGoal& goal, TipMotion& tip, GoalResidual& residual) const;
 
-  /// Returns the scaled distance of the k-th reading, modulo whole turns, from a value just inside the joint's limits;
-  /// zero if the reading is within them.
+  /// Returns how far the k-th reading, wrapped by whole turns, lies beyond its nearer limit (negative below the lower
+  /// limit), plus a small margin, divided by scale(). Zero if the reading is within the limits.
   [[nodiscard]] double pastLimit(Eigen::Index k, double reading) const;
   [[nodiscard]] double mostPastLimits(const Eigen::Ref<const Eigen::VectorXd>& q) const;
 

@@ -19,7 +19,7 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
-constexpr int kStraightSteps = 12;  ///< steps without damping; goals that need more are solved one by one
+constexpr int kStraightSteps = 12;  ///< largest number of undamped steps; other goals are led again with damping
 
 simd::Tool toolOf(const Arm& arm, const simd::RevoluteChain& chain) {
   const simd::TurnDirection& last = chain.lastAxis();
@@ -50,7 +50,7 @@ Branch branchOf(const simd::Reached& reached, std::size_t lane) {
 
 }  // namespace
 
-/// The iteration from starts to goals: in kernels if possible, else one by one.
+/// The iteration from starts to goals: by kernels if possible, else by leadToGoals().
 class InverseSolver::Parts {
  public:
   Parts(const Arm& arm, double load, const Vector3d& gravity_B, const InverseKinematicsOptions& asked)
@@ -62,8 +62,8 @@ class InverseSolver::Parts {
     std::vector<std::size_t> open(goals.size());
     std::iota(open.begin(), open.end(), std::size_t{0});
     const simd::RevoluteChain* chain = prepared_.revoluteChain();
-    // Most goals are met without damping. Damped steps for the others, in the same pass, would make neighbouring lanes
-    // wait.
+    // Most goals are met without damping. The others are led in a second pass, because damped steps would make
+    // neighbouring lanes wait.
     if (branches.isTurret() && chain && chain->hasJacobian())
       for (const bool damped : {false, true}) open = leadSideBySide(*chain, goals, starts, open, damped, found);
     leadOthers(goals, starts, open, found);
@@ -75,8 +75,7 @@ class InverseSolver::Parts {
   StartPostures branches;
 
  private:
-  /// Leads the starts in `which` that a kernel can lead to their goals, or as near as possible; returns the remaining
-  /// indices.
+  /// Leads the starts with indices `which` by kernels. Returns the indices of the starts that the kernels abandoned.
   std::vector<std::size_t> leadSideBySide(const simd::RevoluteChain& chain, std::span<const ToolGoal> goals,
                                           std::span<const VectorXd> starts, std::span<const std::size_t> which,
                                           bool damped, std::vector<Branch>& found);
@@ -88,7 +87,7 @@ class InverseSolver::Parts {
   double load_;
   Vector3d gravity_B_;
   PreparedArm prepared_;
-  std::optional<GoalProblem> problem_;  ///< created if kernels leave goals unsolved
+  std::optional<GoalProblem> problem_;  ///< created when kernels first leave goals unsolved
 };
 
 std::vector<std::size_t> InverseSolver::Parts::leadSideBySide(const simd::RevoluteChain& chain,
@@ -148,7 +147,7 @@ void InverseSolver::Parts::leadOthers(std::span<const ToolGoal> goals, std::span
   std::vector<Branch> led = leadToGoals(*problem_, goal_of, from);
   for (std::size_t n = 0; n < which.size(); ++n) found[which[n]] = std::move(led[n]);
   if (!dependsOnPosture(arm_)) return;
-  // If an effect scales a reading, a whole turn moves the tip, so the goal is solved again from the wrapped reading.
+  // If an effect scales a reading, wrapping it by a whole turn moves the tip, so the goal is solved again from there.
   std::vector<std::size_t> turned;
   goal_of.clear(), from.clear();
   for (const std::size_t k : which) {
@@ -189,8 +188,7 @@ std::vector<InverseKinematics> InverseSolver::solve(std::span<const ToolGoal> go
       Branch& branch = found[k];
       const bool known = std::any_of(branches.begin(), branches.end(),
                                      [&](const Branch& other) { return isSameBranch(other.q, branch.q); });
-      // A posture found by the search near the goal is no branch if the flexible arm does not reach the goal from
-      // there.
+      // A rigid posture near the goal does not give a branch if the flexible arm does not reach the goal from it.
       if (!known && (parts_->branches.isTurret() || branch.position_error < parts_->options.position_tolerance))
         branches.push_back(std::move(branch));
     }

@@ -14,13 +14,14 @@ struct InverseKinematicsOptions {
   double position_tolerance = 1e-10;  ///< tolerance of the deflected tip [m]
   double pitch_tolerance = 1e-10;     ///< tolerance of the tilt that the joints can still reduce [rad]
   int max_iterations = 60;
-  /// Smallest allowed singular value of the scaled Jacobian (tip motion per reach, and pitch of turret arms, per rad).
-  /// For other arms, a tilt that the joints change by less than this value per rad is accepted.
+  /// Smallest allowed singular value of the scaled Jacobian: of the tip's motion as a fraction of the reach and, for
+  /// turret arms, of the pitch, per rad. Other arms leave a tilt that the joints change by less than this value per
+  /// rad.
   double singular_floor = 0.01;
-  /// Largest allowed angle between tool axis and goal axis [rad]; branches with a larger angle are refused.
+  /// Largest allowed angle between tool axis and goal axis [rad]; branches with a larger angle get kTiltTooLarge.
   double max_tilt = std::numbers::pi / 2;
-  int lattice_starts = 256;  ///< start postures of the rigid search if there is no closed form
-  int most_branches = 48;    ///< number of lattice starts, as different as possible, that are followed further
+  int lattice_starts = 256;  ///< number of start postures for arms without a closed form or closure equations
+  int most_branches = 48;    ///< largest number of rigid postures, mutually different, that start the flexible solution
   FlexibleKinematicsOptions kinematics{1e-13, 100};
 };
 
@@ -46,9 +47,9 @@ struct InverseKinematics {
   std::vector<Branch> branches;  ///< all branches, converged branches first, in a fixed order
 };
 
-/// Returns all branches: rigid solutions (closed forms of turrets and wrists, else roots of the chain's closure), each
-/// led to the goal on the flexible arm. The deflected tip is at the goal position, and the tilt is the smallest that
-/// the joints allow there. Any remaining freedom brings joints back within their limits.
+/// Returns all branches: rigid solutions (closed forms for turrets and wrists, else roots of the chain's closure
+/// equations), each led to the goal on the flexible arm. The deflected tip is at the goal position, and the tilt is the
+/// smallest that the joints allow there. Any remaining freedom brings joints back within their limits.
 [[nodiscard]] InverseKinematics solveInverseKinematics(const Arm& arm, const ToolGoal& goal, double load,
                                                        const Eigen::Vector3d& gravity_B,
                                                        const InverseKinematicsOptions& options = {});

@@ -12,8 +12,8 @@ namespace tubeplan::deflection {
 /// Returns an upper bound on the number of branches of a goal.
 [[nodiscard]] int mostBranches(const Arm& arm, const InverseKinematicsOptions& options);
 
-/// Solver for goals of one arm under one load; each thread needs its own object. The solution of a goal is
-/// bit-identical whatever goals are solved with it.
+/// Solves goals of one arm under one load; each thread needs its own object. The solution of a goal is bit-identical
+/// whatever goals are solved with it.
 class InverseSolver {
  public:
   /// `arm` must outlive this object, and must not change.

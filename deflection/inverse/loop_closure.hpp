@@ -1,10 +1,10 @@
 // The closure of a serial chain as equations that are linear in every joint (Raghavan and Roth 1993, "Inverse
 // kinematics of the general 6R manipulator and related linkages", J. Mech. Des. 115).
 //
-// A rigid motion moves a place p and an axis l. Fifteen quantities of p and l change linearly under every motion: l, p,
+// A rigid motion moves a point p and an axis l. Fifteen quantities of p and l change linearly under every motion: l, p,
 // p x l, (p.p) l - 2 (p.l) p, p.p, p.l and 1. The motion of a joint is a matrix of three terms, with factors 1, cos q
-// and sin q, or 1, d and d^2 for a slide. The five quantities p, p.p and 1 form a system of their own. Internal to the
-// inverse kinematics.
+// and sin q, or 1, d and d^2 for a prismatic joint. The five quantities p, p.p and 1 form a system of their own.
+// Internal to the inverse kinematics.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,7 +27,7 @@ Closure<kPlaceSize> placeClosure(const Eigen::Vector3d& p);
 template <int Size>
 using JointTerms = std::array<Eigen::Matrix<double, Size, Size>, 3>;
 
-/// A joint's motion in terms of 1, cos q and sin q (1, d and d^2 for a slide).
+/// A joint's motion in terms of 1, cos q and sin q (1, d and d^2 for a prismatic joint).
 template <int Size>
 struct JointClosure {
   JointTerms<Size> forth, back;  ///< motion by q; motion by -q
@@ -39,11 +39,11 @@ template <int Size>
 JointClosure<Size> jointClosure(const AxesAtZero& axes, std::size_t k);
 
 /// Returns the coefficients of 1, x and x^2 in the motion multiplied by 1 + x^2, where x = tan((q - zero) / 2). For a
-/// slide, d = zero + x and the motion is not multiplied.
+/// prismatic joint, d = zero + x and the motion is not multiplied.
 template <int Size>
 JointTerms<Size> byHalfTangent(const JointClosure<Size>& joint, double zero);
 
-/// Returns the coefficients of 1, x and x^2 in 1 + x^2, or in the constant 1 for a slide.
+/// Returns the coefficients of 1, x and x^2 in 1 + x^2, or in the constant 1 for a prismatic joint.
 inline Eigen::Vector3d weightOf(bool slides) { return {1, 0, slides ? 0. : 1.}; }
 
 }  // namespace tubeplan::deflection

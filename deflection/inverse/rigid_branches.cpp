@@ -40,7 +40,7 @@ void addTurretBranches(const AxesAtZero& axes, const ToolGoal& goal, std::vector
     const Vector3d tip_goal = axes.point[0] + R.transpose() * p;
     const Vector2d axis = plane.direction(R.transpose() * goal.axis_B);
     if (axis.norm() < 1e-9) continue;
-    const double total = angleOf(axis);  // the tool's axis is along u at zero readings
+    const double total = angleOf(axis);  // the tool axis is along u at zero readings
     const Vector2d hand = plane(axes.tip) - plane(axes.point[3]);
     const Vector2d wrist_goal = plane(tip_goal) - turned(hand, total);
     for (const Vector2d& s : solveTwoLinks(plane(axes.point[2]), plane(axes.point[3]), wrist_goal)) {
@@ -61,8 +61,8 @@ std::vector<VectorXd> turretBranches(const Arm& arm, const ToolGoal& goal) {
 
 std::vector<VectorXd> latticeStarts(const Arm& arm, int count) {
   std::vector<VectorXd> starts;
-  // Kronecker lattice of the generalised golden ratio: evenly distributed in any number of dimensions, equal on every
-  // machine.
+  // Kronecker lattice of the generalised golden ratio: evenly distributed in any number of dimensions, and the same on
+  // every machine.
   const int n = static_cast<int>(arm.jointCount());
   double ratio = 2;
   for (int k = 0; k < 60; ++k) ratio = std::pow(1 + ratio, 1. / (n + 1));

@@ -1,4 +1,5 @@
-// All rigid postures with the tip at a position and the tool along an axis: the starts of the flexible solution.
+// Postures of the rigid arm with the tip at a position and the tool along an axis, from which the flexible solution
+// starts.
 #pragma once
 
 #include <vector>
@@ -19,12 +20,12 @@ bool isTurretArm(const Arm& arm);
 
 /// Returns the closed-form solutions for a turret arm, such as Calkins' Cobra: at most four joint vectors (front and
 /// back of the turret, elbow either way), with angles in (-pi, pi]. The solutions are exact if the last three axes are
-/// parallel, otherwise approximate. For a goal just beyond the rigid reach, postures near the goal are returned. Empty:
-/// out of reach.
+/// parallel, otherwise approximate. For a goal just beyond the rigid reach, postures near the goal are returned; for
+/// one out of reach, none.
 std::vector<Eigen::VectorXd> turretBranches(const Arm& arm, const ToolGoal& goal);
 
-/// Returns `count` postures of a deterministic low-discrepancy lattice over the joint limits (one turn for joints
-/// without limits).
+/// Returns `count` postures of a deterministic low-discrepancy lattice within the joint limits. Without limits, a
+/// revolute joint covers one turn and a prismatic joint twice the reach.
 std::vector<Eigen::VectorXd> latticeStarts(const Arm& arm, int count);
 
 }  // namespace tubeplan::deflection

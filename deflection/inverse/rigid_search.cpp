@@ -15,10 +15,10 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 constexpr int kProbes = 8;              ///< number of postures at which an arm's freedom is examined
-constexpr double kTurnsTheTool = 1e-3;  ///< least usable freedom to turn the tool, at the best probe [rad per rad]
+constexpr double kTurnsTheTool = 1e-3;  ///< smallest singular value of slopesAt() at which an arm can turn its tool
 constexpr double kNearlyReal = 0.2;     ///< largest imaginary part of complex roots that are used [rad]
-/// Number of slices, each with readings of the held joints or a rotation of the tool about its axis: for turret arms,
-/// which have a closed form; for one redundant joint; for several redundant joints.
+/// Number of slices, in each of which the held joints and the tool's rotation about its axis are fixed: for turret
+/// arms, which have a closed form; for one redundant joint; for several redundant joints.
 constexpr int kTurretSlices = 96, kSlicesOfOne = 24, kSlicesOfMore = 48;
 constexpr std::size_t kStride = 31;  ///< index step between tool rotations of successive slices; coprime to their count
 
@@ -41,8 +41,8 @@ AxesAtZero withJointHeld(AxesAtZero axes, std::size_t held, double q) {
   return axes;
 }
 
-/// Returns derivatives with respect to the joints: of the tip divided by the reach and, in the last two rows, of the
-/// tool axis in two perpendicular directions.
+/// Returns derivatives with respect to the joints: of the tip position divided by the reach and, in the last two rows,
+/// of the tool's rotation about two directions perpendicular to its axis.
 MatrixXd slopesAt(const AxesAtZero& axes, const VectorXd& q, double reach) {
   TipMotion tip;
   placeRigidTip(axes, q, tip);
@@ -71,8 +71,8 @@ std::vector<double> turnsRound(int count) {
   return turns;
 }
 
-/// Returns the joints to hold so that the first `rows` rows of the other joints' derivatives are as regular as possible
-/// on average.
+/// Returns the joints to hold so that the first `rows` rows of the other joints' derivatives are as far from singular
+/// as possible, on average over the probes.
 std::vector<int> heldJoints(const std::vector<MatrixXd>& slopes, Index rows) {
   const Index n = slopes.front().cols();
   double best = -1;
@@ -187,7 +187,8 @@ void RigidSearch::addFrom(const Slice& slice, const ToolGoal& goal, double most_
 }
 
 void RigidSearch::addPostures(const ToolGoal& goal, std::vector<VectorXd>& postures) const {
-  // Two postures that nearly coincide in one slice are separate in the next slice.
+  // Complex roots are not needed if slices sample the redundancy: postures that nearly coincide in a slice are distinct
+  // in the next.
   const double most_imaginary = isContinuum() ? 0 : kNearlyReal;
   for (const Slice& slice : slices_) addFrom(slice, goal, most_imaginary, postures);
 }

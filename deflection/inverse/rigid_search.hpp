@@ -18,22 +18,23 @@ class RigidSearch {
  public:
   enum class Hold { kPlaceAndAxis, kPlace };
   /// Prepares the search for an arm of three joints or more; `arm` provides the joint limits. If the arm cannot turn
-  /// its tool both ways with the tip held, or if only the position is to be held, the remaining joints do not control
-  /// the tool's direction.
+  /// its tool in two directions with the tip in place, or if `hold` is kPlace, the search ignores the tool's direction.
   RigidSearch(const Arm& arm, const AxesAtZero& axes, Hold hold = Hold::kPlaceAndAxis);
 
-  /// Adds readings near all postures with the tip at the goal position and, if the axis is to be held, the tool along
-  /// the goal axis. The order is the same for every goal. Adds nothing if there is no such posture.
+  /// Adds readings near all postures with the tip at the goal position and, if areUpright(), the tool along the goal
+  /// axis. The order is the same for every goal. Adds nothing if there is no such posture.
   void addPostures(const ToolGoal& goal, std::vector<Eigen::VectorXd>& postures) const;
 
-  /// Returns the joints that are held at sampled readings.
+  /// Returns the indices of the joints that are held at sampled readings.
   [[nodiscard]] std::span<const int> sampled() const { return held_; }
-  /// Returns true if the postures of a goal form a continuum, which is sampled.
+  /// Returns true if a goal leaves a continuous family of postures, which the search samples.
   [[nodiscard]] bool isContinuum() const { return !held_.empty() || form_ == Form::kWrist; }
-  /// Returns true if the postures found already have the tool along the goal axis.
+  /// Returns true if the search finds postures with the tool along the goal axis; otherwise it ignores the tool's
+  /// direction.
   [[nodiscard]] bool areUpright() const { return form_ != Form::kPlace; }
 
-  /// Adds the posture of the continuum that is most similar to `q`, if that posture meets the goal.
+  /// Adds the postures that meet the goal with the redundant joints at their readings in `q` and, for arms with a
+  /// wrist, the tool rotated about its axis as at `q`.
   void addPosturesLike(const ToolGoal& goal, const Eigen::VectorXd& q, std::vector<Eigen::VectorXd>& postures) const;
 
  private:

@@ -14,12 +14,12 @@ namespace {
 
 using Eigen::VectorXd;
 constexpr double kBends = 0.03;        ///< tip error that deflection may correct, as a fraction of the reach
-constexpr double kBendsBy = 0.1;       ///< excess of a limit [scaled] or of the tilt [rad] that deflection may correct
-constexpr double kUnlike = 0.3;        ///< scaled distance between those postures of a continuum that are taken first
-constexpr double kSamePosture = 1e-3;  ///< scaled distance between postures that count as the same
-constexpr double kNearGoal = 0.01;     ///< tip error of a root of the search, as a fraction of the reach
-constexpr std::size_t kEnough = 8;     ///< postures of a continuum within limits; further postures are not followed
-/// Number of postures outside limits or tilted too far that are followed to explain why a goal is not met.
+constexpr double kBendsBy = 0.1;       ///< excess over limits [rad, reaches] or tilt [rad] that deflection may correct
+constexpr double kUnlike = 0.3;        ///< distance [rad, reaches] between the postures that are chosen first
+constexpr double kSamePosture = 1e-3;  ///< distance [rad, reaches] below which postures count as the same
+constexpr double kNearGoal = 0.01;     ///< largest tip error of a usable search result, as a fraction of the reach
+constexpr std::size_t kEnough = 8;     ///< number of usable postures of a redundant arm that is enough
+/// Largest number of postures outside limits or tilted too far that are led on, to explain why a goal is not met.
 constexpr int kMostSpoilt = 4;
 
 InverseKinematicsOptions roughly(InverseKinematicsOptions options) {
@@ -27,8 +27,8 @@ InverseKinematicsOptions roughly(InverseKinematicsOptions options) {
   return options;
 }
 
-/// Returns the number of slides. The closure of three slides is singular even with perturbed axes, and the closure of
-/// two slides may be.
+/// Returns the number of prismatic joints. The closure equations of three are singular even with perturbed axes, and
+/// those of two may be.
 std::ptrdiff_t countSlides(const AxesAtZero& axes) { return std::count(axes.slides.begin(), axes.slides.end(), true); }
 
 }  // namespace
@@ -54,7 +54,8 @@ bool StartPostures::leadAll(const ToolGoal& goal, std::span<const VectorXd> star
   return is_any_met;
 }
 
-/// Returns the starts that are already nearly at the goal and within limits, so that a continuum needs no other starts.
+/// Returns the starts that are already nearly at the goal and within limits. If there are enough, a redundant arm needs
+/// no others.
 std::vector<StartPostures::Candidate> StartPostures::within(const ToolGoal& goal, std::span<const VectorXd> starts) {
   std::vector<Candidate> good;
   TipMotion tip;
@@ -99,8 +100,8 @@ std::vector<VectorXd> StartPostures::unlike(std::span<const Candidate> candidate
     return false;
   };
   std::vector<VectorXd> chosen;
-  // In the order of the lattice, which is the same for every goal, so that neighbouring goals get corresponding
-  // branches.
+  // Postures are chosen in the order of the search, which is the same for every goal, so that neighbouring goals get
+  // corresponding branches.
   for (const double least : {kUnlike, kSamePosture})
     for (const Candidate& candidate : candidates) {
       if (static_cast<int>(chosen.size()) >= most) return chosen;

@@ -25,11 +25,12 @@ class StartPostures {
  private:
   struct Candidate {
     Eigen::VectorXd q;
-    double spoilt;  ///< excess over the joint limits [scaled] and over the largest tilt [rad]
+    double spoilt;  ///< excess over joint limits [rad, reaches] plus excess over the largest tilt [rad]
   };
   [[nodiscard]] std::vector<Candidate> search(const ToolGoal& goal);
   [[nodiscard]] std::vector<Candidate> within(const ToolGoal& goal, std::span<const Eigen::VectorXd> starts);
-  /// Leads each start to the goal. Returns false if no start meets the goal, but all end only near it.
+  /// Leads each start to the goal. `candidates` becomes those that meet the goal or, if none does, those that end near
+  /// it. Returns true if any meets it.
   bool leadAll(const ToolGoal& goal, std::span<const Eigen::VectorXd> starts, std::vector<Candidate>& candidates);
   [[nodiscard]] std::vector<Eigen::VectorXd> unlike(std::span<const Candidate> candidates, int most) const;
 

@@ -1,5 +1,5 @@
-// Small problems of rotations about known axes, of which closed forms are composed (Paden 1985, Kahan). Internal to the
-// inverse kinematics.
+// Small problems of rotations about known axes, from which closed forms are composed (Paden 1985, Kahan). Internal to
+// the inverse kinematics.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +10,8 @@
 
 namespace tubeplan::deflection {
 
-/// Returns both solutions x [rad] of a cos x + b sin x = c; none if |c| exceeds the amplitude by more than the fraction
-/// `slack`.
+/// Returns the solutions x [rad] of a cos x + b sin x = c: two, one if they coincide, or none if |c| exceeds the
+/// amplitude by more than the fraction `slack`.
 inline std::vector<double> solveCosineSine(double a, double b, double c, double slack = 1e-12) {
   const double r = std::hypot(a, b);
   if (r == 0 || std::abs(c) > r * (1 + slack)) return {};
@@ -44,7 +44,7 @@ struct Plane {
 inline double angleOf(const Eigen::Vector2d& d) { return std::atan2(d.y(), d.x()); }
 inline Eigen::Vector2d turned(const Eigen::Vector2d& d, double angle) { return Eigen::Rotation2Dd(angle) * d; }
 
-/// Largest |cosine| of an elbow angle: goals with a larger value are out of reach with any deflection.
+/// Largest |cosine| of the elbow angle that a goal may require: with more, no deflection brings it within reach.
 inline constexpr double kMostBeyond = 1.1;
 
 /// Returns the shoulder and elbow angles [rad] that bring the wrist to `w`. The shoulder is at the plane's origin;
@@ -55,7 +55,7 @@ inline std::vector<Eigen::Vector2d> solveTwoLinks(const Eigen::Vector2d& elbow, 
   const double l1 = upper.norm(), l2 = fore.norm();
   const double c = (w.squaredNorm() - l1 * l1 - l2 * l2) / (2 * l1 * l2);
   if (!(std::abs(c) <= kMostBeyond)) return {};
-  // A bent arm may reach slightly further than a rigid arm: such a goal starts with a slightly bent elbow.
+  // A deflected arm may reach slightly further than a rigid one: for such a goal, start from a slightly bent elbow.
   const double at_zero = angleOf(fore) - angleOf(upper),
                bend = std::acos(std::abs(c) <= 1 ? c : std::copysign(0.98, c));
   std::vector<Eigen::Vector2d> solutions;

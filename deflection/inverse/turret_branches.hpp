@@ -6,7 +6,7 @@
 
 namespace tubeplan::deflection {
 
-inline constexpr int kTurretBranches = 4;  ///< front or back of the turret, elbow either way
+inline constexpr int kTurretBranches = 4;  ///< largest number: turret facing front or back, elbow either way
 
 /// Returns true if an arm with these axes is a turret arm.
 [[nodiscard]] bool carriesPlane(const AxesAtZero& axes);

@@ -16,15 +16,15 @@ namespace {
 using Eigen::Index, Eigen::Matrix3d, Eigen::Vector3d, Eigen::VectorXd;
 /// Tolerance for axes that count as intersecting or parallel: distance as a fraction of the reach, angle in rad.
 constexpr double kMeet = 1e-3;
-constexpr double kParallel = 0.02;     ///< largest angle between axes that iterations can correct [rad]
-constexpr double kLeastSine = 0.2;     ///< least sine of the angle between successive axes of the wrist
+constexpr double kParallel = 0.02;     ///< largest angle between axes treated as parallel; iterations correct it [rad]
+constexpr double kLeastSine = 0.2;     ///< smallest sine of the angle between successive axes of a wrist
 constexpr double kStretched = 1e-6;    ///< allowed excess of a wrist's cosine over one
-constexpr double kInLine = 1e-6;       ///< angle between two axes at which their readings cannot be distinguished [rad]
+constexpr double kInLine = 1e-6;       ///< angle below which two axes count as being in line [rad]
 constexpr double kNearlyInLine = 0.1;  ///< angle below which axes may be in line on a flexible arm [rad]
 constexpr double kSameRoot = 0.5;      ///< largest difference between readings of one root at successive rolls [rad, m]
-constexpr int kTurnsInLine = 6;        ///< sampled readings of two joints that can turn against each other
-constexpr double kNear = 0.01;         ///< largest position error of a usable wrist, as a fraction of the reach
-constexpr double kAtItsPlace = 1e-7;   ///< largest position error of a converged wrist, as a fraction of the reach
+constexpr int kTurnsInLine = 6;        ///< number of sampled readings of two joints that are in line
+constexpr double kNear = 0.01;         ///< largest position error of a usable wrist centre, as a fraction of the reach
+constexpr double kAtItsPlace = 1e-7;   ///< largest position error of a converged centre, as a fraction of the reach
 constexpr double kLongestStep = 0.5;   ///< longest step of a joint [rad, reaches]
 constexpr int kMostSteps = 6;
 
@@ -111,7 +111,8 @@ bool WristBranches::lead(const Vector3d& p_BW, VectorXd& arm) const {
     for (Index k = 0; k < 3; ++k)
       if (arm_.slides[static_cast<std::size_t>(k)]) slopes.col(k) *= reach_;
     Vector3d by = slopes.partialPivLu().solve(off);
-    // At the edge of the reach, the wrist may only come near its position: the readings then stay at the root.
+    // At the edge of the reach, the wrist centre may only come near its position. The steps are then too long and are
+    // not taken.
     if (!(by.cwiseAbs().maxCoeff() < kLongestStep)) break;
     for (Index k = 0; k < 3; ++k) arm[k] += arm_.slides[static_cast<std::size_t>(k)] ? by[k] * reach_ : by[k];
   }
@@ -128,7 +129,7 @@ WristBranches::Root WristBranches::rootAt(VectorXd arm, const Matrix3d& R) const
   return {std::move(arm), turn, {u.dot(to), axes_.direction[3].cross(u).dot(to)}};
 }
 
-/// Returns readings of the first three joints that bring the wrist near its position.
+/// Returns readings of the first three joints that bring the wrist centre near its position.
 std::vector<VectorXd> WristBranches::armsAt(const Vector3d& p_BW, double most_imaginary) const {
   std::vector<VectorXd> arms;
   if (!carries_two_links_) {
@@ -179,7 +180,7 @@ void WristBranches::addWrists(const Root& root, double q4_in_line, std::vector<V
 void WristBranches::addInLineBetween(const ToolGoal& goal, std::span<const Root> from, double from_roll,
                                      std::span<const Root> to, double to_roll, std::vector<VectorXd>& postures) const {
   const Vector3d &w4 = axes_.direction[3], &w5 = axes_.direction[4], &w6 = axes_.direction[5];
-  const double ahead = turnBetween(w5, w6, w4);  // reading at which the last axis points along the third last
+  const double ahead = turnBetween(w5, w6, w4);  // reading at which the last axis points along the third-to-last
   for (const Root& a : from)
     for (const Root& b : to) {
       VectorXd way = b.arm - a.arm;

@@ -20,36 +20,37 @@ namespace tubeplan::deflection {
 
 class WristBranches {
  public:
-  /// `axes` has six joints and fulfils carriesWrist(). `reach` [m].
+  /// `axes` must have six joints and fulfil carriesWrist(); `reach` is the arm's reach [m].
   WristBranches(const AxesAtZero& axes, double reach);
 
   /// Adds postures with the tip at the goal position and the tool along the goal axis, rotated about it by each of
   /// `rolls` [rad]; at most eight postures for each roll. They are exact if the last three axes meet in one point,
-  /// otherwise approximate. If `rolls` goes round the axis in order, postures between successive rolls with the last
-  /// axis in line with the third last axis are also added. In such a posture, these two joints can turn against each
-  /// other freely; some of their readings are sampled. If the last joint only turns the tool about its own axis through
-  /// the tip, `rolls` are readings of that joint.
+  /// otherwise approximate. If there are several rolls, they must cover a whole turn in order; postures between
+  /// successive rolls with the last axis in line with the third-to-last axis are then also added. In such a posture,
+  /// these two joints can turn against each other freely; some of their readings are sampled. If the last joint only
+  /// turns the tool about its own axis through the tip, `rolls` are readings of that joint.
   void addPostures(const ToolGoal& goal, std::span<const double> rolls, double most_imaginary,
                    std::vector<Eigen::VectorXd>& postures) const;
 
-  /// Adds the postures most similar to `q` that meet the goal, if there are any.
+  /// Adds the postures that meet the goal with the tool rotated about its axis as at readings `q`.
   void addPosturesLike(const ToolGoal& goal, const Eigen::VectorXd& q, double most_imaginary,
                        std::vector<Eigen::VectorXd>& postures) const;
 
  private:
-  /// Readings of the first three joints with the wrist at its position, and the rotation that the wrist must then make.
+  /// Readings of the first three joints with the wrist centre at its position, and the rotation that the wrist must
+  /// then make.
   struct Root {
     Eigen::VectorXd arm;
     Eigen::Matrix3d turn;  ///< rotation that the wrist must make
-    /// Required direction of the last axis, in components perpendicular to the third last axis: zero if both are in
-    /// line.
+    /// Components of the required direction of the last axis perpendicular to the third-to-last axis: zero if both are
+    /// in line.
     Eigen::Vector2d out_of_line;
   };
   [[nodiscard]] std::vector<Eigen::VectorXd> armsAt(const Eigen::Vector3d& p_BW, double most_imaginary) const;
   [[nodiscard]] std::vector<Root> rootsAt(const ToolGoal& goal, double roll, double most_imaginary) const;
   [[nodiscard]] Eigen::Matrix3d turnAt(const ToolGoal& goal, double roll) const;
   [[nodiscard]] Root rootAt(Eigen::VectorXd arm, const Eigen::Matrix3d& R) const;
-  /// Iterates from a root to readings with the wrist at its position. Returns false if the wrist does not come near.
+  /// Iterates from a root to readings with the wrist centre at its position. Returns false if it does not come near.
   [[nodiscard]] bool lead(const Eigen::Vector3d& p_BW, Eigen::VectorXd& arm) const;
   void addWrists(const Root& root, double q4_in_line, std::vector<Eigen::VectorXd>& postures) const;
   [[nodiscard]] Eigen::VectorXd withWrist(const Root& root, double q4, double q5) const;
