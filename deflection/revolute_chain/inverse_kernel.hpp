@@ -1,13 +1,13 @@
 // Newton's method on position and pitch of the deflected tip, for several goals side by side. inverse_kinematics.cpp
-// states the goals, and takes the same steps with damping for goals that are not met at once.
+// states the goals, and repeats the iteration with damping for goals that are not met at first.
 #pragma once
 
 #include "deflection/revolute_chain/jacobian_kernel.hpp"
 
 namespace {
 
-/// Position error [m] and pitch error times the reach, with their derivatives with respect to the joints, divided by
-/// the reach.
+/// Position error [m] and pitch error times the reach, and their derivatives with respect to the joints. The
+/// derivatives are divided by the reach.
 struct GoalResidual {
   Real value[4], slope[4][4];
   Real position_error, pitch, tilt_sine, tilt_cosine;
@@ -20,14 +20,15 @@ inline Vec turned(const Frame& X, const double* v) {
   return constant(v[0]) * X.x + constant(v[1]) * X.y + constant(v[2]) * X.z;
 }
 
-/// Shapes at the readings tried last, and the directions of the tools in them.
+/// Shapes at the readings tried last, and directions of the tool in base axes.
 struct Tried {
   TurnState t[kMaxTurns];
   Frame frames[kMaxTurns], tip;
   Vec axis, hand, tilt;
 };
 
-/// Computes the residual at the readings in `in`, without derivatives. Returns the lanes whose shape converges.
+/// Computes the residual at the readings in `in`, without derivatives. Returns the mask of the lanes whose shape
+/// converges.
 inline Bits tryReadings(const RevoluteArm& arm, const Tool& tool, const Goals& goals, const Postures& in, Tried& tried,
                         GoalResidual& out) {
   const Vec n = loadVec(goals.axis_B);
@@ -65,7 +66,7 @@ inline void addSlopes(const RevoluteArm& arm, const Goals& goals, const Tried& t
   }
 }
 
-/// Computes the adjugate of a 4 x 4 matrix; returns its determinant.
+/// Computes the adjugate of the 4 x 4 matrix `a`; returns the determinant of `a`.
 inline Real adjugateOf(const Real (*a)[4], Real (*adj)[4]) {
   const Real s0 = a[0][0] * a[1][1] - a[1][0] * a[0][1], s1 = a[0][0] * a[1][2] - a[1][0] * a[0][2],
              s2 = a[0][0] * a[1][3] - a[1][0] * a[0][3], s3 = a[0][1] * a[1][2] - a[1][1] * a[0][2],
@@ -74,7 +75,7 @@ inline Real adjugateOf(const Real (*a)[4], Real (*adj)[4]) {
              c3 = a[2][1] * a[3][2] - a[3][1] * a[2][2], c2 = a[2][0] * a[3][3] - a[3][0] * a[2][3],
              c1 = a[2][0] * a[3][2] - a[3][0] * a[2][2], c0 = a[2][0] * a[3][1] - a[3][0] * a[2][1];
   for (int k = 0; k < 2; ++k) {
-    // Each cofactor combines the other row of the upper half with minors of the lower half; its sign alternates.
+    // Each cofactor combines the other row of its half of the matrix with minors of the other half; signs alternate.
     const Real* u = a[1 - k];
     const Real* l = a[3 - k];
     const double sign = k == 0 ? 1 : -1;
@@ -90,8 +91,8 @@ inline Real adjugateOf(const Real (*a)[4], Real (*adj)[4]) {
   return ((s0 * c5 - s1 * c4) + (s2 * c3 + s3 * c2)) + (s5 * c0 - s4 * c1);
 }
 
-/// Returns the smallest singular value, from the least root of the characteristic polynomial of J^T J. Newton's method
-/// finds that root, starting from zero, without passing it.
+/// Returns the smallest singular value, from the smallest root of the characteristic polynomial of J^T J. Newton's
+/// method finds that root, starting from zero, without passing it.
 inline Real smallestSingularValue(const Real (*slope)[4], const Real (*adjugate)[4], Real determinant) {
   Real gram[4][4], trace = constant(0), squares = constant(0), c1 = constant(0);
   for (int i = 0; i < 4; ++i)
@@ -129,8 +130,8 @@ inline void record(Bits lanes, double verdict, const GoalResidual& r, Real singu
   put(out.smallest_singular_value, singular);
 }
 
-/// Computes Newton's step of each lane, limited to half a radian for every joint; slopes and adjugate are scaled by
-/// `share`.
+/// Computes Newton's step of each lane, limited to half a radian for every joint. `adjugate` and `determinant` are
+/// those of the derivatives multiplied by `share`.
 inline void stepOf(const GoalResidual& r, const Real (*adjugate)[4], Real determinant, double share, Bits lanes,
                    Real* step) {
   Real next[4];

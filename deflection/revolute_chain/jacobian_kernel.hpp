@@ -4,9 +4,9 @@
 // In the base, each turn has an axis z_i, a position p_i and a first moment S_i (of the loads beyond, about p_i). A
 // rotation of turn j changes the moment about its own axis, or about an axis i nearer to the base, by z_i . a_j with
 // a_j = (z_j x S_j) x g. It changes the moment about an axis i farther out by z_j . a_i, because dead loads have a
-// potential. With lambda and kappa of beams as further unknowns, this gives a small linear system for the deflections
-// when a joint turns. The diagonal is one and the other entries are of the order of a deflection, so the system is
-// eliminated without pivoting. Gravity and compliances are further columns of the system.
+// potential. With rho of each beam as a further unknown, this gives a small linear system for the changes of the
+// deflections when a joint turns. The diagonal is one and the other entries are of the order of a deflection, so the
+// system is eliminated without pivoting. Gravity and compliances are further columns of the system.
 #pragma once
 
 #include "deflection/revolute_chain/shape_kernel.hpp"
@@ -17,22 +17,22 @@ struct Unknown {
   int turn;
   bool is_rho;  ///< true: rho of a beam; false: the deflection of the turn
   Vec shifts;   ///< for beams: displacement of everything beyond, per unit of the unknown
-  Vec a;        ///< change of the moments nearer to the base due to the shift and the rotation
-  Vec turns;    ///< change of a beam's rho due to turns nearer to the base
+  Vec a;        ///< the moment about an axis z nearer to the base changes by z . a
+  Vec turns;    ///< a beam's rho changes by z . turns if an axis z nearer to the base turns
 };
 
-/// Changes with the compliance of a turn's springs or of its beam, under constant moment.
+/// Derivatives with respect to the compliance of a turn's springs or of its beam, under constant moment.
 struct Softening {
-  Real given;  ///< change of the turn's deflection
+  Real given;  ///< derivative of the turn's deflection
   Vec shift;   ///< for beams: displacement of everything beyond, except the part due to `given`
-  Vec a;       ///< change of the moments nearer to the base due to the shift
+  Vec a;       ///< the moment about an axis z nearer to the base changes by z . a
 };
 
 inline constexpr int kMaxColumns = kMaxJoints + kGravityTurns + kMaxUnknowns;
 
 struct Linearization {
   Unknown unknown[kMaxUnknowns];
-  Softening softening[kMaxUnknowns];  ///< softening of the springs for a deflection, of the beam for a rho
+  Softening softening[kMaxUnknowns];  ///< by the springs' compliance for a deflection, by the beam's for a rho
   int count;
   Vec S[kMaxTurns], a[kMaxTurns];
   int width;  ///< length of an equation: the unknowns, then the variables of derivatives

@@ -1,4 +1,4 @@
-// The kernels for this processor: bit-identical shapes, for different numbers of postures at a time.
+// The kernels for this processor: they compute bit-identical shapes, for different numbers of postures at a time.
 #pragma once
 
 #include <span>

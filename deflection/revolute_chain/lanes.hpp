@@ -1,9 +1,9 @@
 // SIMD numbers with TUBEPLAN_LANES lanes: one double, or a vector register of the processor.
 //
-// For source files that are each compiled for one processor. All is in an unnamed namespace and nothing of the standard
-// library is used, so that the linker never takes code compiled for another processor. Every operation is an IEEE
-// operation on doubles, lane by lane (the source files are compiled without contraction). The shape of a posture is
-// therefore bit-identical whatever the number of lanes and whatever postures fill the other lanes.
+// For source files that are each compiled for one processor. Everything is in an unnamed namespace and nothing of the
+// standard library is used, so that the linker never takes code compiled for another processor. Every operation is an
+// IEEE operation on doubles, lane by lane (the source files are compiled without contraction). The shape of a posture
+// is therefore bit-identical whatever the number of lanes and whatever postures fill the other lanes.
 #pragma once
 
 #if TUBEPLAN_LANES >= 4
@@ -21,7 +21,7 @@ inline double lane(Real x, int) { return x; }
 inline Real withLane(Real, int, double value) { return value; }
 inline bool any(Bits mask) { return mask != 0; }
 inline Real select(Bits mask, Real yes, Real no) { return mask ? yes : no; }
-/// Returns `yes`: the caller asks only while the single lane is active.
+/// Returns `yes`, because it is only called while the single lane is active.
 inline Real where(Bits, Real yes, Real) { return yes; }
 inline Bits bitsOf(Real x) { return __builtin_bit_cast(Bits, x); }
 inline Real realOf(Bits x) { return __builtin_bit_cast(Real, x); }
@@ -138,7 +138,7 @@ inline SineCosine sineCosine(Real x) {
   return {s, c};
 }
 
-/// Returns sine and cosine of an element's rotation, which is mostly small.
+/// Returns sine and cosine of an element's rotation [rad]; fast if it is small in all lanes.
 inline SineCosine bentSineCosine(Real x) {
   const SineCosine little = smallSineCosine(x);
   const Bits small = isLess(absolute(x), constant(0.1));

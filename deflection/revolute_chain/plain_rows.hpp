@@ -33,7 +33,7 @@ struct PlainRow {
   bool is_at_turn;    ///< true: X_TL is the identity
   bool along_chord;   ///< true: bodies lie along the bent member's chord
   double member[3];   ///< member in the row's axes [m]
-  double bow_factor;  ///< bow per rotation of the pieces, for a member of several pieces [m/rad]
+  double bow_factor;  ///< bow per sum of the pieces' rotations, for a member of several pieces [m/rad]
   int first_piece, pieces;
 };
 
@@ -50,8 +50,8 @@ struct BentShapes {
   long stride;
 };
 
-/// Output: 12 values for each row, the row's frame in the world turned along its member's chord; and the greatest bow
-/// of a member from its chord [m].
+/// Output: 12 values for each row, the row's frame in the world rotated along its member's chord; and the largest
+/// distance of a bent member from its chord [m].
 struct RowFrames {
   double* frames;
   double* bow;

@@ -27,13 +27,13 @@ std::optional<OneAxis> oneAxisOf(const Matrix3d& compliance) {
   return OneAxis{axis, size};
 }
 
-/// Returns axes whose z axis is the given unit vector.
+/// Returns right-handed axes with the given unit vector as z axis.
 Matrix3d axesAbout(const Vector3d& z) {
   Vector3d::Index largest = 0;
   z.cwiseAbs().maxCoeff(&largest);
   Matrix3d R;
   if (z.cwiseAbs().sum() == 1) {
-    // z is a coordinate axis: nothing is rounded.
+    // z is a coordinate axis: avoid rounding errors.
     R.col(2) = z;
     R.col(0) = Vector3d::Unit((largest + 1) % 3);
   } else {
@@ -74,8 +74,8 @@ Twist twistOf(const Matrix3d& R) {
 
 }  // namespace
 
-/// Builder that walks the chain outwards. It keeps the last turn open, and the pose of the present link in that turn's
-/// frame.
+/// Builder that walks the chain outwards. It keeps the last turn open for additions, and tracks the pose of the present
+/// link in that turn's frame.
 class RevoluteChain::Builder {
  public:
   Builder(double reach, std::size_t elements) : reach_(reach) {
@@ -192,12 +192,13 @@ class RevoluteChain::Builder {
            !(with_joint && turn.joint >= 0);
   }
 
-  /// Returns the turn about the z axis of `axes` (in the present axes) at the present position; the following links
-  /// start from that turn.
+  /// Returns the turn about the z axis of `axes` (in the present axes) at the present position: the last turn, if
+  /// possible, or a new one. The following links start from that turn.
   Turn& turnTo(const Matrix3d& axes, bool with_joint = false) {
     const Matrix3d R = here_.R * axes;
     if (isOneWithLast(R, with_joint)) {
-      // Additions to the last turn do not move rows that are already fixed to it.
+      // Rows already fixed to the last turn lie before this addition and must not turn with it: the chain cannot state
+      // their frames.
       for (const RowOnTurn& row : out_.rows_) rows_are_fixed_ = rows_are_fixed_ && row.turn != last();
       here_.R = R;
       turnFrame(twistOf(R).after);

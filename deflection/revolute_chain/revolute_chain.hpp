@@ -1,4 +1,4 @@
-// An arm's chain as rotations about one axis each, for arms that allow it: the form that the kernels solve fast.
+// An arm's chain as a sequence of rotations about one axis each, the form that the kernels solve; not all arms have it.
 #pragma once
 
 #include <optional>

@@ -11,8 +11,9 @@ bool isStiffnessAt(const ParameterPath& path) {
          deflection::isStiffness(parameterFields()[static_cast<std::size_t>(path.field)].quantity);
 }
 
-/// Returns the derivative of a compliance with respect to a stiffness. A stiffness is the only denominator of its
-/// terms, so that the compliance computed without these terms gives the derivative.
+/// Returns the derivative of an element's compliance with respect to a stiffness `value`; nothing if the stiffness acts
+/// about another axis. Its terms in the compliance are inversely proportional to it, and vanish in the row `without`,
+/// where it is infinite.
 std::optional<double> slopeOf(const FlexibleElement& element, const RevoluteElement& hinge, const Row<double>& without,
                               double value) {
   const Eigen::Matrix3d of_number =

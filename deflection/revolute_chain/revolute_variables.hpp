@@ -17,7 +17,7 @@ struct ElementSlope {
 };
 
 /// Returns the derivatives of the elements' compliances with respect to a stiffness. Returns nothing if the parameter
-/// is no stiffness, or acts about another axis than the element's.
+/// is not a stiffness, or acts about an axis other than the element's.
 std::optional<std::vector<ElementSlope>> elementSlopes(const Arm& arm, const ParameterPath& path,
                                                        const Chain<double>& chain, const RevoluteChain& revolute_chain,
                                                        const std::vector<FlexibleElement>& elements);
@@ -38,8 +38,8 @@ class RevoluteVariables {
   /// Points the members of `out` into `derivatives`: one kind of derivative after the other, with values `lanes` apart.
   void place(double* derivatives, long lanes, Shapes& out) const;
 
-  /// Copies the 6 derivatives for a variable, for the first `count` lanes side by side; the 6 values in `to` are
-  /// `stride` apart.
+  /// Combines a kernel's derivatives into the 6 derivatives with respect to a variable, for the first `count` lanes
+  /// side by side; the 6 values in `to` are `stride` apart.
   void gather(std::size_t variable, const double* derivatives, long lanes, long count, double* to, long stride) const;
 
  private:

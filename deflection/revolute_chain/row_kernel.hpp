@@ -1,8 +1,8 @@
 // Frames of the rows of bent arms side by side. See plain_rows.hpp for the input, lanes.hpp for the SIMD numbers.
 //
 // Bodies of a bent member lie along its chord: the row's axes are rotated by the smallest rotation that takes the
-// member to the chord. The bow of the member from the chord is found at five points of a cubic. The cubic is defined by
-// the displacement d and the rotation w of the member's end: (3 s^2 - 2 s^3 - s) d + (s^3 - s^2) w x member.
+// member to the chord. The distance of the member from the chord is evaluated at five points of a cubic. The cubic is
+// defined by the displacement d and the rotation w of the member's end: (3 s^2 - 2 s^3 - s) d + (s^3 - s^2) w x member.
 #pragma once
 
 #include "deflection/revolute_chain/lanes.hpp"
@@ -42,7 +42,7 @@ inline void storeFrameOf(const RowFrame& X, double* to, long stride) {
 
 inline Vec same(const double* v) { return {constant(v[0]), constant(v[1]), constant(v[2])}; }
 
-/// Returns the direction v of frame X in the axes to which X refers.
+/// Converts the direction v from frame X to the axes in which X is given.
 inline Vec turned(const RowFrame& X, const double* v) {
   return (constant(v[0]) * X.x + constant(v[1]) * X.y) + constant(v[2]) * X.z;
 }
@@ -82,7 +82,7 @@ inline Real angleOf(const BentPiece& piece, const BentShapes& in) {
   return piece.bends ? load(element_states + in.stride) - piece.others * moment : piece.compliance * moment;
 }
 
-/// Returns the square of the greatest distance of a piece from its chord [m^2].
+/// Returns the square of the largest distance of a piece from its chord [m^2].
 inline Real squaredBow(const BentPiece& piece, const BentShapes& in) {
   const double* element_states = in.element_states + 4 * piece.turn * in.stride;
   const Real lambda = piece.bends ? load(element_states + 2 * in.stride) : constant(0),
