@@ -12,14 +12,16 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Returns what fixes a row's origin: a beam, an effect, or a weight along or at the end of the member; else empty.
+/// Names the property that fixes the origin of a row: its beam, an effect, or a weight along or at the end of its
+/// member. Empty if there is none.
 std::string heldByMember(const Row<double>& row) {
   if (row.beam) return "a beam";
   if (row.effect_terms) return "an effect";
   return row.weight.distributed != 0 || row.weight.end != 0 ? "a weight along or at the end of it" : "";
 }
 
-/// Returns the origins of base, rows and tip with all joints at zero, as lines along which the origins may slide.
+/// Returns the origins of base, rows and tip with all joints at zero, each with its z axis and whether it may slide
+/// along that axis.
 std::vector<ChainLine> slidableOrigins(const Arm& arm) {
   std::vector<ChainLine> chain{{Vector3d::Zero(), Vector3d::UnitZ(), false}};
   PoseOf<double> X_BL;

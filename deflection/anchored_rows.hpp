@@ -1,4 +1,4 @@
-// An arm with row origins close to each other, however its rows are written.
+// Equivalent form of an arm in which the row origins lie close to each other.
 //
 // A row's origin may lie anywhere on the row's axis. Denavit-Hartenberg parameters put it on the common normal of two
 // axes. For the nearly parallel axes of a calibrated arm, that normal can be hundreds of metres away, and the d of one
@@ -16,11 +16,11 @@ struct AnchoredRows {
   /// Arm with the frames of some rows moved along their z axes: tip, joint axes and loads are unchanged. If any row is
   /// moved, the arm has no effects, because effects refer to the rows as they were written.
   Arm arm;
-  std::vector<double> slid;  ///< shift of each row's frame along z [m], subtracted from z coordinates in the frame
+  std::vector<double> slid;  ///< shift of each row's frame along its own z axis [m]
 };
 
-/// Returns the arm with its row origins moved together. Rows for which heldAgainstSlide() states a reason keep their
-/// origin. An arm whose path from origin to origin is no more than twice as long as the shortest path is returned
+/// Returns the arm with its row origins moved closer together. Rows for which heldAgainstSlide() states a reason keep
+/// their origin. An arm whose path from origin to origin is no more than twice as long as the shortest path is returned
 /// unchanged.
 [[nodiscard]] AnchoredRows anchoredRows(const Arm& arm);
 

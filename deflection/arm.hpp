@@ -1,12 +1,12 @@
 // A serial arm as data: rows of geometry, joints, stiffnesses and weights.
 //
 // Internal units of the whole program, stated here once: metre, newton, radian, second, kelvin. Files carry their own
-// units; the readers convert. Weights are forces (N), not masses. A stiffness of infinity is a rigid axis.
+// units; the readers convert. Weights are forces (N), not masses. An infinite stiffness means a rigid axis.
 //
 // Frames: B is the arm's base, L1..Ln are the rows' frames (L0 = B), T is the tool frame at the tip, D the deflected
 // tool frame. Row i leads from frame L(i-1) to Li. Its member (the link's body) runs from Li to L(i+1), or to the tip
-// in the last row. The member of a prismatic row is its sliding bar, from the bearing (Li at zero slide) to Li, with
-// the joint's value as its length.
+// in the last row. The member of a prismatic row is its sliding bar, from the bearing (Li at zero joint value) to Li,
+// with the joint's value as its length.
 #pragma once
 
 #include <array>
@@ -28,8 +28,8 @@ namespace tubeplan::deflection {
 inline constexpr double kRigid = std::numeric_limits<double>::infinity();
 
 /// Modified (Craig) Denavit-Hartenberg parameters [rad, m] with Hayati's beta and a shift b: RotX(alpha) TransX(a)
-/// TransY(b) RotY(beta) RotZ(theta) TransZ(d). For an axis nearly parallel to the axis of the row before, beta is
-/// determined and d is not. Only the first row needs b, to place its axis relative to a known base. In other rows, the
+/// TransY(b) RotY(beta) RotZ(theta) TransZ(d). For an axis nearly parallel to the axis of the row before, measurements
+/// determine beta but not d. Only the first row needs b, to place its axis relative to a known base. In other rows, the
 /// joint offset and d of the row before have the same effect.
 template <class S>
 struct DenavitHartenberg {
@@ -47,8 +47,8 @@ struct Origin {
 
 enum class JointType { kPassive, kRevolute, kPrismatic };
 
-/// A joint that drives another joint. `ratio` is the angle of the driven joint per angle of the driving joint, which
-/// includes the driving joint's offset.
+/// A joint that drives another joint. `ratio` is the angle of the driven joint per angle of the driving joint, offset
+/// included.
 struct FollowedJoint {
   int row = -1;
   double ratio = 0;
@@ -68,8 +68,8 @@ struct Joint {
   double encoder_sigma = 0;  ///< standard deviation of an encoder reading [rad, m]
   double gear_ratio = 0;     ///< gear ratio: input turns of the drive per turn of the joint; 0: not stated
   /// Joints that drive this joint, for example through a parallel linkage or a belt. A driven joint has no reading of
-  /// its own: its passive row rotates about z by the sum of the driven angles and its offset. The drivers are revolute
-  /// and active.
+  /// its own: its passive row rotates about z by its offset plus the sum of ratio times angle over all drivers. Drivers
+  /// are revolute and active.
   std::vector<FollowedJoint> follows = {};
 };
 
@@ -86,7 +86,8 @@ bool moves(const Joint<S>& joint) {
 }
 
 /// A uniform straight member. E, G [Pa]; I (about the row's x, y, z axes), J [m^4]. The member is rigid in bending
-/// about an axis with infinite I, and in torsion if G J is infinite. `segments` is the number of equal elements.
+/// about an axis with infinite I, and in torsion if G J is infinite. `segments` is the number of equal elements into
+/// which it is divided.
 template <class S>
 struct Beam {
   S E{kRigid};
@@ -111,8 +112,8 @@ struct Weight {
 };
 
 /// Terms that effects add to a row while a shape is solved; arm files contain none of them. The flags
-/// (`joint_is_compliant`, `member_is_compliant`, `bends`, `has_gap`) are structure: they are the same for all values of
-/// the terms, zero included.
+/// (`joint_is_compliant`, `member_is_compliant`, `bends`, `has_gap`) depend on which effects act on the row, not on the
+/// values of the terms, which may be zero.
 template <class S>
 struct EffectTerms {
   bool joint_is_compliant = false, member_is_compliant = false;
@@ -125,7 +126,7 @@ struct EffectTerms {
   Vector3<S> bending_compliance = Vector3<S>::Zero();
   S torsion_compliance{0};               ///< torsion compliance of the member [1/(N m^2)]
   Vector3<S> pull = Vector3<S>::Zero();  ///< force at the member's end, in base axes [N]
-  std::vector<Lump<S>> hung;             ///< weights that hang from the row's origin, also on flexible members
+  std::vector<Lump<S>> hung;             ///< weights that move with the row's origin, even if the member bends
 };
 
 template <class S>
@@ -140,14 +141,14 @@ struct Row {
   std::optional<EffectTerms<S>> effect_terms;
   /// Name of the map that holds alpha, a, beta and b of this row in the arm file and in fits, if not the row's own
   /// `dh`. In the standard convention the map is "NAME.dh" of the row before, or "NAME.axis" of a first row. Empty
-  /// text: no map holds them, and they are not parameters.
+  /// string: no map holds them, and they are not parameters.
   std::optional<std::string> placed_by;
   /// False for the end row added after the last link in the standard convention, which the arm file does not contain.
   bool is_written = true;
 };
 
-/// Rigid rows attached to a row without leading to the tip: see side_chains.hpp. The first of them is placed in the
-/// axes of the row that carries the chain.
+/// Rigid rows that branch off a row of the arm and do not lead to the tip: see side_chains.hpp. The first of them is
+/// placed in the axes of the row that carries the chain.
 template <class S>
 struct SideChain {
   int row = -1;
@@ -157,10 +158,11 @@ struct SideChain {
 /// Loads that effects add at the tip while a shape is solved; arm files contain none of them.
 template <class S>
 struct TipLoad {
-  Vector3<S> payload_offset = Vector3<S>::Zero();  ///< point of action of the hung load in the deflected tool frame [m]
-  S contact_force{0};                              ///< force at the tip against gravity [N]
-  Vector3<S> force = Vector3<S>::Zero();           ///< force at the tip in base axes [N]
-  Vector3<S> moment = Vector3<S>::Zero();          ///< moment of constant direction in base axes [N m]
+  /// Point of action of the hung load relative to the deflected tip, in the last row's axes [m].
+  Vector3<S> payload_offset = Vector3<S>::Zero();
+  S contact_force{0};                      ///< force at the tip against gravity [N]
+  Vector3<S> force = Vector3<S>::Zero();   ///< force at the tip in base axes [N]
+  Vector3<S> moment = Vector3<S>::Zero();  ///< moment of constant direction in base axes [N m]
 };
 
 /// Rows that are rigid in one set-up of the base, such as an arm removed from its flexible mounting and bolted to a
@@ -181,9 +183,9 @@ struct ArmOf {
   Eigen::Matrix3d R_LT = Eigen::Matrix3d::Identity();
   /// Rotation vector from the nominal to the true axes of the tool frame, in the last row's frame [rad].
   Vector3<S> tool_turn_L = Vector3<S>::Zero();
-  /// Conditions for which the nominal parameters hold, and defaults for conditions not stated.
+  /// Conditions at which the nominal parameters hold; also assumed for conditions that a posture does not state.
   ConditionValues reference = usualConditions();
-  std::vector<EffectOf<S>> effects;       ///< effects in addition to the model above
+  std::vector<EffectOf<S>> effects;       ///< effects that rows, tip and tool do not model
   std::vector<SideChain<S>> side_chains;  ///< rigid rows that only add weight
   std::vector<RigidMounting> mountings;   ///< one entry for each set-up with rigid rows
   std::optional<TipLoad<S>> tip_load;
@@ -237,26 +239,28 @@ bool dependsOnPosture(const ArmOf<S>& arm) {
 /// Returns a rigid copy of the arm, without the effects that add flexibility.
 Arm rigidCopy(const Arm& arm);
 
-/// Returns the undeflected vector from a row's origin, or the end of its slide, to the next row's origin or the tip, in
-/// the row's axes [m].
+/// Returns the undeflected vector from a row's origin (from the end of its bar, if the row is prismatic) to the next
+/// row's origin or the tip, in the row's axes [m].
 Eigen::Vector3d memberOf(const Arm& arm, int row);
 
-/// Returns the undeflected part of a row that bends: its member [m], or the unit vector along the bar of a prismatic
-/// row.
+/// Returns the undeflected vector along the part of a row that can bend: its member [m] or, for a prismatic row, the
+/// unit vector along its bar.
 Eigen::Vector3d undeflectedMember(const Arm& arm, int row);
 
-/// Returns the greatest length of a joint's slide [m]: infinite without limits, 0 if the joint is not prismatic.
+/// Returns the largest length of a prismatic joint's bar within the limits [m]: infinite without limits, 0 if the joint
+/// is not prismatic.
 double slideLength(const Joint<double>& joint);
 
-/// Returns an upper bound on the distance of the tip from the base [m]: the shortest path along the joint axes, with
-/// slides at their longest. The bound does not depend on how the rows are written. It scales tolerances; slides without
+/// Returns an upper bound on the distance of the tip from the base [m]: the length of the shortest path from base to
+/// tip that touches every rotation axis in turn, plus the largest length of each prismatic joint. The bound does not
+/// depend on the convention in which the rows are written. It serves to scale tolerances; prismatic joints without
 /// limits therefore count as zero.
 double reachOf(const Arm& arm);
 
 /// A fault of an arm. `path` is the dotted name of the faulty entry in the arm file (`tool.joint_stiffness.z`).
 struct ArmProblem {
   std::string path;
-  std::string found;          ///< value found; if no value is expected, a sentence that states the problem
+  std::string found;          ///< value found, or a sentence that states the problem if no value is expected
   std::string expected = {};  ///< value expected; empty unless a value is wrong
 };
 

@@ -17,7 +17,7 @@ enum class ChainLinkType {
   kTurn,       ///< rigid rotation into the row's axes
   kFlexJoint,  ///< flexible element at the row's origin
   kMember,     ///< section of the member, rigid or flexible, with its distributed weight
-  kFrame,      ///< the row's frame, with the point masses that it carries
+  kFrame,      ///< the row's frame, weightless
   kLump,       ///< point mass carried by the row
   kEndWeight,  ///< the weight at the member's end
 };
@@ -38,17 +38,17 @@ template <class S>
 struct Chain {
   std::vector<ChainLink<S>> links;
   std::vector<ComponentState> components;
-  int clearances = 0;  ///< number of axes with an open gap
+  int clearances = 0;  ///< number of axes with a clearance greater than zero
 };
 
-/// Returns R followed by a rotation `beta` [rad], zero in most rows, about the resulting y axis.
+/// Returns R followed by a rotation by `beta` [rad] about the resulting y axis. In most rows, `beta` is zero.
 template <class S>
 Matrix3<S> leaned(const Matrix3<S>& R, const S& beta) {
   return isConstantZero(beta) ? R : Matrix3<S>(R * rotationY<S>(beta));
 }
 
-/// Returns the translation from the previous row's origin to a row's origin (its bearing, if the row slides), in the
-/// previous row's axes.
+/// Returns the translation from the previous row's origin to a row's origin (to its bearing, if the row is prismatic),
+/// in the previous row's axes [m].
 template <class S>
 Vector3<S> offsetInPreviousAxes(const Row<S>& row) {
   const auto* dh = std::get_if<DenavitHartenberg<S>>(&row.placement);
@@ -118,14 +118,14 @@ void addJoint(Chain<S>& chain, const Row<double>& values, int row) {
 }
 
 /// Returns the position of a point mass along a flexible member, as a fraction of the member's length; 0 for a point
-/// mass at the row's origin and on a rigid member.
+/// mass at the row's origin or on a rigid member.
 inline double shareOf(const Row<double>& values, int lump, const Vector3<double>& member) {
   if (segmentsOf(values) == 0 || member.squaredNorm() == 0) return 0;
   return std::clamp(values.weight.lumps[static_cast<std::size_t>(lump)].at.dot(member) / member.squaredNorm(), 0., 1.);
 }
 
-/// End of a section of the member, as a fraction of the member's length: `value` decides the structure, `share` also
-/// has derivatives.
+/// End of a section of the member, as a fraction of the member's length. `value` is a plain number, from which the
+/// structure follows; `share` is the same fraction with derivatives.
 template <class S>
 struct Cut {
   double value;
@@ -217,10 +217,10 @@ void addSlide(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int
 
 }  // namespace chain_assembly
 
-/// Adds the links of one row. `values` is the row as plain numbers: its flexible axes decide the structure, which is
+/// Adds the links of one row. `values` is the row as plain numbers; the structure follows from them, and is therefore
 /// the same for every scalar type. `reading` is the joint's value, offset included (zero for a row that neither moves
-/// nor follows other joints). `to_next` leads from the row's origin, or the end of its slide, to the next row's bearing
-/// or the tip.
+/// nor follows other joints). `to_next` leads from the row's origin, or from the end of a prismatic row's bar, to the
+/// next row's origin or the tip.
 template <class S>
 void assembleRow(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const S& reading,
                  const Vector3<S>& to_next) {

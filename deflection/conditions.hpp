@@ -1,6 +1,6 @@
-// The open table of conditions under which a reading may be taken, in addition to joint readings and loads. A condition
-// is one row of this table. Files, JSON, run sheets, simulation, formulas, patterns, the unknown discrepancy and the
-// pages loop over the rows; only the laws of effects name a condition.
+// Table of the conditions under which a measurement is taken, such as temperature and time. To add a condition, add a
+// row: file readers and writers, simulation, formulas and the diagnosis of residuals loop over the rows. Only the laws
+// of effects name a particular condition.
 #pragma once
 
 #include <array>
@@ -15,16 +15,16 @@ namespace tubeplan::deflection {
 /// Conditions, in the order of the table below.
 enum class Condition { kTemperature, kTime };
 
-/// Dependence of an unknown error on a condition.
+/// Dependence of an unmodelled error on a condition.
 enum class Course {
   kProportional,  ///< proportional to the condition's value
   kSlow,          ///< any slow change over the condition's range: a drift, a step, a swing
 };
 
-/// Range of values about the usual value, over which an effect is plotted. Equal ends: the effect is not plotted.
+/// Range of a condition, relative to its usual value, over which effects are plotted. Equal ends: none is plotted.
 struct ConditionSweep {
   double low = 0, high = 0;
-  double otherwise = 0;  ///< value of the condition while another variable is swept
+  double otherwise = 0;  ///< value, relative to the usual one, while another variable is swept
 };
 
 /// Slow variation of a simulated condition about its usual value. Two zeros: the condition is not simulated.
@@ -33,23 +33,23 @@ struct ConditionSwing {
   double flutter = 0;  ///< standard deviation of the random part, drawn anew for each reading
 };
 
-/// One row of the table, with values in the row's internal unit.
+/// One row of the table. All values are in internal units.
 struct ConditionKind {
   Condition condition;
-  const char* name;   ///< key in JSON, symbol in formulas, and name of the column before its unit
+  const char* name;   ///< key in JSON, symbol in formulas, and column name without the unit
   const char* words;  ///< noun for sentences that say what an error depends on
   ValueUnit unit = {};
   std::array<const char*, 2> aliases{};  ///< other column names, used in tables of other programs, in lower case
   double least = -std::numeric_limits<double>::infinity();
-  const char* least_words = "";  ///< description of the least value
+  const char* least_words = "";  ///< description of the smallest possible value
   double usual = 0;              ///< value assumed if none is stated
   bool is_of_drawing = false;    ///< true: an arm file may state the nominal value as reference_NAME
   Course course = Course::kProportional;
-  bool moves_tool = true;  ///< true: an unknown error that depends on the condition may also be in the tool
+  bool moves_tool = true;  ///< true: an unmodelled error that depends on the condition may also lie in the tool
   ConditionSweep sweep = {};
   ConditionSwing swing = {};
-  double change = 0;              ///< change that a user could make to gain information; 0: none
-  const char* change_words = "";  ///< instruction to make that change
+  double change = 0;              ///< change of the condition that would help to tell causes apart; 0: none
+  const char* change_words = "";  ///< instruction to the user to make that change
 };
 
 inline constexpr std::array kConditionKinds{

@@ -1,7 +1,8 @@
-// Direct changes of an arm with a few variables, converted into motion of the tip by the sensitivities of the shape.
+// Derivatives of an arm's links, elements and loads with respect to a few variables, converted into motion of the tip
+// by the sensitivities of the solved shape.
 //
-// The changes are computed with dual numbers in the templates that build the chain and its elements, row by row. Only
-// rows that change are built.
+// The derivatives are computed row by row, with dual numbers in the templates that build the chain and its elements.
+// Rows that do not depend on the variables are not built.
 #pragma once
 
 #include <vector>
@@ -16,16 +17,17 @@ using TipColumns = Eigen::Matrix<double, 6, kDualSize>;
 bool changes(const Dual& x);
 bool changes(const Vector3<Dual>& v);
 
-/// Adds the motion of a tip at p in a moving frame, in the axes to which the frame's pose refers.
+/// Adds the motion of a tip that is fixed in a moving frame, in the axes A in which the frame's pose is given. `p` is
+/// the vector from the frame's origin to the tip, in A [m].
 void addMotion(const PoseOf<Dual>& frame, const Eigen::Vector3d& p, TipColumns& tip);
 
-/// Adds the rotation of the tool frame relative to the last row, whose axes at the tip are R_BL.
+/// Adds the rotation of the tool frame caused by a change of `turn_L`; `R_BL` are the last row's axes at the tip.
 void addToolTurn(const Vector3<Dual>& turn_L, const Eigen::Matrix3d& R_BL, TipColumns& tip);
 
 class DirectChanges {
  public:
   /// Refers to the shape last solved by `arm`, about which `sensitivity` was linearised. Both must outlive this object;
-  /// begin() adopts their next shape.
+  /// call begin() after they have solved another shape.
   DirectChanges(const PreparedArm& arm, const TipSensitivity& sensitivity) : arm_(arm), sensitivity_(sensitivity) {}
 
   void begin();

@@ -1,6 +1,6 @@
-// Check of the number of segments of beams. The law of a segment assumes small rotations, so for large bending its
-// error grows with the square of the segment's length. At P L^2 / (E I) = 1, the computed deflection of a cantilever of
-// one segment is 4 % too large.
+// Check of the number of segments of beams. The law of a segment assumes small rotations; its error under large bending
+// grows with the square of the segment's length. At P L^2 / (E I) = 1, the computed deflection of a cantilever of one
+// segment is 4 % too large.
 #pragma once
 
 #include "deflection/flexible_kinematics.hpp"
@@ -9,13 +9,14 @@ namespace tubeplan::deflection {
 
 struct Discretisation {
   double tip_error = 0;  ///< estimated error of the deflected tip [m]; NaN if the arm has no equilibrium
-  /// Multiplier of each beam's number of segments that keeps the error below the allowed error; 0: none was found.
+  /// Smallest tried multiplier of each beam's number of segments that keeps the error within the allowed error; 0:
+  /// none.
   int factor = 1;
 };
 
-/// Compares the tip for the stated number of segments with the tip for twice as many (Richardson extrapolation of order
-/// two). Also finds the number of segments that leaves an error below `allowed` [m]. The error is zero if no beam
-/// bends.
+/// Estimates the error of the tip from its positions with the stated number of segments and with twice as many
+/// (Richardson extrapolation of order two). Then doubles the number of segments until the error is at most `allowed`
+/// [m]. For an arm without beams, the error is zero.
 [[nodiscard]] Discretisation discretisationOf(const Arm& arm, const Posture& posture, double allowed);
 
 /// Returns the largest number of segments of any beam of the arm; 0 if the arm has no beam.

@@ -39,7 +39,7 @@ class DualNumber {
   friend DualNumber operator*(double a, const DualNumber& b) { return b.scaled(a * b.value_, a); }
   friend DualNumber operator/(const DualNumber& a, double b) { return a.scaled(a.value_ / b, 1 / b); }
 
-  // Comparisons use values alone: they select branches, which have no derivative.
+  // Comparisons use the values alone: they only decide which branch of the code is taken.
   friend bool operator<(const DualNumber& a, const DualNumber& b) { return a.value_ < b.value_; }
   friend bool operator>(const DualNumber& a, const DualNumber& b) { return a.value_ > b.value_; }
   friend bool operator<=(const DualNumber& a, const DualNumber& b) { return a.value_ <= b.value_; }

@@ -58,10 +58,10 @@ class Equilibrium {
   std::vector<RigidBody> bodies;
   std::vector<FlexibleElement> elements;
   std::vector<DeadLoad> loads;
-  double reach = 0;    ///< length that converts rotations to tip motions [m]
-  int clearances = 0;  ///< number of axes with an open gap
+  double reach = 0;    ///< lever arm in the conversion of rotations to tip motions [m]
+  int clearances = 0;  ///< number of axes with a clearance greater than zero
 
-  /// Iterates from the undeflected shape until no sweep moves the tip by more than `tolerance` [m].
+  /// Iterates from the undeflected shape until a sweep outwards moves the tip by no more than `tolerance` [m].
   KinematicsStatus converge(double tolerance, int max_iterations);
 
   /// Computes the loads on the elements for their present deflections.
@@ -76,7 +76,7 @@ class Equilibrium {
   /// Returns the loads on an element from everything beyond it, as last computed.
   [[nodiscard]] Loading<double> loadingOf(std::size_t element) const;
 
-  /// Returns the position of an element in its gap about an axis, under a moment about that axis.
+  /// Returns the position that an element takes in its gap about an axis, under a moment about that axis [N m].
   [[nodiscard]] clearance::Rest restOf(std::size_t element, int axis, double moment) const;
 
  private:

@@ -46,14 +46,14 @@ struct PostureOf {
   Eigen::Matrix<S, Eigen::Dynamic, 1> side_q = {};
   /// Direction of each joint's last motion: -1, 0 or +1. Empty if unknown, which counts as 0 for all joints.
   std::vector<int> approach_directions = {};
-  /// Conditions of the posture. A condition that is not stated takes the arm's reference value. Without a time there is
-  /// no drift, and any slip has happened.
+  /// Conditions of the posture. A condition that is not stated takes the arm's reference value. If no time is stated,
+  /// drifts are zero and slips of the base have already happened.
   ConditionValues conditions = {};
-  std::string_view setup = {};  ///< name of the base's set-up; the viewed text must outlive the posture
+  std::string_view setup = {};  ///< name of the base's set-up; the viewed string must outlive the posture
 };
 using Posture = PostureOf<double>;
 
-/// Returns true if the parameters that the solver uses at the posture differ from the arm's own.
+/// Returns true if the arm or the loads that the solver uses may depend on the posture: see dependsOnPosture(arm).
 template <class S>
 bool dependsOnPosture(const ArmOf<S>& arm, const PostureOf<S>& posture) {
   return dependsOnPosture(arm) || posture.wrench;
@@ -106,9 +106,9 @@ struct FlexibleKinematics {
   Eigen::Matrix3d R_LT = Eigen::Matrix3d::Identity();  ///< tool frame's axes in the last row's frame, effects included
 };
 
-/// Solves the deflected shape: resolves loads along the chain on the deflected shape, deflects the elements and
-/// reassembles the chain, until the tip is at rest. `posture.q` must have one entry per active row. Effects of the arm
-/// are included: the result is the shape of the true arm, in the axes of the nominal base.
+/// Solves the deflected shape: computes the loads on the deflected shape, deflects the elements and reassembles the
+/// chain, until the tip no longer moves. `posture.q` must have one entry per active row. The arm's effects are
+/// included; the result is in the axes of the nominal base, even if effects move the base.
 [[nodiscard]] FlexibleKinematics solveFlexibleKinematics(const Arm& arm, const Posture& posture,
                                                          const FlexibleKinematicsOptions& options = {});
 

@@ -1,4 +1,5 @@
-// Frames of bodies on bent members, aligned with the members' chords; the bow is subtracted from clearances.
+// Row frames aligned with the chords of bent members. Collision checks fix bodies to these frames, and subtract the
+// distance between member and chord from clearances.
 #pragma once
 
 #include <vector>
@@ -7,8 +8,8 @@
 
 namespace tubeplan::deflection {
 
-/// Returns each row's frame in the world, turned so that its member lies along the bent member's chord. `bow` receives
-/// the greatest distance of a bent member from its chord [m]; it may be null.
+/// Returns each row's frame in the world, rotated so that its undeflected member lies along the bent member's chord.
+/// `bow`, if not null, receives the largest distance of a bent member from its chord [m].
 [[nodiscard]] std::vector<Eigen::Isometry3d> framesAlongChords(const Arm& arm, const Eigen::Isometry3d& X_WB,
                                                                const FlexibleKinematics& shape, double* bow);
 

@@ -13,16 +13,16 @@
 
 namespace tubeplan::deflection {
 
-/// Forward kinematics of many postures; each thread needs its own object. Arms without a kernel (effects, slides,
-/// clearances, elements that are compliant about several axes) are solved posture by posture, with the same results.
-/// The caller need not know which method is used.
+/// Forward kinematics of many postures; each thread needs its own object. Arms that no kernel can solve (those with
+/// effects, prismatic joints, clearances, or elements that are compliant about several axes) are solved posture by
+/// posture. The caller need not know which method is used.
 class Kinematics {
  public:
   /// `arm` must outlive this object, and must not change.
   explicit Kinematics(const Arm& arm);
 
-  /// Solves every posture independently: a posture that fails does not affect the others. Nothing is allocated if a
-  /// kernel does the work and `tips` has held as many postures before.
+  /// Solves every posture independently: a posture that fails does not affect the others. Allocates nothing if a kernel
+  /// solves the arm and `tips` has held as many postures before.
   void solve(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options = {});
   void solveWithJacobian(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options = {});
 

@@ -1,4 +1,4 @@
-// Every numeric value of an arm under its dotted name, for any scalar type: the parameters for identification and the
+// Every numeric value of an arm under its dotted name, for any scalar type: parameters that fits can estimate, and
 // variables of derivatives.
 #pragma once
 
@@ -25,7 +25,7 @@ struct ParameterPath {
   bool operator==(const ParameterPath&) const = default;
 };
 
-/// A kind of parameter of rows or of the tool that can be identified, from the list in row_numbers.hpp.
+/// A kind of parameter that fits can estimate: a value of a row, from the list in row_numbers.hpp, or of the tool.
 struct ParameterField {
   std::string_view name;  ///< name within the row, such as "joint_stiffness.z"
   Quantity quantity;
@@ -58,7 +58,7 @@ std::optional<Parameter> findParameter(const Arm& arm, std::string_view name);
 double& locate(Arm& arm, const ParameterPath& path);
 Dual& locate(ArmOf<Dual>& arm, const ParameterPath& path);
 
-/// Converts an arm to another scalar type; derivatives become zero, or are dropped.
+/// Converts an arm to another scalar type, without derivatives: new ones are zero, and existing ones are dropped.
 template <class To, class From>
 ArmOf<To> castArm(const ArmOf<From>& arm);
 

@@ -137,7 +137,8 @@ void PreparedArm::prepare(const Arm& arm, const VectorXd& q) {
   equilibrium_.bodies.assign(part_ends_.size(), {});
 }
 
-/// Returns a joint's angle. The assembled chain already includes the offset of a joint that follows others.
+/// Returns the angle by which a joint rotates its link of the assembled chain [rad]. If the joint follows others, the
+/// link already includes the joint's offset.
 double PreparedArm::angleOf(const JointTurn& turn, const VectorXd& q) const {
   if (turn.joint >= 0) return q[turn.joint] + turn.offset;
   const Arm& arm = effective();
@@ -254,7 +255,7 @@ void PreparedArm::linkFrames(bool rigid, std::vector<PoseOf<double>>& frames) co
 }
 
 PoseOf<double> PreparedArm::X_BL(int row) const {
-  PoseOf<double> found = X_BD_;  // used if an effect is undefined
+  PoseOf<double> found = X_BD_;  // returned if an effect is undefined
   if (status_ == KinematicsStatus::kUndefined) return found;
   walkLinks(false, [&](std::size_t k, const PoseOf<double>& X) {
     if (k < chain_.links.size() && chain_.links[k].type == ChainLinkType::kFrame && chain_.links[k].row == row)
@@ -263,7 +264,7 @@ PoseOf<double> PreparedArm::X_BL(int row) const {
   return context_ ? context_->X_BM * found : found;
 }
 
-/// Records the resultant of all loads outwards of each row's origin, on the deflected shape.
+/// Records the resultant, about each row's origin, of all loads beyond that origin on the deflected shape.
 void PreparedArm::recordLoads(const std::vector<PoseOf<double>>& frames, std::vector<RowState>& rows) const {
   const Arm& arm = effective();
   const Vector3d& g = effectivePosture().gravity_B;

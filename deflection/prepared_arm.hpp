@@ -20,7 +20,7 @@ struct Shapes;
 }  // namespace simd
 struct Variable;
 
-/// Solver of one posture after another; each thread needs its own object.
+/// Solves one posture after another; each thread needs its own object.
 class PreparedArm {
  public:
   /// `arm` must outlive this object, and must not change.
@@ -40,8 +40,8 @@ class PreparedArm {
   /// other variables.
   [[nodiscard]] const simd::RevoluteVariables* kernelFor(const std::vector<Variable>& variables);
 
-  /// Solves a posture with the derivatives that `variables`, a rule from kernelFor(), combines, in the layout of one
-  /// kernel lane.
+  /// Solves a posture, and writes to `derivatives` the kernel's derivatives that `variables`, a rule from kernelFor(),
+  /// combines. They are laid out for a single lane.
   KinematicsStatus solveWithDerivatives(const Posture& posture, const FlexibleKinematicsOptions& options,
                                         const simd::RevoluteVariables& variables, double* derivatives);
 
@@ -116,9 +116,9 @@ class PreparedArm {
   const Arm& arm_;
   Posture asked_;
   std::optional<EffectContext<double>> context_;  ///< effects at the present posture; empty if there are none
-  bool is_fixed_;  ///< true: no slides and no other dependence on the posture, so that the links are constant
-  bool is_prepared_ = false;  ///< true: the members below hold the fixed arm
-  Chain<double> chain_;       ///< chain with the revolute joints at zero
+  bool is_fixed_;                                 ///< true: the links are the same at every posture
+  bool is_prepared_ = false;                      ///< true: the members below hold the fixed arm
+  Chain<double> chain_;                           ///< chain with the revolute joints at zero
   std::vector<JointTurn> turns_;
   std::vector<RigidPart> parts_;
   std::vector<std::size_t> part_ends_;  ///< index after the last part of each body
@@ -126,7 +126,7 @@ class PreparedArm {
   /// Elements and loads at equilibrium, filled by copyOutElements() on demand if a kernel has solved the shape.
   mutable Equilibrium equilibrium_;
   std::unique_ptr<const simd::RevoluteChain> revolute_chain_;  ///< the arm in kernel form; null if there is none
-  std::vector<double> element_states_;                         ///< results of a kernel for each turn
+  std::vector<double> element_states_;                         ///< a kernel's Shapes::element_states
   std::vector<Variable> kernel_asked_;                         ///< variables of the last call of kernelFor()
   std::unique_ptr<const simd::RevoluteVariables> kernel_;      ///< rule for kernel_asked_; null if there is none
   mutable bool is_copied_out_ = true;

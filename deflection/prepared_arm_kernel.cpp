@@ -37,7 +37,7 @@ const simd::RevoluteVariables* PreparedArm::kernelFor(const std::vector<Variable
   return kernel_.get();
 }
 
-/// Solves with a kernel. `out` holds the pointers for derivatives; null if none are wanted.
+/// Solves with a kernel. `out` holds the pointers for derivatives; null if none are needed.
 KinematicsStatus PreparedArm::solveRevoluteChain(const FlexibleKinematicsOptions& options, simd::Shapes out) {
   const simd::RevoluteArm arm = revolute_chain_->numbers();
   const Posture& posture = effectivePosture();

@@ -1,4 +1,4 @@
-// The physical quantity of a number, which determines its unit in readers and printers.
+// The physical quantity of a number, which determines its unit in files and printed output.
 #pragma once
 
 namespace tubeplan::deflection {
@@ -21,13 +21,13 @@ enum class Quantity {
   kTemperature,  ///< absolute temperature
 };
 
-/// Unit of a value: that of a quantity, which every file chooses, or a fixed unit of the value's own.
+/// Unit of a value: the unit of its quantity, which each file chooses, or a fixed unit.
 struct ValueUnit {
   Quantity quantity = Quantity::kNone;
   const char* own = "";  ///< fixed unit of a plain number, such as "percent"; empty if none
 };
 
-/// Returns true for E, G, I, J and joint stiffnesses: a component's compliance is inversely proportional to them.
+/// Returns true for E, G, I, J and joint stiffnesses, to which an element's compliance is inversely proportional.
 [[nodiscard]] constexpr bool isStiffness(Quantity quantity) {
   return quantity == Quantity::kTorquePerAngle || quantity == Quantity::kPressure ||
          quantity == Quantity::kLengthToTheFourth;

@@ -1,5 +1,5 @@
-// Tip of the arm without deflection, computed from the joint axes at zero readings (product of exponentials). The start
-// postures of the flexible solution are searched on this rigid arm. Internal to the inverse kinematics.
+// Tip of the arm without deflection, computed from the joint axes at zero readings (product of exponentials). Start
+// postures for the flexible solution are found with this rigid arm. Internal to the inverse kinematics.
 #pragma once
 
 #include <vector>

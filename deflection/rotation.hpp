@@ -1,4 +1,4 @@
-// Rotations and poses for any scalar type of the physics.
+// Rotations and poses for plain and dual numbers.
 #pragma once
 
 #include <cmath>

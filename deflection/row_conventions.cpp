@@ -24,8 +24,8 @@ struct OnAxis {
   [[nodiscard]] bool isNothing() const { return turn == 0 && slide == 0; }
 };
 
-/// Step from a row to the next: the motion of the row's frame along and about its axis, the parameters that then lead
-/// to the next axis, and the residual motion to the next frame, as theta and d.
+/// Step from a row to the next: the motion of the row's frame along and about its own axis, then the parameters that
+/// lead to the next axis, with theta and d that lead on to the next frame.
 struct RowStep {
   OnAxis first;
   CraigNumbers numbers;
@@ -35,7 +35,7 @@ void settle(double& number) {
   if (std::abs(number) < kNothing) number = 0;
 }
 
-/// Sets the angles that rotate z to a direction: first about x, then about y.
+/// Sets the angles that rotate the z axis to the direction `z`: alpha about x, then beta about y.
 void tiltTo(const Vector3d& z, CraigNumbers& numbers) {
   numbers.alpha = std::atan2(-z.y(), z.z());
   numbers.beta = std::atan2(z.x(), z.tail<2>().norm());
@@ -43,8 +43,8 @@ void tiltTo(const Vector3d& z, CraigNumbers& numbers) {
   settle(numbers.beta);
 }
 
-/// Returns the step between nearly parallel axes, perpendicular to the present axis, and the distance [m] of the step's
-/// end from the next row's origin.
+/// Returns the step between nearly parallel axes, perpendicular to the present axis, and the position [m] of its end on
+/// the next axis, relative to the next row's origin.
 std::pair<RowStep, double> stepAcross(const Vector3d& o, const Vector3d& z) {
   const double along = -o.z() / z.z();
   const Vector3d p = o + along * z;
@@ -52,7 +52,7 @@ std::pair<RowStep, double> stepAcross(const Vector3d& o, const Vector3d& z) {
   step.numbers.a = p.head<2>().norm();
   settle(step.numbers.a);
   if (step.numbers.a > 0) step.first.turn = std::atan2(p.y(), p.x());
-  // A negative a replaces a rotation by more than a quarter turn.
+  // Negate a rather than rotate the frame by more than a quarter turn.
   if (std::abs(step.first.turn) > std::numbers::pi / 2) {
     step.numbers.a *= -1;
     step.first.turn = std::remainder(step.first.turn + std::numbers::pi, kFullTurn);
@@ -62,7 +62,8 @@ std::pair<RowStep, double> stepAcross(const Vector3d& o, const Vector3d& z) {
   return {step, along};
 }
 
-/// Returns the step along the common normal, and the distance of the step's end from the next row's origin [m].
+/// Returns the step along the common normal, and the position of its end on the next axis, relative to the next row's
+/// origin [m].
 std::pair<RowStep, double> stepAlongNormal(const Vector3d& o, const Vector3d& z) {
   const double sine = z.head<2>().norm();
   const double along = (o.z() * z.z() - o.dot(z)) / (sine * sine);

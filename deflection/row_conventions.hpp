@@ -27,8 +27,8 @@ enum class RowConvention {
 [[nodiscard]] std::span<const std::string_view> rowConventionNames();
 
 struct ConversionOptions {
-  /// Axes at a smaller angle than this count as parallel or antiparallel, and the row gets a beta [rad]. Zero: all axes
-  /// use a common normal, however far away it is.
+  /// Angle between two axes [rad] below which they count as parallel or antiparallel, so that the row gets a beta.
+  /// Zero: every row uses the common normal, however far away it is.
   double nearly_parallel = 5 * std::numbers::pi / 180;
 };
 
@@ -45,8 +45,8 @@ struct ConvertedArm {
 
 /// Converts rows with standard Denavit-Hartenberg parameters to Craig's convention, in which a row has alpha, a and
 /// beta of the row before. The names of the parameters stay those of the file (Row::placed_by). If the last row has a
-/// non-zero alpha, a or beta, a row NAME-end without a joint is added to hold them. Rows placed by origin, if any, come
-/// first. The axis of a first row with standard parameters is the base's z axis; the row's alpha, a, beta and b in
+/// non-zero alpha, a or beta, a row NAME-end without a joint is added to hold them. Rows placed by origin, if any, must
+/// come first. The axis of a first row with standard parameters is the base's z axis; the row's alpha, a, beta and b in
 /// Craig's convention can place it elsewhere.
 void readAsStandard(std::vector<Row<double>>& rows);
 

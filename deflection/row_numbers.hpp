@@ -15,8 +15,8 @@
 
 namespace tubeplan::deflection {
 
-/// Part of a row that a value belongs to: the placement; the flexibility at the origin and along the member; the
-/// joint's offset, the weights and the forces.
+/// Part of a row to which a value belongs: the placement; the flexibility, at the origin or along the member; else the
+/// loads, which here include the joint's offset.
 enum class RowPart { kPlacement, kFlexibility, kLoad };
 
 struct RowNumber {
@@ -28,8 +28,8 @@ struct RowNumber {
   double upper = std::numeric_limits<double>::infinity();
   RowPart part = RowPart::kLoad;
   int lump = -1;                                               ///< index of the lump that has the value; -1: none
-  double left_out = std::numeric_limits<double>::quiet_NaN();  ///< value that files may omit; NaN: none
-  /// True: the value can be identified, and the joint's reading or offset does not determine it already.
+  double left_out = std::numeric_limits<double>::quiet_NaN();  ///< default, which files need not state; NaN: none
+  /// True: fits can estimate the value, and it is not redundant with the joint's reading or offset.
   bool is_parameter = false;
 };
 
@@ -40,10 +40,10 @@ inline std::string_view keyIn(std::string_view map, const RowNumber& about) {
   return is_there ? name.substr(map.size() + 1) : std::string_view();
 }
 
-/// Name of the parameter that can be identified only in an arm's first row; in other rows it is redundant.
+/// Name of the parameter that is redundant in all rows but an arm's first.
 inline constexpr std::string_view kShiftOfFirstAxis = "dh.b";
 
-/// Returns true if the parameter named `number` helps to place the row's axis, before the row's joint moves.
+/// Returns true if the parameter named `number` is one of those that place the row's axis relative to the row before.
 inline bool leadsToAxis(std::string_view number) {
   return number == "dh.alpha" || number == "dh.a" || number == "dh.beta" || number == kShiftOfFirstAxis;
 }
@@ -151,7 +151,7 @@ void visitFlexibilities(Visit&& visit, R& row, Rest&... rest) {
   visitEffectFlexibilities(visit, row, rest...);
 }
 
-/// Visits corresponding lumps; `weight_of` describes their weights.
+/// Visits corresponding lumps of all rows; `weight_of` describes their weights.
 template <class Visit, class L, class... Rest>
 void visitLumps(const RowNumber& weight_of, Visit&& visit, L& lumps, Rest&... rest) {
   assert(((lumps.size() == rest.size()) && ...));
@@ -188,7 +188,8 @@ void visitLoads(Visit&& visit, R& row, Rest&... rest) {
   visitLumps({}, visit, row.effect_terms->hung, rest.effect_terms->hung...);
 }
 
-/// Calls `visit(about, numbers...)` for every number of rows of the same structure, in the order of files.
+/// Calls `visit(about, numbers...)` for every number of the rows, which must have the same structure, in the order of
+/// files.
 template <class Visit, class... R>
 void visitNumbers(Visit&& visit, R&... rows) {
   visitPlacements(visit, rows...);

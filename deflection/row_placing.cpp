@@ -164,7 +164,7 @@ void RowPlacing::runOneByOne() {
   for (int l = 0; l < width; ++l) {
     const auto lane = static_cast<std::size_t>(l);
     for (Index joint = 0; joint < q.size(); ++joint) q[joint] = q_[static_cast<std::size_t>(joint * width + l)];
-    // The last posture is repeated in the remaining lanes.
+    // The remaining lanes repeat the last posture, which is already solved.
     if (l < placed_.count)
       placed_.is_converged[lane] = arm_.solve({q, load_, gravity_B_}) == KinematicsStatus::kConverged;
     else

@@ -1,5 +1,6 @@
-// Placement of the rows of an arm bent by weight and load; each row's frame is turned along the chord of its bent
-// member. Bodies are fixed to these frames. As many postures are placed at once as the processor has SIMD lanes.
+// Placement of the rows of an arm bent by weight and load; each row's frame is rotated so that its member lies along
+// the bent member's chord. Collision bodies are fixed to these frames. As many postures are placed at once as the
+// processor has SIMD lanes.
 //
 // The frames of a posture are bit-identical whatever postures fill the other lanes, on every processor, with or without
 // a kernel.
@@ -21,7 +22,7 @@ struct PlacedRows {
   int count = 0;
   /// 12 values for each row, in lanes: the row's frame in the world, laid out as the poses of TipBatch.
   std::vector<double> frames;
-  std::vector<double> bow;         ///< greatest distance of a bent member from its chord [m]
+  std::vector<double> bow;         ///< for each lane, largest distance of a bent member from its chord [m]
   std::vector<bool> is_converged;  ///< false: the deflected shape does not converge, and frames and bow are invalid
 
   [[nodiscard]] Eigen::Isometry3d X_WL(int row, int lane) const;

@@ -1,4 +1,4 @@
-// The scalar types of the physics: doubles, and dual numbers that carry exact derivatives through the same code.
+// The scalar types of the model: doubles, and dual numbers that carry exact derivatives through the same code.
 #pragma once
 
 #include <Eigen/Dense>

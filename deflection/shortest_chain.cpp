@@ -10,13 +10,13 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kFarApart = 2;  ///< ratio to the shortest length above which a chain is shortened
+constexpr double kFarApart = 2;  ///< ratio of a chain's length to its shortest length, above which it is shortened
 constexpr int kShortenings = 10;
-/// Lower bound on a piece's length when its weight is computed, as a fraction of the chain's length: points may
+/// Lower bound on a piece's length, as a fraction of the chain's length, when its weight is computed: points may
 /// coincide.
 constexpr double kShortestPiece = 1e-3;
 
-/// Computes the shifts that minimise the weighted sum of squared piece lengths, from a tridiagonal system.
+/// Shifts the points so that the weighted sum of squared piece lengths becomes minimal, and adds the shifts to `slid`.
 void slideOnce(std::vector<ChainLine>& chain, const std::vector<double>& weights, std::vector<double>& slid) {
   const std::size_t n = chain.size();
   std::vector<double> diagonal(n), right(n), coupling(n, 0.);
@@ -56,7 +56,7 @@ double chainLength(const std::vector<ChainLine>& chain) {
 
 std::vector<double> shortenChain(std::vector<ChainLine>& chain) {
   std::vector<double> slid(chain.size(), 0.), weights(chain.size(), 1.);
-  // Solved twice with equal weights, because far points lose digits in the first solution.
+  // Solve twice with equal weights, because the first solution loses digits if points are far away.
   slideOnce(chain, weights, slid);
   slideOnce(chain, weights, slid);
   for (int step = 0; step < kShortenings; ++step) {

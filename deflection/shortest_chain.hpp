@@ -1,4 +1,5 @@
-// The shortest path along an arm from axis to axis: a measure of the arm's length, however its rows are written.
+// The shortest path along an arm from axis to axis: a measure of the arm's length that does not depend on how its rows
+// are written.
 #pragma once
 
 #include <vector>
@@ -18,8 +19,8 @@ struct ChainLine {
 /// alone.
 ///
 /// Each step minimises the sum of squared piece lengths, each weighted by the inverse of the piece's length before the
-/// step (Weiszfeld 1937), so the sum of lengths never grows. The first step starts from the least unweighted sum of
-/// squares, which does not depend on the given points.
+/// step (Weiszfeld 1937), so the sum of lengths never grows. The first step starts from the minimum of the unweighted
+/// sum of squares, which does not depend on the given points.
 std::vector<double> shortenChain(std::vector<ChainLine>& chain);
 
 /// Shortens a chain that is more than twice its shortest length; leaves any other chain as it is. Returns the shift of

@@ -1,7 +1,7 @@
-// Parts attached to a row without leading to the tip: a second arm, a counterweight on a joint of its own.
+// Parts that branch off a row and do not lead to the tip: a second arm, or a counterweight on a joint of its own.
 //
-// Law: a side chain is rigid and only adds its weight W at its centre of gravity, in the axes of the row that carries
-//      it. The centre follows from the readings of the chain's own joints.
+// Law: a side chain is rigid and only adds its weight at its centre of gravity. The centre, in the axes of the row that
+//      carries the chain, follows from the readings of the chain's own joints.
 // Validity: the deflection of the chain itself shifts its centre of gravity only slightly.
 // Source: statics.
 #pragma once

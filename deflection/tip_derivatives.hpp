@@ -1,5 +1,5 @@
-// Exact derivatives of the deflected tip pose: dual numbers give the direct change with a variable, and the linearised
-// converged shape gives the arm's response.
+// Exact derivatives of the deflected tip pose: dual numbers give the derivatives of links, elements and loads, and the
+// linearised shape gives the arm's response to their changes.
 #pragma once
 
 #include <vector>

@@ -10,8 +10,8 @@ namespace tubeplan::deflection {
 
 namespace {
 
-/// Returns the row whose links change with a variable of an arm without effects; `rows` if the variable acts at the
-/// tip.
+/// Returns the row whose links change with a variable of an arm without effects; `rows` if the variable belongs to no
+/// row, as those of tool, load and gravity.
 int rowOf(const Variable& variable, const std::vector<int>& active, int rows) {
   if (variable.type == Variable::Type::kJoint) return active[static_cast<std::size_t>(variable.index)];
   if (variable.type == Variable::Type::kParameter) return variable.parameter.row < 0 ? rows : variable.parameter.row;
@@ -89,9 +89,9 @@ void TipDifferentiation::store(const Block& block, int count, const TipColumns& 
   for (int slot = 0; slot < count; ++slot) columns_.col(static_cast<Eigen::Index>(block[slot])) = tip.col(slot);
 }
 
-/// Adds the motion of the tip caused by changes of a row, of its reading `q` and, if it `leads_elsewhere`, of its
-/// vector to the next row. Only changed parts are built. Returns true if the vector from the row before to this row
-/// changes.
+/// Adds the motion of the tip caused by changes of a row, of its reading `q` and, if `leads_elsewhere`, of the vector
+/// to the next row. Only changed parts are built. Returns true if the vector from the row before to this row may
+/// change.
 bool TipDifferentiation::differentiateRow(std::size_t index, ArmOf<Dual>& arm, const Dual& q, bool leads_elsewhere,
                                           TipColumns& tip) {
   Row<Dual>& row = arm.rows[index];
@@ -144,7 +144,7 @@ void TipDifferentiation::differentiateWithoutEffects(const std::vector<Variable>
   }
 }
 
-/// Adds the changes of the tip that the seeded variables cause through effects.
+/// Adds the motion of the tip that the seeded variables cause in an arm with effects applied.
 void TipDifferentiation::differentiateInContext(TipColumns& tip) {
   const Arm& values = arm_.effective();
   const Posture& posture = arm_.effectivePosture();
@@ -164,7 +164,7 @@ void TipDifferentiation::differentiateInContext(TipColumns& tip) {
   if (sensitivity_.isOfTool()) addToolTurn(arm.tool_turn_L, sensitivity_.frame().R, tip);
 }
 
-/// Rotates directions that are fixed in the world by the rotation of the base relative to the world.
+/// Rotates gravity and the wrench, which are both fixed in the world, by the seeded rotation of gravity in the base.
 void TipDifferentiation::turnWorld() {
   dual_posture_.gravity_B += gravity_turn_.cross(dual_posture_.gravity_B);
   if (!dual_posture_.wrench) return;
@@ -195,7 +195,8 @@ void TipDifferentiation::differentiateWithEffects(const std::vector<Variable>& v
   }
 }
 
-/// Converts the columns from axes of the moved base to axes of the nominal base; variables may also move the base.
+/// Converts the columns from axes of the moved base to axes of the nominal base, and adds the motion of the base
+/// itself.
 void TipDifferentiation::moveBase(TipColumns& tip) const {
   const PoseOf<double>& X_BM = *arm_.movedBase();
   const Eigen::Vector3d p_MF_B = X_BM.R * sensitivity_.frame().p;

@@ -13,7 +13,7 @@
 
 namespace tubeplan::deflection {
 
-/// Solver for shapes of one arm with their derivatives, one posture after another; each thread needs its own object.
+/// Solves shapes of one arm with their derivatives, one posture after another; each thread needs its own object.
 class TipDifferentiation {
  public:
   /// `arm` must outlive this object, and must not change.

@@ -6,7 +6,8 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 
 namespace {
 
-/// Returns (a x r) x F as a matrix that multiplies a: the derivative of a moment when the point of action r rotates.
+/// Returns the matrix M with M a = (a x r) x F: the derivative of the moment of a force F when its point of action r
+/// rotates.
 Matrix3d momentByTurn(const Vector3d& r, const Vector3d& force) {
   return r * force.transpose() - r.dot(force) * Matrix3d::Identity();
 }
@@ -19,7 +20,7 @@ Vector3d placeOfWeight(const ChainLink<double>& link, const PoseOf<double>& near
   return (near.p + far.p) / 2;
 }
 
-/// Returns the index in the chain of the link that is a row's frame.
+/// Returns the index in the chain of the kFrame link of a row.
 std::size_t linkOfFrame(const Chain<double>& chain, int row) {
   for (std::size_t k = 0; k < chain.links.size(); ++k)
     if (chain.links[k].type == ChainLinkType::kFrame && chain.links[k].row == row) return k;
@@ -56,7 +57,7 @@ void TipSensitivity::answerOf(const PreparedArm& arm, std::size_t k, std::size_t
   out.is_member = element.kind->place == ElementPlace::kMember;
   out.rotation_by_moment = slopes.rotation_by_moment;
   if (out.is_member) {
-    // The chord depends on the displacement, and the displacement on the chord.
+    // A displacement changes the chord, and the chord in turn changes the displacement.
     out.displacement_itself = (Matrix3d::Identity() - slopes.displacement_by_chord).inverse();
     out.displacement_by_force = out.displacement_itself * slopes.displacement_by_force;
     out.displacement_by_moment = out.displacement_itself * slopes.displacement_by_moment;
@@ -66,7 +67,7 @@ void TipSensitivity::answerOf(const PreparedArm& arm, std::size_t k, std::size_t
     out.rotation_by_moment += slopes.rotation_by_chord * out.displacement_by_moment;
     out.rotation_by_weight = slopes.rotation_by_weight + slopes.rotation_by_chord * out.displacement_by_weight;
   }
-  // Change of the moment of the loads beyond, in near axes, when the near end rotates.
+  // Derivative, in near axes, of the moment of the loads beyond with respect to a rotation of the near end.
   const OutboardLoad& outboard = outboard_[k];
   const Matrix3d by_turn = outboard.by_turn - momentByTurn(frames_[k + 1].p, outboard.force);
   const Matrix3d moment_by_turn = out.R.transpose() * by_turn;

@@ -70,8 +70,9 @@ class TipSensitivity {
     Eigen::Matrix3d R, turn_B;  ///< near axes; rotation vector in base axes per change of the element's rotation
     Eigen::Matrix3d displacement_by_force, displacement_by_moment, displacement_by_weight;
     Eigen::Matrix3d rotation_by_force, rotation_by_moment, rotation_by_weight, rotation_by_displacement;
-    Eigen::Matrix3d displacement_itself;  ///< response of the displacement to its own change
-    /// Derivative of the moment of the loads beyond; inverse of the matrix in the equation of the rotation.
+    Eigen::Matrix3d displacement_itself;  ///< amplification of a displacement by its own change of the chord
+    /// Derivative of the moment of the loads beyond with respect to the element's rotation; inverse of the matrix of
+    /// the linear equation for that rotation.
     Eigen::Matrix3d moment_by_rotation, inverse;
     Eigen::Vector3d is_compliant;                 ///< 0 for an axis that hangs freely in its gap, else 1
     Eigen::Matrix3d turn_by_turn, shift_by_turn;  ///< response of the element to a rotation of its near end, base axes
@@ -90,7 +91,8 @@ class TipSensitivity {
   std::vector<PoseOf<double>> frames_;
   std::size_t answering_ = 0;           ///< index of the frame whose responses are computed
   std::vector<OutboardLoad> outboard_;  ///< loads beyond each link's far end
-  /// Response to a rotation of each link's far end about the base's origin, under constant inboard loads.
+  /// Response to a rotation of each link's far end about the base's origin, if the loads on the links before do not
+  /// change.
   std::vector<TipRows> motion_;
   std::vector<Answer> answers_;
   std::vector<LoadAnswer> loads_;  ///< responses to a force and a moment on each link

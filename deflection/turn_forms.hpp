@@ -1,4 +1,4 @@
-// The open table of notations of a rotation as three numbers. A new notation is a row of the table.
+// Table of the notations for a rotation as three numbers. To add a notation, add a row.
 #pragma once
 
 #include <array>

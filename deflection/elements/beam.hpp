@@ -1,4 +1,4 @@
-// A uniform cantilever under end force, end moment and distributed weight, with torsion.
+// Bending and torsion of a uniform cantilever under end force, end moment and distributed weight.
 //
 // Law: curvature kappa(s) = C M(s), with M(s) the moment at the fraction s in [0, 1] of the member's length,
 //        M(s) = M + (1-s) r x F + (1-s)^2/2 r x W,      C = sum_k n_k n_k^T (1/(E I_k) + b_k) + e e^T (1/(G J) + t),
@@ -33,7 +33,7 @@ inline bool isFlexible(const Row<double>& row) {
 
 inline int segments(const Row<double>& row) { return row.beam ? row.beam->segments : 1; }
 
-/// Returns the component of the row's axis perpendicular to the member's direction e, scaled to unit length.
+/// Returns the component of the row's axis `axis` perpendicular to the member's direction e, scaled to unit length.
 template <class S>
 Vector3<S> squareTo(const Vector3<S>& e, int axis) {
   Vector3<S> n = Vector3<S>::Unit(axis) - e * e[axis];
@@ -71,7 +71,7 @@ Flexibility<S> flexibilityOf(const Row<S>& row, const Vector3<S>& member) {
   using std::sqrt;
   Flexibility<S> result;
   result.member = member;
-  if (valueOf(member.squaredNorm()) == 0) return result;  // a fully retracted slide has no length to bend
+  if (valueOf(member.squaredNorm()) == 0) return result;  // a fully retracted bar has no length that could bend
   const S L = sqrt(member.squaredNorm());
   const Vector3<S> e = member / L;
   if (row.beam) result.compliance += curvatureCompliance<S>(*row.beam, e);
@@ -95,8 +95,8 @@ Slope<S> slopeOf(const Flexibility<S>& flexibility, const Loading<L>& loading) {
           flexibility.compliance * loading.chord.cross(loading.weight)};
 }
 
-/// Returns half the means of the products of theta(s): with the returned M, F, W, the mean of theta . theta is 2 (m . M
-/// + f . F + w . W).
+/// Returns half the mean over s of theta(s) times each of its three functions of s. With the returned M, F, W, the mean
+/// of theta . theta is 2 (m . M + f . F + w . W).
 template <class S>
 Slope<S> meansOf(const Slope<S>& t) {
   return {t.m * (1. / 6) + t.f * (5. / 48) + t.w * (3. / 80), t.m * (5. / 48) + t.f * (1. / 15) + t.w * (7. / 288),
@@ -121,8 +121,8 @@ Deflection<S> deflect(const Flexibility<S>& flexibility, const Loading<L>& loadi
   return result;
 }
 
-/// Returns the derivative of the displacement with respect to one term of theta(s), whose lever on the member is
-/// `share`.
+/// Returns the derivative of the displacement with respect to one term of theta(s); `share` is the term's factor in the
+/// `lever` of deflect(), and `mean` its result from meansOf().
 inline Eigen::Matrix3d displacementBy(double share, const Eigen::Vector3d& mean, const Eigen::Vector3d& v) {
   return -share * crossMatrix(v) + mean.dot(v) * Eigen::Matrix3d::Identity() + mean * v.transpose() -
          2 * v * mean.transpose();

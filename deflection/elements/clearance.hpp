@@ -18,7 +18,7 @@ namespace tubeplan::deflection::clearance {
 
 /// Parameters that limit the motion of a joint within its gap in one pass.
 struct Restoring {
-  double moment_per_angle;  ///< dM/dtheta if only this joint moves [N m/rad]; negative: the load hangs
+  double moment_per_angle;  ///< dM/dtheta if only this joint moves [N m/rad]; negative if the load hangs
   double scale;             ///< sum of the forces beyond the joint, times the arm's reach [N m]
   int clearances;           ///< number of clearances in the arm
 };
@@ -33,7 +33,7 @@ struct Rest {
 
 inline Rest converge(double gap, double before, double moment, const Restoring& restoring) {
   const double half = gap / 2, side = (moment > 0) - (moment < 0), floor = 1e-6 * restoring.scale;
-  // A closed gap still has a derivative: half of any opening, in the direction of the moment.
+  // The derivative with respect to the gap does not vanish at zero: the joint moves by half of any opening.
   if (half <= 0) return {side * half, side / 2};
   const bool hangs = restoring.moment_per_angle < -floor;
   if (!hangs && std::abs(moment) <= 1e-9 * restoring.scale) return {before};

@@ -1,4 +1,5 @@
-// Flexible elements of a row: each turns the load on a component into a deflection, by one law in one file.
+// Flexible elements of a row. Each converts the load on it into a deflection, by a law that is stated in a file of its
+// own.
 #pragma once
 
 #include <span>
@@ -24,7 +25,7 @@ struct Loading {
   Vector3<S> force;   ///< force on the far end, from everything beyond
   Vector3<S> moment;  ///< moment about the far end, from everything beyond
   Vector3<S> weight;  ///< total weight distributed along the element
-  Vector3<S> chord;   ///< vector from near to far end in the last pass's deflected shape: the true moment arm
+  Vector3<S> chord;   ///< vector from near to far end, deflected as in the last pass
 };
 
 /// Motion of the far end relative to the near end: displacement of the far end's origin [m], then rotation about that

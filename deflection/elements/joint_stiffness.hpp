@@ -2,7 +2,8 @@
 //
 // Law: theta_k = M_k / K_k about each axis k = x, y, z of the row's frame (Calkins 1994, eq. 2.17, section 2.3.3).
 //      Effects extend it to theta_k = (M_k + s_k clamp(M_k, -M1_k, M1_k)) / K_k + c_k M_k: the soft zone of a harmonic
-//      drive below the knee M1 (Harmonic Drive, torsional stiffness K1, K2), and a compliance c of a rigid axis.
+//      drive below the knee M1 (Harmonic Drive, torsional stiffness K1, K2), and a compliance c, also of an axis with
+//      infinite K.
 // Symbols: M moment about the row's origin [N m], K stiffness [N m/rad], theta rotation [rad], s softness of the zone
 //      (stiffness K/(1+s) there), M1 knee moment [N m], c compliance [rad/(N m)].
 // Validity: elastic, no friction; see clearance.hpp for clearance. An infinite K is a rigid axis.
