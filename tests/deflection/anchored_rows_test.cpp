@@ -11,7 +11,7 @@ namespace {
 
 using testing::DrawnRows;
 
-/// Returns the arm as a controller writes it, with exact common normals even between nearly parallel axes.
+/// Returns the arm as a controller would state it, with exact common normals even between nearly parallel axes.
 Arm byCommonNormals(const Arm& arm) { return convertRows(arm, RowConvention::kModified, {.nearly_parallel = 0}).arm; }
 
 TEST(AnchoredRows, areTheSameArmHoweverFarItsRowsGo) {
@@ -92,7 +92,7 @@ TEST(AnchoredRows, inverseKinematicsFindsTheSameBranches) {
       EXPECT_LE((rigidFramesOf<double>(arm, branch.q).tip - goal.p_BT).norm(), 1e-9) << n;
     }
   }
-  EXPECT_GE(found, 9);  // a random posture may be singular
+  EXPECT_GE(found, 9);  // not all 12, because a random posture may be singular
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Unusable arms are refused with a problem that names the cause.
+// Every fault of an unusable arm must be reported with the path of the faulty entry.
 #include <gtest/gtest.h>
 
 #include <functional>

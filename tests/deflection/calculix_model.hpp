@@ -59,8 +59,8 @@ class CalculixModel {
       const int pilot = bodies_[b].pilot;
       file << "*RIGID BODY, NSET=BODY" << b << ", REF NODE=" << pilot << ", ROT NODE=" << pilot + 1 << "\n";
     }
-    // The stiff axes make the first residuals of an increment grow, so many iterations are allowed. The tolerance of
-    // the residual is far below CalculiX's default of 0.5 %.
+    // Many iterations are allowed, because the stiff axes make the residual grow at the start of an increment. The
+    // tolerance of the residual is far below CalculiX's default of 0.5 %.
     file << "*NSET, NSET=TIP\n"
          << tip_ << "\n*BOUNDARY\nBODY0, 1, 3\n*STEP, NLGEOM, INC=200\n"
          << "*CONTROLS, PARAMETERS=TIME INCREMENTATION\n50, 60, 9, 100, 50\n*CONTROLS, PARAMETERS=FIELD\n1.e-5, 1.e-5\n"

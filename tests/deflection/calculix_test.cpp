@@ -1,4 +1,5 @@
-// The complete Cobra arm compared with the finite-element program CalculiX, including large rotations.
+// The deflection of the complete Cobra arm must agree with the finite-element program CalculiX, also at large
+// rotations.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// One flexible member compared with closed forms of the cantilever (equations 2.8 with 3, 2.9 to 2.17).
+// The deflection of a single flexible member must agree with closed forms of the cantilever (Calkins 1994, equations
+// 2.9 to 2.17, and 2.8 with 3 instead of 2).
 #include <gtest/gtest.h>
 
 #include "deflection/flexible_kinematics.hpp"
@@ -41,7 +42,8 @@ FlexibleKinematics solve(const Arm& arm, double load, const Eigen::Vector3d& gra
 
 double slopeAboutZ(const FlexibleKinematics& shape) { return std::atan2(shape.X_BD.R(1, 0), shape.X_BD.R(0, 0)); }
 
-/// A joint compliant only about its axis, at angles below and above the limit under which sine and cosine are series.
+/// A joint that is compliant only about its axis must rotate to the exact equilibrium angle, below and above 0.1 rad,
+/// the limit of the series for sine and cosine.
 TEST(ClosedForms, AJointsTurnIsExactToRounding) {
   for (const double angle : {0.02, 0.0999, 0.1001, 0.3}) {
     Arm arm;
@@ -53,7 +55,7 @@ TEST(ClosedForms, AJointsTurnIsExactToRounding) {
     arm.rows = {link};
     arm.p_LT = {1, 0, 0};
     Posture posture{Eigen::VectorXd::Zero(1), 0, -Eigen::Vector3d::UnitY()};
-    posture.wrench.emplace();  // a wrench in addition to gravity makes the general sweeps solve the arm
+    posture.wrench.emplace();  // kernels do not support wrenches: the general sweeps solve the arm
     posture.wrench->force_B = {0, -1e4 * angle / std::cos(angle), 0};  // equilibrium: k angle = F L cos(angle)
     const auto shape = solveFlexibleKinematics(arm, posture, {1e-15, 100});
     ASSERT_EQ(shape.status, KinematicsStatus::kConverged) << angle;

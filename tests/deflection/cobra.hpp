@@ -1,4 +1,4 @@
-// The shipped Cobra arm and random postures of the arm.
+// The shipped Cobra arm, random joint vectors within the limits of an arm, and random directions.
 #pragma once
 
 #include <numbers>

@@ -1,4 +1,5 @@
-// The Cobra arm compared with printed results (Calkins 1994, tables 5.8 to 5.10) and with an independent rod solver.
+// The tip of the Cobra arm must agree with printed results (Calkins 1994, tables 5.8 to 5.10) and with an independent
+// rod solver.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -34,7 +35,7 @@ TEST(CobraTables, AllThirtySixFigures) {
   const Vector6 first = list(68.688, -39.055, 39.994, 88.901, .027, -36.696),
                 second = list(23.829, 30.582, 46.937, 89.606, 2.158, 73.302);
   const Eigen::Vector4d q1(-36.688, 46.138, -35.856, -11.127), q2(73.312, 126.138, -95.856, -31.127);
-  // The last alpha of the second row is printed as -0.030, which no parameters reproduce.
+  // The thesis prints -0.030 as the last angle of the second row, which no parameters reproduce.
   const Example examples[] = {{q1, first, 0, list(.612, -.322, -1.333, -.172, 1.248, -.015)},
                               {q1, first, 30, list(1.019, -.573, -2.315, -.255, 2.275, -.034)},
                               {q2, second, 0, list(.185, .181, -.226, .153, .369, .006)},
@@ -60,7 +61,7 @@ std::vector<std::vector<double>> referencePoses() {
   return rows;
 }
 
-/// Returns the largest tip distance [in] and the largest orientation angle [deg] from the rod solver's poses.
+/// Returns the largest position error [in] and the largest orientation error [deg] relative to the rod solver's poses.
 std::pair<double, double> worstAgainstRods(int segments) {
   const Arm arm = cobraArm(segments);
   double worst_tip = 0, worst_turn = 0;

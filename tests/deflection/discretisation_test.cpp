@@ -9,7 +9,8 @@
 namespace tubeplan::deflection {
 namespace {
 
-/// Returns a weightless cantilever 1 m long along x, with one segment and the load that gives P L^2 / (E I) = alpha.
+/// Returns a weightless cantilever along x with one segment, of length L = 1 m and stiffness E I = 1 N m^2: a load P of
+/// alpha [N] gives P L^2 / (E I) = alpha.
 Arm weightlessBeam() {
   Arm arm;
   Row<double> row;

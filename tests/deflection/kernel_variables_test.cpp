@@ -1,4 +1,5 @@
-// Derivatives of batches with respect to variables other than joints: stiffnesses and the direction of gravity.
+// Derivatives of batches with respect to stiffnesses and the direction of gravity must agree with the general
+// sensitivities and with differences.
 #include <gtest/gtest.h>
 
 #include "tests/deflection/central_difference.hpp"
@@ -18,7 +19,7 @@ std::vector<Variable> kernelVariables(const Arm& arm) {
   return variables;
 }
 
-/// Returns the scale of a variable, used for its step and to make columns of derivatives comparable.
+/// Returns the scale of a variable, which sets its step and makes columns of derivatives comparable: its value, or 1.
 double sizeOf(const Arm& arm, const Variable& variable) {
   Arm copy = arm;
   return variable.type == Variable::Type::kParameter ? locate(copy, variable.parameter) : 1;
@@ -71,11 +72,12 @@ TEST(PostureBatch, DerivativesByStiffnessesAndGravityAreDifferencesOfShapes) {
   }
 }
 
-/// Two stiffnesses that bend about the same axis share the deflection in proportion to their compliances about it.
+/// If several stiffnesses determine the bending about one axis, the derivatives with respect to each must agree with
+/// differences.
 TEST(PostureBatch, StiffnessesOfOneAxisAreToldApart) {
   Arm arm = cobraArm();
   arm.rows[3].beam->I = {3e-7, 5e-7, kRigid};
-  arm.rows[4].placement = Origin<double>{{0.4, 0.4, 0}, {0, 0, 0}};  // the member lies between the two axes
+  arm.rows[4].placement = Origin<double>{{0.4, 0.4, 0}, {0, 0, 0}};  // the member lies between the x and y axes
   const std::vector<Variable> variables{Variable::number(findParameter(arm, "latch-link.beam.Ix")->path),
                                         Variable::number(findParameter(arm, "latch-link.beam.Iy")->path),
                                         Variable::number(findParameter(arm, "latch-link.beam.E")->path)};

@@ -1,4 +1,4 @@
-// Laws that the flexible shape obeys for all parameters.
+// Laws that the flexible shape must obey at every posture.
 #include <gtest/gtest.h>
 
 #include "tests/deflection/cobra.hpp"
@@ -82,7 +82,8 @@ TEST(KinematicsLaws, TheCobraSettlesWithinTenPasses) {
   }
 }
 
-// The angles reproduce the rotation even where roll and yaw rotate about the same line, exactly or up to rounding.
+// Fixed angles must reproduce their rotation even if roll and yaw rotate about the same line, exactly or up to
+// rounding.
 TEST(FixedAngles, MakeTheirRotationAgain) {
   std::mt19937_64 random(9);
   std::uniform_real_distribution<double> angle(-3, 3), tiny(-1e-15, 1e-15);

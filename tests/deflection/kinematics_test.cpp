@@ -1,4 +1,4 @@
-// Batches: each posture is solved as if it were alone, and each failure is reported for its own posture.
+// Each posture of a batch must be solved as if it were alone, and a failure must be reported for its own posture only.
 #include "deflection/kinematics.hpp"
 
 #include <gtest/gtest.h>

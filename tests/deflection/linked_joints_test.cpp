@@ -1,4 +1,5 @@
-// Joints that drive other joints through a linkage, and rows that are rigid in one set-up of the base.
+// Joints driven through a linkage must follow their drivers, and the rows of a RigidMounting must be rigid in its
+// set-up only.
 #include <gtest/gtest.h>
 
 #include "tests/deflection/central_difference.hpp"
@@ -7,8 +8,7 @@
 namespace tubeplan::deflection {
 namespace {
 
-/// Returns the Cobra with a linkage that keeps the forearm at a fixed angle to the horizontal: theta3 = -0.8 theta1 -
-/// theta2.
+/// Returns the Cobra with a linkage in place of the forearm's joint: theta3 = -0.8 theta1 - theta2, plus an offset.
 Arm linkedCobra() {
   Arm arm = cobraArm();
   Joint<double>& joint = arm.rows[4].joint;
@@ -83,7 +83,7 @@ void expectDifferences(const Arm& arm, const Posture& posture) {
     }
     const auto difference = centralDifference(arm, posture, variables[k], h);
     const auto column = static_cast<Eigen::Index>(k);
-    // Rounding errors of the solved shape, 1e-14 m, divided by the step.
+    // Rounding errors of the two solved shapes, 1e-14 m each, divided by the step.
     const double rounding = 2e-14 / h;
     EXPECT_LE((tip.position_B.col(column) - difference.position).norm(), 1e-6 * difference.position.norm() + rounding)
         << k;
@@ -100,7 +100,7 @@ TEST(LinkedJoints, HaveExactDerivativesWithEffectsAndWithout) {
   for (int k = 0; k < 5; ++k) expectDifferences(arm, anyPosture(random));
 }
 
-// An effect that corrects a joint's reading also moves the linkage driven by the joint.
+// An effect that corrects a joint's reading must also move the linkage driven by the joint.
 TEST(LinkedJoints, FollowTheTrueAngleOfAJointWhoseReadingIsOff) {
   Arm arm = linkedCobra();
   Posture posture{Eigen::Vector3d(0.2, 0.9, -0.4), 50};

@@ -1,5 +1,5 @@
-// Prepared arms: shapes independent of earlier solves, no heap allocations, and slopes of laws equal to those from dual
-// numbers.
+// A prepared arm must solve each shape independently of earlier ones and without heap allocations. The slopes of the
+// elements' laws must equal their derivatives in dual numbers.
 #include "deflection/prepared_arm.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 std::atomic<long> allocations = 0;
 }
 
-// All heap allocations pass here, Eigen's matrices as well as `new`. Sanitizers do not let a test replace malloc.
+// Counts all heap allocations, of Eigen's matrices as well as by `new`. Sanitizers do not let a test replace malloc.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define TUBEPLAN_SANITIZED 1
 #elif defined(__has_feature)
@@ -119,7 +119,7 @@ TEST(TipDifferentiation, TakesDerivativesWithoutTheHeap) {
             0);
 }
 
-/// Compares the slopes of a law from dual numbers, eight inputs at a time, with the slopes that the law states.
+/// Expects that `slopes`, as stated by a law, equal the law's derivatives in dual numbers.
 template <Deflection<Dual> (*Deflect)(const Flexibility<Dual>&, const Loading<Dual>&)>
 void expectSlopes(const Flexibility<double>& flexibility, const Loading<double>& loading,
                   const DeflectionSlopes& slopes) {

@@ -1,4 +1,4 @@
-// Random arms: one to nine joints of any kind, with springs, beams, weights and side chains anywhere.
+// Random arms of one to nine rows with joints of any kind, and with springs, beams, weights and side chains anywhere.
 //
 // The arms are the same in every run; RC_PARAMS="seed=2 max_success=10000" tests other arms and reduces failures to
 // small cases.
@@ -40,7 +40,7 @@ inline Row<double> randomRow(int index) {
   row.joint.name = "joint" + std::to_string(index);
   row.joint.lower = row.joint.type == JointType::kRevolute ? -3 : 0.05;
   row.joint.upper = row.joint.type == JointType::kRevolute ? 3 : 0.8;
-  row.joint.offset = between(-0.04, 0.1);  // prevents a slide from passing its own bearing, where its length has a kink
+  row.joint.offset = between(-0.04, 0.1);  // keeps a prismatic joint's length positive, as it has a kink at zero
   return row;
 }
 

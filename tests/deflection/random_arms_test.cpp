@@ -1,5 +1,5 @@
-// Laws over random arms, under loads up to far beyond their strength: the laws hold, or a status says why no shape
-// exists.
+// Laws that random arms must obey, even under loads far beyond what they can carry. If an arm has no shape, a status
+// must state why.
 #include "tests/deflection/random_arms.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace tubeplan::deflection {
 namespace {
 
-/// Returns the total weight that hangs on the arm [N].
+/// Returns the total weight of the arm, its side chains and its load [N].
 double weightOf(const Arm& arm, const Posture& posture) {
   double weight = posture.load;
   const auto add = [&](const Row<double>& row, double length) {
@@ -116,7 +116,7 @@ RC_GTEST_PROP(RandomArms, AreTheSameInABatchAndInAFile, ()) {
   TipBatch tips;
   kinematics.solve(batch, tips, kTight);
   const auto bare = solveFlexibleKinematics(arm, posture, kTight);
-  // A contact force too small to move the arm excludes the kernels.
+  // A contact force, too small to move the arm, excludes the kernels.
   const Arm general = withEffect(arm, "contact-force", "tip", {1e-200});
   RC_ASSERT(bare.status == solveFlexibleKinematics(general, posture, kTight).status);
   RC_PRE(isModest(arm, bare));

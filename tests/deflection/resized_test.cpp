@@ -1,4 +1,4 @@
-// A matrix that gets no memory for a new size is empty, and its memory is not freed twice.
+// If there is no memory for its new size, a matrix must become empty, and its old memory must not be freed twice.
 #include "deflection/resized.hpp"
 
 #include <gtest/gtest.h>

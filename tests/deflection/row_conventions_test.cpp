@@ -43,7 +43,8 @@ TEST(RowConventions, readWhatTheStandardTableSays) {
   }
 }
 
-/// Returns the pose of a standard Denavit-Hartenberg row as a product of its rotations and translations.
+/// Returns the pose from a standard Denavit-Hartenberg row to the next, as the product of its rotations and
+/// translations.
 Eigen::Isometry3d standardStep(const DenavitHartenberg<double>& dh, double reading) {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.rotate(Eigen::AngleAxisd(dh.theta + reading, Eigen::Vector3d::UnitZ()));

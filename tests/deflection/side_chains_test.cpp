@@ -1,4 +1,4 @@
-// Side chains: links that hang from a row and do not lead to the tip.
+// Side chains, links that branch off a row and do not lead to the tip, must load the arm with their weights.
 #include "deflection/side_chains.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace tubeplan::deflection {
 namespace {
 
-/// Returns the Cobra with a side chain of two links and a slide on its third row.
+/// Returns the Cobra with a side chain of two revolute joints and a prismatic joint on its third row.
 Arm cobraWithSideChain() {
   Arm arm = cobraArm();
   SideChain<double> chain{2, {}};
@@ -39,7 +39,7 @@ Arm cobraWithSideChain() {
 Eigen::VectorXd anySidePosture() { return Eigen::Vector3d(0.4, -1.1, 0.2); }
 
 TEST(SideChains, WeighWhatTheirLinksWeighWhereTheyAre) {
-  // Reference: the side chain's rows solved as an arm of their own, with each weight added separately.
+  // The expected sum comes from the side chain's rows solved as an arm of their own, weight by weight.
   const Arm arm = cobraWithSideChain();
   const SideChain<double>& chain = arm.side_chains[0];
   const Eigen::VectorXd q = anySidePosture();
@@ -75,7 +75,7 @@ TEST(SideChains, BendTheArmAsALumpAtTheirCentreOfGravity) {
     posture.side_q = anySidePosture() * (n % 5);
     Eigen::Index joint = 0;
     Arm lumped = cobraArm();
-    // The lumped weight hangs from the row's origin, as the side chain does: on a row of zero length.
+    // `carrier` holds the side chain's weight as a lump, in the axes of the row that carries the chain.
     Row<double> carrier;
     carrier.name = "carrier";
     carrier.placement = Origin<double>{};
@@ -88,8 +88,8 @@ TEST(SideChains, BendTheArmAsALumpAtTheirCentreOfGravity) {
     const auto without = solveFlexibleKinematics(lumped, posture, kTight);
     const double difference = (with.rows[2].moment_B - without.rows[2].moment_B).norm();
     EXPECT_GT(difference, 0.1) << "the side chain is felt";
-    // Equilibrium of the deflected shape: the row's moment is the sum of the weights on the row and the moment of the
-    // next row.
+    // Equilibrium of the deflected shape: the moment on the row is that of the next row plus that of the weights in
+    // between.
     const auto& row = with.rows[2];
     const Eigen::Vector3d at_B = row.X_BL.R * carrier.weight.lumps[0].at;
     Eigen::Vector3d beyond = Eigen::Vector3d::Zero();

@@ -1,5 +1,5 @@
-// Exact derivatives of the tip compared with central differences: for joints, load, gravity and every parameter of the
-// arm.
+// Exact derivatives of the tip must agree with central differences, for joints, load, gravity and every parameter of
+// the arm.
 #include "deflection/tip_derivatives.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(TipDerivatives, AgreeWithCentralDifferencesOverAThousandPostures) {
     const Posture posture{randomJoints(arm, random), load(random), randomDirection(random)};
     const auto exact = differentiateTip(arm, posture, variables, kTight);
     ASSERT_EQ(exact.kinematics.status, KinematicsStatus::kConverged);
-    // A seventh of the variables per posture; over all postures every variable is tested.
+    // Each posture tests a seventh of the variables; over all postures, every variable is tested.
     for (std::size_t k = static_cast<std::size_t>(n) % 7; k < cases.size(); k += 7) {
       const auto column = static_cast<Eigen::Index>(k);
       const Difference d = centralDifference(arm, posture, cases[k].variable, cases[k].h);
@@ -54,7 +54,8 @@ TEST(TipDerivatives, AgreeWithCentralDifferencesOverAThousandPostures) {
   }
 }
 
-// Rows beyond a row move its frame only through their loads: slightly, and not at all if all rows before it are rigid.
+// The derivatives of every row's frame must also be exact with respect to rows beyond it, which move it only by their
+// loads.
 TEST(TipDerivatives, OfEveryRowsFrameAgreeWithCentralDifferences) {
   const Arm arm = cobraArm(2);
   const auto cases = casesOf(arm);

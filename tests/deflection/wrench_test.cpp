@@ -1,4 +1,5 @@
-// Forces and moments on the tip in addition to the hung load: closed forms, derivatives, and shapes before and after.
+// Shapes under a force and moment on the tip must agree with closed forms, their derivatives with differences, and a
+// wrench must not affect later solutions.
 #include <gtest/gtest.h>
 
 #include "deflection/effects/rigid_moment.hpp"

@@ -1,4 +1,5 @@
-// Arms for tests of effects: the Cobra, a six-axis arm of origin rows, an arm with a slide; effects at typical values.
+// Arms for tests of effects: the Cobra, a six-axis arm with rows placed by origin, and an arm with prismatic joints;
+// and effects at neutral or typical values.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,8 +22,8 @@ inline Row<double> originRow(const std::string& name, const Eigen::Vector3d& pos
   return row;
 }
 
-/// Returns a six-axis arm of revolute joints in origin rows. Among its rows there are springs about every axis, a
-/// twisting beam, and lumped weights.
+/// Returns an arm of six revolute joints with rows placed by origin. Among its rows there are springs about every axis,
+/// a twisting beam, and lumped weights.
 inline Arm sixAxisArm() {
   constexpr double kQuarter = std::numbers::pi / 2;
   Arm arm;
@@ -47,7 +48,7 @@ inline Arm sixAxisArm() {
   return arm;
 }
 
-/// Returns an arm of a turntable, a sliding mast, and a hand.
+/// Returns an arm of a turntable, a sliding mast, a wrist and a slider.
 inline Arm mastArm() {
   Arm arm;
   arm.name = "mast";
@@ -67,7 +68,7 @@ inline Arm mastArm() {
 
 inline std::vector<Arm> effectArms() { return {cobraArm(), sixAxisArm(), mastArm()}; }
 
-/// Returns one effect of an arm, at the given values or, without values, at neutral ones.
+/// Returns the effect `name` at the place `at` of an arm, with the given values or, if there are none, neutral values.
 inline Effect effectAt(const Arm& arm, const std::string& name, const std::string& at,
                        std::vector<double> values = {}) {
   MadeEffect made = makeEffect(arm, name, at);
@@ -92,8 +93,8 @@ inline std::vector<Effect> allEffects(const Arm& arm) {
   return effects;
 }
 
-/// Returns the effect with each parameter moved from neutral by a fraction `share` of its usual size in real machines;
-/// the signs alternate where both are allowed.
+/// Returns the effect with each parameter moved from neutral by the fraction `share` of its largest plausible
+/// magnitude, except for shapes. Signs alternate between parameters that may be negative.
 inline Effect sized(const Arm& arm, Effect effect, double share) {
   const auto& parameters = effectKinds()[effect.kind].parameters;
   double sign = 1;

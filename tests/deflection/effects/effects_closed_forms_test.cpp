@@ -1,5 +1,5 @@
-// Every effect of the catalogue compared with a closed form, or with an equivalent arm without effects. An effect of
-// the table that has no case here fails the test.
+// Every effect of the catalogue must agree with a closed form, or with an equivalent arm without effects. An effect
+// without a case here fails the test.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -59,7 +59,8 @@ FlexibleKinematics solve(const Arm& arm, const Posture& posture) {
 /// Returns the rotation of the tool about z [rad].
 double angleOf(const FlexibleKinematics& shape) { return std::atan2(shape.X_BD.R(1, 0), shape.X_BD.R(0, 0)); }
 
-/// Returns the equilibrium rotation [rad] of a boom of stiffness K under a moment that depends on the rotation.
+/// Returns the equilibrium rotation [rad] of a boom on a joint of the given stiffness, under a moment that depends on
+/// the rotation.
 double turnUnder(const std::function<double(double)>& moment, double stiffness = kStiffness) {
   double angle = 0;
   for (int k = 0; k < 200; ++k) angle = moment(angle) / stiffness;
@@ -153,7 +154,8 @@ void toolOffset() {
   EXPECT_LE((tip - Vector3d(kLength + 0.01, -0.02, 0.03)).norm(), 1e-15);
 }
 
-/// The effect rotates the tool frame about the last row's x, before the drawn rotation; tip and tool axis do not move.
+/// The effect must rotate the tool frame about the last row's x axis, before the drawn rotation, and must not move the
+/// last row's frame or the tip.
 void toolTurn() {
   Arm arm = boom();
   arm.R_LT = rotationZ<double>(0.7);
@@ -283,7 +285,7 @@ void backlash() {
   const double gap = 0.01;
   const Arm arm = withEffect(boom(), "backlash", "boom.z", {gap});
   for (double up : {-1., 1.}) {
-    // The joint rotates by half the gap in the sense of the moment, then the spring deflects.
+    // The joint rotates by half the gap in the direction of the moment, then the spring deflects.
     double angle = 0;
     for (int k = 0; k < 200; ++k) angle = up * (kLoad * kLength * std::cos(angle) / kStiffness + gap / 2);
     EXPECT_NEAR(angleOf(solve(arm, at({0}, kLoad, up * Vector3d::UnitY()))), angle, 1e-14);
@@ -298,7 +300,7 @@ void backlash() {
     EXPECT_NEAR(angleOf(shape) + std::numbers::pi / 2, angle, 1e-12) << off;
     EXPECT_NEAR(shape.rows[0].moment_L.z(), -kLoad * kLength * std::sin(angle), 1e-10) << off;
   }
-  // An upright boom falls to the side to which it is tilted.
+  // An upright boom must fall to the side to which it is tilted.
   for (double off : {-0.001, 0.001}) {
     const auto shape = solve(arm, at({std::numbers::pi / 2 + off}));
     EXPECT_NEAR(shape.components[0].gap.z(), off > 0 ? gap / 2 : -gap / 2, 1e-15);
@@ -441,7 +443,7 @@ std::vector<std::string> kindNames() {
   std::vector<std::string> names;
   for (const EffectKind& kind : effectKinds())
     if (std::string(kind.name) != "formula")
-      names.emplace_back(kind.name);  // formula_test.cpp tests this kind, whose law is written by the user
+      names.emplace_back(kind.name);  // the kind "formula" is tested by formula_test.cpp
   return names;
 }
 

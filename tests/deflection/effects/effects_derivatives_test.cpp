@@ -1,5 +1,5 @@
-// Exact derivatives of arms with effects compared with central differences: with respect to every parameter of every
-// effect, at neutral and typical values, and to joints, load and gravity with effects present.
+// Exact derivatives of arms with effects must agree with central differences: with respect to every parameter of every
+// effect, at neutral and typical values, and with respect to joints, load and gravity.
 #include <gtest/gtest.h>
 
 #include "tests/deflection/central_difference.hpp"
@@ -9,7 +9,8 @@
 namespace tubeplan::deflection {
 namespace {
 
-/// Returns the step of a difference quotient: a hundredth of an effect parameter's usual size, or a small fixed step.
+/// Returns the step of a difference quotient: a hundredth of an effect parameter's largest plausible magnitude, or a
+/// small fixed step.
 double stepOf(const Arm& arm, const Variable& variable) {
   switch (variable.type) {
     case Variable::Type::kJoint:
@@ -45,8 +46,8 @@ std::string nameOf(const Arm& arm, const Variable& variable) {
   return textOf(arm, effect) + "." + effectKinds()[effect.kind].parameters[variable.parameter.value].name;
 }
 
-/// Returns true if a step could carry a moment across a knee, or across zero where a gap changes side: no derivative
-/// there.
+/// Returns true if a step might carry a moment across a knee, or across zero at a joint with backlash, where there is
+/// no derivative.
 bool isNearAKink(const Arm& arm, const Posture& posture) {
   const auto shape = solveFlexibleKinematics(arm, posture, kTight);
   for (const Effect& effect : arm.effects) {
@@ -65,7 +66,8 @@ Posture smoothPosture(const Arm& arm, std::mt19937_64& random) {
   return posture;
 }
 
-/// Expects exact derivatives of the tool frame, or of a row's frame if `row` is given.
+/// Expects that exact derivatives of the tool frame, or of a row's frame if `row` is given, agree with central
+/// differences.
 void expectExact(const Arm& arm, const Posture& posture, const std::vector<Variable>& variables, int row = kTool) {
   const auto exact = row == kTool ? differentiateTip(arm, posture, variables, kTight)
                                   : differentiateRow(arm, row, posture, variables, kTight);
@@ -127,8 +129,7 @@ TEST(EffectsDerivatives, WithAllOfThemTogether) {
 }
 
 TEST(EffectsDerivatives, WhereMostOfThemAreZero) {
-  // The arm and gravity lie in one plane: out-of-plane parameters have derivatives of zero and must not prevent
-  // convergence.
+  // The arm and gravity lie in one plane, so many derivatives are zero; they too must agree with central differences.
   Arm arm;
   arm.rows = {originRow("upper", {0, 0, 0}, {0, 0, 0}, JointType::kRevolute),
               originRow("lower", {0.8, 0, 0}, {0, 0, 0}, JointType::kRevolute)};
@@ -198,7 +199,7 @@ TEST(EffectsDerivatives, OfAMeasurementByItsScale) {
 }
 
 TEST(EffectsDerivatives, AJointThatHangsInItsGapStaysWhereItIs) {
-  // A pendulum on a joint with clearance: while the pendulum hangs free, the joint's reading does not move the tip.
+  // While a pendulum on a joint with clearance hangs freely, the joint's reading must not move the tip.
   Arm arm = cobraArm();
   for (auto& row : arm.rows) row.weight = {};
   arm = withEffect(arm, "backlash", "tool.z", {0.06});

@@ -1,4 +1,4 @@
-// Laws that every effect of the catalogue obeys, at every place where an arm can have the effect.
+// Laws that every effect of the catalogue must obey, at every place where an arm can have the effect.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -185,8 +185,8 @@ TEST(Effects, TheirOrderDoesNotMatter) {
   }
 }
 
-/// Returns the same effect in a base frame whose axes are rotated back by R; empty if the effect refers to the base's z
-/// axis.
+/// Returns the effect expressed in a base frame whose axes are rotated by the inverse of R; nothing if the effect
+/// refers to the base's z axis.
 std::optional<Effect> turned(Effect effect, const Eigen::Matrix3d& R) {
   const std::string name = effectKinds()[effect.kind].name;
   if (name == "base-slip" || name == "gravity-tilt") return std::nullopt;

@@ -1,4 +1,5 @@
-// User-defined formulas as effects: values compared with closed forms, derivatives with differences, and refusals.
+// User-defined formulas must have the values of closed forms and the derivatives of differences; invalid formulas must
+// be refused.
 #include "deflection/effects/formula.hpp"
 
 #include <gtest/gtest.h>
@@ -149,7 +150,8 @@ TEST(Formula, AtZeroSizesDoesNothing) {
     }
 }
 
-/// Returns the text with JOINT and ROW replaced by the names of the arm's first joint and row.
+/// Returns the text with JOINT replaced by the symbol of the arm's first joint, and MOMENT by that of the first row's
+/// moment, without its axis.
 std::string spelt(std::string text, const Arm& arm) {
   std::string joint, moment;
   for (const NamedSymbol& named : formulaSymbols(arm, {})) {

@@ -1,4 +1,5 @@
-// Loop closure of rigid chains: linear in functions of each joint reading, and its roots are all postures.
+// The closure equations of rigid chains must be linear in functions of each reading, such as cos q and sin q, and every
+// posture must be among their roots.
 #include "deflection/inverse/closed_loop.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ namespace {
 using Eigen::Vector3d, Eigen::VectorXd;
 using testing::apart, testing::kQuarter, testing::DrawnChain, testing::chainOf, testing::Draw, testing::drawnChain,
     testing::drawnReadings;
-/// Returns true if posture `q` is among the postures to which the roots of the closure lead.
+/// Returns true if posture `q` is among the postures to which the roots of the closure equations lead.
 template <int Size>
 bool isAmongRoots(const DrawnChain& chain, const VectorXd& q) {
   TipMotion tip;

@@ -1,4 +1,4 @@
-// Rigid chains of random geometry, for tests of the search for all postures.
+// Rigid chains of random geometry, for tests that search for all postures of a goal.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Flexible inverse kinematics: every branch, its status, and the path up and down.
+// Flexible inverse kinematics must find every branch, upright or upside down, and state why a goal cannot be met.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +9,7 @@
 namespace tubeplan::deflection {
 namespace {
 
-/// Returns the goal that a posture meets on the flexible model: its tip and its tool axis, which the plane of the arm
-/// leaves unchanged.
+/// Returns the goal that a posture meets on the flexible arm: its deflected tip and tool axis.
 ToolGoal goalOf(const Arm& arm, const Eigen::VectorXd& q, double load, const Eigen::Vector3d& gravity_B) {
   const auto shape = solveFlexibleKinematics(arm, {q, load, gravity_B}, {1e-14, 100});
   return {shape.X_BD.p, shape.X_BD.R * arm.tool_axis_L};
@@ -28,7 +27,7 @@ void everyPostureIsFoundAgain(const Eigen::Vector3d& gravity_B) {
   int tried = 0;
   for (int n = 0; n < 300; ++n) {
     const auto q = randomJoints(arm, random);
-    if (std::abs(std::sin(q[2])) < 0.1) continue;  // two branches meet near the stretched elbow
+    if (std::abs(std::sin(q[2])) < 0.1) continue;  // near a stretched elbow, two branches coincide
     const ToolGoal goal = goalOf(arm, q, 90, gravity_B);
     const auto found = solveInverseKinematics(arm, goal, 90, gravity_B);
     bool singular = false;
@@ -49,8 +48,8 @@ void everyPostureIsFoundAgain(const Eigen::Vector3d& gravity_B) {
 TEST(InverseKinematics, EveryPostureIsFoundAgain) { everyPostureIsFoundAgain(-Eigen::Vector3d::UnitZ()); }
 TEST(InverseKinematics, EveryPostureIsFoundAgainUpsideDown) { everyPostureIsFoundAgain(Eigen::Vector3d::UnitZ()); }
 
-/// Solves many goals in one call, each as if it were alone; some out of reach, some at a stretched elbow, one with a
-/// NaN.
+/// Each goal of a batch must get the result that it gets alone, even if other goals are out of reach, at a stretched
+/// elbow or NaN.
 TEST(InverseSolver, SolvesEachGoalAsIfItWereAlone) {
   std::mt19937_64 random(22);
   const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ();
@@ -79,7 +78,8 @@ TEST(InverseSolver, SolvesEachGoalAsIfItWereAlone) {
   }
 }
 
-/// The kernels' steps and the general derivatives' steps lead to equal readings with equal statuses.
+/// If both converge, the kernels and the general derivatives must lead a start to the same readings, tilt and singular
+/// value.
 TEST(InverseSolver, AgreesWithTheGeneralSteps) {
   std::mt19937_64 random(23);
   const Arm arm = cobraArm(), general = withEffect(arm, "contact-force", "tip", {1e-200});
@@ -189,7 +189,7 @@ TEST(InverseKinematics, AnArmOfSixJointsMeetsPlaceAndAxis) {
   }
 }
 
-/// Returns an arm of three joints with skew axes, each joint a slide or a revolute joint.
+/// Returns an arm of three joints with skew axes: prismatic where `slides` is true, else revolute.
 Arm threeJoints(const std::array<bool, 3>& slides) {
   Arm arm;
   arm.name = "three";
@@ -206,7 +206,7 @@ Arm threeJoints(const std::array<bool, 3>& slides) {
   return arm;
 }
 
-/// Returns true if q is among the usable branches or among the branches reported as stretched or folded.
+/// Returns true if q is among the branches that are usable or reported as singular.
 bool isAmong(const InverseKinematics& found, const Eigen::VectorXd& q) {
   return std::ranges::any_of(found.branches, [&](const Branch& branch) {
     return (branch.status == BranchStatus::kConverged || branch.status == BranchStatus::kSingular) &&

@@ -1,4 +1,4 @@
-// Arms of any structure: the tip is on the goal, and its tilt is the least that the joints allow there.
+// On arms of any structure, the tip must be at the goal position, with the smallest tilt that the joints allow there.
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
@@ -53,7 +53,7 @@ double tiltOf(const Arm& arm, const TipDerivatives& tip, const ToolGoal& goal) {
   return std::atan2(t.cross(goal.axis_B).norm(), t.dot(goal.axis_B));
 }
 
-/// Returns the least tilt among nearby postures with the tip at the same position.
+/// Returns the smallest tilt among nearby postures with the tip at the same position [rad].
 double leastTiltNear(const Arm& arm, const ToolGoal& goal, const VectorXd& q, double step, std::mt19937_64& random) {
   double least = std::numeric_limits<double>::infinity();
   for (int n = 0; n < 40; ++n) {
@@ -111,7 +111,7 @@ TEST_P(EachArm, TiltsTheLeastThatThePlaceAllows) {
     for (std::size_t k = 0; k < found.branches.size() && k < 4; ++k) {
       const Branch& branch = found.branches[k];
       if (branch.status != BranchStatus::kConverged) continue;
-      // The tilt is not reduced along directions whose slope is below the singular floor.
+      // The solver leaves a tilt that changes by less than the singular floor per rad.
       EXPECT_LE(branch.tilt,
                 leastTiltNear(arm, asked.goal, branch.q, kStep, random) + 1.1 * options.singular_floor * kStep);
     }

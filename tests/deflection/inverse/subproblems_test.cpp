@@ -1,4 +1,5 @@
-// Closed-form subproblems: rotations about known axes, and steps in the null space that earlier steps leave free.
+// The closed forms of rotations about known axes must solve their problems, and a step of FreeMotion must not undo
+// earlier steps.
 #include "deflection/inverse/subproblems.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +55,7 @@ TEST(Subproblems, TwoLinksReachThePlaceWithTheElbowEitherWay) {
   }
 }
 
-// Each step is the shortest one, whether or not all directions are distinguishable, and a later step does not undo it.
+// The first step must be the shortest that meets its equations; the second must meet its own without undoing the first.
 TEST(FreeMotion, StepsKeepWhatThoseBeforeBroughtAbout) {
   Draw draw(4);
   for (int n = 0; n < 100; ++n) {

@@ -1,4 +1,5 @@
-// Arms whose last three axes meet: every posture is found at its rotation of the tool, and no false posture is found.
+// On arms whose last three axes meet, every posture must be found at its rotation of the tool about its axis, and no
+// false posture.
 #include "deflection/inverse/wrist_branches.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ DrawnChain drawnWrist(int before, int slide, bool is_plane, double off, Draw& dr
   return chainOf(rows, slide, draw.vector(0.3));
 }
 
-/// Returns a PUMA 560 on a level base; `tip` may lie off the last axis [m].
+/// Returns a PUMA 560 on a level base. `tip` [m] may lie off the last axis.
 DrawnChain levelPuma(const Vector3d& tip) {
   return chainOf({{0, 0, 0, 0},
                   {-kQuarter, 0, 0.2435, 0},
@@ -83,7 +84,7 @@ TEST(WristBranches, AxesThatMissEachOtherALittleGiveStartsThatLeadToThePosture) 
     RigidSearch(chain.arm, chain.axes).addPosturesLike(goal, q, like);
     missed += !hasNear(chain, like, q, 0.05);
   }
-  EXPECT_LE(missed, 3);  // nearly coinciding postures are found less accurately
+  EXPECT_LE(missed, 3);  // postures that nearly coincide are found less accurately
 }
 
 TEST(WristBranches, AxesThatDoNotMeetAreNoWrist) {
@@ -92,14 +93,15 @@ TEST(WristBranches, AxesThatDoNotMeetAreNoWrist) {
   EXPECT_FALSE(carriesWrist(drawnWrist(3, 4, false, 0, draw).axes, 1.5));
 }
 
-// If the last axis is aligned with the third last, the two joints rotate against each other without moving the tool. A
-// posture with any such rotation meets the goal at one roll of the tool only, which no grid of rolls contains.
+// If the last axis is in line with the third-to-last, these two joints can rotate against each other without moving the
+// tool. Such postures meet the goal at a single roll of the tool, which lies between the sampled rolls, and must be
+// found nevertheless.
 TEST(WristBranches, PosturesInLineAreFoundBetweenTheRolls) {
   const DrawnChain chain = levelPuma({0.04, 0, 0.22});
   const RigidSearch search(chain.arm, chain.axes);
   for (const double q2 : {-0.9, -0.5, 0.1})
     for (const double q4 : {-2.5, -1., 0.3, 1.7}) {
-      const VectorXd q{{0.4, q2, -q2, q4, 0, 0.6}};  // the third last axis is upright
+      const VectorXd q{{0.4, q2, -q2, q4, 0, 0.6}};  // the third-to-last axis is vertical
       const ToolGoal goal = goalAt(chain, q);
       std::vector<VectorXd> all;
       search.addPostures(goal, all);

@@ -1,4 +1,4 @@
-// Arms that the kernels solve, the same arms without kernels, and random postures for kernel lanes.
+// Arms that kernels can solve, the same arms excluded from kernels, and batches of random postures.
 #pragma once
 
 #include <random>
@@ -23,7 +23,7 @@ inline Arm oddRevoluteArm() {
   return arm;
 }
 
-/// Returns an arm of skew beams divided into pieces, so that adjacent axes are parallel up to rounding.
+/// Returns an arm of skew beams, one of two segments, so that adjacent bending axes are parallel up to rounding.
 inline Arm askewBeamArm() {
   Arm arm;
   arm.name = "askew beams";

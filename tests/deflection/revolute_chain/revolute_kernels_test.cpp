@@ -1,4 +1,4 @@
-// Kernels: equal shapes for every solver and every number of lanes.
+// Kernels must compute the shapes of the general sweeps, bit-identical for every number of lanes.
 #include <gtest/gtest.h>
 
 #include "deflection/revolute_chain/kernels.hpp"
@@ -79,7 +79,7 @@ TEST(Kernels, HaveTheShapeOfTheGeneralSweeps) {
   }
 }
 
-/// With the default tolerance the tip is as near to equilibrium as the tolerance states.
+/// With the default tolerance, the tip must be within that tolerance of its position at equilibrium.
 TEST(Kernels, StopWithinTheTolerance) {
   std::mt19937_64 random(3);
   for (const Arm& arm : kernelArms()) {
@@ -156,7 +156,7 @@ TEST(Kernels, TellTheFrameOfEveryRow) {
   }
 }
 
-/// A compliance about the axis and at the position of the previous row merges with it into one rotation.
+/// If the compliance of a row merges with the previous row into one turn, the chain must not report row frames.
 TEST(Kernels, ARowWithinATurnIsNotToldOf) {
   Arm arm = cobraArm();
   Row<double> hinge = arm.rows[4];
