@@ -89,9 +89,9 @@ int run(const PlanOptions& options) {
   noteStopSignals();  // before the first folder is created, so that a stop removes the folder
   OutputFolder folder(options.out, "--out");
   std::vector<std::string> names(std::begin(kPlanFiles), std::end(kPlanFiles));
-  // Unless the touches are simulated, an existing touches.csv may be the user's own, and is no reason to refuse the
+  // Without touches this plan writes no touches.csv, so one that the user keeps there is no reason to refuse the
   // folder.
-  if (options.request.touches != "auto") std::erase(names, "touches.csv");
+  if (options.request.touches.empty()) std::erase(names, "touches.csv");
   folder.requireOwn({"plan.json", kProgressFile}, names);
   PlanCheckpoint checkpoint(folder.path(), options.resume, options.from);
   const PlanOutcome outcome = runPlanJob(options.request, terminalHooks(), checkpoint);
