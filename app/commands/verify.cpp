@@ -10,6 +10,7 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
+#include "app/cli/stop_signal.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/plan_identity.hpp"
 #include "app/documents/figures.hpp"
@@ -153,6 +154,10 @@ int run(const VerifyOptions& options) {
     checks.limits_tilt = false;
   }
   planner::PlanCheck check = planner::checkPlan(work, files.plan, checks, terminalHooks());
+  if (stopRequested()) {
+    fmt::print(stderr, "stopped; the plan is neither verified nor refuted\n");
+    return kStoppedExitCode;
+  }
   for (const auto& difference : armDifferences(cell.filedArm(), planned.filedArm()))
     check.findings.push_back(difference);
   const auto strangers = findIdentityProblems(files, work.sheet);
