@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <ranges>
 
+#include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
 #include "app/storage/suggestion.hpp"
 
@@ -38,11 +39,11 @@ std::string warnedPlace(const EffectWarning& warning) { return warning.effect + 
 
 /// Returns a string such as "p = 0.4; held-out error 0.0061 with, 0.0060 in without".
 std::string groundsText(const EffectWarning& warning, const Units& units) {
+  const ErrorUnit unit = errorUnitOf(warning.heldout_with.are_angles, units);
   std::string text = fmt::format("p = {:.2g}", warning.p_value);
   if (std::isfinite(warning.heldout_with.rms) && std::isfinite(warning.heldout_without.rms))
-    text += fmt::format("; held-out error {:.4g} with, {:.4g} {} without",
-                        warning.heldout_with.rms / units.factor(dimension::kLength),
-                        warning.heldout_without.rms / units.factor(dimension::kLength), units.length().name);
+    text += fmt::format("; held-out error {:.4g} with, {:.4g} {} without", warning.heldout_with.rms / unit.factor,
+                        warning.heldout_without.rms / unit.factor, unit.name);
   return text;
 }
 
@@ -113,11 +114,11 @@ std::string notNeededText(const WarningGroup& group, const Units& units) {
   const bool has_heldout = std::ranges::all_of(group, [](const EffectWarning* w) {
     return std::isfinite(w->heldout_with.rms) && std::isfinite(w->heldout_without.rms);
   });
-  const double unit = units.factor(dimension::kLength);
+  const ErrorUnit unit = errorUnitOf(first.heldout_with.are_angles, units);
+  const auto withoutOne = [&](const EffectWarning& w) { return w.heldout_without.rms / unit.factor; };
   if (has_heldout)
-    grounds += fmt::format("; held-out error {:.4g} with all, {} {} without one", first.heldout_with.rms / unit,
-                           warningRange(group, 4, [&](const EffectWarning& w) { return w.heldout_without.rms / unit; }),
-                           units.length().name);
+    grounds += fmt::format("; held-out error {:.4g} with all, {} {} without one", first.heldout_with.rms / unit.factor,
+                           warningRange(group, 4, withoutOne), unit.name);
   const auto* least = *std::ranges::max_element(group, {}, [](const EffectWarning* w) { return w->p_value; });
   return fmt::format("{}: the readings {} need any one of these beside the others ({}): take out {} and try again",
                      warningList(group, warnedPlace), first.is_within_noise ? "do not" : "hardly", grounds,
@@ -186,8 +187,9 @@ nlohmann::json effectWarningsJson(const std::vector<EffectWarning>& warnings, co
       json["chi2_fall"] = finiteJson(warning.fall);
       json["within_noise"] = warning.is_within_noise;
       json["at_neutral"] = warning.is_at_neutral;
-      json["heldout_rms"] = {{"with", finiteJson(warning.heldout_with.rms / units.factor(dimension::kLength))},
-                             {"without", finiteJson(warning.heldout_without.rms / units.factor(dimension::kLength))}};
+      const ErrorUnit unit = errorUnitOf(warning.heldout_with.are_angles, units);
+      json["heldout_rms"] = {{"with", errorJson(warning.heldout_with.rms, unit)},
+                             {"without", errorJson(warning.heldout_without.rms, unit)}};
     }
     if (warning.kind == EffectWarningKind::kBetterExplainedBy) {
       json["better"] = {{"effect", warning.better.effect}, {"at", warning.better.at}};
