@@ -13,11 +13,11 @@ namespace tubeplan::calibration {
 [[nodiscard]] inline std::string variableWords(const std::string& variable) {
   constexpr std::string_view kSense = "sense of ";
   if (variable.starts_with(kSense)) return "the direction of approach of " + variable.substr(kSense.size());
-  for (const auto* plain : {"point", "set-up", "load"})
+  for (const auto* plain : {"point", "set-up", "load", "order of the readings"})
     if (variable == plain) return "the " + variable;
   for (const auto& condition : deflection::kConditionKinds)
     if (variable == condition.name) return condition.words;
-  return variable == "order" ? "the order of the readings" : variable;
+  return variable;
 }
 
 }  // namespace tubeplan::calibration
