@@ -7,8 +7,6 @@
 
 namespace tubeplan::calibration {
 
-namespace {}  // namespace
-
 CampaignTruth drawTruth(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const TruthOptions& options) {
   CampaignRandom random(options.seed, CampaignRandom::Stream::kTruth);
   CampaignTruth truth{arm, {}};
