@@ -47,6 +47,9 @@ std::optional<double> takeDays(std::string_view& text, char mark, DateOrder orde
     month = is_day_first ? *second : *first;
     day = is_day_first ? *first : *second;
   }
+  constexpr int kMonths = 12,
+                kMostDays = 31;  // std::chrono::month and day keep only the lowest 8 bits of larger numbers
+  if (month > kMonths || day > kMostDays) return std::nullopt;
   const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(static_cast<unsigned>(month)),
                                          std::chrono::day(static_cast<unsigned>(day))};
   if (!date.ok()) return std::nullopt;
