@@ -108,7 +108,7 @@ class ForeignReader {
     }
     if (!joined_.how.empty()) out_.taken.push_back(fmt::format("the tables' rows are matched {}", joined_.how));
     for (std::size_t t = 0; t < request_.tables.size(); ++t) {
-      if (const auto key = keyOf(t); key && joined_.how == "by name") used[t].insert(*key);
+      if (const auto key = keyOf(t); key && joined_.how.find("by name") != std::string::npos) used[t].insert(*key);
       std::vector<std::string> left;
       for (std::size_t c = 0; c < table(t).columns.size(); ++c) {
         if (used[t].contains(c)) continue;

@@ -90,7 +90,7 @@ class RowJoiner {
       if (partners.back()) used.insert(*partners.back());
     }
     if (!used.empty()) {
-      out_.how = "by name";
+      match("by name");
       if (used.size() < index.size())
         out_.left_out.push_back(fmt::format("{} rows of {} whose names {} does not have", index.size() - used.size(),
                                             table(t).file, lead().file));
@@ -105,10 +105,15 @@ class RowJoiner {
           table(t).file,
           fmt::format("none of the {} rows has a name that occurs in {}, which has {} rows", theirs, lead().file, ours),
           "give the points the same names in both tables, or give both tables the same number of rows");
-    out_.how = "row by row";
+    match("row by row");
     Partners partners;
     for (std::size_t k = 0; k < ours; ++k) partners.emplace_back(k);
     return partners;
+  }
+
+  /// Notes how a table is matched with the first one; two tables may be matched in different ways.
+  void match(const std::string& how) {
+    if (out_.how.find(how) == std::string::npos) out_.how += (out_.how.empty() ? "" : " and ") + how;
   }
 
   const std::vector<ForeignTable>& tables_;

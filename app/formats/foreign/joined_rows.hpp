@@ -12,8 +12,8 @@ namespace tubeplan::app {
 struct JoinedRows {
   std::vector<std::vector<std::size_t>> rows;  ///< row indices: reading k combines row rows[t][k] of each table t
   std::size_t lead = 0;                        ///< index of the leading table, with whose rows all others are matched
-  std::string how;                             ///< method of matching: "by name", "row by row"; empty for one table
-  std::vector<std::string> left_out;           ///< rows without a match, one sentence for each table
+  std::string how;                    ///< how rows are matched: "by name", "row by row", or both; empty for one table
+  std::vector<std::string> left_out;  ///< rows without a match, one sentence for each table
 };
 
 /// Matches the rows of every table with the rows of table `lead`: by name if both tables have a column of names
