@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <boost/asio.hpp>
+#include <chrono>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -127,9 +128,17 @@ class LineServer::Implementation {
  private:
   void accept() {
     acceptor_.async_accept([this](Failure failure, tcp::socket socket) {
-      if (!failure && open_ < kMostConnections)
-        std::make_shared<LineClient>(std::move(socket), workbench_, open_)->readLine();
+      if (failure) return acceptLater();
+      if (open_ < kMostConnections) std::make_shared<LineClient>(std::move(socket), workbench_, open_)->readLine();
       accept();
+    });
+  }
+
+  /// Accepts again after a pause, because a failure such as a lack of file descriptors may last.
+  void acceptLater() {
+    pause_.expires_after(std::chrono::milliseconds(100));
+    pause_.async_wait([this](Failure failure) {
+      if (!failure) accept();
     });
   }
 
@@ -137,6 +146,7 @@ class LineServer::Implementation {
   int open_ = 0;  ///< used only by the thread of the context; outlives all connections
   boost::asio::io_context context_;
   tcp::acceptor acceptor_;
+  boost::asio::steady_timer pause_{context_};
   std::thread thread_;
 };
 
