@@ -79,7 +79,7 @@ function tourPoints(model: SheetModel, holes: number[]): Vector3[] | null {
   if (holes.length < 2) return null;
   return holes
     .filter((hole) => hole >= 0)
-    .map((hole) => new Vector3(model.world[3 * hole], model.world[3 * hole + 1], -1));
+    .map((hole) => new Vector3(model.world[3 * hole], model.world[3 * hole + 1], -model.pitch));
 }
 
 /** Base for which the plan is proved, with the advice to calibrate a base that was not measured. */
