@@ -16,6 +16,7 @@ namespace {
 auto contentOf(const Measurement& m) {
   const Eigen::Vector3d p = m.p_W.value_or(Eigen::Vector3d::Zero());
   const Eigen::Vector3d tool = m.p_TQ.value_or(Eigen::Vector3d::Zero());
+  const Eigen::Vector3d direction = m.direction_W.value_or(Eigen::Vector3d::Zero());
   const TipWrench wrench = m.wrench.value_or(TipWrench{});
   const auto number = [](double value) { return std::isfinite(value) ? value : 0; };
   std::vector<double> conditions;
@@ -24,6 +25,9 @@ auto contentOf(const Measurement& m) {
                     m.row,
                     m.point,
                     m.setup,
+                    m.reference ? m.reference->id : "",
+                    m.approach_directions,
+                    std::vector<double>(direction.begin(), direction.end()),
                     m.load,
                     std::vector<double>(m.q.begin(), m.q.end()),
                     std::vector<double>(m.side_q.begin(), m.side_q.end()),

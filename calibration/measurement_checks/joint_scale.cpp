@@ -60,7 +60,11 @@ std::optional<Mend> mendOf(const CheckedReadings& checked, const std::string& va
       fmt::format("the readings of {} are no angles: multiplied by {:.6g} they are, as pulses of an encoder would "
                   "be ({:.6g} to one {})",
                   name, factor, 1 / std::abs(factor), checked.units.angles.name)};
-  mend.change = toEach([joint, factor](Measurement& reading) { reading.q[joint] *= factor; });
+  mend.change = toEach([joint, factor](Measurement& reading) {
+    reading.q[joint] *= factor;
+    if (factor < 0 && !reading.approach_directions.empty())
+      reading.approach_directions[static_cast<std::size_t>(joint)] *= -1;
+  });
   mend.numbers_fitted = 1;
   return mend;
 }
