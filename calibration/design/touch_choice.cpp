@@ -150,6 +150,12 @@ TouchChoice chooseTouches(const DesignProblem& problem, int count) {
     if (!std::isfinite(next.variance)) break;
     best = std::move(next);
   }
+  if (static_cast<int>(best.touches.size()) < count || !std::isfinite(best.variance)) {
+    result.status = TouchChoiceStatus::kNotDetermined;
+    result.reason = "no " + std::to_string(count) + " of the " + std::to_string(n) +
+                    " holes determine the base: all of them lie nearly on a line";
+    return result;
+  }
   result.chosen = best.touches;
   result.mean_sigma = std::sqrt(best.variance);
   result.status = TouchChoiceStatus::kDone;

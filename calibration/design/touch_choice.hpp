@@ -23,7 +23,7 @@ struct TouchChoiceOptions {
   DoubtBeside doubt = {};  ///< prior uncertainty of the arm, which the fit of the touches takes into account
 };
 
-enum class TouchChoiceStatus { kNotRun, kDone, kTooFewCandidates };
+enum class TouchChoiceStatus { kNotRun, kDone, kTooFewCandidates, kNotDetermined };
 
 struct TouchChoice {
   TouchChoiceStatus status = TouchChoiceStatus::kNotRun;
