@@ -129,7 +129,7 @@ TEST(Identifiability, WhatNoReadingDependsOnStaysAtItsStartAndSaysSo) {
   const auto result = identify(placed, maker.readings, options);
   EXPECT_EQ(result.numbers[0].identifiable, kNo);
   EXPECT_FALSE(result.numbers[0].note.empty());
-  EXPECT_LT(result.fitted.base_poses[0].X_WB.translation().x() - placed.base_poses[0].X_WB.translation().x(), 1e-9);
+  EXPECT_NEAR(result.fitted.base_poses[0].X_WB.translation().x(), placed.base_poses[0].X_WB.translation().x(), 1e-9);
 }
 
 // With a free base, 27 geometric parameters of a six-axis arm must be identifiable: four per axis and three of the tip.
