@@ -1,6 +1,8 @@
 // The complete task: the arm and its base pose, the sheet, the tool and the scene.
 #pragma once
 
+#include <vector>
+
 #include "deflection/arm.hpp"
 #include "planner/scene/scene.hpp"
 #include "tubesheets/sheet.hpp"
@@ -16,12 +18,18 @@ struct Workcell {
   /// Covariance of the base's pose: translation [m], then rotation vector [rad], in world axes. Zero if the pose is
   /// taken as known.
   Eigen::Matrix<double, 6, 6> base_covariance = Eigen::Matrix<double, 6, 6>::Zero();
+  /// Standard deviation [m], in any direction, of the position of each row's bodies that the arm's uncertain parameters
+  /// cause beyond `base_covariance`: an upper bound over postures, one value for each row. Empty if there is none.
+  std::vector<double> row_deviations = {};
   tubesheets::Sheet sheet;
   tubesheets::SteppedTool tool;
   Scene scene;
   double load = 0;       ///< weight that hangs from the tip [N]
   double insertion = 0;  ///< depth of the tip inside a tube, above the lower face [m]
 };
+
+/// Returns the index of the row that carries the tip.
+inline int tipRow(const deflection::Arm& arm) { return static_cast<int>(arm.rows.size()) - 1; }
 
 inline const Eigen::Vector3d kHoleAxis_W = Eigen::Vector3d::UnitZ();
 

@@ -147,7 +147,7 @@ Run configurePlan(CLI::App& cli) {
                  "dwell time at each hole in seconds, unless a work list's dwell_s says otherwise")
       ->capture_default_str();
   cli.add_option("--padding", request.padding,
-                 "extra clearance, in standard deviations of the base pose; not of the arm's own numbers")
+                 "extra clearance, in standard deviations of the position of each body under the uncertainty of base and arm")
       ->capture_default_str();
   cli.add_option(
       "--standoff", request.standoff,

@@ -21,6 +21,8 @@
 #include "app/formats/units.hpp"
 #include "app/formats/units_json.hpp"
 #include "app/storage/input_error.hpp"
+#include "app/studies/positioning/row_deviations.hpp"
+#include "app/studies/positioning/step_chances.hpp"
 #include "deflection/parameters.hpp"
 #include "tubesheets/work_list.hpp"
 
@@ -138,12 +140,13 @@ int run(const VerifyOptions& options) {
   const Cell planned = readCell((std::filesystem::path(options.folder) / "cell.yaml").string());
   const PlanFiles files = readPlanFiles(options.folder, planned);
   checkFigures(options.figures);
-  const planner::Workcell work = checkedWorkcell(cell, planned, files);
+  planner::Workcell work = checkedWorkcell(cell, planned, files);
   if (files.padding_sigmas > 0 && work.base_covariance.isZero(0))
     throw InputError::saying(options.folder + "/plan.json padding",
                              "the plan has a padding for the uncertainty of the base, but the cell.yaml beside "
                              "plan.json has no covariance of the base",
                              "plan again");
+  if (files.padding_sigmas > 0) work.row_deviations = rowDeviations(work, jointUncertaintyOf(planned, work, nullptr));
   planner::PlanCheckOptions checks;
   checks.padding = files.padding_sigmas;
   checks.via_points = files.compensation == "via-point";

@@ -209,7 +209,7 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
   if (request.padding > 0)
     result["padding"] = {{"sigmas", request.padding},
                          {"added", outcome.padding / outcome.cell.units.factor(dimension::kLength)},
-                         {"covers", "base"}};
+                         {"covers", outcome.model.row_deviations.empty() ? "base" : "base and arm"}};
   if (outcome.calibration) result["calibration"] = calibrationJson(outcome.calibration->flexible, outcome.cell);
   return result;
 }

@@ -36,7 +36,7 @@ constexpr TextLine kPlanWords[] = {
      "{row_by_row_time_s:.1f} s); {total_time_s:.1f} s in total, {detours} detours\n"},
     {"travel/on_line", "{} travels with the tip on a straight line, within {line_deviation:.4r units/length} of it\n"},
     {"min_clearance", "clearance at least {:.4r units/length} ({clearance_required:.4r units/length} asked for"},
-    {"+padding/added", ", beyond what the base may be off, not the arm's numbers: {:.4r units/length} at a tip"},
+    {"+padding/added", ", beyond the padding for the uncertainty of {padding/covers}: up to {:.4r units/length} at the tip"},
     {"min_clearance", "), tightest {tightest}; proved {base/words}\n"},
     {"least_play",
      "{insertion:.4r units/length} past the face; the tool's play in a tube at least {:.4r units/length}\n"}};

@@ -16,6 +16,7 @@
 #include "app/formats/units.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/studies/positioning/planned_visits.hpp"
+#include "app/studies/positioning/row_deviations.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::app {
@@ -48,7 +49,7 @@ void requireSameSheet(const planner::Workcell& cell, const planner::Workcell& tr
 
 std::vector<calibration::Measurement> touchesFor(const PlanRequest& request, const PlanOutcome& outcome) {
   if (request.touches == "auto" && !outcome.truth)
-    throw InputError::saying("--touches auto", "there is no true arm to touch with",
+    throw InputError::saying("--touches auto", "simulated touches need a true arm, but none is given",
                              "give its cell with --truth CELL, or give a file of touches");
   if (request.touches == "auto") return touchesByTrueArm(outcome.nominal, outcome.cell, *outcome.truth, request.seed);
   const auto readings = readMeasurements(request.touches, outcome.cell.arm, &outcome.nominal.sheet);
@@ -103,7 +104,8 @@ planner::VisitPlanOptions planOptions(const PlanRequest& request, const PlanOutc
 void checkPadding(const PlanRequest& request, const PlanOutcome& outcome) {
   constexpr double kMostSigmas = 10;
   if (!(request.padding >= 0 && request.padding <= kMostSigmas))
-    throw InputError("--padding", fmt::format("{}", request.padding), "0 to 10 standard deviations of the base");
+    throw InputError("--padding", fmt::format("{}", request.padding),
+                     "0 to 10, in standard deviations of the base pose");
   if (request.padding > 0 && outcome.model.base_covariance.isZero(0))
     throw InputError::saying("--padding", "the base pose has no covariance, because it was not calibrated",
                              "give --touches, or a cell that `calibrate` wrote");
@@ -165,6 +167,9 @@ bool placeBase(PlanOutcome& outcome, std::vector<calibration::Measurement> touch
 void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::PlanHooks hooks,
           PlanCheckpoint* checkpoint, PlanOutcome& outcome) {
   checkPadding(request, outcome);
+  if (request.padding > 0)
+    outcome.model.row_deviations =
+        rowDeviations(outcome.model, jointUncertaintyOf(outcome.cell, outcome.model, outcome.placedBy()));
   planner::PlanCache forgotten;
   planner::PlanCache& cache = checkpoint ? checkpoint->cache() : forgotten;
   if (checkpoint) {

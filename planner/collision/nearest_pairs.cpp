@@ -199,10 +199,11 @@ NearestPair NearestPairs::findPadded(const deflection::PlacedRows& placed, int l
       const auto other = static_cast<std::size_t>(pair.other), body = static_cast<std::size_t>(pair.body);
       const Capsule around_W = around(placed, lane, pair.body);
       const Shape& obstacle = *scene_.obstacles[other].shape;
+      const int row = scene_.bodies[body].frame_index;
       if (pair.kind == PairKind::kPlane) {
-        away = padding.towards(obstacle, around_W);
+        away = padding.towards(obstacle, around_W, row);
       } else {
-        if (padded[body] < 0) padded[body] = padding.of(around_W);
+        if (padded[body] < 0) padded[body] = padding.of(around_W, row);
         away = padded[body];
       }
       if (isFarther(placed, lane, pair, found.distance + away)) continue;

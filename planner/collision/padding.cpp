@@ -32,29 +32,35 @@ BasePadding::BasePadding(const Workcell& cell, double sigmas)
     : sigmas_(cell.base_covariance.isZero(0) ? 0 : sigmas),
       slope_(sigmas_ * largestDeviation(cell.base_covariance.bottomRightCorner<3, 3>())),
       covariance_(cell.base_covariance),
-      p_WB_(cell.X_WB.translation()) {}
+      p_WB_(cell.X_WB.translation()),
+      row_deviations_(cell.row_deviations) {}
 
-double BasePadding::of(const Capsule& body_W) const {
+double BasePadding::paddedBy(double base_deviation, int row) const {
+  const double of_arm = row_deviations_.empty() ? 0 : row_deviations_.at(static_cast<std::size_t>(row));
+  return sigmas_ * std::hypot(base_deviation, of_arm);
+}
+
+double BasePadding::of(const Capsule& body_W, int row) const {
   double deviation = 0;
   for (const Vector3d& end : {body_W.from, body_W.to}) {
     const Matrix36 J = displacementAt(end - p_WB_);
     deviation = std::max(deviation, largestDeviation(J * covariance_ * J.transpose()));
   }
-  return sigmas_ * deviation + slope_ * body_W.radius;
+  return paddedBy(deviation, row) + slope_ * body_W.radius;
 }
 
-double BasePadding::along(const Vector3d& direction_W, const Capsule& body_W) const {
+double BasePadding::along(const Vector3d& direction_W, const Capsule& body_W, int row) const {
   double variance = 0;
   for (const Vector3d& end : {body_W.from, body_W.to}) {
-    const Eigen::Matrix<double, 6, 1> row = displacementAt(end - p_WB_).transpose() * direction_W;
-    variance = std::max(variance, row.dot(covariance_ * row));
+    const Eigen::Matrix<double, 6, 1> slopes = displacementAt(end - p_WB_).transpose() * direction_W;
+    variance = std::max(variance, slopes.dot(covariance_ * slopes));
   }
-  return sigmas_ * std::sqrt(std::max(0., variance)) + slope_ * body_W.radius;
+  return paddedBy(std::sqrt(std::max(0., variance)), row) + slope_ * body_W.radius;
 }
 
-double BasePadding::towards(const Shape& obstacle, const Capsule& body_W) const {
+double BasePadding::towards(const Shape& obstacle, const Capsule& body_W, int row) const {
   const auto* plane = dynamic_cast<const HalfSpace*>(&obstacle);
-  return plane ? along(plane->normal(), body_W) : of(body_W);
+  return plane ? along(plane->normal(), body_W, row) : of(body_W, row);
 }
 
 }  // namespace tubeplan::planner

@@ -1,9 +1,10 @@
-// Uncertainty of a body's position caused by the uncertainty of the base's calibration.
+// Uncertainty of a body's position caused by the uncertainty of the base's calibration and of the arm's parameters.
 //
 // If the base is wrong by a shift t and a small rotation w, a point p moves by t + w x (p - p_WB). The standard
 // deviation of this motion, in every direction, is a convex function of p. Within a capsule it therefore never exceeds
 // its value at the capsule's ends plus the rotation's standard deviation times the capsule's radius. Per metre that p
-// moves, it changes by no more than the rotation's standard deviation.
+// moves, it changes by no more than the rotation's standard deviation. What the arm's parameters add is a constant for
+// each row (Workcell::row_deviations), whose square is added to that of the base; this makes no change larger.
 #pragma once
 
 #include "planner/scene/shape.hpp"
@@ -11,8 +12,8 @@
 
 namespace tubeplan::planner {
 
-/// Padding of the distances of bodies: `sigmas` times the standard deviation of the base's pose, propagated to each
-/// body in a posture. Const use from several threads is safe.
+/// Padding of the distances of bodies: `sigmas` times the standard deviation of the body's position in a posture. The
+/// argument `row` is the row of the arm that carries the body. Const use from several threads is safe.
 class BasePadding {
  public:
   BasePadding() = default;
@@ -21,21 +22,25 @@ class BasePadding {
   [[nodiscard]] bool isNone() const { return sigmas_ == 0; }
 
   /// Returns an upper bound of the padding of any point of the body in any direction [m].
-  [[nodiscard]] double of(const Capsule& body_W) const;
+  [[nodiscard]] double of(const Capsule& body_W, int row) const;
 
   /// Returns an upper bound of the padding of any point of the body along a unit vector [m], as needed for a plane.
-  [[nodiscard]] double along(const Eigen::Vector3d& direction_W, const Capsule& body_W) const;
+  [[nodiscard]] double along(const Eigen::Vector3d& direction_W, const Capsule& body_W, int row) const;
 
   /// Returns the padding towards an obstacle [m]: along the obstacle's normal if it is a plane, else in any direction.
-  [[nodiscard]] double towards(const Shape& obstacle, const Capsule& body_W) const;
+  [[nodiscard]] double towards(const Shape& obstacle, const Capsule& body_W, int row) const;
 
   /// Returns the largest change of the padding per metre of motion of a body's point [m/m].
   [[nodiscard]] double slope() const { return slope_; }
 
  private:
+  /// Returns the padding for the standard deviation that the base causes at a body of the row [m].
+  [[nodiscard]] double paddedBy(double base_deviation, int row) const;
+
   double sigmas_ = 0, slope_ = 0;
   Eigen::Matrix<double, 6, 6> covariance_ = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Vector3d p_WB_ = Eigen::Vector3d::Zero();
+  std::vector<double> row_deviations_;
 };
 
 }  // namespace tubeplan::planner

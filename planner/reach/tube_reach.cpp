@@ -69,7 +69,7 @@ TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOpti
   const Eigen::Vector3d hole_W = holeCentre(cell.sheet.tubes.at(tube));
   // `options.compensation.standoff` is measured from the face, the standoff of compensate() from the goal.
   CompensationOptions compensation = options.compensation;
-  compensation.standoff += cell.insertion + clearance.padding().along(kHoleAxis_W, {hole_W, hole_W, 0});
+  compensation.standoff += cell.insertion + clearance.padding().along(kHoleAxis_W, {hole_W, hole_W, 0}, tipRow(cell.arm));
   for (auto& branch : compensate(cell, visitPlace(cell, cell.sheet.tubes.at(tube)), compensation)) {
     const BranchVerdict verdict = judge(clearance, hole_W, branch, options);
     if (verdict.failed == Hurdle::kNone) {

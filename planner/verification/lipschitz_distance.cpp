@@ -72,7 +72,7 @@ LipschitzMargins::Look LipschitzMargins::lookAt(const Pair& pair, std::span<cons
   const Body& body = scene_.bodies[pair.body];
   Capsule capsule = placed(frameOf(body), capsuleAround(body));
   const double padding =
-      pair.with_body || padding_.isNone() ? 0 : padding_.towards(*scene_.obstacles[pair.other].shape, capsule);
+      pair.with_body || padding_.isNone() ? 0 : padding_.towards(*scene_.obstacles[pair.other].shape, capsule, body.frame_index);
   if (pair.with_body) capsule = placed(frameOf(scene_.bodies[pair.other]).inverse(), capsule);
   const Shape& other = pair.with_body ? *scene_.bodies[pair.other].shape : *scene_.obstacles[pair.other].shape;
   const double half_length = (capsule.to - capsule.from).norm() / 2;

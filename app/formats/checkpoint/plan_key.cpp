@@ -70,8 +70,11 @@ std::vector<std::string> differencesIn(const PlanKey& before, const PlanKey& now
 std::string clearanceText(const PlanKeyInputs& inputs) {
   const std::string clearance = fmt::format("{} m", inputs.model.scene.clearance);
   return inputs.padding == 0 ? clearance
-                             : fmt::format("{} and {} sigmas of {}", clearance, inputs.padding,
-                                           numbersFingerprint(inputs.model.base_covariance));
+                             : fmt::format("{} and {} sigmas of {} and {}", clearance, inputs.padding,
+                                           numbersFingerprint(inputs.model.base_covariance),
+                                           numbersFingerprint(Eigen::Map<const Eigen::VectorXd>(
+                                               inputs.model.row_deviations.data(),
+                                               static_cast<Eigen::Index>(inputs.model.row_deviations.size()))));
 }
 
 }  // namespace

@@ -49,8 +49,8 @@ std::optional<calibration::JointUncertainty> determinedWithBase(const CellModel&
   return joint;
 }
 
-/// Returns the joint uncertainty of the cell's base and arm.
-calibration::JointUncertainty uncertaintyOf(const CellModel& cell, const planner::Workcell& model) {
+/// Returns the joint uncertainty that the cell states of its base and arm.
+calibration::JointUncertainty statedUncertainty(const CellModel& cell, const planner::Workcell& model) {
   if (cell.placed_by) {
     const double model_error = cell.model_error ? cell.model_error->sigma : 0;
     const auto numbers = calibration::uncertainNumbers(model.arm, cell.uncertainty);
@@ -77,7 +77,7 @@ StepChances stepChances(const StepQuestion& question) {
   if (chances.model_error) model_error = {chances.model_error->sigma, chances.model_error->degrees_of_freedom};
   const calibration::TipErrorQuestion asked{
       question.model.arm,  question.model.X_WB,
-      question.model.load, question.placed_by ? question.placed_by->uncertainty : uncertaintyOf(cell, question.model),
+      question.model.load, jointUncertaintyOf(cell, question.model, question.placed_by),
       model_error,         question.postures};
   chances.numbers_are_exact = asked.uncertainty.numbers.empty();
   chances.base_is_exact = asked.uncertainty.covariance.isZero(0);
@@ -87,6 +87,11 @@ StepChances stepChances(const StepQuestion& question) {
     chances.by_posture[k] = mixed(errors[k], question.predicted[k], question.model.tool);
   });
   return chances;
+}
+
+calibration::JointUncertainty jointUncertaintyOf(const CellModel& cell, const planner::Workcell& model,
+                                                 const calibration::BaseCalibration* placed_by) {
+  return placed_by ? placed_by->uncertainty : statedUncertainty(cell, model);
 }
 
 int likeliestSteps(const std::vector<double>& chances) {

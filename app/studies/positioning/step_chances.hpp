@@ -34,6 +34,11 @@ struct StepQuestion {
 /// Returns the probabilities of the steps in each posture; none if the base pose is only nominal.
 [[nodiscard]] StepChances stepChances(const StepQuestion& question);
 
+/// Returns the uncertainty of base and arm together: that of the calibration which determined the model's base or, if
+/// `placed_by` is null, the uncertainty that the cell states.
+[[nodiscard]] calibration::JointUncertainty jointUncertaintyOf(const CellModel& cell, const planner::Workcell& model,
+                                                               const calibration::BaseCalibration* placed_by);
+
 /// Returns the most probable number of steps; the smallest if several are equally probable.
 [[nodiscard]] int likeliestSteps(const std::vector<double>& chances);
 

@@ -29,7 +29,7 @@ TEST(Padding, NothingWithoutUncertaintyOrSigmas) {
   EXPECT_TRUE(BasePadding(cell, 3).isNone());
   cell.base_covariance.setIdentity();
   EXPECT_TRUE(BasePadding(cell, 0).isNone());
-  EXPECT_EQ(BasePadding(cell, 0).of({Eigen::Vector3d::Ones(), Eigen::Vector3d::Zero(), 1}), 0);
+  EXPECT_EQ(BasePadding(cell, 0).of({Eigen::Vector3d::Ones(), Eigen::Vector3d::Zero(), 1}, 0), 0);
 }
 
 TEST(Padding, AShiftAloneIsItsOwnDeviation) {
@@ -38,9 +38,22 @@ TEST(Padding, AShiftAloneIsItsOwnDeviation) {
   cell.base_covariance.diagonal().head<3>() << 1e-8, 4e-8, 1e-8;
   const BasePadding padding(cell, 3);
   const Capsule body{Eigen::Vector3d::Ones(), Eigen::Vector3d::Zero(), 0.2};
-  EXPECT_NEAR(padding.of(body), 3 * 2e-4, 1e-12);
-  EXPECT_NEAR(padding.along(Eigen::Vector3d::UnitZ(), body), 3 * 1e-4, 1e-12);
+  EXPECT_NEAR(padding.of(body, 0), 3 * 2e-4, 1e-12);
+  EXPECT_NEAR(padding.along(Eigen::Vector3d::UnitZ(), body, 0), 3 * 1e-4, 1e-12);
   EXPECT_EQ(padding.slope(), 0);
+}
+
+TEST(Padding, TheArmsOwnDeviationAddsInSquares) {
+  Workcell cell = testing::mockup();
+  cell.base_covariance.setZero();
+  cell.base_covariance.diagonal().head<3>() << 9e-8, 9e-8, 9e-8;
+  cell.row_deviations.assign(cell.arm.rows.size(), 0);
+  cell.row_deviations.back() = 4e-4;
+  const BasePadding padding(cell, 2);
+  const Capsule body{Eigen::Vector3d::Ones(), Eigen::Vector3d::Zero(), 0.2};
+  EXPECT_NEAR(padding.of(body, tipRow(cell.arm)), 2 * 5e-4, 1e-12);
+  EXPECT_NEAR(padding.along(Eigen::Vector3d::UnitZ(), body, tipRow(cell.arm)), 2 * 5e-4, 1e-12);
+  EXPECT_NEAR(padding.of(body, 0), 2 * 3e-4, 1e-12);
 }
 
 TEST(Padding, NoPointOfABodyDeviatesMore) {
@@ -60,14 +73,16 @@ TEST(Padding, NoPointOfABodyDeviatesMore) {
       J.leftCols<3>().setIdentity();
       for (int axis = 0; axis < 3; ++axis) J.col(3 + axis) = Eigen::Vector3d::Unit(axis).cross(r);
       const Eigen::Matrix3d covariance = J * cell.base_covariance * J.transpose();
-      EXPECT_LE(std::sqrt(covariance.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff()), padding.of(body));
-      EXPECT_LE(std::sqrt(direction.dot(covariance * direction)), padding.along(direction, body) + 1e-15);
+      EXPECT_LE(std::sqrt(covariance.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff()), padding.of(body, 0));
+      EXPECT_LE(std::sqrt(direction.dot(covariance * direction)), padding.along(direction, body, 0) + 1e-15);
     }
   }
 }
 
 TEST(Padding, IsTakenOffInEachPostureAlikeByThePlannersDistancesAndTheProofs) {
-  const Workcell cell = withCovariance(3, 2e-4);
+  Workcell cell = withCovariance(3, 2e-4);
+  for (std::size_t row = 0; row < cell.arm.rows.size(); ++row)
+    cell.row_deviations.push_back(1e-4 * static_cast<double>(row));
   const ArmClearance bare(cell), padded(cell, 2);
   const BasePadding padding(cell, 2);
   Scene scene = cell.scene;

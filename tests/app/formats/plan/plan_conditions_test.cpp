@@ -66,7 +66,7 @@ TEST_F(PlanConditions, PaddingKeepsTheArmFurtherOff) {
   ASSERT_EQ(run(question + " --padding 3 --out padded").exit_code, 0);
   const json bare = planOf("bare"), padded = planOf("padded");
   const double added = padded["padding"]["added"];
-  EXPECT_EQ(padded["padding"]["covers"], "base") << "what the arm's numbers move of its links is not padded";
+  EXPECT_EQ(padded["padding"]["covers"], "base");
   EXPECT_GT(added, 0);
   EXPECT_FALSE(bare.contains("padding"));
   EXPECT_EQ(padded["clearance_required"], bare["clearance_required"]);
@@ -80,6 +80,17 @@ TEST_F(PlanConditions, PaddingKeepsTheArmFurtherOff) {
   const Outcome unknown = run("verify " + shipped("mockup.yaml") + " padded");
   EXPECT_EQ(unknown.exit_code, 2);
   expectSays(unknown.err, "the cell.yaml beside plan.json has no covariance of the base");
+}
+
+TEST_F(PlanConditions, PaddingCoversTheArmsUncertainParametersAsVerifyDoes) {
+  // Known to 1 %, the arm leaves room for padding at every hole.
+  write("cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));
+  write("known.yaml", contentOf(shippedCells() / "mockup.yaml") +
+                          "uncertainty: {stiffness: 0.01, weight: 0, zero: 0, axis: 0, length: 0, tip: 0}\n");
+  const std::string question = "plan known.yaml --tubes spread:6 --touches auto --truth known.yaml --padding 2";
+  ASSERT_EQ(run(question + " --out padded").exit_code, 0);
+  EXPECT_EQ(planOf("padded")["padding"]["covers"], "base and arm");
+  EXPECT_EQ(run("verify known.yaml padded").exit_code, 0);
 }
 
 TEST_F(PlanConditions, AChangedParkKeepsEverythingButTheWaysToIt) {
