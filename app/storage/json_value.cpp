@@ -67,9 +67,9 @@ std::vector<JsonValue> JsonValue::items() const {
 }
 
 std::string JsonValue::text() const {
-  if (!value_.is_string()) refuse("a text");
+  if (!value_.is_string()) refuse("a string");
   auto text = value_.get<std::string>();
-  if (!isPlainText(text)) refuse("a text without control characters");
+  if (!isPlainText(text)) refuse("a string without control characters");
   return text;
 }
 

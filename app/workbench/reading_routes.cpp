@@ -60,7 +60,7 @@ Answer leverage(Workbench& workbench, const Request& request) {
 void take(Workbench& workbench, std::shared_ptr<ReadingSet> set) {
   if (set->readings.size() > kMostLoaded)
     throw InputError(set->name, fmt::format("{} readings", set->readings.size()),
-                     fmt::format("at most {} in the workbench", kMostLoaded), "the commands take more");
+                     fmt::format("at most {} in the workbench", kMostLoaded), "use the command line for more");
   workbench.change([&](Session& session) {
     putReadings(session, std::move(set));
     return true;

@@ -29,7 +29,7 @@ JsonValue valueIn(const json& value, const std::string& key) { return {value, "r
 
 std::string textIn(const JsonValue& value) {
   std::string text = value.text();
-  if (text.size() > kLongestText) value.refuse(fmt::format("a text of at most {} bytes", kLongestText));
+  if (text.size() > kLongestText) value.refuse(fmt::format("a string of at most {} bytes", kLongestText));
   return text;
 }
 

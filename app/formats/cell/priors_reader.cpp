@@ -65,7 +65,7 @@ void readPriors(const YamlNode& node, Cell& cell) {
     const double sigma = value.number();
     if (!(sigma > 0)) value.fail(fmt::format("{}", sigma), kExpectedSigma, "");
     if (!takePrior(key, sigma, cell))
-      value.fail("a prior for '" + key + "', which is not a number of this cell", kExpectedName,
+      value.fail("a prior for '" + key + "', which is no parameter of this cell", kExpectedName,
                  suggestion(key, namesFor(cell)));
   }
 }

@@ -48,17 +48,17 @@ void checkNotNegative(const std::string& option, double value, const std::string
 void applyOptions(const SimulationRequest& request, const Units& units, CampaignDesign& design) {
   if (!request.loads.empty()) design.loads.clear();
   for (const double load : request.loads) {
-    checkNotNegative("--loads", load, fmt::format("weights in {}, zero or more", units.force().name));
+    checkNotNegative("--loads", load, fmt::format("weights of zero or more, in {}", units.force().name));
     design.loads.push_back(units.toInternal(load, dimension::kForce));
   }
   if (request.sigma) {
-    checkNotNegative("--sigma", *request.sigma, fmt::format("a length in {}, zero or more", units.length().name));
+    checkNotNegative("--sigma", *request.sigma, fmt::format("a length of zero or more, in {}", units.length().name));
     design.sigma = units.toInternal(*request.sigma, dimension::kLength);
     design.sigma_W.reset();
     design.correlation_W.reset();
   }
   if (request.push) {
-    checkNotNegative("--push", *request.push, fmt::format("a force in {}, zero or more", units.force().name));
+    checkNotNegative("--push", *request.push, fmt::format("a force of zero or more, in {}", units.force().name));
     design.push = units.toInternal(*request.push, dimension::kForce);
   }
   if (!request.held_out) return;
@@ -109,7 +109,7 @@ BaseError baseErrorOf(const SimulationRequest& request, const Cell& cell, const 
   if (request.base_error.size() != 2)
     throw InputError("--base-error", fmt::format("{} numbers", request.base_error.size()), "two: LENGTH,ANGLE");
   for (const double error : request.base_error)
-    checkNotNegative("--base-error", error, "LENGTH,ANGLE, each zero or more");
+    checkNotNegative("--base-error", error, "LENGTH,ANGLE, both zero or more");
   return {cell.units.toInternal(request.base_error[0], dimension::kLength),
           cell.units.toInternal(request.base_error[1], dimension::kAngle)};
 }
@@ -126,7 +126,7 @@ deflection::Effect ofTypicalSize(deflection::Effect effect) {
 /// Returns the true arm and base poses, including effects and errors that the cell does not know.
 calibration::CampaignTruth makeTruth(const SimulationRequest& request, const Cell& cell, const CampaignDesign& design,
                                      const BaseError& base) {
-  checkNotNegative("--spread", request.spread, "a fraction of each stiffness, zero or more");
+  checkNotNegative("--spread", request.spread, "a fraction of zero or more, which applies to every stiffness");
   if (request.spread > 1) throw InputError("--spread", fmt::format("{}", request.spread), "a fraction up to 1");
   calibration::TruthOptions truth;
   truth.parameters = identifiedParameters(cell);

@@ -50,7 +50,7 @@ void readTubesOf(const JsonValue& document, const Cell& cell, PlanFiles& files) 
     files.plan.tubes.push_back(tubeOf(tube, cell));
   }
   if (!files.tube_legs.empty() && files.tube_legs.size() != files.plan.tubes.size())
-    tubes.refuse("the leg of every tube, or of none");
+    tubes.refuse("a leg for every tube, or for none");
   for (const auto& tube : document.at("unreachable").items())
     files.plan.unreachable.push_back({tube.at("row").integer(1, kMost), tube.at("column").integer(1, kMost)});
 }

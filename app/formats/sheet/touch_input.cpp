@@ -50,7 +50,7 @@ void requireOneSetup(const std::vector<Measurement>& readings, const std::string
   }
   if (setup.empty() && setups.size() > 1)
     throw InputError::saying(file,
-                             fmt::format("the touches are of {} set-ups, each with its own base pose", setups.size()),
+                             fmt::format("the touches come from {} set-ups, each with its own base pose", setups.size()),
                              "choose one set-up with --setup");
 }
 
@@ -64,8 +64,8 @@ void settleSteps(std::vector<Measurement>& readings, const tubesheets::SteppedTo
     if (steps < 1 || steps > most || steps != std::round(steps))
       throw InputError(
           fmt::format("{}:{}", file, reading.line), fmt::format("{} steps", steps),
-          fmt::format("1 to {0} steps: the tool has {0}", tool.steps.size()),
-          steps == 0 ? "leave out the visit: a visit with no step inserted sets no bound on the centring error" : "");
+          fmt::format("1 to {}, the number of steps that the tool has", tool.steps.size()),
+          steps == 0 ? "leave the visit out, because a visit with no step inserted sets no bound on the centring error" : "");
     const auto last = static_cast<std::size_t>(steps);
     reading.own[1] = last < tool.steps.size() ? tool.steps[last].tolerance : 0;
     reading.own[2] = tool.steps[last - 1].tolerance;

@@ -93,7 +93,7 @@ bool YamlNode::boolean() const {
 }
 
 std::string YamlNode::text() const {
-  if (kind != Kind::kScalar || scalar.empty()) fail("a text");
+  if (kind != Kind::kScalar || scalar.empty()) fail("a string");
   return scalar;
 }
 

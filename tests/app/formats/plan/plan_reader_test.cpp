@@ -75,7 +75,7 @@ TEST_F(PlanReader, RefusesValuesThatNoPlanHas) {
   expectSays(refusalOf("/tubes/1/joints", "[1, 2, 3]"), "tubes[1].joints: found '[1,2,3]', expected 4 numbers");
   expectSays(refusalOf("/tubes/1/joints/2", "null"), "tubes[1].joints[2]: found 'null', expected a finite number");
   expectSays(refusalOf("/tubes", "7"), "plan.json tubes: found '7', expected a list");
-  expectSays(refusalOf("/tubes/0/leg", "1"), "tubes[0].leg: found '1', expected a text");
+  expectSays(refusalOf("/tubes/0/leg", "1"), "tubes[0].leg: found '1', expected a string");
   expectSays(refusalOf("/unreachable", "[{}]"), "unreachable[0]: the key 'row' is missing");
   expectSays(refusalOf("/sheet", "[]"), "plan.json sheet: found '[]', expected an object with the key fingerprint");
   expectSays(refusalOf("/start", "[0, 0]"), "plan.json start");
