@@ -116,8 +116,9 @@ std::optional<Mend> mendOf(const CheckedReadings& checked, const std::string& va
   if (!named) return std::nullopt;
   const int by = named->by;
   const std::string rows = std::to_string(std::abs(by)) + (std::abs(by) == 1 ? " row" : " rows");
-  Mend mend{"shift", value,
-            "the measured values stand " + rows + (by > 0 ? " below" : " above") + " the joint readings they belong to"};
+  Mend mend{
+      "shift", value,
+      "the measured values stand " + rows + (by > 0 ? " below" : " above") + " the joint readings they belong to"};
   mend.change = [by](std::vector<Measurement>& readings) { shift(by, readings); };
   if (!named->from) return mend;
   auto moved = idsFrom(checked.readings, *named->from);
