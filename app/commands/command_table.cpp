@@ -12,6 +12,7 @@ Run configureCompletion(CLI::App& cli);
 Run configureDiagnose(CLI::App& cli);
 Run configureIdentify(CLI::App& cli);
 Run configureImprove(CLI::App& cli);
+Run configureJob(CLI::App& cli);
 Run configureLadder(CLI::App& cli);
 Run configureMan(CLI::App& cli);
 Run configureMap(CLI::App& cli);
@@ -91,6 +92,14 @@ constexpr Command kCommands[] = {
     {"serve", "the workbench: all of this in a browser, on this machine",
      "tubeplan serve app/cells/mockup.yaml\ntubeplan serve app/cells/bench.yaml readings.csv --port 0 --open",
      configureServe},
+    {"job", "the work of an outage: its tubes, what became of them, and what is next",
+     "tubeplan job create app/cells/outage/job.yaml --out spring.job\n"
+     "tubeplan job plan spring.job --out out/spring\n"
+     "tubeplan job next spring.job --sg A --leg hot\n"
+     "tubeplan job confirm spring.job A/hot/R12C40 --read-back A/hot/R12C40 --by Ines\n"
+     "tubeplan job mark spring.job A/hot/R12C40 --as done --by Tom\n"
+     "tubeplan job status spring.job",
+     configureJob},
     {"arm",
      "imports arms from URDF or a controller, exports them by any convention, and shows an arm file for checking",
      "tubeplan arm import robot.urdf --out robot-arm.yaml --cell robot.yaml\n"

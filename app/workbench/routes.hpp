@@ -25,6 +25,7 @@ struct Route {
 [[nodiscard]] std::span<const Route> planRoutes();
 [[nodiscard]] std::span<const Route> exportRoutes();
 [[nodiscard]] std::span<const Route> liveRoutes();
+[[nodiscard]] std::span<const Route> outageRoutes();
 
 /// Calls the handler of a request. Converts every exception to an answer; throws nothing.
 [[nodiscard]] Answer answer(Workbench& workbench, const Request& request);

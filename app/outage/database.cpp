@@ -1,0 +1,128 @@
+#include "app/outage/database.hpp"
+
+#include <sqlite3.h>
+
+#include <cassert>
+#include <filesystem>
+
+#include "app/storage/input_error.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+constexpr int kBusyTimeout = 5000;  // longest time to wait for another writer [ms]
+
+struct Finalizer {
+  void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+};
+using StatementPointer = std::unique_ptr<sqlite3_stmt, Finalizer>;
+
+void bindValue(sqlite3_stmt* statement, int index, const DatabaseValue& value) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value))
+    sqlite3_bind_int64(statement, index, *integer);
+  else if (const auto* real = std::get_if<double>(&value))
+    sqlite3_bind_double(statement, index, *real);
+  else if (const auto* text = std::get_if<std::string>(&value))
+    sqlite3_bind_text(statement, index, text->data(), static_cast<int>(text->size()), SQLITE_TRANSIENT);
+  else
+    sqlite3_bind_null(statement, index);
+}
+
+DatabaseValue valueAt(sqlite3_stmt* statement, int column) {
+  switch (sqlite3_column_type(statement, column)) {
+    case SQLITE_INTEGER:
+      return static_cast<std::int64_t>(sqlite3_column_int64(statement, column));
+    case SQLITE_FLOAT:
+      return sqlite3_column_double(statement, column);
+    case SQLITE_NULL:
+      return std::monostate{};
+    default:
+      return std::string(reinterpret_cast<const char*>(sqlite3_column_text(statement, column)),
+                         static_cast<std::size_t>(sqlite3_column_bytes(statement, column)));
+  }
+}
+
+DatabaseRow rowOf(sqlite3_stmt* statement) {
+  std::vector<DatabaseValue> values;
+  for (int column = 0; column < sqlite3_column_count(statement); ++column) values.push_back(valueAt(statement, column));
+  return DatabaseRow(std::move(values));
+}
+
+}  // namespace
+
+double DatabaseRow::real(std::size_t column) const {
+  const DatabaseValue& value = values_.at(column);
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
+  return std::get<double>(value);
+}
+
+std::string DatabaseRow::text(std::size_t column) const {
+  return isNull(column) ? "" : std::get<std::string>(values_.at(column));
+}
+
+void Database::Closer::operator()(sqlite3* database) const { sqlite3_close(database); }
+
+Database::Database(const std::string& path, Mode mode) : path_(path) {
+  std::error_code none;
+  const bool exists = std::filesystem::exists(path, none);
+  if (mode == Mode::kOpen && !exists)
+    throw InputError::saying(path, "no such file", "make it by `tubeplan job create JOB.yaml --out " + path + "`");
+  if (mode == Mode::kCreate && exists)
+    throw InputError::saying(path, "the file exists, and what it records must not be lost", "choose another name");
+  sqlite3* opened = nullptr;
+  const int create = mode == Mode::kCreate ? SQLITE_OPEN_CREATE : 0;
+  const int code = sqlite3_open_v2(path.c_str(), &opened, SQLITE_OPEN_READWRITE | create, nullptr);
+  database_.reset(opened);
+  if (code != SQLITE_OK) fail(code);
+  sqlite3_busy_timeout(opened, kBusyTimeout);
+  execute("PRAGMA foreign_keys = ON; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;");
+}
+
+void Database::fail(int code) const {
+  const int kind = code & 0xff;
+  if (kind == SQLITE_BUSY || kind == SQLITE_LOCKED)
+    throw InputError::saying(path_, "another program keeps this file locked", "try again when it has finished");
+  if (kind == SQLITE_NOTADB || kind == SQLITE_CORRUPT)
+    throw InputError::saying(path_, "this file is not the record of a job, or it is damaged",
+                             "name a file that `tubeplan job create` made");
+  if (kind == SQLITE_CANTOPEN || kind == SQLITE_READONLY || kind == SQLITE_PERM || kind == SQLITE_AUTH)
+    throw InputError::saying(path_, "this file cannot be opened for writing", "check its folder and permissions");
+  if (kind == SQLITE_FULL || kind == SQLITE_IOERR)
+    throw InputError::saying(path_, "this file cannot be written", "check the space left on the disk");
+  throw std::logic_error(path_ + ": " + sqlite3_errmsg(database_.get()));
+}
+
+void Database::execute(const std::string& sql) {
+  const int code = sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr);
+  if (code != SQLITE_OK) fail(code);
+}
+
+std::vector<DatabaseRow> Database::query(std::string_view sql, const std::vector<DatabaseValue>& parameters) {
+  sqlite3_stmt* prepared = nullptr;
+  const int code = sqlite3_prepare_v2(database_.get(), sql.data(), static_cast<int>(sql.size()), &prepared, nullptr);
+  const StatementPointer statement(prepared);
+  if (code != SQLITE_OK) fail(code);
+  assert(sqlite3_bind_parameter_count(prepared) == static_cast<int>(parameters.size()));
+  for (std::size_t k = 0; k < parameters.size(); ++k) bindValue(prepared, static_cast<int>(k) + 1, parameters[k]);
+  std::vector<DatabaseRow> rows;
+  int step = SQLITE_OK;
+  while ((step = sqlite3_step(prepared)) == SQLITE_ROW) rows.push_back(rowOf(prepared));
+  if (step != SQLITE_DONE) fail(step);
+  return rows;
+}
+
+std::int64_t Database::lastKey() const { return sqlite3_last_insert_rowid(database_.get()); }
+
+void Database::transact(const std::function<void()>& work) {
+  execute("BEGIN IMMEDIATE");
+  try {
+    work();
+    execute("COMMIT");
+  } catch (...) {
+    sqlite3_exec(database_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
+    throw;
+  }
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,78 @@
+#include "app/outage/identity.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace tubeplan::app {
+
+namespace {
+
+constexpr double kNearHole = 0.4;  // largest distance from a hole's centre at which a position is at the hole [pitches]
+
+std::string countText(int count, const char* word) {
+  return fmt::format("{} {}{}", std::abs(count), word, std::abs(count) == 1 ? "" : "s");
+}
+
+/// Returns how a tube differs from the meant one, by their addresses alone.
+std::string differenceOf(const TubeAddress& meant, const TubeAddress& found) {
+  if (found.generator != meant.generator) return "it is in another steam generator";
+  if (found.leg != meant.leg) return "it is in the other leg";
+  const int rows = found.row - meant.row, columns = found.column - meant.column;
+  if (columns == 0) return fmt::format("it is {} off", countText(rows, "row"));
+  if (rows == 0) return fmt::format("it is {} off", countText(columns, "column"));
+  return fmt::format("it is {} and {} off", countText(rows, "row"), countText(columns, "column"));
+}
+
+const TubeEnd* findEnd(const std::vector<TubeEnd>& ends, const TubeAddress& tube) {
+  for (const TubeEnd& end : ends)
+    if (end.tube == tube) return &end;
+  return nullptr;
+}
+
+/// Returns true if the found hole is the mirror image of the meant hole in the plane x = 0.
+bool isMirrorImage(const std::vector<TubeEnd>& ends, const TubeAddress& meant, const TubeEnd& found, double near) {
+  const TubeEnd* of_meant = findEnd(ends, meant);
+  return of_meant && std::hypot(found.x + of_meant->x, found.y - of_meant->y) < near;
+}
+
+}  // namespace
+
+IdentityFinding compareRead(const TubeAddress& meant, const TubeAddress& read) {
+  if (meant == read) return {true, addressText(read), ""};
+  return {false, addressText(read), differenceOf(meant, read)};
+}
+
+IdentityFinding comparePosition(const TubeAddress& meant, double x, double y, const std::vector<TubeEnd>& ends,
+                                double pitch) {
+  const TubeEnd* nearest = nullptr;
+  double least = kNearHole * pitch;
+  for (const TubeEnd& end : ends)
+    if (const double distance = std::hypot(end.x - x, end.y - y); distance < least) {
+      least = distance;
+      nearest = &end;
+    }
+  if (!nearest) return {false, "", "the position is at no hole of this steam generator"};
+  if (nearest->tube == meant) return {true, addressText(meant), ""};
+  std::string reason = differenceOf(meant, nearest->tube);
+  if (isMirrorImage(ends, meant, *nearest, kNearHole * pitch)) reason += ", its mirror image: check the map's columns";
+  return {false, addressText(nearest->tube), reason};
+}
+
+std::string findMissingConfirmation(const WorkPackage& package, const std::vector<JobEvent>& events_of_item,
+                                    const std::string& who) {
+  if (package.confirm == ConfirmationMethod::kNone) return "";
+  const JobEvent* latest = nullptr;
+  for (const JobEvent& event : events_of_item) {
+    if (event.kind == "mark") latest = nullptr;
+    if (event.kind == "confirm") latest = &event;
+  }
+  if (!latest) return "the identity of the tube is not confirmed";
+  if (latest->value != "same") return fmt::format("the last confirmation found {}", latest->value);
+  if (latest->method == confirmationName(ConfirmationMethod::kReadBack) && latest->who == who)
+    return fmt::format("the tube was read back by {}, who marks it too; another person must read it", who);
+  return "";
+}
+
+}  // namespace tubeplan::app

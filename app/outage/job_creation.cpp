@@ -1,0 +1,187 @@
+// Makes the record of a job: reads the cells and lists that the job file names, and selects the tubes of every package.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+#include <set>
+
+#include "app/formats/cell/cell_reader.hpp"
+#include "app/formats/cell/command_inputs.hpp"
+#include "app/formats/cell/mirrored_cell.hpp"
+#include "app/outage/job_schema.hpp"
+#include "app/outage/job_store.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/origin.hpp"
+#include "app/storage/text_file.hpp"
+#include "tubesheets/work_list.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using tubesheets::Leg, tubesheets::Sheet;
+
+/// The sheet of one leg, with the states that the job file states for its steam generator.
+struct ReadLeg {
+  std::string generator;
+  JobLeg leg;
+  Sheet sheet;
+};
+
+/// One package on one leg: the tubes to visit, and those that are left out with the reason.
+struct PackageOnLeg {
+  std::int64_t package = 0;  ///< key of the package
+  const ReadLeg* leg = nullptr;
+  tubesheets::Selection selection;
+};
+
+Sheet sheetOf(const JobLeg& leg) {
+  const Cell cell = readCell(leg.cell);
+  const Cell used = leg.is_mirrored ? mirroredCell(cell) : cell;
+  const Sheet& sheet = requireSheet(used, "plan an outage");
+  if (sheet.leg != leg.leg)
+    throw InputError::saying(leg.cell,
+                             fmt::format("its sheet is of the {} leg, but the job names it for the {} leg",
+                                         tubesheets::legName(sheet.leg), tubesheets::legName(leg.leg)),
+                             "exchange the cells of the legs, or write `mirrored` for the other leg");
+  return sheet;
+}
+
+/// Sets the states of tubes that a table states. Throws InputError for a tube that the sheet does not have.
+void applyStates(const std::string& path, Sheet& sheet) {
+  const tubesheets::WorkList list = tubesheets::parseWorkListCsv(readTextFile(path));
+  if (list.problem) refuseText(path, *list.problem);
+  for (const auto& item : list.items) {
+    const auto tube = sheet.indexOf(item.row, item.column);
+    if (!tube)
+      throw InputError::saying(fmt::format("{}:{}", path, item.line),
+                               tubesheets::tubeName(item.row, item.column) + " is not on the sheet",
+                               "correct the tube's row and column, or name the states of this steam generator");
+    if (item.state) sheet.tubes[static_cast<std::size_t>(*tube)].state = *item.state;
+  }
+}
+
+/// Throws InputError unless both legs have tubes of the same names: each tube has two ends.
+void requireSameTubes(const ReadLeg& one, const ReadLeg& other) {
+  const auto lacking = [](const Sheet& in, const Sheet& of) -> const tubesheets::Tube* {
+    for (const auto& tube : of.tubes)
+      if (!in.indexOf(tube.row, tube.column)) return &tube;
+    return nullptr;
+  };
+  for (const auto& [has, lacks] : {std::pair(&one, &other), std::pair(&other, &one)})
+    if (const auto* tube = lacking(lacks->sheet, has->sheet))
+      throw InputError::saying(
+          fmt::format("steam generator {}", one.generator),
+          fmt::format("the {} leg has {}, but the {} leg has not", tubesheets::legName(has->leg.leg),
+                      tubesheets::tubeName(tube->row, tube->column), tubesheets::legName(lacks->leg.leg)),
+          "give both legs sheets with the same rows and columns");
+}
+
+std::vector<ReadLeg> readLegsOf(const JobFile& job) {
+  std::vector<ReadLeg> legs;
+  for (const SteamGenerator& generator : job.generators) {
+    const std::size_t first = legs.size();
+    for (const JobLeg& leg : generator.legs) {
+      legs.push_back({generator.name, leg, sheetOf(leg)});
+      if (!generator.states.empty()) applyStates(generator.states, legs.back().sheet);
+      if (legs.size() > first + 1) requireSameTubes(legs[first], legs.back());
+    }
+  }
+  return legs;
+}
+
+/// Returns true if a work list is meant for the leg: it names the leg and its steam generator, or neither.
+bool isMeantFor(const tubesheets::WorkList& list, const ReadLeg& leg) {
+  if (list.items.empty()) return true;
+  const auto& first = list.items.front();
+  return (!first.leg || *first.leg == leg.leg.leg) &&
+         (first.steam_generator.empty() || first.steam_generator == leg.generator);
+}
+
+bool contains(const auto& values, const auto& value) { return std::ranges::find(values, value) != values.end(); }
+
+/// Selects the tubes of one package on all legs that it is for.
+std::vector<PackageOnLeg> selectPackage(const WorkPackage& package, std::int64_t key, const JobFile& job,
+                                        const std::vector<ReadLeg>& legs) {
+  const bool is_list = package.tubes.ends_with(".csv");
+  std::optional<tubesheets::WorkList> list;
+  if (is_list) list = tubesheets::parseWorkListCsv(readTextFile(package.tubes));
+  std::vector<PackageOnLeg> selected;
+  for (const ReadLeg& leg : legs) {
+    if (!contains(package.generators, leg.generator) || !contains(package.legs, leg.leg.leg)) continue;
+    if (list && !isMeantFor(*list, leg)) continue;
+    selected.push_back(
+        {key, &leg, readTubes(package.tubes, leg.sheet, {}, fmt::format("{} (package {})", job.path, package.name))});
+  }
+  if (selected.empty())
+    throw InputError::saying(fmt::format("{} (package {})", job.path, package.name),
+                             "no leg of the job belongs to this package",
+                             "check its `steam_generators` and `legs`, and the columns `sg` and `leg` of its list");
+  return selected;
+}
+
+std::string legText(const ReadLeg& leg) { return std::string(tubesheets::legName(leg.leg.leg)); }
+
+void insertLeg(Database& database, const ReadLeg& leg) {
+  database.query("INSERT INTO sheet VALUES (?1, ?2, ?3, ?4, ?5, ?6)",
+                 {leg.generator, legText(leg), leg.leg.cell, std::int64_t{leg.leg.is_mirrored}, leg.sheet.fingerprint(),
+                  leg.sheet.pitch});
+  for (const auto& tube : leg.sheet.tubes)
+    database.query("INSERT INTO tube VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)",
+                   {leg.generator, legText(leg), std::int64_t{tube.row}, std::int64_t{tube.column}, tube.x, tube.y,
+                    std::string(tubesheets::tubeStateName(tube.state))});
+}
+
+void insertItem(Database& database, const PackageOnLeg& of, int index, const std::string& excluded) {
+  const auto& tube = of.leg->sheet.tubes[static_cast<std::size_t>(index)];
+  database.query(
+      "INSERT INTO item (package, generator, leg, tube_row, tube_column, excluded) "
+      "VALUES (?1, ?2, ?3, ?4, ?5, ?6)",
+      {of.package, of.leg->generator, legText(*of.leg), std::int64_t{tube.row}, std::int64_t{tube.column}, excluded});
+}
+
+void insertPackage(Database& database, const PackageOnLeg& of) {
+  if (of.selection.list)
+    database.query("INSERT INTO list VALUES (?1, ?2, ?3, ?4)",
+                   {of.package, of.leg->generator, legText(*of.leg), of.selection.list->text});
+  for (const int tube : of.selection.tube_indices) insertItem(database, of, tube, "");
+  for (const auto& left_out : of.selection.left_out)
+    insertItem(database, of, left_out.tube,
+               fmt::format("{}{}", left_out.word, left_out.is_by_list ? " according to the list" : ""));
+}
+
+void fill(Database& database, const JobFile& job, const std::vector<ReadLeg>& legs,
+          const std::vector<std::vector<PackageOnLeg>>& packages) {
+  for (const auto& [key, value] : {std::pair<std::string, std::string>{"format", std::to_string(kJobFormat)},
+                                   {"path", job.path},
+                                   {"file", job.text}})
+    database.query("INSERT INTO job VALUES (?1, ?2)", {key, value});
+  for (const ReadLeg& leg : legs) insertLeg(database, leg);
+  for (std::size_t k = 0; k < packages.size(); ++k) {
+    database.query("INSERT INTO package VALUES (?1, ?2)", {static_cast<std::int64_t>(k) + 1, job.packages[k].name});
+    for (const PackageOnLeg& of : packages[k]) insertPackage(database, of);
+  }
+}
+
+}  // namespace
+
+void JobStore::create(const JobFile& job, const std::string& path) {
+  const std::vector<ReadLeg> legs = readLegsOf(job);
+  std::vector<std::vector<PackageOnLeg>> packages;
+  for (std::size_t k = 0; k < job.packages.size(); ++k)
+    packages.push_back(selectPackage(job.packages[k], static_cast<std::int64_t>(k) + 1, job, legs));
+  claimOutput(path, "--out");
+  std::error_code none;
+  if (std::filesystem::exists(path, none))
+    throw InputError::saying(path, "the file exists, and what it records must not be lost", "choose another name");
+  const std::string scratch = path + ".new";
+  for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(scratch + suffix, none);
+  {
+    Database database(scratch, Database::Mode::kCreate);
+    database.execute(kJobSchema);
+    database.transact([&] { fill(database, job, legs, packages); });
+  }
+  std::filesystem::rename(scratch, path);
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,173 @@
+#include "app/outage/job_desk.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "app/storage/input_error.hpp"
+#include "app/storage/suggestion.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using tubesheets::TubeState;
+
+const WorkPackage& packageOf(const JobFile& job, const std::string& name) {
+  return *std::ranges::find(job.packages, name, &WorkPackage::name);
+}
+
+template <class Entry>
+void requireName(const char* option, const std::string& name, const std::vector<Entry>& entries) {
+  std::vector<std::string> names;
+  for (const Entry& entry : entries) names.push_back(entry.name);
+  if (!name.empty() && std::ranges::find(names, name) == names.end())
+    throw InputError(option, inQuotes(name), alternatives(names), suggestion(name, names));
+}
+
+bool isPlugMark(const JobItem& item) { return item.mark && item.mark->state == TubeState::kPlugged; }
+
+using EndKey = std::tuple<std::string, tubesheets::Leg, int, int>;
+EndKey endKey(const TubeAddress& tube) { return {tube.generator, tube.leg, tube.row, tube.column}; }
+
+const Mark& requireMark(const std::string& name) {
+  if (const Mark* mark = findMark(name)) return *mark;
+  std::vector<std::string> names;
+  for (const Mark& mark : marks()) names.emplace_back(mark.name);
+  throw InputError("--as", inQuotes(name), alternatives(names), suggestion(name, names));
+}
+
+/// Throws InputError for a mark that contradicts the present standing of the item.
+void requireFitting(const JobItem& item, const Mark& mark, const MarkRequest& request) {
+  const std::string where = addressText(item.tube);
+  const ItemStanding standing = item.standing();
+  if (request.after && *request.after != item.last_event)
+    throw InputError::saying(
+        where,
+        fmt::format("its state has changed since event {} (its last event is {})", *request.after, item.last_event),
+        "look at `tubeplan job log`, then mark it again without --after");
+  if (mark.needs_reason && request.entry.reason.empty())
+    throw InputError::saying("--reason", fmt::format("the mark '{}' needs a reason", mark.name), "write --reason TEXT");
+  if (standing == ItemStanding::kExcluded && mark.standing != ItemStanding::kOpen)
+    throw InputError::saying(where,
+                             fmt::format("it is excluded from the package {}{}", item.package,
+                                         item.excluded.empty() ? "" : " (" + item.excluded + ")"),
+                             "mark it open first, with the reason why");
+  if (standing == ItemStanding::kDone && request.entry.reason.empty())
+    throw InputError::saying(where, fmt::format("it is already marked {}", item.mark->name),
+                             "give --reason if it is to be marked again, or undo that mark");
+}
+
+std::string textOf(const std::vector<JobItem>& items) {
+  std::vector<std::string> names;
+  for (const JobItem& item : items) names.push_back(item.package);
+  return enumeration(names);
+}
+
+}  // namespace
+
+bool JobPart::has(const JobItem& item) const {
+  return (package.empty() || item.package == package) && (generator.empty() || item.tube.generator == generator) &&
+         (!leg || item.tube.leg == *leg);
+}
+
+void requirePart(const JobFile& job, const JobPart& part) {
+  requireName("--package", part.package, job.packages);
+  requireName("--sg", part.generator, job.generators);
+}
+
+std::optional<JobItem> findNext(JobStore& store, const JobPart& part) {
+  const std::vector<JobItem> items = store.items();
+  std::set<EndKey> plugged;
+  for (const JobItem& item : items)
+    if (isPlugMark(item)) plugged.insert(endKey(item.tube));
+  const JobItem* queued = nullptr;
+  for (const JobItem& item : items) {
+    if (!part.has(item) || plugged.contains(endKey(item.tube))) continue;
+    if (item.standing() == ItemStanding::kOpen) return item;
+    if (item.standing() == ItemStanding::kQueued && (!queued || item.last_event < queued->last_event)) queued = &item;
+  }
+  return queued ? std::optional(*queued) : std::nullopt;
+}
+
+JobItem requireItem(JobStore& store, const TubeAddress& tube, const std::string& package) {
+  requireName("--package", package, store.job().packages);
+  std::vector<JobItem> items = store.itemsOf(tube);
+  if (!package.empty()) std::erase_if(items, [&](const JobItem& item) { return item.package != package; });
+  if (items.empty())
+    throw InputError::saying(
+        addressText(tube),
+        package.empty() ? "no package of the job has this tube" : "the package " + package + " does not have this tube",
+        "check its steam generator, leg, row and column");
+  if (items.size() > 1)
+    throw InputError::saying(addressText(tube), "the tube is in the packages " + textOf(items),
+                             "name one of them with --package");
+  return items.front();
+}
+
+std::int64_t markTube(JobStore& store, const MarkRequest& request) {
+  const Mark& mark = requireMark(request.mark);
+  std::int64_t event = 0;
+  store.transact([&] {
+    const JobItem item = requireItem(store, request.tube, request.package);
+    requireFitting(item, mark, request);
+    const std::string missing = mark.needs_tool ? findMissingConfirmation(packageOf(store.job(), item.package),
+                                                                          store.eventsOf(item.id), request.entry.who)
+                                                : "";
+    if (!missing.empty())
+      throw InputError::saying(addressText(item.tube), missing, "confirm it first: `tubeplan job confirm`");
+    event = store.addMark(item, mark, request.entry);
+  });
+  return event;
+}
+
+IdentityFinding confirmTube(JobStore& store, const ConfirmationRequest& request) {
+  IdentityFinding finding;
+  store.transact([&] {
+    const JobItem item = requireItem(store, request.tube, request.package);
+    if (!request.read.empty()) {
+      finding = compareRead(item.tube, parseAddress(request.read, "--read-back"));
+    } else {
+      std::vector<TubeEnd> ends;
+      double pitch = 0;
+      for (const JobSheet& sheet : store.sheets()) {
+        if (sheet.generator != item.tube.generator) continue;
+        if (sheet.leg.leg == item.tube.leg) pitch = sheet.pitch;
+        const auto of_leg = store.endsOf(sheet.generator, sheet.leg.leg);
+        ends.insert(ends.end(), of_leg.begin(), of_leg.end());
+      }
+      finding = comparePosition(item.tube, request.xy->first, request.xy->second, ends, pitch);
+    }
+    const auto method = request.read.empty() ? ConfirmationMethod::kPosition : ConfirmationMethod::kReadBack;
+    const std::string value = finding.is_same ? "same" : finding.found.empty() ? "no hole" : finding.found;
+    store.addConfirmation(item, method, value, request.entry);
+  });
+  return finding;
+}
+
+std::int64_t undoMark(JobStore& store, std::int64_t event, const EventEntry& entry) {
+  if (entry.reason.empty()) throw InputError::saying("--reason", "an undo needs a reason", "write --reason TEXT");
+  std::int64_t undo = 0;
+  store.transact([&] {
+    const auto events = store.events();
+    const auto found = std::ranges::find(events, event, &JobEvent::id);
+    const std::string where = fmt::format("event {}", event);
+    if (found == events.end())
+      throw InputError::saying(where, "there is no such event", "`tubeplan job log` lists them");
+    if (found->kind != "mark") throw InputError::saying(where, "this event is not a mark", "undo a mark");
+    if (found->is_undone)
+      throw InputError::saying(where, "this event has already been undone", "there is nothing to do");
+    for (const JobEvent& later : events)
+      if (later.id > event && later.kind == "mark" && !later.is_undone && later.tube == found->tube &&
+          later.package == found->package)
+        throw InputError::saying(where, fmt::format("the tube has a later mark, event {}", later.id),
+                                 "undo that one first");
+    undo = store.addUndo(*found, entry);
+  });
+  return undo;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,58 @@
+// The shift's desk: which tube comes next, its confirmation, and marks with the rules that keep the record right.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/outage/identity.hpp"
+#include "app/outage/job_store.hpp"
+
+namespace tubeplan::app {
+
+/// Part of the job that a request is about; empty members take everything.
+struct JobPart {
+  std::string package, generator;
+  std::optional<tubesheets::Leg> leg;
+
+  [[nodiscard]] bool has(const JobItem& item) const;
+};
+
+/// Throws InputError for a package or a steam generator that the job does not have; messages name the options.
+void requirePart(const JobFile& job, const JobPart& part);
+
+/// Returns the next item to visit: the first open one, or else the queued one that has waited longest; nothing if no
+/// item of the part is open or queued. Tubes whose end was plugged in the meantime are passed over.
+[[nodiscard]] std::optional<JobItem> findNext(JobStore& store, const JobPart& part);
+
+/// Returns the item of a tube. Throws InputError if the tube is in no package, or in several and none is named.
+[[nodiscard]] JobItem requireItem(JobStore& store, const TubeAddress& tube, const std::string& package);
+
+struct MarkRequest {
+  TubeAddress tube;
+  std::string package;  ///< may be empty if the tube is in one package only
+  std::string mark;
+  EventEntry entry;
+  std::optional<std::int64_t> after;  ///< last event that the person has seen of this item; nothing: any
+};
+
+/// Records a mark and returns the key of its event. Throws InputError, and records nothing, for an unknown mark, a tube
+/// that is excluded, a tube that is done already unless a reason is given, a mark without the reason or the
+/// confirmation that it needs, and an item that has changed since the event `after`.
+std::int64_t markTube(JobStore& store, const MarkRequest& request);
+
+struct ConfirmationRequest {
+  TubeAddress tube;
+  std::string package;
+  std::string read;                             ///< address that was read back; empty if a position was measured
+  std::optional<std::pair<double, double>> xy;  ///< measured position in the sheet frame [m]
+  EventEntry entry;
+};
+
+/// Records a confirmation, whether or not it finds the tube that is meant, and returns what it found.
+[[nodiscard]] IdentityFinding confirmTube(JobStore& store, const ConfirmationRequest& request);
+
+/// Undoes a mark: the item gets the standing that it had before. Throws InputError for an event that is no mark, is
+/// undone already or is not the latest mark of its item, and for a missing reason.
+std::int64_t undoMark(JobStore& store, std::int64_t event, const EventEntry& entry);
+
+}  // namespace tubeplan::app

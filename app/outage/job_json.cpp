@@ -1,0 +1,133 @@
+#include "app/outage/job_json.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/documents/figures_text.hpp"
+#include "app/formats/units_json.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using nlohmann::json;
+
+json countsJson(const ItemCounts& counts) {
+  json result = {{"planned", counts.planned},
+                 {"done", counts.of(ItemStanding::kDone)},
+                 {"excluded", counts.of(ItemStanding::kExcluded)},
+                 {"unresolved", counts.unresolved()}};
+  for (const ItemStanding standing : {ItemStanding::kOpen, ItemStanding::kQueued, ItemStanding::kHeld})
+    result[std::string(standingName(standing))] = counts.of(standing);
+  const int to_do = counts.planned - counts.of(ItemStanding::kExcluded);
+  result["percent"] = to_do == 0 ? 100. : 100. * counts.of(ItemStanding::kDone) / to_do;
+  return result;
+}
+
+json eventJson(const JobEvent& event) {
+  json result = {{"event", event.id},    {"at", event.at},           {"who", event.who},
+                 {"kind", event.kind},   {"package", event.package}, {"tube", addressText(event.tube)},
+                 {"value", event.value}, {"method", event.method},   {"reason", event.reason},
+                 {"undoes", nullptr},    {"undone", event.is_undone}};
+  if (event.undoes) result["undoes"] = *event.undoes;
+  return result;
+}
+
+int countLeft(JobStore& store, const JobPart& part) {
+  const auto items = store.items();
+  return static_cast<int>(std::ranges::count_if(items, [&](const JobItem& item) {
+    const ItemStanding standing = item.standing();
+    return part.has(item) && (standing == ItemStanding::kOpen || standing == ItemStanding::kQueued);
+  }));
+}
+
+constexpr TextLine kTotalsWords[] = {
+    {"", "{job}\npackage          sg       leg    planned    done  excluded  unresolved  (open, queued, held)\n"},
+    {"packages",
+     "{package:<16} {steam_generator:<8} {leg:<5} {planned:>8} {done:>7} {excluded:>9} {unresolved:>11}  ({open}, "
+     "{queued}, "
+     "{held})  {percent:.1f} %\n"},
+    {"total",
+     "{@:<31} {planned:>8} {done:>7} {excluded:>9} {unresolved:>11}  ({open}, {queued}, {held})  {percent:.1f} %\n",
+     {},
+     "all"},
+    {"shifts", "{date} {shift}: {done} done\n"},
+    {"plugged_at_one_end",
+     "warning: {} is plugged at this end only: plug the other end too, or check which tube it is\n"},
+    {"wrong_tubes", "warning: at {tube} {who} found {found} ({at}): confirm the tube again before any tool enters\n"},
+};
+
+constexpr TextLine kNextWords[] = {
+    {"", "next: {tube} at x {x:l units/length}, y {y:l units/length}\n"},
+    {"", "package {package}, tool {tool}, {standing}; confirm by {confirm}\n"},
+    {"extent", "extent {}\n"},
+    {"history", "  {at} {who}: {kind} {value} {reason}\n"},
+    {"", "{left} left\n"},
+};
+
+constexpr TextLine kLogWords[] = {
+    {"events", "{event:>6} {at} {who:<12} {kind:<8} {tube:<16} {package:<12} {value} {method} {reason}\n"},
+    {"!events", "no events yet\n"},
+};
+
+}  // namespace
+
+json totalsJson(const JobTotals& totals, const JobFile& job) {
+  json result = {{"job", job.name},         {"packages", json::array()},           {"total", countsJson(totals.all)},
+                 {"shifts", json::array()}, {"plugged_at_one_end", json::array()}, {"wrong_tubes", json::array()}};
+  for (const PackageTotal& total : totals.packages) {
+    json row = countsJson(total.counts);
+    row["package"] = total.package;
+    row["steam_generator"] = total.generator;
+    row["leg"] = tubesheets::legName(total.leg);
+    result["packages"].push_back(std::move(row));
+  }
+  for (const ShiftTotal& shift : totals.shifts)
+    result["shifts"].push_back({{"date", shift.date}, {"shift", shift.shift}, {"done", shift.done}});
+  for (const TubeAddress& tube : totals.plugged_at_one_end) result["plugged_at_one_end"].push_back(addressText(tube));
+  for (const JobEvent& event : totals.wrong_tubes)
+    result["wrong_tubes"].push_back(
+        {{"tube", addressText(event.tube)}, {"found", event.value}, {"who", event.who}, {"at", event.at}});
+  return result;
+}
+
+std::string totalsText(const json& totals) { return textOf(totals, kTotalsWords); }
+
+json nextJson(JobStore& store, const JobItem& item, const JobPart& part) {
+  const JobFile& job = store.job();
+  const WorkPackage& package = *std::ranges::find(job.packages, item.package, &WorkPackage::name);
+  json result = {{"tube", addressText(item.tube)},
+                 {"package", item.package},
+                 {"steam_generator", item.tube.generator},
+                 {"leg", tubesheets::legName(item.tube.leg)},
+                 {"row", item.tube.row},
+                 {"column", item.tube.column},
+                 {"tool", package.tool},
+                 {"extent", package.extent},
+                 {"confirm", confirmationName(package.confirm)},
+                 {"standing", standingName(item.standing())},
+                 {"last_event", item.last_event},
+                 {"left", countLeft(store, part)},
+                 {"history", json::array()},
+                 {"units", unitsJson(job.units)}};
+  for (const TubeEnd& end : store.endsOf(item.tube.generator, item.tube.leg))
+    if (end.tube == item.tube) {
+      result["x"] = lengthOf(end.x, job.units);
+      result["y"] = lengthOf(end.y, job.units);
+    }
+  for (const JobItem& other : store.itemsOf(item.tube))
+    for (const JobEvent& event : store.eventsOf(other.id)) result["history"].push_back(eventJson(event));
+  return result;
+}
+
+std::string nextText(const json& next) { return textOf(next, kNextWords); }
+
+json logJson(const std::vector<JobEvent>& events) {
+  json result = {{"events", json::array()}};
+  for (const JobEvent& event : events) result["events"].push_back(eventJson(event));
+  return result;
+}
+
+std::string logText(const json& log) { return textOf(log, kLogWords); }
+
+}  // namespace tubeplan::app

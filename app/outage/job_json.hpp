@@ -1,0 +1,27 @@
+// What a job's record says, as JSON documents and as text.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "app/outage/job_desk.hpp"
+#include "app/outage/job_totals.hpp"
+
+namespace tubeplan::app {
+
+/// Returns {job, packages: [{package, steam_generator, leg, planned, done, excluded, unresolved, open, queued, held,
+/// percent}], total, shifts: [{date, shift, done}], plugged_at_one_end: [ADDRESS], wrong_tubes: [{tube, found, who,
+/// at}]}.
+[[nodiscard]] nlohmann::json totalsJson(const JobTotals& totals, const JobFile& job);
+[[nodiscard]] std::string totalsText(const nlohmann::json& totals);
+
+/// Returns {tube, package, steam_generator, leg, row, column, x, y, tool, extent, confirm, standing, last_event, left,
+/// history: [EVENT], units}, with lengths in the job's units. `left` counts the open and queued items of the part.
+[[nodiscard]] nlohmann::json nextJson(JobStore& store, const JobItem& item, const JobPart& part);
+[[nodiscard]] std::string nextText(const nlohmann::json& next);
+
+/// Returns {events: [{event, at, who, kind, package, tube, value, method, reason, undoes, undone}]}.
+[[nodiscard]] nlohmann::json logJson(const std::vector<JobEvent>& events);
+[[nodiscard]] std::string logText(const nlohmann::json& log);
+
+}  // namespace tubeplan::app

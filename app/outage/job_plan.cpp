@@ -1,0 +1,143 @@
+#include "app/outage/job_plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+
+#include "app/formats/cell/mirrored_cell.hpp"
+#include "app/jobs/plan.hpp"
+#include "app/storage/input_error.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using planner::SegmentKind, planner::VisitPlanStatus;
+
+Cell cellOfLeg(const JobSheet& sheet) {
+  const Cell cell = readCell(sheet.leg.cell);
+  Cell used = sheet.leg.is_mirrored ? mirroredCell(cell) : cell;
+  if (requireSheet(used, "plan an outage").fingerprint() != sheet.fingerprint)
+    throw InputError::saying(sheet.leg.cell, "its tube sheet is no longer the one that the job was made with",
+                             "restore the cell's sheet, or make another job");
+  return used;
+}
+
+/// Returns the time with the tool in one tube [s]: to the end of the extent and back, and the stay.
+double acquisitionTime(const WorkPackage& package, const JobTool& tool) {
+  return package.dwell + (tool.speed > 0 ? 2 * package.length / tool.speed : 0);
+}
+
+PlanRequest requestFor(const std::vector<JobItem>& items, const WorkPackage& package, const JobFile& job,
+                       const Cell& cell, std::uint64_t seed) {
+  std::vector<std::string> tubes;
+  for (const JobItem& item : items) tubes.push_back(tubesheets::tubeName(item.tube.row, item.tube.column));
+  PlanRequest request;
+  request.tubes = fmt::format("{}", fmt::join(tubes, ","));
+  request.load = job.toolOf(package).load / cell.units.factor(dimension::kForce);
+  request.conditions.dwell = acquisitionTime(package, job.toolOf(package));
+  request.seed = seed;
+  return request;
+}
+
+void addTimes(const PlanOutcome& outcome, PackagePlan& plan) {
+  plan.travel = outcome.plan.travel_time;
+  for (const auto& visit : outcome.plan.visits) plan.acquisition += visit.dwell;
+  plan.approaches = outcome.plan.total_time - plan.travel - plan.acquisition;
+}
+
+/// Records the visiting order and the tubes out of reach.
+void record(JobStore& store, const std::vector<JobItem>& items, const PlanOutcome& outcome, PackagePlan& plan) {
+  std::map<std::pair<int, int>, const JobItem*> by_tube;
+  for (const JobItem& item : items) by_tube[{item.tube.row, item.tube.column}] = &item;
+  const auto itemAt = [&](int tube) {
+    const auto& at = outcome.model.sheet.tubes[static_cast<std::size_t>(tube)];
+    return by_tube.at({at.row, at.column});
+  };
+  store.transact([&] {
+    std::vector<std::int64_t> order;
+    for (const auto& visit : outcome.plan.visits) {
+      order.push_back(itemAt(visit.tube)->id);
+      store.setUnreachable(order.back(), "");
+    }
+    store.setPlaces(order);
+    for (const auto& missed : outcome.plan.unreachable) {
+      store.setUnreachable(itemAt(missed.tube)->id, missed.reason);
+      plan.unreachable.emplace_back(itemAt(missed.tube)->tube, missed.reason);
+    }
+  });
+}
+
+PackagePlan planPackage(JobStore& store, const Cell& cell, const std::vector<JobItem>& items, std::uint64_t seed,
+                        const planner::PlanHooks& hooks, const KeepPackagePlan& keep) {
+  const JobFile& job = store.job();
+  const JobItem& first = items.front();
+  const WorkPackage& package = *std::ranges::find(job.packages, first.package, &WorkPackage::name);
+  PackagePlan plan{first.package, first.tube.generator, first.tube.leg};
+  plan.folder = fmt::format("{}-{}-{}", plan.generator, tubesheets::legName(plan.leg), plan.package);
+  const PlanRequest request = requestFor(items, package, job, cell, seed);
+  const PlanOutcome outcome = planCell(cell, request, hooks);
+  plan.status = outcome.plan.status;
+  plan.reason = outcome.plan.reason;
+  if (plan.status == VisitPlanStatus::kStopped) return plan;
+  record(store, items, outcome, plan);
+  if (plan.status != VisitPlanStatus::kPlanned) return plan;
+  plan.visits = static_cast<int>(outcome.plan.visits.size());
+  plan.change = job.toolOf(package).change;
+  addTimes(outcome, plan);
+  keep(plan.folder, request, outcome);
+  return plan;
+}
+
+/// Returns the open and queued items of one leg, by the order of the packages.
+std::vector<std::vector<JobItem>> itemsToPlan(const std::vector<JobItem>& items, const JobSheet& sheet,
+                                              const JobFile& job) {
+  std::vector<std::vector<JobItem>> by_package;
+  for (const WorkPackage& package : job.packages) {
+    std::vector<JobItem> of;
+    for (const JobItem& item : items) {
+      const ItemStanding standing = item.standing();
+      const bool is_to_do = standing == ItemStanding::kOpen || standing == ItemStanding::kQueued ||
+                            (!item.mark && !item.unreachable.empty());
+      if (is_to_do && item.package == package.name && item.tube.generator == sheet.generator &&
+          item.tube.leg == sheet.leg.leg)
+        of.push_back(item);
+    }
+    if (!of.empty()) by_package.push_back(std::move(of));
+  }
+  return by_package;
+}
+
+}  // namespace
+
+double LegPlan::total() const {
+  double sum = packages.empty() ? 0 : mount;
+  for (const PackagePlan& package : packages) sum += package.total();
+  return sum;
+}
+
+JobPlan planJob(JobStore& store, std::uint64_t seed, const planner::PlanHooks& hooks, const KeepPackagePlan& keep) {
+  JobPlan plan;
+  const std::vector<JobItem> items = store.items();
+  for (const JobSheet& sheet : store.sheets()) {
+    const auto to_plan = itemsToPlan(items, sheet, store.job());
+    if (to_plan.empty()) continue;
+    const Cell cell = cellOfLeg(sheet);
+    LegPlan& leg = plan.legs.emplace_back(LegPlan{sheet.generator, sheet.leg.leg, {}, store.job().mount});
+    for (const auto& of_package : to_plan) {
+      leg.packages.push_back(planPackage(store, cell, of_package, seed, hooks, keep));
+      if (leg.packages.back().status == VisitPlanStatus::kStopped) {
+        leg.packages.pop_back();
+        plan.is_stopped = true;
+        return plan;
+      }
+    }
+  }
+  std::vector<LegWork> work;
+  for (const LegPlan& leg : plan.legs) work.push_back({leg.total()});
+  plan.schedule = scheduleLegs(work, store.job().arms);
+  return plan;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,57 @@
+// Plan of a whole job: every package on every leg planned and proved, and the time that the outage takes.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/documents/plan_outcome.hpp"
+#include "app/outage/job_schedule.hpp"
+#include "app/outage/job_store.hpp"
+
+namespace tubeplan::app {
+
+/// One package on one leg, planned.
+struct PackagePlan {
+  std::string package, generator;
+  tubesheets::Leg leg = tubesheets::Leg::kHot;
+  planner::VisitPlanStatus status = planner::VisitPlanStatus::kNotRun;
+  std::string reason = {};  ///< why there is no plan; empty if there is one
+  std::string folder = {};  ///< name of the folder with the plan's files
+  int visits = 0;
+  std::vector<std::pair<TubeAddress, std::string>> unreachable = {};  ///< tubes that are not reached, with the reasons
+  double travel = 0;                                                  ///< time between tubes [s]
+  double approaches = 0;                                              ///< time up to the tubes and down again [s]
+  double acquisition = 0;                                             ///< time with the tool in the tubes [s]
+  double change = 0;                                                  ///< time to mount the tool [s]
+
+  [[nodiscard]] double total() const { return travel + approaches + acquisition + change; }
+};
+
+/// The work on one leg, with the mounting of the arm.
+struct LegPlan {
+  std::string generator;
+  tubesheets::Leg leg = tubesheets::Leg::kHot;
+  std::vector<PackagePlan> packages;
+  double mount = 0;  ///< time to mount the arm and calibrate its base [s]
+
+  [[nodiscard]] double total() const;
+};
+
+struct JobPlan {
+  std::vector<LegPlan> legs;
+  Schedule schedule;  ///< of `legs`
+  bool is_stopped = false;
+};
+
+/// Writes the files of one package's plan; called as soon as the package is planned.
+using KeepPackagePlan = std::function<void(const std::string& folder, const PlanRequest&, const PlanOutcome&)>;
+
+/// Plans the open and queued items of every package on every leg, in the order of the packages, and records their
+/// visiting order and the tubes out of reach. What is planned before a stop stays recorded. Throws InputError if a
+/// cell's sheet is no longer the one that the job was made with.
+[[nodiscard]] JobPlan planJob(JobStore& store, std::uint64_t seed, const planner::PlanHooks& hooks,
+                              const KeepPackagePlan& keep);
+
+}  // namespace tubeplan::app

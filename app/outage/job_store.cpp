@@ -1,0 +1,176 @@
+#include "app/outage/job_store.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <cassert>
+#include <chrono>
+#include <filesystem>
+
+#include "app/outage/job_schema.hpp"
+#include "app/storage/input_error.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+constexpr std::string_view kItemColumns =
+    "SELECT id, package_name, generator, leg, tube_row, tube_column, excluded, place, mark, last_event, "
+    "unreachable FROM standing ";
+constexpr std::string_view kEventColumns =
+    "SELECT event.id, at, who, kind, package.name, generator, leg, tube_row, tube_column, value, method, reason, "
+    "undoes, EXISTS (SELECT 1 FROM event AS undo WHERE undo.undoes = event.id) "
+    "FROM event JOIN item ON item.id = event.item JOIN package ON package.id = item.package ";
+
+std::string legText(tubesheets::Leg leg) { return std::string(tubesheets::legName(leg)); }
+
+TubeAddress addressAt(const DatabaseRow& row, std::size_t column) {
+  const auto leg = tubesheets::findLeg(row.text(column + 1));
+  assert(leg);
+  return {row.text(column), *leg, static_cast<int>(row.integer(column + 2)), static_cast<int>(row.integer(column + 3))};
+}
+
+std::optional<std::int64_t> keyAt(const DatabaseRow& row, std::size_t column) {
+  return row.isNull(column) ? std::nullopt : std::optional(row.integer(column));
+}
+
+std::vector<JobItem> itemsIn(const std::vector<DatabaseRow>& rows) {
+  std::vector<JobItem> items;
+  for (const DatabaseRow& row : rows)
+    items.push_back({row.integer(0), row.text(1), addressAt(row, 2), row.text(6), keyAt(row, 7), findMark(row.text(8)),
+                     keyAt(row, 9).value_or(0), row.text(10)});
+  return items;
+}
+
+std::vector<JobEvent> eventsIn(const std::vector<DatabaseRow>& rows) {
+  std::vector<JobEvent> events;
+  for (const DatabaseRow& row : rows)
+    events.push_back({row.integer(0), row.text(1), row.text(2), row.text(3), row.text(4), addressAt(row, 5),
+                      row.text(9), row.text(10), row.text(11), keyAt(row, 12), row.integer(13) != 0});
+  return events;
+}
+
+std::string presentTime() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                     fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+}
+
+/// Throws InputError unless the text is a time in UTC, such as "2027-04-02T06:15:30Z".
+void requireTime(const std::string& text) {
+  constexpr std::string_view kPattern = "dddd-dd-ddTdd:dd:ddZ";
+  bool fits = text.size() == kPattern.size();
+  for (std::size_t k = 0; fits && k < text.size(); ++k)
+    fits = kPattern[k] == 'd' ? std::isdigit(static_cast<unsigned char>(text[k])) != 0 : text[k] == kPattern[k];
+  if (!fits) throw InputError("--at", inQuotes(text), "a time in UTC, such as 2027-04-02T06:15:30Z");
+}
+
+/// Returns the value of a key of the table `job`. Throws InputError if the file is no record of a job.
+std::string valueOf(Database& database, const std::string& key) {
+  const auto tables = database.query("SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'job'");
+  const auto rows = tables.empty() ? tables : database.query("SELECT value FROM job WHERE key = ?1", {key});
+  if (rows.empty())
+    throw InputError::saying(database.path(), "this file is not the record of a job",
+                             "name a file that `tubeplan job create` made");
+  return rows.front().text(0);
+}
+
+}  // namespace
+
+ItemStanding JobItem::standing() const {
+  if (mark) return mark->standing;
+  if (!excluded.empty()) return ItemStanding::kExcluded;
+  return unreachable.empty() ? ItemStanding::kOpen : ItemStanding::kHeld;
+}
+
+JobStore::JobStore(const std::string& path) : database_(path, Database::Mode::kOpen) {
+  if (const std::string format = valueOf(database_, "format"); format != std::to_string(kJobFormat))
+    throw InputError(path, "a record of format " + format, fmt::format("format {}", kJobFormat),
+                     "open it with the version of the program that made it");
+  job_ = parseJobFile(valueOf(database_, "file"), valueOf(database_, "path"));
+}
+
+std::vector<JobItem> JobStore::items() {
+  return itemsIn(database_.query(fmt::format(
+      "{} ORDER BY package, generator, leg DESC, place IS NULL, place, tube_row, tube_column", kItemColumns)));
+}
+
+std::vector<JobItem> JobStore::itemsOf(const TubeAddress& tube) {
+  return itemsIn(database_.query(
+      fmt::format("{} WHERE generator = ?1 AND leg = ?2 AND tube_row = ?3 AND tube_column = ?4 ORDER BY package",
+                  kItemColumns),
+      {tube.generator, legText(tube.leg), std::int64_t{tube.row}, std::int64_t{tube.column}}));
+}
+
+std::vector<JobEvent> JobStore::events() {
+  return eventsIn(database_.query(fmt::format("{} ORDER BY event.id", kEventColumns)));
+}
+
+std::vector<JobEvent> JobStore::eventsOf(std::int64_t item) {
+  return eventsIn(database_.query(fmt::format("{} WHERE event.item = ?1 ORDER BY event.id", kEventColumns), {item}));
+}
+
+std::vector<JobSheet> JobStore::sheets() {
+  std::vector<JobSheet> sheets;
+  for (const auto& row : database_.query("SELECT generator, leg, cell, mirrored, fingerprint, pitch_m FROM sheet "
+                                         "ORDER BY generator, leg DESC"))
+    sheets.push_back(
+        {row.text(0), {*tubesheets::findLeg(row.text(1)), row.text(2), row.integer(3) != 0}, row.text(4), row.real(5)});
+  return sheets;
+}
+
+std::vector<TubeEnd> JobStore::endsOf(const std::string& generator, tubesheets::Leg leg) {
+  std::vector<TubeEnd> ends;
+  for (const auto& row : database_.query("SELECT generator, leg, tube_row, tube_column, x_m, y_m, state FROM tube "
+                                         "WHERE generator = ?1 AND leg = ?2 ORDER BY tube_row, tube_column",
+                                         {generator, legText(leg)}))
+    ends.push_back({addressAt(row, 0), row.real(4), row.real(5), row.text(6)});
+  return ends;
+}
+
+std::string JobStore::listOf(const std::string& package, const std::string& generator, tubesheets::Leg leg) {
+  const auto rows = database_.query(
+      "SELECT content FROM list JOIN package ON package.id = list.package "
+      "WHERE package.name = ?1 AND generator = ?2 AND leg = ?3",
+      {package, generator, legText(leg)});
+  return rows.empty() ? "" : rows.front().text(0);
+}
+
+std::int64_t JobStore::addEvent(const std::string& kind, std::int64_t item, const std::string& value,
+                                const std::string& method, const EventEntry& entry,
+                                std::optional<std::int64_t> undoes) {
+  if (!entry.at.empty()) requireTime(entry.at);
+  if (entry.who.empty()) throw InputError::saying("--by", "the name of the person is missing", "write --by NAME");
+  database_.query(
+      "INSERT INTO event (at, who, kind, item, value, method, reason, undoes) "
+      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)",
+      {entry.at.empty() ? presentTime() : entry.at, entry.who, kind, item, value, method, entry.reason,
+       undoes ? DatabaseValue(*undoes) : DatabaseValue()});
+  return database_.lastKey();
+}
+
+std::int64_t JobStore::addMark(const JobItem& item, const Mark& mark, const EventEntry& entry) {
+  return addEvent("mark", item.id, std::string(mark.name), "", entry, std::nullopt);
+}
+
+std::int64_t JobStore::addConfirmation(const JobItem& item, ConfirmationMethod method, const std::string& value,
+                                       const EventEntry& entry) {
+  return addEvent("confirm", item.id, value, std::string(confirmationName(method)), entry, std::nullopt);
+}
+
+std::int64_t JobStore::addUndo(const JobEvent& event, const EventEntry& entry) {
+  const auto items = itemsOf(event.tube);
+  for (const JobItem& item : items)
+    if (item.package == event.package) return addEvent("undo", item.id, event.value, "", entry, event.id);
+  throw std::logic_error("an event without an item");
+}
+
+void JobStore::setPlaces(const std::vector<std::int64_t>& items_in_order) {
+  for (std::size_t k = 0; k < items_in_order.size(); ++k)
+    database_.query("UPDATE item SET place = ?1 WHERE id = ?2", {static_cast<std::int64_t>(k) + 1, items_in_order[k]});
+}
+
+void JobStore::setUnreachable(std::int64_t item, const std::string& reason) {
+  database_.query("UPDATE item SET unreachable = ?1 WHERE id = ?2", {reason, item});
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,113 @@
+// The record of an outage's work: planned items, and an append-only log of what happened to them, in one SQLite file.
+// docs/outage.md describes the tables.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/outage/database.hpp"
+#include "app/outage/job_file.hpp"
+#include "app/outage/marks.hpp"
+#include "app/outage/tube_address.hpp"
+
+namespace tubeplan::app {
+
+/// One end of one tube in one package of work.
+struct JobItem {
+  std::int64_t id = 0;
+  std::string package;
+  TubeAddress tube;
+  std::string excluded;               ///< why the plan never contained the tube, such as "plugged"; empty if it does
+  std::optional<std::int64_t> place;  ///< position in the visiting order; nothing before the package is planned
+  const Mark* mark = nullptr;         ///< latest mark that was not undone; null if there is none
+  std::int64_t last_event = 0;        ///< key of the latest event of this item; 0 if there is none
+  std::string unreachable;            ///< why the plan does not reach the tube; empty if it does, or without a plan
+
+  [[nodiscard]] ItemStanding standing() const;
+};
+
+/// One entry of the log.
+struct JobEvent {
+  std::int64_t id = 0;
+  std::string at;    ///< time in UTC, "2027-04-02T06:15:30Z"
+  std::string who;   ///< person or program that recorded the event
+  std::string kind;  ///< mark, confirm or undo
+  std::string package;
+  TubeAddress tube;
+  std::string value;   ///< name of the mark; "same" or the address of another tube for a confirmation
+  std::string method;  ///< method of a confirmation
+  std::string reason;
+  std::optional<std::int64_t> undoes;  ///< key of the event that this event undoes
+  bool is_undone = false;
+};
+
+/// What is recorded of an item; `at` is the present time if it is empty.
+struct EventEntry {
+  std::string who, reason, at;
+};
+
+/// Position of a tube's end in the sheet frame [m], and the state that the job began with.
+struct TubeEnd {
+  TubeAddress tube;
+  double x = 0, y = 0;
+  std::string state;
+};
+
+/// The sheet of one leg.
+struct JobSheet {
+  std::string generator;
+  JobLeg leg;
+  std::string fingerprint;
+  double pitch = 0;  ///< [m]
+};
+
+class JobStore {
+ public:
+  /// Makes the record of a job: reads its cells, selects the tubes of every package, and writes the file completely or
+  /// not at all. Throws InputError for input that the cells, the lists or the selections refuse.
+  static void create(const JobFile& job, const std::string& path);
+
+  /// Opens a record. Throws InputError for a file that is no record of a job, or one of another format.
+  explicit JobStore(const std::string& path);
+
+  [[nodiscard]] const JobFile& job() const { return job_; }
+
+  /// Returns all items in the order in which they are to be visited: by package, steam generator and leg, then by place
+  /// in the visiting order, or by row and column where there is none.
+  [[nodiscard]] std::vector<JobItem> items();
+  /// Returns the items of one end of a tube, in the order of their packages.
+  [[nodiscard]] std::vector<JobItem> itemsOf(const TubeAddress& tube);
+  [[nodiscard]] std::vector<JobEvent> events();
+  [[nodiscard]] std::vector<JobEvent> eventsOf(std::int64_t item);
+  [[nodiscard]] std::vector<JobSheet> sheets();
+  /// Returns all ends of tubes on one leg, in the order of rows and columns.
+  [[nodiscard]] std::vector<TubeEnd> endsOf(const std::string& generator, tubesheets::Leg leg);
+  /// Returns the text of the work list that an item's package was read from; empty if it is not from a list.
+  [[nodiscard]] std::string listOf(const std::string& package, const std::string& generator, tubesheets::Leg leg);
+
+  /// Calls `work` in a transaction, so that what it reads cannot change before it writes.
+  void transact(const std::function<void()>& work) { database_.transact(work); }
+
+  /// Record an event and return its key. Called within transact().
+  std::int64_t addMark(const JobItem& item, const Mark& mark, const EventEntry& entry);
+  std::int64_t addConfirmation(const JobItem& item, ConfirmationMethod method, const std::string& value,
+                               const EventEntry& entry);
+  std::int64_t addUndo(const JobEvent& event, const EventEntry& entry);
+
+  /// Sets the visiting order of items that were planned together. Called within transact().
+  void setPlaces(const std::vector<std::int64_t>& items_in_order);
+  /// Sets why an item cannot be reached; an empty reason says that it can. Called within transact().
+  void setUnreachable(std::int64_t item, const std::string& reason);
+
+ private:
+  std::int64_t addEvent(const std::string& kind, std::int64_t item, const std::string& value, const std::string& method,
+                        const EventEntry& entry, std::optional<std::int64_t> undoes);
+
+  Database database_;
+  JobFile job_;
+};
+
+}  // namespace tubeplan::app

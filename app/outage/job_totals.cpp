@@ -1,0 +1,123 @@
+#include "app/outage/job_totals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <tuple>
+
+namespace tubeplan::app {
+
+namespace {
+
+using tubesheets::Leg, tubesheets::TubeState;
+
+constexpr int kMinutesPerDay = 24 * 60;
+
+/// Returns the day before a date of the form "2027-04-02".
+std::string dayBefore(const std::string& date) {
+  using namespace std::chrono;
+  const year_month_day day{year(std::stoi(date.substr(0, 4))), month(std::stoul(date.substr(5, 2))),
+                           std::chrono::day(std::stoul(date.substr(8, 2)))};
+  const year_month_day before{sys_days(day) - days(1)};
+  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(before.year()), static_cast<unsigned>(before.month()),
+                     static_cast<unsigned>(before.day()));
+}
+
+/// Returns the shift in which a time falls, with the date of its start; the shift's name is empty if no shift has it.
+ShiftTotal shiftAt(const std::string& at, const std::vector<JobShift>& shifts) {
+  const int minute = 60 * std::stoi(at.substr(11, 2)) + std::stoi(at.substr(14, 2));
+  const std::string date = at.substr(0, 10);
+  for (const JobShift& shift : shifts) {
+    const int length = (shift.to - shift.from + kMinutesPerDay - 1) % kMinutesPerDay + 1;
+    const int since = (minute - shift.from + kMinutesPerDay) % kMinutesPerDay;
+    if (since < length) return {minute >= shift.from ? date : dayBefore(date), shift.name, 0};
+  }
+  return {date, "", 0};
+}
+
+std::vector<ShiftTotal> shiftTotals(const std::vector<JobEvent>& events, const std::vector<JobShift>& shifts) {
+  std::map<std::pair<std::string, std::string>, int> done;
+  for (const JobEvent& event : events) {
+    const Mark* mark = event.kind == "mark" && !event.is_undone ? findMark(event.value) : nullptr;
+    if (!mark || mark->standing != ItemStanding::kDone) continue;
+    const ShiftTotal shift = shiftAt(event.at, shifts);
+    ++done[{shift.date, shift.shift}];
+  }
+  std::vector<ShiftTotal> totals;
+  for (const auto& [key, count] : done) totals.push_back({key.first, key.second, count});
+  return totals;
+}
+
+using TubeKey = std::tuple<std::string, int, int>;
+
+/// Returns the legs at which each tube is plugged, by the state that the job began with or by a mark.
+std::map<TubeKey, std::set<Leg>> pluggedLegs(JobStore& store, const std::vector<JobItem>& items) {
+  std::map<TubeKey, std::set<Leg>> plugged;
+  for (const JobItem& item : items)
+    if (item.mark && item.mark->state == TubeState::kPlugged)
+      plugged[{item.tube.generator, item.tube.row, item.tube.column}].insert(item.tube.leg);
+  if (plugged.empty()) return plugged;
+  for (const JobSheet& sheet : store.sheets())
+    for (const TubeEnd& end : store.endsOf(sheet.generator, sheet.leg.leg))
+      if (const auto found = plugged.find({end.tube.generator, end.tube.row, end.tube.column});
+          found != plugged.end() && end.state == tubesheets::tubeStateName(TubeState::kPlugged))
+        found->second.insert(end.tube.leg);
+  return plugged;
+}
+
+std::vector<TubeAddress> pluggedAtOneEnd(JobStore& store, const std::vector<JobItem>& items) {
+  std::map<std::string, std::size_t> legs;
+  for (const JobSheet& sheet : store.sheets()) ++legs[sheet.generator];
+  std::vector<TubeAddress> found;
+  for (const auto& [tube, ends] : pluggedLegs(store, items))
+    if (ends.size() < legs[std::get<0>(tube)])
+      found.push_back({std::get<0>(tube), *ends.begin(), std::get<1>(tube), std::get<2>(tube)});
+  return found;
+}
+
+/// Returns the latest confirmation of every item whose latest confirmation found another tube.
+std::vector<JobEvent> wrongTubes(const std::vector<JobEvent>& events) {
+  std::map<std::string, const JobEvent*> latest;
+  for (const JobEvent& event : events)
+    if (event.kind == "confirm") latest[event.package + " " + addressText(event.tube)] = &event;
+  std::vector<JobEvent> wrong;
+  for (const auto& [item, event] : latest)
+    if (event->value != "same") wrong.push_back(*event);
+  return wrong;
+}
+
+}  // namespace
+
+void ItemCounts::add(ItemStanding standing) {
+  ++planned;
+  ++with[standing];
+}
+
+int ItemCounts::of(ItemStanding standing) const {
+  const auto found = with.find(standing);
+  return found == with.end() ? 0 : found->second;
+}
+
+int ItemCounts::unresolved() const { return planned - of(ItemStanding::kDone) - of(ItemStanding::kExcluded); }
+
+JobTotals totalsOf(JobStore& store) {
+  JobTotals totals;
+  const std::vector<JobItem> items = store.items();
+  for (const JobItem& item : items) {
+    const bool is_new = totals.packages.empty() || totals.packages.back().package != item.package ||
+                        totals.packages.back().generator != item.tube.generator ||
+                        totals.packages.back().leg != item.tube.leg;
+    if (is_new) totals.packages.push_back({item.package, item.tube.generator, item.tube.leg, {}});
+    totals.packages.back().counts.add(item.standing());
+    totals.all.add(item.standing());
+  }
+  const std::vector<JobEvent> events = store.events();
+  totals.shifts = shiftTotals(events, store.job().shifts);
+  totals.plugged_at_one_end = pluggedAtOneEnd(store, items);
+  totals.wrong_tubes = wrongTubes(events);
+  return totals;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,111 @@
+// Routes for the desk of a shift: totals, next tube, confirmation, marks and log of a job's record in the opened
+// folder.
+#include <fmt/format.h>
+
+#include "app/outage/job_desk.hpp"
+#include "app/outage/job_json.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/workbench/request_body.hpp"
+#include "app/workbench/routes.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kJobExtension = ".job";  // extension of records in the opened folder
+
+/// Opens the record of a name in the opened folder. Throws InputError if there is none.
+JobStore storeNamed(Workbench& workbench, const std::string& name) {
+  if (name.empty())
+    throw InputError::saying("file", "the name of the job's record is missing", "GET /api/outage lists the records");
+  return JobStore(workbench.folder().fileToRead(name).string());
+}
+
+/// Returns the part of the job that query parameters name.
+JobPart partAsked(const Request& request, const JobFile& job) {
+  JobPart part{request.asked("package"), request.asked("sg"), std::nullopt};
+  if (const std::string leg = request.asked("leg"); !leg.empty()) {
+    part.leg = tubesheets::findLeg(leg);
+    if (!part.leg) throw InputError("leg", inQuotes(leg), "one of " + tubesheets::legNames());
+  }
+  requirePart(job, part);
+  return part;
+}
+
+EventEntry entryOf(const json& body) { return {textOf(body, "by"), textOf(body, "reason"), textOf(body, "at")}; }
+
+TubeAddress tubeOf(const json& body) { return parseAddress(textOf(body, "tube"), "tube"); }
+
+Answer records(Workbench& workbench, const Request&) {
+  json words = json::array();
+  for (const Mark& mark : marks())
+    words.push_back({{"name", mark.name},
+                     {"key", std::string(1, mark.key)},
+                     {"words", mark.words},
+                     {"standing", standingName(mark.standing)},
+                     {"needs_tool", mark.needs_tool},
+                     {"needs_reason", mark.needs_reason}});
+  return answerOf({{"records", workbench.folder().names(kJobExtension)}, {"marks", words}});
+}
+
+Answer totals(Workbench& workbench, const Request& request) {
+  JobStore store = storeNamed(workbench, request.asked("file"));
+  return answerOf(totalsJson(totalsOf(store), store.job()));
+}
+
+Answer next(Workbench& workbench, const Request& request) {
+  JobStore store = storeNamed(workbench, request.asked("file"));
+  const JobPart part = partAsked(request, store.job());
+  const auto item = findNext(store, part);
+  return answerOf(item ? nextJson(store, *item, part) : json{{"tube", nullptr}, {"left", 0}});
+}
+
+Answer events(Workbench& workbench, const Request& request) {
+  return answerOf(logJson(storeNamed(workbench, request.asked("file")).events()));
+}
+
+Answer confirm(Workbench& workbench, const Request& request) {
+  const json body = objectOf(request);
+  JobStore store = storeNamed(workbench, textOf(body, "file"));
+  ConfirmationRequest asked{tubeOf(body), textOf(body, "package"), textOf(body, "read_back"), std::nullopt,
+                            entryOf(body)};
+  if (asked.read.empty()) {
+    const std::vector<double> position = numbersOf(body, "position");
+    if (position.size() != 2) throw InputError("position", fmt::format("{} numbers", position.size()), "x and y");
+    const double length = store.job().units.factor(dimension::kLength);
+    asked.xy = {position[0] * length, position[1] * length};
+  }
+  const IdentityFinding finding = confirmTube(store, asked);
+  return answerOf({{"tube", addressText(asked.tube)},
+                   {"found", finding.found},
+                   {"same", finding.is_same},
+                   {"reason", finding.reason}});
+}
+
+Answer mark(Workbench& workbench, const Request& request) {
+  const json body = objectOf(request);
+  JobStore store = storeNamed(workbench, textOf(body, "file"));
+  MarkRequest asked{tubeOf(body), textOf(body, "package"), textOf(body, "as"), entryOf(body), std::nullopt};
+  if (body.contains("after")) asked.after = integerOf(body, "after", 0, 0, std::numeric_limits<int>::max());
+  return answerOf({{"event", markTube(store, asked)}});
+}
+
+Answer undo(Workbench& workbench, const Request& request) {
+  const json body = objectOf(request);
+  JobStore store = storeNamed(workbench, textOf(body, "file"));
+  const int event = integerOf(body, "event", 0, 0, std::numeric_limits<int>::max());
+  return answerOf({{"event", undoMark(store, event, entryOf(body))}});
+}
+
+constexpr Route kRoutes[] = {{"GET", "outage", records},          {"GET", "outage/totals", totals},
+                             {"GET", "outage/next", next},        {"GET", "outage/log", events},
+                             {"POST", "outage/confirm", confirm}, {"POST", "outage/mark", mark},
+                             {"POST", "outage/undo", undo}};
+
+}  // namespace
+
+std::span<const Route> outageRoutes() { return kRoutes; }
+
+}  // namespace tubeplan::app

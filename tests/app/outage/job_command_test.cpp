@@ -1,0 +1,85 @@
+// `tubeplan job` from outside: a tube from the plan to its mark, refusals, and exit codes.
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using nlohmann::json;
+
+class JobCommand : public ProgramTest {
+ protected:
+  JobCommand() {
+    (void)write("job.yaml",
+                "job: test\nunits: {length: in, angle: deg, force: lbf}\nsteam_generators:\n  - {name: A, hot: '" +
+                    (shippedCells() / "mockup.yaml").string() +
+                    "', cold: mirrored}\ntools: [{name: bobbin}]\npackages:\n"
+                    "  - {name: rows, tubes: R9-11C18-22, tool: bobbin, confirm: position}\n");
+    EXPECT_EQ(run("job create job.yaml --out a.job").exit_code, 0);
+  }
+
+  [[nodiscard]] json answer(const std::string& arguments, int code = 0) const {
+    const Outcome outcome = run(arguments + " --json -");
+    EXPECT_EQ(outcome.exit_code, code) << outcome.err;
+    return json::parse(outcome.out.empty() ? "null" : outcome.out);
+  }
+};
+
+TEST_F(JobCommand, ATubeFromThePlanToItsMark) {
+  const json next = answer("job next a.job --leg hot");
+  const std::string tube = next["tube"];
+  EXPECT_EQ(tube, "A/hot/R9C18");
+  EXPECT_EQ(next["left"], 15);
+  EXPECT_EQ(run("job mark a.job " + tube + " --as done --by Tom").exit_code, 2);  // not confirmed
+  const std::string position = std::to_string(next["x"].get<double>()) + "," + std::to_string(next["y"].get<double>());
+  const std::string mirrored = std::to_string(-next["x"].get<double>()) + "," + std::to_string(next["y"].get<double>());
+  EXPECT_EQ(answer("job confirm a.job " + tube + " --by Ines --position=" + mirrored, 1)["same"], false);
+  EXPECT_EQ(answer("job status a.job")["wrong_tubes"].size(), 1u);
+  EXPECT_EQ(answer("job confirm a.job " + tube + " --by Ines --position=" + position)["same"], true);
+  const json marked = answer("job mark a.job " + tube + " --as done --by Tom");
+  const json status = answer("job status a.job");
+  EXPECT_EQ(status["total"]["done"], 1);
+  EXPECT_EQ(status["total"]["planned"], 30);
+  EXPECT_EQ(status["total"]["unresolved"], 29);
+  EXPECT_EQ(answer("job log a.job")["events"].size(), 3u);
+  EXPECT_EQ(run("job undo a.job --event " + marked["event"].dump() + " --by Tom --reason 'extent too short'").exit_code,
+            0);
+  EXPECT_EQ(answer("job status a.job")["total"]["done"], 0);
+}
+
+TEST_F(JobCommand, WhatItCannotTakeIsRefusedAndRecordsNothing) {
+  const char* refused[] = {"job mark a.job R9C18 --as skipped --by Tom",         // no leg
+                           "job mark a.job A/hot/R9C18 --as skiped --by Tom",    // no such mark
+                           "job mark a.job A/hot/R9C18 --as skipped",            // nobody
+                           "job mark a.job A/hot/R1C57 --as skipped --by Tom",   // in no package
+                           "job mark a.job A/hot/R9C18 --as excluded --by Tom",  // no reason
+                           "job mark a.job A/hot/R9C18 --as skipped --by Tom --csv x.csv",
+                           "job next a.job --sg C",
+                           "job confirm a.job A/hot/R9C18 --by Ines",
+                           "job undo a.job --event 7 --by Tom --reason none",
+                           "job export a.job --package rows --csv x.csv",
+                           "job status nothere.job",
+                           "job status job.yaml",
+                           "job create job.yaml --out a.job",
+                           "job fly a.job"};
+  for (const char* words : refused) {
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exit_code, 2) << words;
+    EXPECT_FALSE(outcome.err.empty()) << words;
+  }
+  EXPECT_TRUE(answer("job log a.job")["events"].empty());
+}
+
+TEST_F(JobCommand, TheShippedJobBalances) {
+  EXPECT_EQ(run("job create " + shipped("outage/job.yaml") + " --out spring.job").exit_code, 0);
+  const json status = answer("job status spring.job");
+  for (const auto& row : status["packages"])
+    EXPECT_EQ(row["planned"], row["done"].get<int>() + row["excluded"].get<int>() + row["unresolved"].get<int>());
+  EXPECT_EQ(status["packages"].size(), 7u);  // bobbin on two hot legs, periphery on four legs, retests on one
+  EXPECT_EQ(status["packages"][0]["planned"], 4674);
+  EXPECT_EQ(status["packages"][0]["excluded"], 140);
+}
+
+}  // namespace
+}  // namespace tubeplan::app

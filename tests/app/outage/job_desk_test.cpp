@@ -1,0 +1,180 @@
+// The desk of a shift: totals that balance, marks that need a confirmed identity, and undo.
+#include "app/outage/job_desk.hpp"
+
+#include <random>
+
+#include "app/outage/job_export.hpp"
+#include "app/outage/job_totals.hpp"
+#include "tests/app/outage/job_fixture.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using tubesheets::Leg;
+
+constexpr const char* kRows = "  - {name: rows, tubes: R9-11C18-22, tool: bobbin, confirm: read-back}\n";
+constexpr const char* kFree = "  - {name: rows, tubes: R9-11C18-22, tool: bobbin, confirm: none}\n";
+
+TubeAddress hot(int row, int column) { return {"A", Leg::kHot, row, column}; }
+
+class JobDesk : public JobTest {};
+
+void expectBalanced(const JobTotals& totals) {
+  int planned = 0;
+  for (const PackageTotal& total : totals.packages) {
+    planned += total.counts.planned;
+    EXPECT_EQ(total.counts.planned, total.counts.of(ItemStanding::kDone) + total.counts.of(ItemStanding::kExcluded) +
+                                        total.counts.unresolved());
+    EXPECT_EQ(total.counts.unresolved(), total.counts.of(ItemStanding::kOpen) + total.counts.of(ItemStanding::kQueued) +
+                                             total.counts.of(ItemStanding::kHeld));
+  }
+  EXPECT_EQ(planned, totals.all.planned);
+}
+
+TEST_F(JobDesk, PluggedTubesAreExcludedAtBothEnds) {
+  JobStore store(made(kRows));
+  const JobTotals totals = totalsOf(store);
+  ASSERT_EQ(totals.packages.size(), 4u);  // two steam generators with two legs each
+  EXPECT_EQ(totals.all.planned, 4 * 15);
+  EXPECT_EQ(totals.all.of(ItemStanding::kExcluded), 2);  // R10C20 of A, at its hot and its cold end
+  for (const Leg leg : {Leg::kHot, Leg::kCold})
+    EXPECT_EQ(requireItem(store, {"A", leg, 10, 20}, "").excluded, "plugged");
+  EXPECT_EQ(requireItem(store, {"B", Leg::kHot, 10, 20}, "").standing(), ItemStanding::kOpen);
+  expectBalanced(totals);
+}
+
+TEST_F(JobDesk, RandomMarksKeepTheBalanceAndUndoRestoresIt) {
+  JobStore store(made(kFree));
+  std::mt19937_64 random(4);
+  std::vector<std::int64_t> marked;
+  std::vector<ItemCounts> before;
+  const auto items = store.items();
+  for (int k = 0; k < 200; ++k) {
+    const JobItem& item = items[random() % items.size()];
+    const Mark& mark = marks()[random() % marks().size()];
+    const ItemCounts counts = totalsOf(store).all;
+    try {
+      marked.push_back(
+          markTube(store, {item.tube, "", std::string(mark.name), {"Ines", "seen again", ""}, std::nullopt}));
+      before.push_back(counts);
+    } catch (const InputError&) {
+      EXPECT_EQ(totalsOf(store).all.with, counts.with);  // a refused mark leaves nothing behind
+    }
+    expectBalanced(totalsOf(store));
+  }
+  ASSERT_GT(marked.size(), 100u);
+  for (std::size_t k = marked.size(); k-- > 0;) {
+    (void)undoMark(store, marked[k], {"Tom", "a test", ""});
+    const ItemCounts now = totalsOf(store).all;
+    for (const auto standing : {ItemStanding::kOpen, ItemStanding::kQueued, ItemStanding::kHeld, ItemStanding::kDone,
+                                ItemStanding::kExcluded})
+      EXPECT_EQ(now.of(standing), before[k].of(standing));
+  }
+  EXPECT_EQ(store.events().size(), 2 * marked.size());
+}
+
+TEST_F(JobDesk, AToolEntersOnlyWhereAnotherPersonReadTheTube) {
+  JobStore store(made(kRows));
+  for (const Mark& mark : marks()) {
+    const MarkRequest request{hot(9, 18), "", std::string(mark.name), {"Tom", "a reason", ""}, std::nullopt};
+    if (mark.needs_tool) expectSays(messageOf([&] { (void)markTube(store, request); }), "not confirmed");
+  }
+  const auto readBy = [&](const std::string& who, const std::string& tube) {
+    return confirmTube(store, {hot(9, 18), "", tube, std::nullopt, {who, "", ""}});
+  };
+  const MarkRequest done{hot(9, 18), "", "done", {"Tom", "", ""}, std::nullopt};
+  EXPECT_TRUE(readBy("Tom", "A/hot/R9C18").is_same);
+  expectSays(messageOf([&] { (void)markTube(store, done); }), "another person");
+  EXPECT_FALSE(readBy("Ines", "A/hot/R10C18").is_same);
+  expectSays(messageOf([&] { (void)markTube(store, done); }), "A/hot/R10C18");
+  EXPECT_EQ(totalsOf(store).wrong_tubes.size(), 1u);
+  EXPECT_TRUE(readBy("Ines", "A/hot/R9C18").is_same);
+  EXPECT_TRUE(totalsOf(store).wrong_tubes.empty());
+  const auto event = markTube(store, done);
+  (void)undoMark(store, event, {"Tom", "extent too short", ""});
+  expectSays(messageOf([&] { (void)markTube(store, done); }),
+             "not confirmed");  // each entry needs its own confirmation
+}
+
+TEST_F(JobDesk, NextTakesOpenTubesThenTheQueue) {
+  JobStore store(made(kFree));
+  const JobPart part{"", "A", Leg::kHot};
+  std::set<std::pair<int, int>> visited;
+  for (auto next = findNext(store, part); next && next->standing() == ItemStanding::kOpen;
+       next = findNext(store, part)) {
+    EXPECT_TRUE(visited.insert({next->tube.row, next->tube.column}).second);
+    (void)markTube(store, {next->tube, "", visited.size() <= 2 ? "retest" : "done", {"Tom", "", ""}, std::nullopt});
+  }
+  EXPECT_EQ(visited.size(), 14u);
+  EXPECT_EQ(findNext(store, part)->tube, hot(9, 18));  // the first that was queued
+  (void)markTube(store, {hot(9, 18), "", "retest", {"Tom", "", ""}, std::nullopt});
+  EXPECT_EQ(findNext(store, part)->tube, hot(9, 19));
+  (void)markTube(store, {hot(9, 19), "", "done", {"Tom", "", ""}, std::nullopt});
+  (void)markTube(store, {hot(9, 18), "", "done", {"Tom", "", ""}, std::nullopt});
+  EXPECT_FALSE(findNext(store, part));
+}
+
+TEST_F(JobDesk, ALaterEventOfAnotherDeskIsNotOverwritten) {
+  const std::string path = made(kFree);
+  JobStore one(path), other(path);
+  const auto seen = findNext(one, {})->last_event;
+  (void)markTube(other, {hot(9, 18), "", "obstructed", {"Ines", "", ""}, seen});
+  expectSays(messageOf([&] { (void)markTube(one, {hot(9, 18), "", "done", {"Tom", "", ""}, seen}); }), "changed");
+  EXPECT_EQ(one.events().size(), 1u);
+}
+
+TEST_F(JobDesk, APlugAtOneEndIsReportedUntilTheOtherEndHasOne) {
+  JobStore store(made(kFree));
+  (void)markTube(store, {hot(9, 18), "", "plugged", {"Tom", "", ""}, std::nullopt});
+  ASSERT_EQ(totalsOf(store).plugged_at_one_end.size(), 1u);
+  EXPECT_EQ(totalsOf(store).plugged_at_one_end.front(), hot(9, 18));
+  (void)markTube(store, {{"A", Leg::kCold, 9, 19}, "", "plugged", {"Tom", "", ""}, std::nullopt});  // a wrong tube
+  EXPECT_EQ(totalsOf(store).plugged_at_one_end.size(), 2u);
+  (void)markTube(store, {{"A", Leg::kCold, 9, 18}, "", "plugged", {"Tom", "", ""}, std::nullopt});
+  EXPECT_EQ(totalsOf(store).plugged_at_one_end.size(), 1u);
+}
+
+TEST_F(JobDesk, ShiftsCountWhatTheyFinished) {
+  JobStore store(made(kFree));
+  const auto markAt = [&](int column, const char* at) {
+    (void)markTube(store, {hot(9, column), "", "done", {"Tom", "", at}, std::nullopt});
+  };
+  markAt(18, "2027-04-02T06:00:00Z");
+  markAt(19, "2027-04-02T17:59:59Z");
+  markAt(20, "2027-04-02T18:00:00Z");
+  markAt(21, "2027-04-03T05:59:59Z");
+  const auto shifts = totalsOf(store).shifts;
+  ASSERT_EQ(shifts.size(), 2u);
+  for (const ShiftTotal& shift : shifts) {
+    EXPECT_EQ(shift.date, "2027-04-02");
+    EXPECT_EQ(shift.done, 2);
+  }
+  expectSays(messageOf([&] { markAt(22, "yesterday"); }), "--at");
+}
+
+TEST_F(JobDesk, TheLogRefusesToForget) {
+  const std::string path = made(kFree);
+  JobStore store(path);
+  (void)markTube(store, {hot(9, 18), "", "done", {"Tom", "", ""}, std::nullopt});
+  Database database(path, Database::Mode::kOpen);
+  EXPECT_ANY_THROW(database.execute("DELETE FROM event"));
+  EXPECT_ANY_THROW(database.execute("UPDATE event SET who = 'Ines'"));
+  EXPECT_ANY_THROW(database.execute("DELETE FROM item"));
+  EXPECT_EQ(store.events().size(), 1u);
+}
+
+TEST_F(JobDesk, AListKeepsItsColumnsAndComments) {
+  const std::string list =
+      "# from the analysts\nsg,leg,row,column,code,remark\nA,hot,9,18,RRT,\"wear, 03H\"\nA,hot,9,19,RRT,noise\n";
+  (void)write("list.csv", list);
+  JobStore store(made("  - {name: retests, tubes: list.csv, tool: bobbin, confirm: none}\n"));
+  EXPECT_EQ(totalsOf(store).all.planned, 2);  // only the leg that the list names
+  (void)markTube(store, {hot(9, 18), "", "done", {"Tom", "", "2027-04-02T06:00:00Z"}, std::nullopt});
+  const std::string csv = packageCsv(store, "retests", "A", Leg::kHot);
+  EXPECT_EQ(csv,
+            "# from the analysts\nsg,leg,row,column,code,remark,standing,mark,marked_by,marked_at,visit\n"
+            "A,hot,9,18,RRT,\"wear, 03H\",done,done,Tom,2027-04-02T06:00:00Z,\nA,hot,9,19,RRT,noise,open,,,,\n");
+}
+
+}  // namespace
+}  // namespace tubeplan::app
