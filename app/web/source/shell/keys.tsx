@@ -10,7 +10,7 @@ import {canUndo, undo} from "./undo";
 
 const LIST: Record<string, Record<string, string>> = {
   Everywhere: {
-    "1 … 6": "sheet, arm, error, plan, calibrate, effects",
+    "1 … 7": "sheet, arm, error, plan, calibrate, effects, outage",
     O: "open a cell or readings",
     "Ctrl Z": "undo the last change of the model or of the readings",
     "Ctrl Shift Z, Ctrl Y": "redo",

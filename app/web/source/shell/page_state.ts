@@ -5,7 +5,7 @@ import {sheetDocument, state} from "../server/workbench";
 import {toggled} from "../drawing/fields";
 import {makeSheetModel} from "../../../drawing/sheet_model.js";
 
-export const VIEWS = ["sheet", "arm", "error", "plan", "calibrate", "effects"] as const;
+export const VIEWS = ["sheet", "arm", "error", "plan", "calibrate", "effects", "outage"] as const;
 export type ViewName = (typeof VIEWS)[number];
 
 function viewOfAddress(): ViewName {

@@ -1,6 +1,7 @@
 // Navigation between views: a single tab stop, with arrow keys to move between views.
 import {Icon, type IconName} from "../drawing/icons";
 import {roving} from "../drawing/segments";
+import {records} from "../outage/desk";
 import {view, VIEWS, type ViewName} from "./page_state";
 
 const WORDS: Record<ViewName, string> = {
@@ -10,14 +11,16 @@ const WORDS: Record<ViewName, string> = {
   plan: "Plan",
   calibrate: "Calibrate",
   effects: "Effects",
+  outage: "Outage",
 };
 
 const step = roving({ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1});
 
 export function Rail() {
+  const hasRecords = (records.value.document?.records.length ?? 0) > 0;
   return (
     <nav class="rail" aria-label="Views" onKeyDown={step}>
-      {VIEWS.map((name, index) => (
+      {VIEWS.filter((name) => name !== "outage" || hasRecords).map((name, index) => (
         <button
           key={name}
           class="rail-entry"

@@ -6,6 +6,7 @@ import {connection, state} from "../server/workbench";
 import {ErrorView} from "../error/error_view";
 import {CalibrateView} from "../calibrate/calibrate_view";
 import {EffectsView} from "../effects/effects_view";
+import {OutageView} from "../outage/outage_view";
 import {SheetView} from "../sheet/sheet_view";
 import {DropTarget} from "./drop_target";
 import {Header} from "./header";
@@ -30,6 +31,7 @@ const SHOWN: Record<ViewName, ComponentType> = {
   plan: PlanView,
   calibrate: CalibrateView,
   effects: EffectsView,
+  outage: OutageView,
 };
 
 function CurrentView({name}: {name: ViewName}) {

@@ -1,0 +1,116 @@
+// The desk of a shift: the next tube, its confirmation, marks by one key each, totals and the log.
+import {useEffect} from "preact/hooks";
+import {Select} from "../drawing/fields";
+import {Panel} from "../drawing/panel";
+import {Waiting} from "../shell/states";
+import {events, next, person, place, record, records, refresh, totals, undo} from "./desk";
+import {NextPanel} from "./next_panel";
+import {TotalsTable} from "./totals_table";
+
+/** Time between two looks at the record, which other desks may change [ms]. */
+const PAUSE = 5000;
+
+export function OutageView() {
+  useEffect(() => {
+    void refresh();
+    const timer = setInterval(() => void refresh(), PAUSE);
+    return () => clearInterval(timer);
+  }, [record.value, place.value]);
+  if (!totals.value || !next.value) return <Waiting words="Reading the job's record" isBusy />;
+  return (
+    <div class="desk">
+      <Bar />
+      <NextPanel tube={next.value} />
+      <Panel title="Totals" kind="desk-totals">
+        <TotalsTable totals={totals.value} />
+        <Warnings />
+      </Panel>
+      <Log />
+    </div>
+  );
+}
+
+function Bar() {
+  const names = records.value.document?.records ?? [];
+  const legs = [...new Set(totals.value!.packages.map((of) => `${of.steam_generator}/${of.leg}`))];
+  return (
+    <div class="desk-bar">
+      <h1>{totals.value!.job}</h1>
+      <Select
+        label="Record of the job"
+        value={record.value}
+        choices={names.map((name) => ({value: name, words: name}))}
+        onChoose={(name) => (record.value = name)}
+      />
+      <Select
+        label="Leg"
+        value={place.value}
+        choices={[{value: "", words: "every leg"}, ...legs.map((leg) => ({value: leg, words: leg}))]}
+        onChoose={(leg) => (place.value = leg)}
+      />
+      <label>
+        Who marks{" "}
+        <input
+          value={person.value}
+          spellcheck={false}
+          placeholder="name"
+          onInput={(event) => (person.value = event.currentTarget.value)}
+        />
+      </label>
+    </div>
+  );
+}
+
+function Warnings() {
+  const {plugged_at_one_end: plugged, wrong_tubes: wrong} = totals.value!;
+  return (
+    <>
+      {wrong.map(({tube, found, who}) => (
+        <p class="desk-warning" key={tube}>
+          ✕ At {tube} {who} found {found}: confirm the tube again before any tool enters.
+        </p>
+      ))}
+      {plugged.map((tube) => (
+        <p class="desk-warning" key={tube}>
+          ▲ {tube} is plugged at this end only: plug the other end too, or check which tube it is.
+        </p>
+      ))}
+    </>
+  );
+}
+
+const SHOWN_EVENTS = 200;
+
+function Log() {
+  const latest = events.value.slice(-SHOWN_EVENTS).reverse();
+  return (
+    <Panel title={`Log, ${events.value.length} events`} kind="desk-log" body="desk-events">
+      {latest.length === 0 ? <p class="muted">Nothing has been recorded yet.</p> : null}
+      {latest.map((event) => (
+        <div class={`desk-event ${event.undone ? "undone" : ""}`} key={event.event}>
+          <span class="number">{event.event}</span>
+          <span>{event.at.replace("T", " ").replace("Z", "")}</span>
+          <span>{event.who}</span>
+          <b>{event.tube}</b>
+          <span>
+            {event.kind === "mark" ? event.value : `${event.kind} ${event.value}`}
+            {event.reason ? <i class="muted"> {event.reason}</i> : null}
+          </span>
+          {event.kind === "mark" && !event.undone ? (
+            <button class="button" onClick={() => askUndo(event.event)}>
+              Undo
+            </button>
+          ) : (
+            <span />
+          )}
+        </div>
+      ))}
+    </Panel>
+  );
+}
+
+/** Undoes a mark for a reason that the person gives; does nothing without a reason. */
+function askUndo(event: number): void {
+  const reason = window.prompt(`Why is event ${event} undone?`);
+  if (reason) void undo(event, reason);
+}
