@@ -25,10 +25,10 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr std::size_t kMostClosest = 8;
-// Tolerance of the baseline fit, relative to chi-square. It may be loose, because every model is fitted again from the
-// baseline.
+// Tolerance of the baseline fit, relative to chi-square. It may be loose, because each model is fitted again, starting
+// from the baseline.
 constexpr double kBaselineTolerance = 1e-6;
-// Log odds against an outlier, which may be wrong by up to 30 standard deviations in each of three coordinates.
+// Log odds against a reading being an outlier. An outlier may be wrong by up to 30 standard deviations per coordinate.
 constexpr double kOutlier = 14.8;
 
 IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
@@ -97,8 +97,8 @@ void weighModels(Answer& answer) {
   compareModels(answer.work);
 }
 
-/// Counts scatter that depends on no variable as noise, even beyond the stated noise, if repeated readings scatter as
-/// much.
+/// If repeated readings scatter by as much as the model's errors, counts their scatter as noise, although it exceeds
+/// the stated noise.
 void takeRepeatsForNoise(const DiagnosisWork& work, const CompetingModel& model, Diagnosis& result) {
   const Repeats repeats = repeatsBy(work, model);
   const bool is_larger =
@@ -115,8 +115,8 @@ void takeRepeatsForNoise(const DiagnosisWork& work, const CompetingModel& model,
   result.scatter_probability = 0;
 }
 
-/// Withdraws the verdict that no effect is missing if noise alone would hardly leave such large residuals, because a
-/// comparison would reject the model at such a chi-square.
+/// Withdraws the verdict "adequate" if noise alone would hardly leave such large residuals, because a comparison would
+/// reject the model at such a chi-square.
 void withholdAdequate(const DiagnosisWork& work, Diagnosis& result) {
   if (result.verdict != Verdict::kAdequate || !(result.p_value < kLackOfFit)) return;
   takeRepeatsForNoise(work, modelOfNothing(work), result);
@@ -195,7 +195,7 @@ Diagnosis completed(Answer found, const std::vector<Measurement>& all) {
   return std::move(result);
 }
 
-/// Returns the log weight of the best model for all readings, of which those set aside count as outliers.
+/// Returns the log weight of the best model for all readings; readings that were set aside count as outliers.
 double bestWeight(const Answer& found, const std::vector<Measurement>& readings) {
   if (!found.is_found) return -std::numeric_limits<double>::infinity();
   const auto& best = found.work.models.front();
@@ -210,7 +210,7 @@ double bestWeight(const Answer& found, const std::vector<Measurement>& readings)
   return best.logWeight() + set_aside * density - outliers * kOutlier;
 }
 
-/// Returns by how much the log weights of the models may be wrong because their evidence is linearised.
+/// Returns how far the models' log weights may be wrong because their evidence is linearised.
 double windowOf(const Answer& found) {
   if (!found.is_found) return 0;
   return leaderWindow(found.work.models.front().logWeight(), modelOfNothing(found.work).logWeight());
@@ -229,8 +229,8 @@ Diagnosis diagnosed(const PlacedArm& start, const std::vector<Measurement>& read
   std::optional<WithoutOutliers> without = withoutOutliers(readings, baseline, options.baseline.outlier_level, fit);
   Answer whole = compareAll(std::move(baseline), readings, {}, options);
   if (!without || !whole.is_found) return concluded(std::move(whole), readings);
-  // A base that slips between touches of one point also looks like outliers. Therefore a cause that explains all
-  // readings competes with the best model without the outliers.
+  // If the base slips between touches of one point, these touches also look like outliers. Therefore a cause that
+  // explains all readings competes with the best model without the outliers.
   Answer fewer = compareAll(std::move(without->fit), readings, without->set_aside, options);
   const double before = bestWeight(whole, readings), after = bestWeight(fewer, readings);
   if (std::abs(before - after) > std::max(windowOf(whole), windowOf(fewer)))

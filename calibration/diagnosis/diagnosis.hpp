@@ -26,9 +26,9 @@ struct CompetingExplanations {
   std::vector<Explanation> asked;
 };
 
-/// Fits the competing models, and the requested models, each given as a list of effects. If the values of the requested
-/// effects are not neutral, a second fit starts at these values and the more probable result is kept. Returns no models
-/// if the baseline cannot be fitted or the work was stopped on request.
+/// Fits the models that the search finds, and the requested models `asked`, each given as a list of effects. If the
+/// values of the requested effects are not neutral, a second fit starts at these values and the more probable result is
+/// kept. Returns no models if the baseline cannot be fitted or the work was stopped on request.
 [[nodiscard]] CompetingExplanations competingExplanations(const PlacedArm& start,
                                                           const std::vector<Measurement>& readings,
                                                           const DiagnosisOptions& options,

@@ -13,15 +13,15 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kGap = 8;          // smallest difference of -2 log of the posterior that counts
-constexpr double kLack = 0.003;     // p-value of the fit below which the model lacks something else
+constexpr double kGap = 8;          // smallest relevant difference of -2 log of the posterior
+constexpr double kLack = 0.003;     // p-value of the fit below which the model lacks a further effect
 constexpr double kNearNeutral = 2;  // deviation above which a parameter counts as not neutral [standard deviations]
 constexpr double kByChance = 0.05;  // p-value above which a decrease of chi-square counts as noise
 constexpr int kRivals = 6;          // number of models that are fitted as replacements of an effect
 // Product of the numbers of fitted parameters, readings and effects above which no replacements are fitted.
 constexpr double kMostWork = 2e4;
 
-/// Input of the warnings, the same for an identification and for a diagnosis.
+/// Input for judging effects, the same for an identification and for a diagnosis.
 struct Case {
   const PlacedArm& start;
   const std::vector<Measurement>& readings;  ///< readings except those that were set aside
@@ -100,8 +100,8 @@ bool isAtNeutral(const deflection::Effect& effect, const std::vector<const Ident
   });
 }
 
-/// Returns the probability that noise alone lowers chi-square by `fall`. It is halved if the effect has a single fitted
-/// parameter, with a bound at its neutral value.
+/// Returns the probability that noise alone lowers chi-square by `fall`. The probability is halved if the effect's only
+/// fitted parameter has a bound at its neutral value.
 double chanceOfFall(const Case& c, double fall, int effect, const std::vector<const IdentifiedNumber*>& numbers) {
   if (numbers.empty() || !(fall > 0)) return 1;
   const double p = chiSquareTail(fall, static_cast<double>(numbers.size()));
@@ -197,8 +197,8 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   const bool is_beaten = other && other->criterion + kGap < own->criterion;
   if (gain < kGap) {
     const EffectWarning not_needed = unneeded(c, effect, gain);
-    // An effect that lowers chi-square significantly without support by the evidence probably takes the place of
-    // another effect, which is then reported.
+    // An effect that lowers chi-square significantly although the evidence does not support it probably takes the place
+    // of another effect, which is then reported.
     if (!is_beaten || not_needed.p_value > kLack) {
       warnings.push_back(not_needed);
       return;
@@ -257,7 +257,7 @@ std::vector<EffectWarning> warningsOf(const Case& c, const std::vector<int>& eff
   return warnings;
 }
 
-/// Returns the result of `work`; an empty list if it was stopped, since warnings have no status.
+/// Returns the result of `work`; an empty list if the work was stopped, because a list of warnings has no status.
 template <class Work>
 std::vector<EffectWarning> unlessStopped(Work work) {
   try {

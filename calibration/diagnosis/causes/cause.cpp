@@ -15,11 +15,12 @@ namespace {
 
 constexpr int kKneeLevels = 7;   // number of moments that are tried for the knee of a stiffness
 constexpr int kTimeLevels = 64;  // number of times that are tried for a step
-// Prior odds that one of the stiffnesses held by the fit is wrong, since drawings seldom state them well. The zeros of
-// joints that follow other joints, which no reading states, have the same prior odds.
+// Prior odds that one of the stiffnesses that the fit does not change is wrong, since drawings seldom state them well.
+// The zeros of joints that follow other joints have the same prior odds, because no reading states them.
 constexpr double kFreedOdds = 2;
 constexpr double kGeometryOdds = 2;  // prior odds of an error in the drawing's geometry as a whole
-constexpr double kAlikeShare = 0.3;  // fraction of an effect kind's odds that goes to the effect at all joints together
+// Fraction of the odds of a kind of effect that goes to this effect at all joints together.
+constexpr double kAlikeShare = 0.3;
 
 bool hasWeights(const deflection::Arm& arm) {
   const auto weighs = [](const auto& row) {
@@ -28,7 +29,7 @@ bool hasWeights(const deflection::Arm& arm) {
   return std::ranges::any_of(arm.rows, weighs) || !arm.side_chains.empty();
 }
 
-/// Returns what the readings or the arm lack for an effect to be visible; empty if nothing is lacking.
+/// Returns what the readings or the arm would need for the effect to be visible; empty if it can be visible.
 std::string lackOf(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& readings) {
   const deflection::Arm& arm = placed.arm;
   const auto any = [&](auto&& holds) { return std::ranges::any_of(readings, holds); };
@@ -63,7 +64,7 @@ std::vector<double> quantiles(std::vector<double> sample, int count, double from
   return {levels.begin(), levels.end()};
 }
 
-/// Returns the absolute moments [N m] about the axis at `place`, for fewer than 400 evenly spaced readings.
+/// Returns the absolute moments [N m] about the axis at `place`, at an evenly spaced subset of fewer than 400 readings.
 std::vector<double> momentsAt(const PlacedArm& placed, const std::vector<Measurement>& readings,
                               const deflection::Place& place) {
   constexpr std::size_t kMost = 200;
@@ -196,7 +197,7 @@ std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, c
   std::vector<deflection::Effect> effects;
   for (const EffectKind& kind : deflection::effectKinds()) {
     if (kind.name != effect || !mayActAlike(kind)) continue;
-    // If the places of an effect kind are axes, only the rotation axis of each joint counts.
+    // If an effect of this kind can act about several axes of a row, only the rotation axis of its joint counts.
     for (const std::string& at : deflection::placeTexts(arm, kind)) {
       const auto made = deflection::makeEffect(arm, kind.name, at);
       const auto& place = made.effect.place;
@@ -235,7 +236,8 @@ Unknown numberUnknown(const deflection::Arm& arm, int effect, int value) {
   unknown.lower = number.lower - unknown.start;
   unknown.upper = number.upper - unknown.start;
   takeSizePrior(parameter, unknown);
-  if (parameter.is_shape) unknown.prior_mean = 0;  // a scanned parameter has no neutral value as its prior mean
+  // A scanned parameter has no neutral value that could be its prior mean.
+  if (parameter.is_shape) unknown.prior_mean = 0;
   return unknown;
 }
 

@@ -1,5 +1,5 @@
-// Possible causes of a lack of fit: effects of the catalogue at their places, one effect at every joint, or parameters
-// of the arm's file that the fit leaves at the drawing's values.
+// Possible causes of a lack of fit: an effect of the catalogue, at one place or at every joint, or parameters of the
+// arm's file that the fit leaves at the drawing's values.
 #pragma once
 
 #include <string>
@@ -21,22 +21,22 @@ inline constexpr const char* kAllJoints = "all joints";
 /// Empty if this kind of effect cannot act at every joint.
 [[nodiscard]] std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, const std::string& effect);
 
-/// Returns the description of the cause named `effect`, an effect of the catalogue or kFreedNumbers; empty if there is
-/// no such cause.
+/// Returns the description of the cause named `effect`, which is an effect of the catalogue or kFreedNumbers; an empty
+/// string if there is no such cause.
 [[nodiscard]] const char* causeWords(const std::string& effect);
 
-/// Returns the names of the variables that the effect's law may depend on, simplest first. Empty: the law may depend on
-/// any variable.
+/// Returns the names of the variables that the effect's law may depend on, simplest first. An empty list means that the
+/// law may depend on any variable.
 [[nodiscard]] std::vector<std::string> causeVariables(const std::string& effect);
 
 struct Cause {
-  std::string effect, at;  ///< name and place: "backlash", "tool.z"; "free", "latch-link.beam.Iz"
+  std::string effect, at;  ///< name and place, such as "backlash" at "tool.z" or "free" at "latch-link.beam.Iz"
   /// Effects at neutral values; several effects of one kind if the cause acts at every joint.
   std::vector<deflection::Effect> effects;
   std::vector<std::string> frees;  ///< dotted names of the freed parameters of the arm's file
   int shape = -1;                  ///< index of the effect's parameter whose value is scanned; -1: none
   std::vector<double> levels{0};   ///< scanned values of parameter `shape` [internal units]
-  double prior = 0;                ///< prior probability of this cause if exactly one cause is missing
+  double prior = 0;  ///< prior probability of this cause, given that exactly one cause is missing from the model
 };
 
 /// Returns true if both effects are of the same kind and at the same place, regardless of their values.
@@ -59,22 +59,22 @@ struct Cause {
 /// present value. Its typical size is the largest usual value of the parameter.
 [[nodiscard]] Unknown numberUnknown(const deflection::Arm& arm, int effect, int value);
 
-/// Returns the unknown for a scanned parameter on which the residuals depend smoothly (a knee), for a fit that starts
-/// at `level`. `effect` is the index of the cause's effect among the effects of the arm.
+/// Returns the unknown for a scanned parameter on which the residuals depend smoothly, such as the knee of a stiffness,
+/// for a fit that starts at the parameter's value `level`. `effect` is the index of the cause's effect in the arm.
 [[nodiscard]] Unknown shapeUnknown(const deflection::Arm& arm, const Cause& cause, int effect, double level);
 
-/// Returns the midpoints [s] between consecutive times of the readings, ascending. One time in each interval suffices,
+/// Returns the midpoints [s] between consecutive times of the readings, ascending. One step time per interval suffices,
 /// because a step has the same effect on the readings wherever it lies between two of them.
 [[nodiscard]] std::vector<double> timesBetween(const std::vector<Measurement>& readings);
 
 struct CauseList {
   std::vector<Cause> causes;
-  /// Effects that were left out, each with the reason: "payload-offset: no reading is under a load".
+  /// Effects that were not tried, each with the reason, such as "payload-offset: no reading is under a load".
   std::vector<std::string> not_tried;
 };
 
-/// Lists every cause that these readings could show in addition to the unknowns in `free`. An effect that the arm
-/// already has at a place is left out there. Throws WorkStopped on a request to stop.
+/// Lists every cause that these readings could reveal in addition to the unknowns in `free`, except effects that the
+/// arm already has at the same place. Throws WorkStopped on a request to stop.
 [[nodiscard]] CauseList listCauses(const PlacedArm& placed, const std::vector<Measurement>& readings,
                                    const std::vector<Unknown>& free, const WorkHooks& hooks = {});
 

@@ -11,15 +11,17 @@ namespace tubeplan::calibration {
 
 struct ConfoundedCause {
   std::string effect, at;
-  /// Fraction of the squared length of the confounded signature that this cause's signature reproduces, in the
-  /// direction that it reproduces worst.
+  /// Fraction of the confounded signature's squared length that this cause can reproduce, in the direction that it
+  /// reproduces worst.
   double share = 0;
 };
 
 struct Confounding {
   std::string effect, at;
-  double kept = 0;  ///< fraction of the signature's length that the fitted parameters cannot absorb
-  /// Confounded causes, largest shared fraction first; empty if hardly any of the signature is kept.
+  /// Fraction of the signature's length that remains after the fitted parameters absorb what they can.
+  double kept = 0;
+  /// Confounded causes, largest shared fraction first; empty if the fitted parameters absorb almost the whole
+  /// signature.
   std::vector<ConfoundedCause> confounded;
 };
 
@@ -27,9 +29,9 @@ struct Confounding {
 inline constexpr double kConfoundedShare = 0.98;
 inline constexpr double kHardlyKept = 1e-3;
 
-/// Finds, for every cause that the readings could show, the causes with which it is confounded. The model is linearised
-/// at `placed` with respect to the unknowns `fitted`; each scanned parameter is at the middle one of its levels.
-/// Returns an empty list if the model cannot be evaluated.
+/// Finds, for every cause that the readings could reveal, the causes with which it is confounded. The model is
+/// linearised at `placed` with respect to the unknowns `fitted`; each scanned parameter takes the middle one of its
+/// levels. Returns an empty list if the model cannot be evaluated.
 [[nodiscard]] std::vector<Confounding> findConfounding(const PlacedArm& placed,
                                                        const std::vector<Measurement>& readings,
                                                        const std::vector<Unknown>& fitted);

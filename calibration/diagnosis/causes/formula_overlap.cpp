@@ -13,7 +13,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr double kLeastOverlap = 0.05;
-// Fraction of its length below which the component of a signature that the fit cannot absorb counts as zero.
+// The component of a signature that the fit cannot absorb counts as zero below this fraction of the signature's length.
 constexpr double kLeastKept = 1e-4;
 
 std::vector<Unknown> numbersOf(const PlacedArm& placed, int effect) {
@@ -45,7 +45,7 @@ MatrixXd signatureOf(const deflection::Effect& effect, const MatrixXd& columns) 
   return sizes.isZero(0) ? each : MatrixXd((columns * sizes).stableNormalized());
 }
 
-/// Fitted model with the weights of its readings, and the causes of the catalogue at this model.
+/// Fitted model with its readings and their weights, and the catalogue's causes linearised about this model.
 struct Setting {
   const PlacedArm& placed;
   const std::vector<Measurement>& readings;

@@ -22,8 +22,8 @@ struct FormulaOverlap {
   std::vector<EffectShare> shares;
 };
 
-/// Computes the overlap of every formula of the fitted arm with the effects, at the fitted readings. Returns an empty
-/// list if the identification was not completed or the model cannot be evaluated.
+/// Computes, at the fitted readings, the overlap of each formula of the fitted arm with the effects of the catalogue.
+/// Returns an empty list if the identification was not completed or the model cannot be evaluated.
 [[nodiscard]] std::vector<FormulaOverlap> findFormulaOverlaps(const Identification& result,
                                                               const std::vector<Measurement>& readings);
 

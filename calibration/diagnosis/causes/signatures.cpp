@@ -34,8 +34,8 @@ int Signatures::addColumn(const Unknown& unknown) {
   return static_cast<int>(columns_.size()) - 1;
 }
 
-/// Adds layers of few causes each. Every derivative is evaluated with all causes of the layer in the arm, so its cost
-/// grows with their number.
+/// Distributes the causes over layers with few causes each. The cost of a derivative grows with the number of causes in
+/// the arm, and a layer's causes are all in the arm at once.
 void Signatures::addLayers(const PlacedArm& fitted, const std::vector<Cause>& causes) {
   std::size_t most_levels = 0;
   for (const Cause& cause : causes)
@@ -67,7 +67,7 @@ void Signatures::addStep(const PlacedArm& fitted, const Cause& cause, std::size_
   layers_.push_back(std::move(layer));
 }
 
-/// Gives each cause that acts at every joint the columns of the same effect at the single joints.
+/// Lets each cause that acts at every joint use the columns of the same effect at the single joints.
 void Signatures::shareColumns(const std::vector<Cause>& causes) {
   for (std::size_t c = 0; c < causes.size(); ++c) {
     if (!actsAlike(causes[c])) continue;
@@ -85,7 +85,8 @@ void Signatures::shareColumns(const std::vector<Cause>& causes) {
 MatrixXd Signatures::columnsAt(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                const StopQuestion& stop) const {
   MatrixXd all(weights.rows, static_cast<Index>(columns_.size()));
-  // Unknown points absorb a part of a step that depends on its time, so this part is removed from the finished columns.
+  // Unknown points absorb a part of a step that depends on its time, so this part is removed only from the finished
+  // columns.
   ReadingWeights apart = weights;
   apart.points.clear();
   apart.shared.clear();

@@ -11,8 +11,8 @@
 
 namespace tubeplan::calibration {
 
-/// Properties of the column for one parameter of a cause, at one level of its scanned parameter. The column is the
-/// change of the readings per Unknown::typical.
+/// Properties of the signature's column for one parameter of a cause, at one level of its scanned parameter. The column
+/// is the change of the readings when the parameter changes by Unknown::typical.
 struct SignatureColumn {
   double lower = 0, upper = 0;  ///< bounds of the parameter, relative to its neutral value [Unknown::typical]
   double prior_sigma = 1;       ///< prior standard deviation [Unknown::typical]; 1 for a parameter of an effect
@@ -21,8 +21,8 @@ struct SignatureColumn {
 
 class Signatures {
  public:
-  /// Prepares the columns of the causes, linearised about the model `fitted`. A step has one block of columns for each
-  /// time that is tried.
+  /// Prepares the columns of the causes, linearised about the model `fitted`. A step has a separate block of columns
+  /// for each time at which it is tried.
   Signatures(const PlacedArm& fitted, const std::vector<Cause>& causes);
 
   [[nodiscard]] const std::vector<SignatureColumn>& columns() const { return columns_; }
@@ -38,13 +38,13 @@ class Signatures {
                                           const StopQuestion& stop = {}) const;
 
  private:
-  /// Causes that are evaluated together in one arm, each at one level. The effects of two levels would add up in one
-  /// arm, so the levels of a cause are in different layers.
+  /// Causes that are evaluated together in one arm, each at one level. The levels of a cause are in different layers,
+  /// because the effects of two levels would add up in one arm.
   struct Layer {
     PlacedArm placed;
     std::vector<Unknown> unknowns;
     std::vector<int> columns;   ///< index of the column of each unknown
-    std::vector<double> times;  ///< times of a step [s], each with a block of columns; empty: no step
+    std::vector<double> times;  ///< times at which a step is tried [s], each with a block of columns; empty: no step
   };
 
   int addColumn(const Unknown& unknown);
@@ -68,8 +68,8 @@ struct SingleCauses {
   }
 };
 
-/// Returns the single causes that the readings could show in addition to the fitted parameters; nullopt if the model
-/// cannot be evaluated.
+/// Returns the causes of one effect at one place that the readings could reveal in addition to the fitted parameters;
+/// nullopt if the model cannot be evaluated.
 [[nodiscard]] std::optional<SingleCauses> singleCauses(const PlacedArm& placed,
                                                        const std::vector<Measurement>& readings,
                                                        const std::vector<Unknown>& fitted,

@@ -20,8 +20,8 @@ namespace {
 constexpr int kWaves = 3;
 constexpr int kBumps = 10;
 constexpr int kSlowWaves = 4;
-// Number of joints above which products for two joints are left out, unless these are neighbours or one of them has the
-// error.
+// If the arm has more joints than this, products for two joints are used only if the joints are neighbours or one of
+// them has the error.
 constexpr int kManyJoints = 5;
 constexpr std::size_t kReadingsForScale = 300;  // number of readings that suffice for the root mean square of a term
 // Amplitudes relative to that of a joint's first wave; rougher functions have smaller amplitudes.
@@ -54,8 +54,8 @@ Function product(const Function& a, const Function& b) {
   return [a, b](const Measurement& m) { return a(m) * b(m); };
 }
 
-/// Functions of one joint's position. The first wave has the period of a turn for a revolute joint, and of twice the
-/// travelled range for a prismatic joint.
+/// Functions of one joint's position. The first wave of a revolute joint has a period of one turn, that of a prismatic
+/// joint twice the travelled range.
 class JointFeatures {
  public:
   JointFeatures(const deflection::Joint<double>& joint, Index index, const std::vector<Measurement>& readings)
@@ -85,8 +85,7 @@ class JointFeatures {
     return features;
   }
 
-  /// Returns functions that differ from zero near one position of the joint only, as the error of a worn gear tooth
-  /// does.
+  /// Returns functions that differ from zero only near one position of the joint, like the error of a worn gear tooth.
   [[nodiscard]] std::vector<Feature> bumps() const {
     std::vector<Feature> features;
     const double width = (range_.high - range_.low) / kBumps;
@@ -186,7 +185,7 @@ class TermMaker {
   }
 
  private:
-  /// Adds terms for an error at `place`. Features with the same place and variable belong to one source.
+  /// Adds terms for an error at `place`. Terms with the same place and variable belong to one source.
   void add(const std::string& place, int channel, const std::vector<Feature>& features, double amplitude = 1) {
     for (const Feature& feature : features) {
       const auto source = sources_.try_emplace(place + " " + feature.follows, static_cast<int>(sources_.size())).first;

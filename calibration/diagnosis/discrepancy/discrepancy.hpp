@@ -6,8 +6,8 @@
 // a shift of the tip in the tool's frame, or a shift or rotation of the base, multiplied by a smooth function of
 // quantities stated by the readings. These smooth functions are waves and local bumps in a joint's position, products
 // of waves for two joints, and functions of load, direction of motion and conditions. The process competes with named
-// causes and never names one. For a reading that measures a displacement, from another reading or from the unloaded
-// tip, the difference of the functions at the two postures applies.
+// causes and never names one. A reading that measures a displacement, from another reading or from the unloaded tip,
+// has the difference between the errors at the two postures.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,19 +19,19 @@
 
 namespace tubeplan::calibration {
 
-/// One term of the process: a function with its amplitude.
+/// One term of the Gaussian process: a function with its amplitude.
 struct DiscrepancyTerm {
   std::string follows;  ///< variable that the term follows: "theta3", "direction of theta3", "load", "time"
-  /// Index among the channels: error of each joint's reading, then shift of the tip along the tool's axes, shift of the
-  /// base, rotation of the base.
+  /// Index of the channel. The channels are, in order: the error of each joint's reading, the shift of the tip along
+  /// the tool's axes, the shift of the base, the rotation of the base.
   int channel = 0;
-  int source = 0;  ///< index of the term's source, shared by all terms of that source
+  int source = 0;  ///< index of the source of error; terms with the same place and variable share a source
   std::function<double(const Measurement&)> function;
-  double scale = 1;  ///< factor of the function that gives the whole process a root-mean-square error of 1 m
+  double scale = 1;  ///< factor of the function that makes the root-mean-square error of the whole process 1 m
   double share = 0;  ///< fraction of the process's variance due to this term
 };
 
-/// Discrepancy process for the readings of a measurement campaign.
+/// Gaussian process that models the discrepancy in the readings of a measurement campaign.
 class Discrepancy {
  public:
   /// Builds the terms of the Gaussian process for the errors of the model `placed`. The terms cover the ranges of the
@@ -40,7 +40,7 @@ class Discrepancy {
 
   [[nodiscard]] const std::vector<DiscrepancyTerm>& terms() const { return terms_; }
 
-  /// Returns the indices into terms() of each source's terms.
+  /// Returns, for each source of error, the indices of its terms in terms().
   [[nodiscard]] std::vector<std::vector<int>> sources() const;
 
   /// Returns the whitened columns of the terms at these readings (rows of `weights` x terms), without the component

@@ -1,4 +1,5 @@
-// Derivatives of a reading with respect to the channels of a discrepancy: joints, tool, base.
+// Derivatives of a reading with respect to the errors of the joints' readings, the tool and the base, which are the
+// channels of a discrepancy.
 #pragma once
 
 #include <vector>
@@ -10,7 +11,7 @@ namespace tubeplan::calibration {
 /// Derivatives of a reading's rows [m] with respect to each channel at one posture: errors of the joints' readings
 /// [rad, m], shifts along the tool's axes [m], shifts of the base [m], rotations of the base [rad].
 struct Motion {
-  Measurement at;                 ///< the reading, or its reference, at this posture
+  Measurement at;                 ///< the reading itself, or its reference reading
   Eigen::MatrixXd displacements;  ///< rows of the reading x (joints + 9) channels
 };
 

@@ -30,8 +30,8 @@ std::vector<ReadingCandidate> thinnedOut(const std::vector<ReadingCandidate>& ca
   return some;
 }
 
-/// Returns the smallest expected criterion difference between two rivals, after measuring up to `options.count` of
-/// these candidates, chosen greedily.
+/// Returns the smallest expected criterion difference between two rivals after up to `options.count` of these
+/// candidates, chosen greedily, are measured.
 double bestOf(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions,
               const DiscriminationOptions& options) {
   return leastExpected(rivals, predictions,

@@ -1,5 +1,5 @@
 // Alternative measurements for rival explanations that no posture can separate: another load, temperature or set-up, or
-// a link measured in addition to the tip. Listed last are direct inspections of the component that each effect acts on.
+// a link measured in addition to the tip. Direct inspections of the components on which the effects act come last.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the measurements after which even the smallest expected criterion difference between two rivals suffices for
-/// a decision (separationNeeded()), best first. Direct inspections follow, for which no criterion is computed.
+/// Returns the alternative measurements that are expected to separate every pair of rivals well enough for a decision
+/// (separationNeeded()), best first. Direct inspections follow, for which no criterion is computed.
 [[nodiscard]] std::vector<AlternativeMeasurements> findAlternativeMeasurements(
     const std::vector<RivalModel>& rivals, const std::vector<Explanation>& explanations,
     const std::vector<ReadingCandidate>& candidates, const std::vector<Measurement>& readings,

@@ -68,7 +68,7 @@ bool isSame(const DiscriminatedPair& a, const DiscriminatedPair& b) {
   return std::minmax(a.truth, a.other) == std::minmax(b.truth, b.other);
 }
 
-/// Returns the pairs, in one order each, that are more likely to remain undecided than to be decided.
+/// Returns the pairs, each listed once, that are more likely to remain undecided than to be decided.
 std::vector<DiscriminatedPair> unlikelyPairs(const std::vector<double>& probability,
                                              const std::vector<DiscriminatedPair>& pairs) {
   std::vector<DiscriminatedPair> unlikely;

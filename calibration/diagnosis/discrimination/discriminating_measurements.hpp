@@ -4,9 +4,9 @@
 // covariance S = I + H P H^T, in standard deviations of the noise, with the sensitivity H to the parameters and their
 // covariance P. If explanation a is true, a further reading raises -2 log of the posterior of b relative to a on
 // average by twice the Kullback-Leibler divergence,
-//   d^T S_b^-1 d + tr(S_b^-1 S_a) - rows + ln det S_b - ln det S_a,   d = f_a - f_b,
-// without the component that the free parameters and effects of b could absorb. Readings are chosen one by one to
-// minimise the remaining odds of wrong explanations (Box and Hill 1967; Atkinson and Fedorov 1975).
+//   d^T S_b^-1 d + tr(S_b^-1 S_a) - rows + ln det S_b - ln det S_a,   d = f_a - f_b.
+// S_b accounts for the part of d that the free parameters and effects of b could absorb. Readings are chosen one by one
+// to minimise the remaining odds of wrong explanations (Box and Hill 1967; Atkinson and Fedorov 1975).
 #pragma once
 
 #include <string>
@@ -18,20 +18,19 @@
 namespace tubeplan::calibration {
 
 struct DiscriminationOptions {
-  int count = 6;  ///< number of readings to propose, or of sets of touches of one unknown point
-  /// Smallest probability at which an explanation counts as decided, against one rival and against all rivals.
+  int count = 6;  ///< number of readings to propose; a set of touches of one unknown point counts as one reading
+  /// An explanation counts as decided if its probability reaches this value, against one rival and against all rivals.
   double sure = 0.98;
-  /// Smallest probability of a correct decision at which the readings need no further repeats.
+  /// Readings are repeated until each pair of explanations is decided correctly with at least this probability.
   double assured = 0.9;
-  /// Maximum number of times that the chosen readings are measured; pairs that are still undecided count as
+  /// Maximum number of times that each chosen reading is measured; pairs that are undecided even then count as
   /// inseparable.
   int most_repeats = 4;
-  int most_explanations = 8;  ///< maximum number of explanations that are compared; the best are kept
+  int most_explanations = 8;  ///< maximum number of explanations that are compared; the most probable are kept
   WorkHooks hooks;
 };
 
-/// Returns the difference between -2 log of the posteriors of two explanations at which the better one has the
-/// probability `sure`.
+/// Returns how much lower -2 log of the posterior must be for one of two explanations to have the probability `sure`.
 [[nodiscard]] double separationNeeded(double sure);
 
 /// Expected outcome for an ordered pair of explanations, given that the first is true.
@@ -43,7 +42,7 @@ struct DiscriminatedPair {
 };
 
 struct DiscriminatingMeasurement {
-  int candidate = -1;  ///< index among the given candidates
+  int candidate = -1;  ///< index into the given candidates
   int a = -1, b = -1;  ///< indices of the two explanations that the reading separates most
   /// Distance between the two predictions, given the readings chosen before [standard deviations of the noise].
   double separation = kNotKnown;
@@ -68,22 +67,23 @@ struct DiscriminatingMeasurements {
   double probability = kNotKnown;     ///< probability of naming the true explanation, averaged over the explanations
   /// Number of times to measure the chosen readings until every separable pair is decided; 0: no pair is separable.
   int times = 0;
-  /// Pairs, in one order each, that `most_repeats` repeats probably do not separate.
+  /// Pairs that even `most_repeats` repeats would probably not separate; each pair is listed once.
   std::vector<DiscriminatedPair> never;
   std::vector<AlternativeMeasurements> alternative_measurements;  ///< measurements for the pairs in `never`, best first
-  std::vector<std::string> columns;  ///< advice on what else to record, for effects that could not be tried
+  /// Advice on quantities to record in addition, for effects that could not be tried without them.
+  std::vector<std::string> columns;
 };
 
-/// Returns up to `most` explanations that a diagnosis leaves open. If the verdict is ambiguous: its alternatives; if
-/// inconclusive: nothing missing, then the closest models; otherwise none. With fewer than two explanations there is
-/// nothing to discriminate.
+/// Returns up to `most` explanations that a diagnosis leaves open. If the verdict is ambiguous, these are its
+/// alternatives. If it is inconclusive, these are the model with nothing missing, then the closest models. Otherwise
+/// none is open. With fewer than two explanations there is nothing to discriminate.
 [[nodiscard]] std::vector<Explanation> openExplanations(const Diagnosis& diagnosis, int most);
 
 /// Returns a name such as "backlash@tool.z with hysteresis@theta4"; "nothing missing" without effects.
 [[nodiscard]] std::string nameOf(const Explanation& explanation);
 
-/// Proposes readings that discriminate between the open explanations. `readings` are the diagnosed readings. Candidates
-/// are measured in the last set-up; each is chosen at most once.
+/// Proposes readings that discriminate between the open explanations of `diagnosis`, which was made from `readings`.
+/// Candidates are measured in the last set-up; each is chosen at most once.
 [[nodiscard]] DiscriminatingMeasurements proposeDiscriminatingMeasurements(
     const Diagnosis& diagnosis, const std::vector<Measurement>& readings,
     const std::vector<ReadingCandidate>& candidates, const DiscriminationOptions& options = {});

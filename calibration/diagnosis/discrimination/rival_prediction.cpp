@@ -75,8 +75,8 @@ ExpectedRise riseBetween(const MatrixXd& S_a, const MatrixXd& S_b, const VectorX
           std::sqrt(2 * (excess * excess).trace() + 4 * std::max(0., whitened.dot(S_a * whitened)))};
 }
 
-/// Covariances of the rivals' parameters, and the mean shifts of these parameters if another rival is true, updated as
-/// readings are chosen.
+/// State of the greedy choice, updated as readings are chosen: covariances of the rivals' parameters, and the mean
+/// shifts of these parameters if another rival is true.
 class Race {
  public:
   Race(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions)
@@ -93,8 +93,8 @@ class Race {
       }
   }
 
-  /// Returns the odds of the wrong rivals after this candidate is measured, from their expected log odds. They are
-  /// averaged over the rivals, each taken as true with its probability; smaller is better.
+  /// Returns the expected odds of the wrong rivals after this candidate is measured, estimated from their expected log
+  /// odds. Averages over the rivals, each taken as true with its probability; smaller is better.
   [[nodiscard]] double scoreWith(std::size_t candidate) const {
     double score = 0;
     forPairs(candidate, [&](std::size_t a, std::size_t b, double rise) {
@@ -108,7 +108,7 @@ class Race {
     step.candidate = static_cast<int>(candidate);
     double most = -1;
     forPairs(candidate, [&](std::size_t a, std::size_t b, double rise) {
-      // Either rival may be true, so the pair is separated only as well as in the case with the smaller rise.
+      // Either rival may be true, so the smaller of the two rises decides how well the pair is separated.
       const double both = std::min(rise, riseOf(candidate, b, a));
       if (both <= most) return;
       most = both;
@@ -196,8 +196,8 @@ std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& riva
     if (each[k].empty()) continue;
     Index rows = 0;
     for (const auto& reading : each[k]) rows += rowsOf(reading);
-    // Displacements from the same reference reading share its encoder noise. They are predicted separately, or
-    // whitening would mix the candidates.
+    // Displacements from the same reference reading share its encoder noise. They are predicted separately, because
+    // joint whitening would mix the candidates.
     const bool is_alone = together.value.empty() || referenceOf(each[k].front());
     predictions[k] = is_alone ? predictByAll(rivals, each[k], stop) : someRows(together, first, rows);
     first += rows;

@@ -22,19 +22,21 @@ struct RivalModel {
 /// Returns the probability of each rival, given that one of them is true.
 [[nodiscard]] std::vector<double> probabilitiesOf(const std::vector<RivalModel>& rivals);
 
-/// Whitened predictions of each rival at one candidate, and their derivatives with respect to the rival's unknowns.
+/// Whitened predictions of one candidate reading by each rival, and their derivatives with respect to the rival's
+/// unknowns.
 struct RivalPrediction {
   std::vector<Eigen::VectorXd> value;
   std::vector<Eigen::MatrixXd> sensitivity;
 };
 
-/// Returns the predictions at each candidate; an entry is empty if the arm's shape does not converge. Throws
+/// Returns the rivals' predictions of each candidate; an entry is empty if the arm's shape does not converge. Throws
 /// WorkStopped on a request to stop.
 [[nodiscard]] std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& rivals,
                                                            const std::vector<ReadingCandidate>& candidates,
                                                            const StopQuestion& stop = {});
 
-/// Chooses up to `count` candidates greedily, each at most once. In the result, `a` and `b` are indices of rivals.
+/// Chooses up to `count` candidates one by one, each at most once, to minimise the expected odds of the wrong rivals.
+/// In the result, `a` and `b` are indices of rivals.
 [[nodiscard]] std::vector<DiscriminatingMeasurement> chooseDiscriminating(
     const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions, int count,
     const StopQuestion& stop = {});

@@ -19,8 +19,8 @@ namespace {
 
 constexpr Index kMostAxes = 120;     // maximum number of axes of the discrepancy; the largest are kept
 constexpr double kLeastAxis = 1e-5;  // fraction of the discrepancy's variance that may be left out
-// Fraction of a column's squared length below which the component that the fitted parameters leave is only rounding
-// error.
+// A column counts as absorbed by the fitted parameters if at most this fraction of its squared length remains, because
+// that is only rounding error.
 constexpr double kLeastLeft = 1e-8;
 constexpr Index kPanel = 64;         // number of columns that are multiplied at once
 constexpr Index kRowsAtOnce = 4096;  // number of rows that are copied for one multiplication

@@ -1,12 +1,13 @@
-// Evidence of hypotheses that are linear about one model: the probability of the readings with every parameter
+// Evidence of hypotheses that are linearised about one model: the probability of the readings with every parameter
 // integrated over its prior.
 //
 // About a fitted model, a hypothesis states y = J d + S p + s Z g + e. Here y is the whitened residual of the model, d
-// the change of the fitted parameters, p the sizes of causes, g the weights of the discrepancy (discrepancy.hpp), all
-// normally distributed with the prior covariances P, V and I. The discrepancy's size is s and the noise e. With C = I +
-// J P J^T + S V S^T + s^2 Z Z^T the evidence is the normal density N(y; 0, C), summed over a grid of s with its prior.
-// This is Laplace's approximation, exact for a linear model (MacKay 1992, "Bayesian interpolation"). All computations
-// use the Gram matrix of the columns [J S Z y], so their cost does not grow with the number of readings.
+// the change of the fitted parameters, p the coefficients of the causes' columns, g the weights of the discrepancy
+// (discrepancy.hpp), all normally distributed with the prior covariances P, V and I. The scalar s is the size of the
+// discrepancy, e is the noise. With C = I + J P J^T + S V S^T + s^2 Z Z^T the evidence is the normal density N(y; 0,
+// C), summed over a grid of s with its prior. This is Laplace's approximation, exact for a linear model (MacKay 1992,
+// "Bayesian interpolation"). All computations use the Gram matrix of the columns [J S Z y], so their cost does not grow
+// with the number of readings.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,18 +31,18 @@ struct EvidenceGram {
 };
 
 struct EvidenceOptions {
-  std::vector<double> discrepancies;  ///< root-mean-square sizes to try for a discrepancy [m], without zero
+  std::vector<double> discrepancies;  ///< root-mean-square errors to try for a discrepancy [m], excluding zero
   double discrepancy_prior = 0.1;     ///< prior probability of a discrepancy that has all terms
   double source_prior = 0;            ///< prior probability of a discrepancy with only one source (single_source.hpp)
   std::vector<double> noise_scales;   ///< noise scale factors to try, equally probable; empty: only 1
-  double noise_rows = 0;              ///< degrees of freedom that the noise scale factor applies to
+  double noise_rows = 0;              ///< degrees of freedom to which the noise scale factor applies
 };
 
 struct Evidence {
   double log = -std::numeric_limits<double>::infinity();
   double discrepancy_probability = 0;  ///< posterior probability of a discrepancy, given the hypothesis
-  double discrepancy = 0;              ///< most probable size of the discrepancy [m]; 0: none
-  std::size_t level = 0;               ///< index of `discrepancy` among the tried sizes; 0: no discrepancy
+  double discrepancy = 0;              ///< most probable root-mean-square size of the discrepancy [m]; 0: none
+  std::size_t level = 0;               ///< index of `discrepancy` among the sizes that were tried; 0: no discrepancy
   double noise_scale = 1;              ///< most probable noise scale factor
   double log_none = log;  ///< log evidence of the case without a discrepancy, including the prior of this case
   double none_scale = 1;  ///< most probable noise scale factor without a discrepancy
@@ -50,8 +51,7 @@ struct Evidence {
   Eigen::VectorXd sizes, sigma;
 };
 
-/// Fit with the largest discrepancy that is tried, and so the closest fit that an unknown function of the readings can
-/// give.
+/// Fit with the largest tried discrepancy, which follows the readings as closely as any unknown function can.
 struct RichestFit {
   double chi2 = 0;
   double numbers = 0;  ///< effective number of parameters
@@ -64,7 +64,7 @@ struct PriorSize {
   int sign = 0;  ///< 1: zero or more; -1: zero or less; 0: any sign
 };
 
-/// Returns the sign of a parameter with these bounds: 1 or -1 if one bound is zero, otherwise 0.
+/// Returns the sign to which these bounds restrict a parameter: 1 or -1 if one bound is zero, otherwise 0.
 [[nodiscard]] inline int signWithin(double lower, double upper) { return lower == 0 ? 1 : upper == 0 ? -1 : 0; }
 
 class LinearEvidence {
@@ -72,8 +72,8 @@ class LinearEvidence {
   /// Integrates the unknowns `fitted`, whose columns are J, out of the Gram matrix; they are zero at the fitted model.
   LinearEvidence(const EvidenceGram& gram, const std::vector<Unknown>& fitted, const EvidenceOptions& options);
 
-  /// Returns the evidence of a hypothesis with the columns of these causes; without causes, of the hypothesis that no
-  /// known cause is missing. The evidence is summed over all sizes of the discrepancy, or, for a quick estimate, over
+  /// Returns the evidence of the hypothesis that these causes are missing; without causes, of the hypothesis that no
+  /// known cause is missing. The evidence is summed over all sizes of the discrepancy or, for a quick estimate, over
   /// zero and the size with index `level`.
   [[nodiscard]] Evidence of(const std::vector<PriorSize>& causes, std::optional<std::size_t> level = {}) const;
 
@@ -82,8 +82,8 @@ class LinearEvidence {
   /// Returns the fraction of a column's length that the fitted parameters do not absorb.
   [[nodiscard]] double keptShare(int column) const;
 
-  /// Returns by how much these columns with their best coefficients lower chi-square, without priors or a discrepancy;
-  /// 0 without columns.
+  /// Returns the decrease of chi-square due to these columns with their best coefficients, without priors or a
+  /// discrepancy; 0 without columns.
   [[nodiscard]] double fall(const std::vector<int>& columns) const;
 
   /// Returns the most probable weights of the discrepancy's terms for a given size of the discrepancy [m].

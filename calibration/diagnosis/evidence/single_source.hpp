@@ -1,9 +1,9 @@
 // Unknown error from a single source: an error of one joint's reading, of the tip or of the base, as a function of one
-// quantity that the readings state. Most errors of machines are of this form, known or not.
+// quantity that the readings state. Most errors of machines, known or unknown, are of this form.
 //
-// Each source is a subset of the terms of the discrepancy process (discrepancy.hpp) with a separate size. A source has
-// much less freedom than the whole process. Far fewer readings therefore suffice to distinguish a source from noise and
-// from a similar named cause.
+// Each source is a subset of the terms of the discrepancy process (discrepancy.hpp), and has a size of its own. A
+// source has much less freedom than the whole process. Therefore, far fewer readings suffice to distinguish a source
+// from noise and from a similar named cause.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,8 +14,9 @@ namespace tubeplan::calibration {
 
 /// Evidence of a model with one source added; all sources and sizes are equally probable a priori.
 struct SourceEvidence {
-  double log_factor = -std::numeric_limits<double>::infinity();  ///< log ratio to the model's evidence without a source
-  int source = -1;                                               ///< most probable source; -1: none
+  /// Log ratio of the evidence with a source to the evidence without one.
+  double log_factor = -std::numeric_limits<double>::infinity();
+  int source = -1;          ///< most probable source; -1: none
   double size = 0;          ///< most probable root-mean-square size of the source [m]
   Eigen::VectorXd weights;  ///< weights of the source's terms, in the order of termsOf(source)
 };
@@ -28,15 +29,15 @@ struct SourceView {
 
 class SingleSources {
  public:
-  /// Takes the whitened columns of the process's terms, and the indices of each source's terms. `shares` are the
-  /// fractions of the process's variance due to each term.
+  /// `columns` are the whitened columns of the process's terms, `sources` the indices of each source's terms. `shares`
+  /// are the fractions of the process's variance due to each term.
   SingleSources(Eigen::MatrixXd columns, std::vector<std::vector<int>> sources, const std::vector<double>& shares);
 
   /// Returns the inner products of [W y] with the sources' columns: W holds the columns of all fitted parameters, y the
   /// residual without any of these parameters.
   [[nodiscard]] SourceView viewOf(const Eigen::MatrixXd& W_y) const;
 
-  /// Returns the evidence with one source added to the model of `view`. `scale` contains the units of the parameters of
+  /// Returns the evidence of the model of `view` with one source added. `scale` contains the units of the parameters of
   /// W, `information` the prior information on them in these units, `sizes` the root-mean-square sizes to try for a
   /// source [m].
   [[nodiscard]] SourceEvidence beside(const SourceView& view, const Eigen::VectorXd& scale,

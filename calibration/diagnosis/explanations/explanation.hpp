@@ -13,8 +13,9 @@ struct FoundNumber {
   std::string name;
   deflection::Quantity quantity = deflection::Quantity::kNone;
   double value = 0;
-  double sigma = kNotKnown;      ///< standard deviation of `value`; NaN for a scanned parameter
-  bool is_beyond_usual = false;  ///< true: beyond the largest value on real machines, by more than the uncertainty
+  double sigma = kNotKnown;  ///< standard deviation of `value`; NaN for a scanned parameter
+  /// True: exceeds the largest value found on real machines by more than the uncertainty.
+  bool is_beyond_usual = false;
   /// Range of the values that explain the readings equally well; NaN if there is only one such value.
   double lower = kNotKnown, upper = kNotKnown;
 };
@@ -41,11 +42,11 @@ struct Explanation {
   double p_value = kNotKnown;    ///< p-value of `chi2`
   double criterion = kNotKnown;  ///< -2 log(prior x evidence); only differences are meaningful
   double remainder_probability = 0;  ///< probability that an unknown effect is missing as well
-  /// Root-mean-square error of each coordinate [m] that exceeds the stated noise and depends on nothing that the
-  /// readings state.
+  /// Root-mean-square error of each coordinate [m] in excess of the stated noise, independent of all quantities that
+  /// the readings state.
   double model_error = 0;
   ErrorSize after, heldout;
-  /// Error at the quarter of the poses with the farthest reach, predicted by a fit to the other poses.
+  /// Error at the quarter of the poses that reach farthest, predicted by a fit to the other poses.
   ErrorSize farthest;
   /// Root-mean-square distance [m] between the tips predicted by this explanation and by the first alternative, over
   /// the arm's range.

@@ -17,7 +17,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr int kPostures = 48;
-// Rise of chi-square over all virtual readings below which two explanations can hardly be distinguished.
+// Two explanations can hardly be distinguished if all virtual readings together raise chi-square by less than this.
 constexpr double kHardly = 9;
 
 double medianSigma(const std::vector<Measurement>& readings) {
@@ -27,7 +27,7 @@ double medianSigma(const std::vector<Measurement>& readings) {
 }
 
 /// Returns virtual readings of the tip at random postures over the arm's range, without a load and under the heaviest
-/// load of the given readings. Conditions are those of readings drawn at random.
+/// load of the given readings. Their conditions are taken from randomly drawn given readings.
 std::vector<Measurement> readingsOverRange(const FittedBasis& basis, std::uint64_t seed) {
   RandomStream random(seed);
   const auto& arm = basis.fitted.arm;

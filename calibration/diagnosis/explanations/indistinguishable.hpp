@@ -17,7 +17,7 @@ struct RangeView {
   Eigen::MatrixXd information;  ///< information on the unknowns from the readings so far and from priors
 };
 
-/// Virtual readings over the arm's range, with predictions for the explanations of one diagnosis.
+/// Virtual readings over the arm's range, at which the explanations of one diagnosis are compared.
 class RangeViews {
  public:
   RangeViews(const FittedBasis& basis, std::uint64_t seed);
@@ -33,8 +33,8 @@ class RangeViews {
   ReadingWeights weights_;
 };
 
-/// Returns true if readings over the whole range could hardly distinguish the two explanations, even if the parameters
-/// of each are refitted.
+/// Returns true if readings over the arm's whole range could hardly distinguish the two explanations, even if the
+/// parameters of each are refitted.
 [[nodiscard]] bool areTheSame(const RangeView& a, const RangeView& b);
 
 }  // namespace tubeplan::calibration

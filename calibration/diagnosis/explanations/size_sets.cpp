@@ -13,10 +13,10 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double kWider = 1.2;  // smallest width of a range that is stated, in units of four standard deviations
+constexpr double kWider = 1.2;  // a range is stated if it is wider than 4 sigmas times this factor
 
-/// Returns the model of an explanation with all parameters of one of its effects free, except scanned ones; they are
-/// the last of the unknowns.
+/// Returns the model of an explanation with all parameters of one of its effects free, except scanned ones. These free
+/// parameters are the last of the unknowns.
 ExplanationModel withEverySize(const FittedBasis& basis, const Explanation& explanation, int effect) {
   ExplanationModel model = modelOf(basis, explanation);
   std::erase_if(model.unknowns, [&](const Unknown& unknown) { return unknown.path.effect == effect; });
@@ -26,7 +26,7 @@ ExplanationModel withEverySize(const FittedBasis& basis, const Explanation& expl
   return model;
 }
 
-/// Sets one parameter of an effect from the modes. The value comes from the first mode. The range over all modes is set
+/// Sets one parameter of an effect from the modes. The value is that of the first mode. The range over all modes is set
 /// if there are several, or if it is wider than the standard deviation suggests.
 void takeSize(const std::vector<SizeMode>& modes, Index k, FoundNumber& number) {
   double lower = std::numeric_limits<double>::infinity(), upper = -lower;

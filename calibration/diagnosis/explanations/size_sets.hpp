@@ -1,4 +1,4 @@
-// Sets of values for the parameters of an explanation's effects, between which the readings cannot decide.
+// Alternative sets of parameter values of an effect, between which the readings cannot decide.
 #pragma once
 
 #include "calibration/diagnosis/explanations/explanation.hpp"
@@ -7,8 +7,8 @@
 namespace tubeplan::calibration {
 
 /// Searches for other parameter values of each effect of an explanation that explain the readings equally well. If any
-/// exist, the sets of values become the `modes` of the effect, most probable first. The explanation takes the first
-/// mode, and its parameters get ranges over all modes. Throws WorkStopped on a request to stop.
+/// exist, the sets of values become the `modes` of the effect, most probable first. The parameters of the explanation
+/// take the values of the first mode, and their ranges cover all modes. Throws WorkStopped on a request to stop.
 void findSizeSets(const FittedBasis& basis, Explanation& explanation);
 
 }  // namespace tubeplan::calibration

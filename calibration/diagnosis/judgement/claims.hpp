@@ -5,19 +5,19 @@
 
 namespace tubeplan::calibration {
 
-/// Causes that are missing according to one model, or according to the model without a term that may only resemble an
-/// unknown effect.
+/// Causes that are missing according to one model. If a term of the model may only resemble an unknown effect, another
+/// claim leaves this term out.
 struct Claim {
   std::vector<int> causes;
   double probability = 0;
   double remainder_probability = 0;
   double scatter_probability = 0;  ///< probability that the noise is larger than stated and nothing else remains
-  /// Most probable model with this claim; null if a term was left out.
+  /// Most probable model with this claim; null if the claim leaves a term out.
   const CompetingModel* model = nullptr;
 };
 
-/// Merges claim `one` into claim `to`: adds up the probabilities, and averages the conditional probabilities with them
-/// as weights.
+/// Merges claim `one` into claim `to`: adds the probabilities, and averages the conditional probabilities with these
+/// weights.
 void mixIn(const Claim& one, Claim& to);
 
 /// Returns all claims of the models, with probabilities that sum to one. Models without a fit are penalised by the

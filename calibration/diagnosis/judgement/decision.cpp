@@ -7,7 +7,7 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr std::size_t kMostAlternatives = 8;
-// Probability that the listed alternatives must reach together, relative to that of all classes.
+// Alternatives are listed until they reach this fraction of the probability of all classes.
 constexpr double kCredible = 0.95;
 constexpr double kRemains = 0.5;
 

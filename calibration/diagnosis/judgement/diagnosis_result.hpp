@@ -18,8 +18,8 @@ struct RankedEffect {
   std::string effect, at;
   /// Effects at their most probable sizes if no other cause is present; empty for freed parameters.
   std::vector<deflection::Effect> effects;
-  double probability = 0;    ///< probability of all models that contain the cause
-  double p_value = 1;        ///< probability that noise alone lowers chi-square as much as the cause does on its own
+  double probability = 0;    ///< total probability of all models that contain the cause
+  double p_value = 1;        ///< probability that noise alone would lower chi-square as much as this cause alone does
   double fall = 0;           ///< decrease of chi-square due to the cause, to first order
   FoundNumber size;          ///< parameter of the cause that is largest relative to its standard deviation
   double kept_fraction = 0;  ///< fraction of the cause's signature that the free parameters do not absorb
@@ -31,15 +31,16 @@ struct DetectableEffect {
   std::string effect, at, number;
   deflection::Quantity quantity = deflection::Quantity::kNone;
   double size = 0;
-  bool is_beyond_plausible = false;  ///< true: no real machine has such a large effect, so the readings cannot show it
+  /// True: exceeds the size on any real machine, so these readings cannot reveal the effect.
+  bool is_beyond_plausible = false;
 };
 
-/// Errors that remain with the certain causes in the model.
+/// Errors that remain when the certain causes are included in the model.
 struct Remainder {
   double probability = 0;    ///< probability that errors remain unexplained
   double size = kNotKnown;   ///< root mean square of the remaining errors over the readings [m]
   double floor = kNotKnown;  ///< root mean square of noise and of errors that follow no variable [m]
-  /// Variables that the errors follow, with their fractions; largest first.
+  /// Variables that the errors follow, each with the fraction of the errors that it accounts for; largest first.
   std::vector<std::pair<std::string, double>> follows;
 };
 
@@ -48,28 +49,30 @@ struct Diagnosis {
   std::string reason;                     ///< reason why there is no verdict, and the data needed for one
   Identification baseline;                ///< fit of the present model with its free parameters
   std::vector<Explanation> alternatives;  ///< explanations that the verdict names, most probable first
-  std::optional<Explanation> agreed;      ///< if ambiguous: the certain causes, if the alternatives have further ones
-  std::vector<Explanation> closest;       ///< most probable fitted models, regardless of the verdict
+  /// If ambiguous: the causes that are certain, unless all causes of the first alternative are.
+  std::optional<Explanation> agreed;
+  std::vector<Explanation> closest;  ///< most probable fitted models, regardless of the verdict
   std::vector<RankedEffect> ranking;
   std::vector<DetectableEffect> detectable;
   std::vector<std::string> not_tried;
-  std::vector<int> set_aside;  ///< indices of the readings left out as outliers
+  std::vector<int> set_aside;  ///< indices of the readings excluded as outliers
   Remainder remainder;
-  /// Analysis of repeated readings if only scatter above the stated noise remains, which then counts as noise.
+  /// Analysis of repeated readings; set only if nothing but scatter above the stated noise remains, which then counts
+  /// as noise.
   Repeats repeats;
   ErrorSize before, after, heldout_before, heldout_after, farthest_before;
   double noise_floor = kNotKnown;  ///< root mean square of the stated noise [m]
-  /// Root-mean-square error of each coordinate [m] that exceeds the stated noise and depends on nothing that the
-  /// readings state.
+  /// Root-mean-square error of each coordinate [m] in excess of the stated noise, independent of all quantities that
+  /// the readings state.
   double model_error = 0;
   double chi2 = 0;  ///< chi-square of the baseline relative to the stated noise
   double p_value = kNotKnown;
   int degrees_of_freedom = 0;
   double nothing_probability = kNotKnown;  ///< probability that nothing is missing
   double nothing_criterion = kNotKnown;    ///< Explanation::criterion of the model with nothing missing
-  /// Probability that an unknown effect is missing that depends on quantities stated by the readings.
+  /// Probability that the model lacks an unknown effect that depends on quantities stated by the readings.
   double unknown_probability = kNotKnown;
-  /// Probability that an unknown effect is missing that depends on no quantity stated by the readings.
+  /// Probability that the model lacks an unknown effect that depends on no quantity stated by the readings.
   double scatter_probability = kNotKnown;
   DiagnosisViews views;
 

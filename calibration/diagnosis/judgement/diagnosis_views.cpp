@@ -75,7 +75,7 @@ VectorXd signatureOf(const FittedBasis& basis, const FoundEffect& found, const P
 }
 
 /// Returns true if reading `k` is kept when only the fraction `share` of all readings is kept. The kept readings are
-/// evenly spaced, with a golden-ratio step that is not in phase with patterns in the readings.
+/// spread evenly by a golden-ratio step, which does not coincide with periodic patterns in the readings.
 bool isKept(std::size_t k, double share) {
   constexpr double kGolden = 0.6180339887498949;
   const double turn = kGolden * static_cast<double>(k);
@@ -84,7 +84,7 @@ bool isKept(std::size_t k, double share) {
 
 std::vector<AddedVariablePoint> addedPointsOf(const FittedBasis& basis, const std::vector<int>& given,
                                               const VectorXd& signature, const VectorXd& left, int most_points) {
-  // The number of kept readings is only approximate, so slightly fewer than the limit are requested.
+  // The number of kept readings is only approximate, so the limit is undercut by one percent.
   const bool is_thinned = signature.size() > most_points;
   const double share = is_thinned ? 0.99 * most_points / static_cast<double>(signature.size()) : 1;
   std::vector<AddedVariablePoint> points;

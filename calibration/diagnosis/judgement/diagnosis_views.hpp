@@ -25,7 +25,8 @@ struct ReadingView {
   std::vector<double> turn_after;
 };
 
-/// One whitened coordinate, without the component that the free parameters can absorb [noise sigmas].
+/// Point of an added-variable plot: one whitened coordinate, without the component that the free parameters can absorb
+/// [noise sigmas].
 struct AddedVariablePoint {
   int reading = -1;
   double signature = 0;  ///< change due to the effect at its fitted size
@@ -39,7 +40,8 @@ struct AddedVariable {
   double slope = kNotKnown;           ///< slope of `left` against `signature`; near 1 if the size is correct
   double length = 0;                  ///< length of the signature [noise sigmas]
   double kept_fraction = 0;           ///< fraction of the signature's length that the free parameters do not absorb
-  std::vector<AddedVariablePoint> points;  ///< points of whole readings, thinned out evenly if there are too many
+  /// Points of whole readings; if there are too many points, evenly spaced readings are kept.
+  std::vector<AddedVariablePoint> points;
 };
 
 struct DiagnosisViews {

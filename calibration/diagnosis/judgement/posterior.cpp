@@ -77,7 +77,7 @@ std::set<int> impliedBy(const DiagnosisWork& work, const std::vector<int>& cause
   return implied;
 }
 
-/// Returns the causes that are certain, given that something is missing, except those implied by another certain cause.
+/// Returns the causes that are certain if anything is missing, except those implied by another certain cause.
 std::vector<int> sureCauses(const DiagnosisWork& work, const Posterior& posterior) {
   std::map<int, double> probability;
   for (const auto* classes : {&posterior.classes, &posterior.others})

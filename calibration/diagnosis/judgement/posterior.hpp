@@ -17,13 +17,13 @@ inline constexpr double kLeastLikely = 0.02;
 
 struct Posterior {
   double nothing = 0;  ///< probability that nothing is missing
-  /// Probability that an unknown effect is missing that depends on quantities stated by the readings.
+  /// Probability that the model lacks an unknown effect that depends on quantities stated by the readings.
   double unknown = 0;
-  /// Probability that an unknown effect is missing that depends on no quantity stated by the readings.
+  /// Probability that the model lacks an unknown effect that depends on no quantity stated by the readings.
   double scatter = 0;
   std::vector<ModelClass> classes;  ///< fitted classes with causes, most probable first
   std::vector<ModelClass> others;   ///< classes without a fitted model
-  ModelClass sure;                  ///< certain causes, regardless of what else is missing; empty: none
+  ModelClass sure;                  ///< causes that are certain, whatever else is missing; empty: none
   CompetingModel sure_model;        ///< model with the causes of `sure`
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostJudged = 3;
 
-/// Drops alternatives that do not lower the error on held-out readings, and adapts the verdict.
+/// Drops alternatives that do not lower the error on held-out readings, and changes the verdict accordingly.
 void dropWhatDoesNotHelp(Diagnosis& result) {
   const std::size_t before = result.alternatives.size();
   std::erase_if(result.alternatives, [&](const Explanation& explanation) {

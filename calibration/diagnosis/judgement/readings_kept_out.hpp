@@ -6,9 +6,9 @@
 
 namespace tubeplan::calibration {
 
-/// Sets the errors before and after adding each explanation, evaluated on the held-out readings. Without held-out
-/// readings, the errors are evaluated fold by fold. The errors at the farthest quarter of the poses are set as well.
-/// Drops explanations that do not lower the error, which may change the verdict.
+/// Sets the errors before and after adding each explanation, evaluated on the held-out readings or, if there are none,
+/// by cross-validation. Also sets the errors at the quarter of the poses that reach farthest. Drops explanations that
+/// do not lower the error, which may change the verdict.
 void judgeByReadingsKeptOut(const DiagnosisWork& work, const std::vector<Measurement>& kept_out, Diagnosis& result);
 
 }  // namespace tubeplan::calibration

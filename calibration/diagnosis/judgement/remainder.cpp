@@ -17,7 +17,7 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-/// Errors that a model leaves, with the Jacobian with respect to all fitted parameters.
+/// Errors that remain with a model, with their Jacobian with respect to all fitted parameters.
 struct Left {
   PlacedArm placed;
   WhitenedResidual residual;
@@ -52,8 +52,8 @@ std::vector<std::pair<std::string, double>> patternsLeftBy(const DiagnosisWork& 
   return followed;
 }
 
-/// Replaces the followed variables by the results of a pattern search if the first two variables account for less than
-/// half of the remainder, because many small terms point to no variable.
+/// If the first two variables account for less than half of the remainder, replaces the variables by the results of a
+/// pattern search, because many small terms do not single out a variable.
 void preferPatterns(const DiagnosisWork& work, const CompetingModel& model, Remainder& remainder) {
   double first_two = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(2, remainder.follows.size()); ++k)

@@ -14,7 +14,8 @@ namespace tubeplan::calibration {
 /// Compares the errors of a model with the scatter of repeated readings.
 [[nodiscard]] Repeats repeatsBy(const DiagnosisWork& work, const CompetingModel& model);
 
-/// Analyses the errors of a model at equal postures; the errors of the baseline if the model has no causes or no fit.
+/// Analyses whether the errors of a model repeat at equal postures. Uses the errors of the baseline if the model has no
+/// causes or no fit.
 [[nodiscard]] SamePosture samePostureBy(const DiagnosisWork& work, const CompetingModel& model);
 
 }  // namespace tubeplan::calibration

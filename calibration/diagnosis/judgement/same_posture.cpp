@@ -13,8 +13,8 @@ using Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-/// Returns the reading without load, wrench, approach directions and point, so that only its posture distinguishes it
-/// from other readings.
+/// Returns the reading without load, wrench, approach directions and point, so that it differs from other readings only
+/// by its posture.
 Measurement byPostureAlone(Measurement reading) {
   reading.load = 0;
   reading.wrench = {};

@@ -9,9 +9,10 @@ namespace tubeplan::calibration {
 
 /// One-way analysis of variance of the errors over postures (Fisher 1925; Searle, Casella and McCulloch 1992).
 struct SamePosture {
-  int postures = 0;            ///< number of postures with two or more readings
-  double share = 0;            ///< fraction of the errors' variance that is common to all readings of a posture
-  double p_value = kNotKnown;  ///< probability of such a fraction by chance; NaN: fewer than two postures were repeated
+  int postures = 0;  ///< number of postures with two or more readings
+  double share = 0;  ///< fraction of the errors' variance that is common to all readings of a posture
+  /// Probability of so large a fraction by chance; NaN if fewer than two postures were repeated.
+  double p_value = kNotKnown;
 
   /// Returns true if chance cannot explain the common fraction (p < 1e-4).
   [[nodiscard]] bool isSure() const { return p_value < 1e-4; }

@@ -1,6 +1,6 @@
 // Models that compete to explain the readings: nothing missing, each single cause, several causes together. Each may
-// include an unknown discrepancy and a larger noise than stated. The evidence about one linearisation selects the
-// leading models. The evidence of each leading model is then computed about a separate fit.
+// include an unknown discrepancy and a larger noise than stated. The leading models are selected by their evidence
+// about a single linearisation. The evidence of each leading model is then computed about a separate fit.
 #pragma once
 
 #include <cmath>
@@ -25,7 +25,7 @@ struct ModelTerm {
   bool operator==(const ModelTerm&) const = default;
 };
 
-/// Hypothesis that a term of a model is not a cause but only partly similar to an unknown effect.
+/// Hypothesis that a term of a model is not a cause, but only resembles an unknown effect.
 struct Likeness {
   std::size_t term = 0;
   double log_weight = 0;  ///< log(prior x evidence)
@@ -33,7 +33,7 @@ struct Likeness {
 
 struct CompetingModel {
   std::vector<ModelTerm> terms;  ///< causes of the model; empty: no known cause is missing
-  double log_share = 0;          ///< log prior fraction of these terms among all variants of their causes
+  double log_share = 0;          ///< log of the fraction of the causes' prior probability that goes to these terms
   double log_prior = 0;
   double log_evidence = 0;             ///< log evidence, summed over noise assumptions and discrepancies
   double discrepancy_probability = 0;  ///< probability that an unknown effect is missing as well
@@ -48,18 +48,18 @@ struct CompetingModel {
   Eigen::VectorXd remainder;  ///< most probable whitened errors due to the discrepancy, for a fitted model; empty: none
   Eigen::VectorXd remainder_left;   ///< component of `remainder` that the fitted parameters do not absorb
   Eigen::VectorXd remainder_terms;  ///< weights of the process's terms in `remainder`
-  /// Hypotheses that a term is only similar to an unknown effect, for a fit with a discrepancy.
+  /// For a fit with a discrepancy: for each term, the hypothesis that it only resembles an unknown effect.
   std::vector<Likeness> likenesses;
   Explanation fit;  ///< fit of a leading model together with all free parameters
   bool is_fitted = false;
   double gain_by_fit = 0;  ///< log evidence about the fit minus log evidence about the baseline's linearisation
 
   [[nodiscard]] double logWeight() const { return log_prior + log_evidence; }
-  /// Returns true if the model was fitted successfully; a model without a fit explains nothing.
+  /// Returns true if the model was fitted successfully. A model without a fit provides no explanation.
   [[nodiscard]] bool hasFit() const { return is_fitted && std::isfinite(log_evidence); }
 };
 
-/// Returns the log prior probability that this number of causes is missing.
+/// Returns the log prior probability that exactly this number of causes is missing.
 [[nodiscard]] double logPriorOfCount(std::size_t causes);
 
 /// Returns the indices of the causes of these terms, ascending.
@@ -72,8 +72,8 @@ struct NoiseHypothesis {
   ReadingWeights weights;
   Eigen::MatrixXd principal_terms;  ///< principal terms of the discrepancy (terms x principal terms)
   Eigen::MatrixXd discrepancy;      ///< whitened columns of the principal terms, with the rows of `weights`
-  /// Discrepancies with a single source each; null for very many readings, with which the discrepancy of all terms
-  /// distinguishes equally well.
+  /// Discrepancies with a single source each; null for very many readings, because the discrepancy with all terms then
+  /// discriminates equally well.
   std::unique_ptr<SingleSources> sources;
   EvidenceOptions options;
   std::unique_ptr<LinearEvidence> evidence;

@@ -1,4 +1,4 @@
-// Options of a diagnosis.
+// Options for diagnosing which physical effects a model lacks.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@ namespace tubeplan::calibration {
 
 struct DiagnosisOptions {
   IdentificationOptions baseline;  ///< baseline fit; its free parameters stay free in the fits with causes
-  double sure = 0.9;               ///< smallest probability at which a cause, or a set of alternatives, is named
-  /// Smallest probability at which alternatives are named even though errors may remain unexplained.
+  double sure = 0.9;  ///< a cause, or a set of alternatives, is named only if its probability reaches this value
+  /// Smallest total probability at which alternatives are named, even though errors may remain unexplained.
   double likely = 0.7;
-  /// Smallest probability that nothing is missing at which the model is judged adequate.
+  /// The model is judged adequate only if nothing is missing with at least this probability.
   double nothing = 0.5;
   int most_causes = 3;    ///< maximum number of causes in one explanation
   int most_leaders = 14;  ///< maximum number of models that are fitted

@@ -18,9 +18,10 @@ namespace {
 
 constexpr std::size_t kFitsAtOnce = 6;  // number of models that are fitted in parallel
 constexpr int kManyRows = 20000;        // number of rows above which fewer leading models are fitted
-constexpr double kLeaderWindow = 8;     // distance in log weight from the best model within which models are fitted
-// Distance in log weight from the best model within which models are fitted, relative to its gain over the model with
-// nothing missing. The error of linear evidence grows with this gain.
+// Models whose log weight is lower than the best one's by less than this are fitted.
+constexpr double kLeaderWindow = 8;
+// As kLeaderWindow, as a fraction of the best model's gain in log weight over the model with nothing missing, because
+// the error of linear evidence grows with this gain.
 constexpr double kLeaderShare = 0.075;
 
 /// Returns the terms that have at least one significant parameter in the fit.

@@ -1,4 +1,4 @@
-// Leading models among the competing ones, each with evidence that is linearised about a separate fit.
+// Leading models among the competing ones, with the evidence of each linearised about its own fit.
 #pragma once
 
 #include "calibration/diagnosis/model_selection/competing_models.hpp"
@@ -14,9 +14,9 @@ void fitLeaders(DiagnosisWork& work);
 /// has no fit if one of the effects is not among the causes.
 [[nodiscard]] CompetingModel fittedModelOf(const DiagnosisWork& work, const std::vector<deflection::Effect>& effects);
 
-/// Returns the distance in log weight from the best model within which models are fitted, because linear evidence may
-/// be wrong by as much. `best` and `nothing` are the log weights of the best model and of the model with nothing
-/// missing.
+/// Returns by how much a model's log weight may fall short of the best model's for the model to be fitted: linear
+/// evidence may be wrong by this much. `best` and `nothing` are the log weights of the best model and of the model with
+/// nothing missing.
 [[nodiscard]] double leaderWindow(double best, double nothing);
 
 }  // namespace tubeplan::calibration

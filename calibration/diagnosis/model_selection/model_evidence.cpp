@@ -12,8 +12,8 @@ namespace tubeplan::calibration {
 namespace {
 
 // Prior of an effect's size, as a mixture of normal distributions. Each pair is a standard deviation, in units of the
-// largest usual size, and its weight. The mixture covers all orders of magnitude up to that of real machines, and
-// rarely far beyond.
+// largest usual size, and its weight. The mixture covers all orders of magnitude up to the sizes found on real
+// machines, and gives larger sizes little weight.
 constexpr std::array<std::array<double, 2>, 5> kSizes{
     {{0.5, 0.3}, {0.15, 0.25}, {0.05, 0.2}, {0.012, 0.15}, {4, 0.1}}};
 

@@ -14,8 +14,8 @@ struct WeighedDiscrepancy : Evidence {
   SourceEvidence source;
 };
 
-/// Returns `evidence` with the discrepancies of a single source added. `single` is the evidence of the sources relative
-/// to the model without a discrepancy.
+/// Returns `evidence` extended by discrepancies with a single source. `single` is the evidence of these sources
+/// relative to the model without a discrepancy.
 [[nodiscard]] WeighedDiscrepancy withSources(const Evidence& evidence, const SourceEvidence& single,
                                              const EvidenceOptions& options);
 
@@ -30,8 +30,8 @@ void blendEvidence(const DiagnosisWork& work, bool has_effects, const EvidenceOf
 /// and sizes.
 [[nodiscard]] CompetingModel weigh(const DiagnosisWork& work, std::vector<ModelTerm> terms, double log_share);
 
-/// Returns a quick estimate of the log weight of a model with these terms, with only the noise and the size of the
-/// discrepancy that are most probable for the model `like`.
+/// Returns a quick estimate of the log weight of a model with these terms. It takes into account only the noise and the
+/// size of the discrepancy that are most probable for the model `like`.
 [[nodiscard]] double lookAt(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, double log_share,
                             const CompetingModel& like);
 

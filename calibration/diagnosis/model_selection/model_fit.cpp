@@ -25,13 +25,13 @@ constexpr int kIterations = 20;
 constexpr double kSmallFall = 0.03;  // decrease of chi-square in one step below which the fit ends
 // Prior standard deviation of an effect's size during the fit, in units of the largest usual size.
 constexpr double kFarSize = 4;
-// Bound of an effect's size, in units of the largest usual size. No machine exceeds it, and it keeps the fit from
+// Bound of an effect's size, in units of the largest usual size. No machine exceeds it. The bound keeps the fit from
 // shrinking the arm to a point.
 constexpr double kMostSize = 10;
 // Typical length of the part of an unknown effect that the most similar known effect reproduces, relative to the length
 // of the part that stays unexplained; both lengths are in noise sigmas.
 constexpr double kLikeness = 0.7;
-// Logarithm of 100: the size of an independent cause lies anywhere within two orders of magnitude.
+// Logarithm of 100: the size of an independent cause may lie anywhere within two orders of magnitude.
 constexpr double kOrders = 4.6;
 // Probability that scatter is due to an unknown effect rather than to understated noise.
 constexpr double kUnknownScatter = 0.5;
@@ -208,8 +208,8 @@ double logOddsOfLikeness(double length, double left) {
 }
 
 /// Weighs, for each term of a model with a discrepancy, the hypothesis that the term only resembles an unknown effect.
-/// The search then finds the most similar known effect, with a discrepancy for the rest. The length of such a term is
-/// of the order of the discrepancy, whereas that of an independent cause may be of any order.
+/// In this case, the search has found the known effect that is most similar, with a discrepancy for the rest. The
+/// length of such a term is of the order of the discrepancy, whereas that of an independent cause may be of any order.
 void weighLikenesses(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<AtOptimum>& at,
                      CompetingModel& model) {
   const double remains = model.discrepancy_probability + kUnknownScatter * model.scatter_probability;

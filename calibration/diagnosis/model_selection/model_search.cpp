@@ -17,12 +17,12 @@ namespace tubeplan::calibration {
 
 namespace {
 
-// The search ends if the log weight of the best model with one cause is farther than this below that of the model with
-// nothing missing.
+// The search ends if the best model with one cause has a log weight that is lower by more than this than that of the
+// model with nothing missing.
 constexpr double kHopeless = 5;
-// Maximum number of models, of single and of collective causes each, that are extended by another cause.
+// Maximum number of models that another cause is added to, counted separately for single and for collective causes.
 constexpr std::size_t kMostSeeds = 20;
-// Maximum number of extensions, of single and of collective causes each, that are kept after the quick estimate.
+// Maximum number of extended models that are kept after the quick estimate, counted in the same way.
 constexpr std::size_t kMostLooked = 40;
 
 /// Returns quick estimates of each seed extended by the best term of every cause: for each seed in turn, one estimate

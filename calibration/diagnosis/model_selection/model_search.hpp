@@ -1,5 +1,5 @@
-// Search for competing models by evidence that is linearised about the baseline. It starts with nothing missing and
-// adds one cause at a time.
+// Search for competing models by evidence that is linearised about the baseline. The search starts with nothing missing
+// and adds one cause at a time.
 #pragma once
 
 #include <limits>
@@ -18,8 +18,8 @@ struct Looked {
   double log_share = 0, log_weight = -std::numeric_limits<double>::infinity();
 };
 
-/// Returns the terms of `seed` extended by the best term of `cause`, with the estimated weight. If `of_all` is true,
-/// all terms of the cause are tried, otherwise only some.
+/// Returns the terms of `seed` extended by the best term of `cause`, with the estimated weight. Tries all terms of the
+/// cause if `of_all` is true, otherwise only some.
 [[nodiscard]] Looked bestBeside(const DiagnosisWork& work, const CompetingModel& seed, int cause, bool of_all);
 
 }  // namespace tubeplan::calibration

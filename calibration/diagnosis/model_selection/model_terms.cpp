@@ -9,7 +9,7 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr double kLeastVisible = 1;  // smallest visibility of a cause at its largest usual size [noise sigmas]
-constexpr int kMostNumbers = 8;      // largest number of parameters of a cause of which subsets are tried
+constexpr int kMostNumbers = 8;      // if a cause has more parameters than this, no subsets are tried
 
 /// Returns the subsets of a cause's parameters to try. For up to four parameters: all subsets. For more: each parameter
 /// alone, and all together. For a cause of several effects, or with more than kMostNumbers parameters: only all

@@ -1,4 +1,4 @@
-// Variants of a cause in a model: at a level of its scanned parameter, with some or all of its other parameters.
+// Variants of a cause in a model: each has one level of the scanned parameter and some or all of the other parameters.
 #pragma once
 
 #include "calibration/diagnosis/model_selection/competing_models.hpp"
@@ -11,7 +11,7 @@ struct WeighedTerm {
   double log_share = 0;
 };
 
-inline constexpr std::size_t kManyTerms = 60;  ///< number of variants from which on only some are estimated
+inline constexpr std::size_t kManyTerms = 60;  ///< if a cause has this many variants or more, only some are estimated
 
 /// Returns every variant of a cause.
 [[nodiscard]] std::vector<WeighedTerm> termsOf(const DiagnosisWork& work, int cause);
@@ -20,7 +20,7 @@ inline constexpr std::size_t kManyTerms = 60;  ///< number of variants from whic
 /// every fourth level with one or with all parameters.
 [[nodiscard]] std::vector<WeighedTerm> someTermsOf(const DiagnosisWork& work, int cause);
 
-/// Returns the log prior fraction of these terms among all variants of their causes.
+/// Returns the log of the fraction of the causes' prior probability that goes to these terms.
 [[nodiscard]] double logShareOf(const DiagnosisWork& work, const std::vector<ModelTerm>& terms);
 
 /// Returns the same terms, each with all parameters of its cause.
@@ -33,13 +33,13 @@ inline constexpr std::size_t kManyTerms = 60;  ///< number of variants from whic
 
 [[nodiscard]] bool hasEffects(const DiagnosisWork& work, const std::vector<ModelTerm>& terms);
 
-/// Returns true if a cause at its largest usual size would change the readings visibly, beyond what the fitted
-/// parameters absorb.
+/// Returns true if a cause at its largest usual size would change the readings by a visible amount that the fitted
+/// parameters cannot absorb.
 [[nodiscard]] bool isVisible(const DiagnosisWork& work, int cause);
 
 [[nodiscard]] bool mayStandTogether(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, int cause);
 
-/// Returns true if one of the terms stands for several single causes: an effect at every joint, or the whole geometry.
+/// Returns true if one of the terms represents several single causes: an effect at every joint, or the whole geometry.
 [[nodiscard]] bool saysManyAtOnce(const DiagnosisWork& work, const std::vector<ModelTerm>& terms);
 
 }  // namespace tubeplan::calibration

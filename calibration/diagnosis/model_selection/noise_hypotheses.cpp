@@ -156,8 +156,8 @@ double noiseOfCoordinate(const DiagnosisWork& work) {
   return noiseFloor(work.basis.readings, work.basis.weights) / lengthOfRows(work.basis.readings);
 }
 
-/// Returns the error of a coordinate beyond the stated noise [m] that explains this chi-square; 0 if the noise
-/// suffices.
+/// Returns the error of a coordinate in excess of the stated noise [m] that explains this chi-square; 0 if the stated
+/// noise suffices.
 double errorBeyondNoise(const DiagnosisWork& work, double chi2, double freedom) {
   if (freedom < 3 || !(chiSquareTail(chi2, freedom) < kLackOfFit)) return 0;
   return noiseOfCoordinate(work) * std::sqrt(std::max(0.1, chi2 / freedom - 1));
@@ -201,7 +201,7 @@ bool addNoise(DiagnosisWork& work, double model_error, double log_prior) {
   return true;
 }
 
-/// Returns the error of a coordinate [m] beyond the stated noise that remains even with the largest unknown
+/// Returns the error of a coordinate [m] in excess of the stated noise that remains even with the largest unknown
 /// discrepancy.
 double errorBeyondRichest(const DiagnosisWork& work) {
   const RichestFit richest = work.noise.front().evidence->richest();

@@ -14,9 +14,9 @@ namespace tubeplan::calibration {
 /// cannot be evaluated. Throws WorkStopped on a request to stop.
 bool linearize(DiagnosisWork& work);
 
-/// Returns the error of a coordinate [m] that the best fitted model leaves beyond the stated noise; 0 if the noise
-/// suffices. With few readings an unknown discrepancy can absorb any noise, so the evidence must decide between a
-/// discrepancy and a larger noise.
+/// Returns the error of a coordinate [m] in excess of the stated noise that the best fitted model leaves; 0 if the
+/// stated noise explains the residuals. With few readings an unknown discrepancy can absorb any noise, so the evidence
+/// must decide between a discrepancy and a larger noise.
 [[nodiscard]] double errorBeyondBest(const DiagnosisWork& work);
 
 /// Adds the assumption that each coordinate has an error `model_error` [m] in addition to the stated noise. Returns

@@ -10,7 +10,8 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kBeyondUsual = 2;      // margin above the largest usual size [standard deviations of the size]
+// A size is unusual if it exceeds the largest usual one by more than this many sigmas.
+constexpr double kBeyondUsual = 2;
 constexpr double kShapePrior = 3;       // prior standard deviation of a knee, in units of Unknown::typical
 constexpr std::size_t kMostTimes = 12;  // maximum number of times of a step that are tried at once
 
@@ -40,8 +41,8 @@ std::size_t bestTime(const DiagnosisWork& work, Cause cause, const ModelTerm& te
 }
 
 /// Returns the time of a step as precisely as the readings' times allow: any time between two consecutive readings has
-/// the same effect. The gaps near the time of the term's level are tried. If there are very many gaps, a subset is
-/// tried first, then all gaps between the neighbours of the best.
+/// the same effect. Tries the gaps near the time of the term's level. If there are very many gaps, a subset is tried
+/// first, then all gaps between the neighbours of the best.
 double refinedTime(const DiagnosisWork& work, const CompetingModel& model, std::size_t index) {
   const ModelTerm& term = model.terms[index];
   const Cause& cause = work.cause(term.cause);

@@ -1,4 +1,5 @@
-// Arm with the effects of a competing model: the unknowns in addition to the baseline's, and the fitted terms.
+// Arm with the effects of a competing model, the unknowns in addition to the baseline's, and the description of the
+// fitted terms.
 #pragma once
 
 #include "calibration/diagnosis/model_selection/competing_models.hpp"

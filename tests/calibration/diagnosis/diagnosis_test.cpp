@@ -115,8 +115,8 @@ TEST(Diagnosis, RanksCausesWithTheirOwnSizes) {
   EXPECT_NEAR(both->size.value, 0.0009, 0.0002) << "the number that is largest beside its doubt";
 }
 
-/// A compliance of the forearm's tube acts like one of its bearing in all postures, so the diagnosis must report one
-/// cause with two names.
+/// A compliance of the forearm's tube has the same effect in all postures as a compliance of its bearing, so the
+/// diagnosis must report one cause with two names.
 TEST(Diagnosis, CausesThatNoReadingTellsApartAreOneWithBothNames) {
   const Diagnosis found = diagnosisOf("joint-compliance", "forearm.y", {4e-5}, 5);
   ASSERT_EQ(found.verdict, Verdict::kExplained);
@@ -137,8 +137,8 @@ TEST(Diagnosis, NamesNothingWhereNothingIsHidden) {
   EXPECT_LE(alarms, 2);  // at a rate of one in twenty, three or more alarms have a probability below 2 %
 }
 
-// An error that repeats at each posture under every load must be reported to follow the posture, not as scatter, even
-// if no smooth function of few joints fits it.
+// If an error repeats at each posture under every load, the diagnosis must report that the error follows the posture
+// and must not call it scatter, even if no smooth function of few joints fits it.
 TEST(Diagnosis, SaysThatWhatRepeatsAtAPostureFollowsIt) {
   const auto cell = shippedBench();
   std::vector<Measurement> readings;
@@ -175,8 +175,8 @@ TEST(Diagnosis, SaysThatReadingsScatterBeyondTheirNoise) {
   EXPECT_GT(found.remainder.size, 0.5 * found.noise_floor);
 }
 
-// With few readings and slightly understated noise, the prior may favour that nothing is missing. The verdict must
-// still not be adequate if chi-square shows a lack of fit.
+// With few readings and slightly understated noise, the prior may favour the hypothesis that nothing is missing. If
+// chi-square shows a lack of fit, the verdict must nevertheless not be adequate.
 TEST(Diagnosis, IsNotAdequateAtAChiSquareThatNoiseHardlyGives) {
   const auto cell = shippedBench();
   int hardly = 0;
@@ -210,8 +210,8 @@ TEST(Diagnosis, TakesTheScatterOfRepeatedReadingsForNoise) {
   EXPECT_GT(found.nothing_probability, 0.9);
 }
 
-// An error in waves too short for the smooth discrepancy must not be called scatter if a pattern search finds the
-// variable that it follows.
+// An error with waves too short for the smooth discrepancy must not be called scatter if a pattern search finds the
+// variable that the error follows.
 TEST(Diagnosis, DoesNotCallScatterWhatFollowsAPattern) {
   const auto cell = shippedBench();
   for (const auto& [cycles, follows] : {std::pair(3, "time"), std::pair(7, "cycles of time")}) {
@@ -241,8 +241,8 @@ TEST(Cause, FreesNumbersWithThePriorsOfTheFit) {
   EXPECT_EQ(placeCause(placed, cause, 0).front().prior_sigma, 1e-5);
 }
 
-// An unknown function of the joints could fit the larger noise of so few readings, but the diagnosis must consider
-// scatter more probable.
+// With so few readings, an unknown function of the joints could fit the larger noise, but the diagnosis must consider
+// scatter more probable than such a function.
 TEST(Diagnosis, SaysThatFewReadingsMayOnlyScatter) {
   const auto cell = shippedBench();
   for (const std::uint64_t seed : {4, 5, 6}) {
@@ -254,8 +254,8 @@ TEST(Diagnosis, SaysThatFewReadingsMayOnlyScatter) {
   }
 }
 
-// An error with three waves per turn of a joint must be reported to follow this joint, although two known effects
-// together nearly fit it.
+// The diagnosis must report that an error with three waves per turn of a joint follows this joint, although two known
+// effects together nearly fit the error.
 TEST(Diagnosis, SaysWhatAnUnknownErrorFollows) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 90, 6);
@@ -290,7 +290,8 @@ TEST(Diagnosis, SetsSeveralOutliersAsideAlsoWhereOneHidesAnother) {
   EXPECT_NE(found.verdict, Verdict::kUnexplained);
 }
 
-/// A reflector name that all postures share does not make the measured positions one fixed point.
+/// If all readings name the same reflector, the diagnosis must not take the measured positions for one fixed point, and
+/// must still find the hidden offset.
 TEST(Diagnosis, AReadingsOwnPlaceMayHaveTheReflectorsName) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "joint-offset", "theta4", {0.002}, 60, 5);
@@ -314,8 +315,8 @@ TEST(Diagnosis, TellsWhichEffectsTheReadingsCannotShow) {
   EXPECT_FALSE(mentions("joint-offset"));
 }
 
-// Only 64 of 1000 times are tried for a slip. A slip between two of them must be named alone, without a spurious link
-// length that makes up for the coarse time.
+// Only 64 of 1000 times are tried for a slip. If the slip lies between two of these times, the diagnosis must name only
+// the slip, without a spurious link length that makes up for the coarse time.
 TEST(Diagnosis, LeavesOutWhatOnlyACoarseTimeAskedFor) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 1000, 1);
@@ -332,8 +333,8 @@ TEST(Diagnosis, LeavesOutWhatOnlyACoarseTimeAskedFor) {
   EXPECT_NEAR(found.alternatives.front().effects.front().fitted.values[4], 499.5 * 60, 31);
 }
 
-// Backlash and stiffening of one axis are confounded in these readings. Hysteresis, which is certain with either, must
-// be reported as what the alternatives agree on.
+// These readings cannot distinguish backlash from stiffening of the same axis. The diagnosis must report hysteresis,
+// which is certain in either case, as the cause on which the alternatives agree.
 TEST(Diagnosis, SaysWhatTheAlternativesAgreeOn) {
   const auto cell = shippedBench();
   auto with_backlash = cell;
@@ -369,7 +370,8 @@ TEST(Diagnosis, FindsThreeErrorsOfGeometryAmongAllOfIt) {
   EXPECT_EQ(names, (std::vector<std::string>{"joint-offset@theta2", "joint-offset@theta4", "link-length@forearm"}));
 }
 
-// A base usually drifts by millimetres per hour, but a drift of a tenth of a millimetre per hour must still be named.
+// Bases usually drift by millimetres per hour, but the diagnosis must also name a drift of a tenth of a millimetre per
+// hour.
 TEST(Diagnosis, NamesASlowDrift) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 90, 4);
@@ -388,8 +390,8 @@ TEST(Diagnosis, SaysOneJointWhereTheOthersShowNothing) {
   for (const Explanation& explanation : found.alternatives) EXPECT_EQ(explanation.effects.size(), 1U);
 }
 
-// If one of two touches of an unknown point is an outlier, neither stands out, and a slip between them would explain
-// both. The two must be set aside, and no slip named.
+// If one of two touches of an unknown point is an outlier, neither stands out, and a slip between the two would also
+// explain the error. The diagnosis must set both touches aside and name no slip.
 TEST(Diagnosis, AnOutlierAmongTouchesIsNoSlip) {
   const PlacedArm start = cobra();
   ReadingMaker maker(start, 3, ReadingMaker::Noise::kStated);
@@ -405,8 +407,8 @@ TEST(Diagnosis, AnOutlierAmongTouchesIsNoSlip) {
   EXPECT_EQ(found.set_aside, (std::vector<int>{40, 41}));
 }
 
-// A length error of 6 times the largest usual size must be named as unusually large, but one of 14 times must not be
-// named, because no machine has it.
+// The diagnosis must name a length error of 6 times the largest usual size as unusually large, but must not name an
+// error of 14 times this size, because no machine has it.
 TEST(Diagnosis, NamesNoSizeThatNoMachineHas) {
   const auto& kinds = deflection::effectKinds();
   const auto kind =

@@ -1,4 +1,4 @@
-// An effect that the readings do not need must cause a warning; the true effect must not.
+// An effect that the readings do not need must cause a warning; the effect that is truly present must not.
 #include "calibration/diagnosis/effect_warnings.hpp"
 
 #include <gtest/gtest.h>
@@ -104,7 +104,7 @@ TEST(EffectWarnings, TwoRightEffectsAreBothNeeded) {
 }
 
 /// A diagnosis proposes no formulas, so a user's formula is judged by how much it lowers chi-square: a superfluous
-/// formula must cause a warning, the right one must not.
+/// formula must cause a warning, the correct one must not.
 TEST(EffectWarnings, AFormulaOfTheUsersIsNeededWhereItIsRight) {
   const WithEffects wave("theta3 += c*sin(theta3) + d*cos(theta3)");
   const auto readings = benchReadings(shippedBench(), "encoder-eccentricity", "theta3", {0.001, 0.0012}, 60, 7);

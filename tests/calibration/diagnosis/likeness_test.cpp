@@ -50,8 +50,8 @@ TEST(Likeness, IsNotWhatExplainsNearlyAll) {
   EXPECT_EQ(found.alternatives.front().effects.front().effect, "tool-offset");
 }
 
-// If the scale of the instrument varies with the distance by a hundred times the noise, three causes improve the
-// linearised fit, but no nonlinear fit confirms them. None of them may be named.
+// The error here is a variation of the instrument's scale with distance, a hundred times as large as the noise. Three
+// causes improve the linearised fit, but no nonlinear fit confirms them, so none of them may be named.
 TEST(Likeness, AndLinearisationMakeNoCauseOfAGrossUnknown) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 120, 2);

@@ -1,4 +1,4 @@
-// Causes that the readings can hardly distinguish must be reported as confounded, and no others.
+// Exactly those causes that the readings can hardly distinguish must be reported as confounded.
 #include "calibration/diagnosis/causes/confounding.hpp"
 
 #include <gtest/gtest.h>

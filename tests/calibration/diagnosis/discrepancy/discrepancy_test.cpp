@@ -55,7 +55,7 @@ TEST(Discrepancy, OfWaysIsTheDifferenceAtBothEnds) {
   EXPECT_GT(shareTaken(placed, readings), 0.99);
 }
 
-// A relative reading from a posture to itself must not change with the discrepancy.
+// If a relative reading starts and ends at the same posture, the discrepancy must not change it.
 TEST(Discrepancy, OfAWayToWhereItBeganIsNothing) {
   const PlacedArm placed = cobra();
   auto readings = ways(placed, 40, 4, ReadingMaker::Noise::kNone);

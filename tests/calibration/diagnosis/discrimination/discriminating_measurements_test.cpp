@@ -1,5 +1,5 @@
-// Measurements that are proposed to discriminate between open explanations must lead to the hidden effect more often
-// than the same number of random readings, if they are simulated with the true arm.
+// If the proposed measurements are simulated with the true arm, they must identify the hidden effect more often than
+// the same number of random readings.
 #include "calibration/diagnosis/discrimination/discriminating_measurements.hpp"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,8 @@ struct Bench {
   boost::random::uniform_real_distribution<double> uniform{-1, 1};
 };
 
-/// Returns true if the truth is the first explanation and no other explanation that was open before remains.
+/// Returns true if the first explanation is the truth and no other explanation in `open` remains among the
+/// alternatives.
 bool isNamed(const Diagnosis& diagnosis, const std::vector<Explanation>& open, const std::string& truth) {
   if (diagnosis.alternatives.empty() || nameOf(diagnosis.alternatives.front()) != truth) return false;
   return std::none_of(diagnosis.alternatives.begin(), diagnosis.alternatives.end(), [&](const Explanation& left) {
@@ -143,8 +144,8 @@ TEST(DiscriminatingMeasurements, AreToldWhatTheyWouldDo) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(few.readings[k].candidate, many.readings[k].candidate);
   EXPECT_GT(few.readings.front().separation, 3);
   EXPECT_GT(many.probability, few.probability);
-  // Whichever of two explanations is true, the expected divergence between them must not be negative or decrease with
-  // more readings.
+  // The expected divergence between two explanations must not be negative, and must not decrease with more readings,
+  // whichever of the two is true.
   for (const auto& pair : few.pairs) EXPECT_GE(pair.expected, pair.now - 1e-9);
   for (std::size_t k = 0; k < few.pairs.size(); ++k) EXPECT_GE(many.pairs[k].expected, few.pairs[k].expected - 1e-9);
 }

@@ -149,7 +149,8 @@ TEST(LinearEvidence, AtOneSizeCountsThatOneAndNoneAlone) {
   }
 }
 
-/// If the options state no sizes of a discrepancy and no noise scales, the evidence must include neither.
+/// If the options list no sizes of a discrepancy and no noise scales, the evidence must be that of the stated noise
+/// without a discrepancy.
 TEST(LinearEvidence, HasNoDiscrepancyWhereNoSizeIsTried) {
   KnownReadings readings(5);
   readings.options = {};
@@ -253,7 +254,7 @@ TEST(LinearEvidence, PrincipalTermsAreSquareToOneAnotherAndStandForAll) {
   EXPECT_TRUE(readings.evidence().principalTerms(2).isApprox(terms.leftCols(2), 1e-12));
 }
 
-/// Redundant or zero terms of the discrepancy must change nothing; of many terms, the largest must be kept.
+/// Redundant terms and zero terms must not change the evidence. If there are too many terms, the largest must be kept.
 TEST(LinearEvidence, TermsOfTheDiscrepancyMayBeAlike) {
   KnownReadings readings(12), alike(12);
   alike.Z.resize(20, 40);

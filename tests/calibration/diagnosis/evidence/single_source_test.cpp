@@ -1,5 +1,5 @@
-// The evidence of a single source added to a model must equal the ratio of the normal densities with and without the
-// source.
+// The evidence of a model with one source, relative to the model without it, must equal the ratio of the corresponding
+// normal densities.
 #include "calibration/diagnosis/evidence/single_source.hpp"
 
 #include <gtest/gtest.h>

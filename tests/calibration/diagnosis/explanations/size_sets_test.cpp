@@ -1,5 +1,5 @@
-// An effect must have several sets of values if the readings do not show the direction of the tip's offset, and one set
-// if they do.
+// The diagnosis must report several sets of values for an effect if the readings do not show the direction of the tip's
+// offset, and one set if they do.
 #include "calibration/diagnosis/explanations/size_sets.hpp"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ TEST(SizeSets, OfStepsHoldTheTruthWhicheverWayTheBaseSlipped) {
     for (const auto& [axis, by] : slip) text += fmt::format("{}={}in,", axis, by);
     const auto result = diagnosisOf(slippedSet(text + "time=60", MeasurementKind::kSteps, 100, 3));
     const FoundEffect* found = slipOf(result);
-    if (!found) continue;  // a withheld answer is not wrong
+    if (!found) continue;  // an effect that is not named is not a wrong answer
     ++told;
     for (const char* axis : {"x", "y"})
       EXPECT_TRUE(holds(numberOf(*found, axis), slip.contains(axis) ? slip.at(axis) * kInch : 0)) << text << axis;
@@ -92,8 +92,9 @@ std::vector<Measurement> countsAtPredictedTips(const app::Cell& cell, int visits
   return readings;
 }
 
-// A slip of any size between two tolerances, in any horizontal direction, gives the same step counts. The diagnosis
-// must report the range of all these slips, and that the offset in a camera image would decide between them.
+// All slips whose length lies between two tolerances give the same step counts, whatever their horizontal direction.
+// The diagnosis must report the range of all these slips, and that the offset in a camera image would decide between
+// them.
 TEST(SizeSets, OfEqualCountsAreARing) {
   app::Cell cell = shippedCell("mockup.yaml");
   cell.base_known = true;
@@ -112,7 +113,7 @@ TEST(SizeSets, OfEqualCountsAreARing) {
   EXPECT_TRUE(std::ranges::count(found->decided_by, MeasurementKind::kOffset));
 }
 
-// Offsets in a camera image show the direction of a slip, so the diagnosis must report a single set of values.
+// Offsets in a camera image show the direction of a slip, so the diagnosis must report a single set of values for it.
 TEST(SizeSets, OfOffsetsAreOne) {
   for (const auto* slip : {"x=0.04in,time=60"}) {
     const auto result = diagnosisOf(slippedSet(slip, MeasurementKind::kOffset, 60, 3));

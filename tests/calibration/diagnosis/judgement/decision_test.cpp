@@ -1,4 +1,4 @@
-// The verdict must follow from the probabilities of the causes, which in each case can be added up by hand.
+// The verdict must follow from the probabilities of the causes; in each case these can be added up by hand.
 #include "calibration/diagnosis/judgement/decision.hpp"
 
 #include <gtest/gtest.h>
@@ -120,7 +120,7 @@ TEST(Decide, CausesBeyondThoseOfAMoreProbableClassCountToIt) {
   Posterior others = posteriorWith(0, {classOf({1}, 0.5), classOf({2}, 0.25)});
   EXPECT_EQ(decided(others).verdict, Verdict::kAmbiguous);
   others.others = {notFitted({1, 2}, 0.2), notFitted({3}, 0.05)};
-  const Diagnosis with = decided(others);  // 0.95 is named; cause 3 alone has no fitted model
+  const Diagnosis with = decided(others);  // the named classes have 0.95 together; cause 3 alone has no fitted model
   EXPECT_EQ(with.verdict, Verdict::kAmbiguous);
   EXPECT_EQ(alternativesOf(with), (Names{"1", "2"}));
   // A class must become the first one if classes that extend it raise its probability above the others.
