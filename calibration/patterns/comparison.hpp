@@ -1,5 +1,5 @@
 // Comparison of a model with readings: where the model fails, by how much, and which variables its error follows. The
-// model is compared as it stands, and after a refit of the free parameters.
+// model is compared both unchanged and after a refit of the free parameters.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@
 namespace tubeplan::calibration {
 
 struct ComparisonOptions {
-  IdentificationOptions refit;               ///< options of the refit, which is left out if no parameter is free
-  double level = kPatternLevel;              ///< significance level of each test that may reject a correct model
-  WorkHooks hooks;                           ///< hooks of the comparison, also used by the refit
+  IdentificationOptions refit;   ///< options of the refit, which is skipped if no parameter is free
+  double level = kPatternLevel;  ///< significance level of each test: probability that the test rejects a correct model
+  WorkHooks hooks;               ///< hooks of the comparison, also used by the refit
   const Identification* refitted = nullptr;  ///< result of the refit, if it exists already; null: the refit is made
 };
 
@@ -71,12 +71,12 @@ struct Comparison {
   std::vector<ComparedReading> readings;
   std::vector<int> worst;  ///< indices of the fitted readings, largest whitened error after the refit first
   PatternSearch patterns;  ///< patterns in the residual after the refit
-  /// Residual as joint corrections before and after the refit; columns in the order of `used`.
+  /// Residual converted to joint corrections, before and after the refit; columns in the order of `used`.
   JointEquivalents joints_before, joints_after;
   std::vector<int> used;                 ///< indices of the readings that are not held out
   Adequacy verdict = Adequacy::kNotRun;  ///< verdict after the refit
   std::vector<std::string> grounds;      ///< reasons for any verdict other than kAdequate, one clause each
-  bool noise_disagrees = false;          ///< true: the scatter of repeats rejects the stated noise and replaces it
+  bool noise_disagrees = false;          ///< true: the scatter of repeats contradicts the stated noise and replaces it
 };
 
 /// Returns the lack of fit of an identified model to its own readings, judged as by compare(). Adequacy::kNotRun if the

@@ -1,6 +1,6 @@
 // Error that depends on a condition stated by the readings: one pattern for each row of deflection/conditions.hpp.
 //
-// Basis: the condition itself; for conditions with slow effects (a drift, a slip of the base), slow waves over the
+// Basis: the condition itself or, for conditions with slow effects (a drift, a slip of the base), slow waves over the
 // range of the condition. If there are enough readings, faster waves of up to twelve cycles form a second variable.
 #pragma once
 

@@ -1,7 +1,7 @@
 // Error that is the same at every reading: in the world frame, in radial axes around the vertical through the base, or
 // in the tool frame.
 //
-// Basis: 1.
+// Basis: the constant 1.
 #pragma once
 
 #include "calibration/patterns/pattern.hpp"

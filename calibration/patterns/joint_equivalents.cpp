@@ -12,8 +12,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// Smallest squared lever arm of the joints, relative to the largest, at which an error in a direction is converted to
-// joint angles.
+// An error along a direction is converted to joint angles only if the joints' squared lever arm in this direction
+// exceeds this fraction of the largest one.
 constexpr double kLeastLever = 1e-4;
 
 struct Turned {

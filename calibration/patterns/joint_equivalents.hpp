@@ -1,4 +1,4 @@
-// The residual converted to joint angles: the error of every joint reading if there were no other cause.
+// The residual converted to joint angles: the error that each joint reading would have if nothing else were wrong.
 //
 // With J the tip's Jacobian with respect to the joints, S the encoders' covariance and e the residual, dq = -S J^T (J S
 // J^T)^+ e is the smallest correction of the joint readings, in encoder sigmas, that moves the predicted tip to the

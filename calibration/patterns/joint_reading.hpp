@@ -11,7 +11,7 @@
 
 namespace tubeplan::calibration::patterns::joint_reading {
 
-inline constexpr double kBeyondNoise = 50;  // smallest range of a joint's readings that is tested, in encoder sigmas
+inline constexpr double kBeyondNoise = 50;  // smallest range of a tested joint's readings, in encoder sigmas
 
 inline std::vector<Variable> variables(const ReadingScene& scene) {
   std::vector<Variable> list;

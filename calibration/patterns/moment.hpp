@@ -12,9 +12,9 @@
 namespace tubeplan::calibration::patterns::moment {
 
 inline constexpr double kSameCourse = 1e-6;  // largest 1 - |correlation| of two moments that count as proportional
-// Smallest variation of a moment that is tested, as a fraction of the arm's largest moment.
+// A moment is tested only if it varies by more than this fraction of the arm's largest moment.
 inline constexpr double kLeastShare = 1e-3;
-// Smallest fraction of readings with each of the two signs at which the sign is tested.
+// The sign of a moment is tested only if each sign occurs in at least this fraction of the readings.
 inline constexpr double kFewestOfSign = 0.05;
 
 inline Eigen::VectorXd momentsAbout(const ReadingScene& scene, Eigen::Index row, int axis) {

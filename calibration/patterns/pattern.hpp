@@ -1,5 +1,5 @@
-// Variables on which a residual may depend, as an extensible table of the ways in which readings differ. Each kind is
-// one file in this folder and one row of the table in patterns.cpp; nothing else names it.
+// Kinds of variables on which a residual may depend, as an extensible table. Each kind is one file in this folder and
+// one row of the table in patterns.cpp; nothing else names it.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@
 
 namespace tubeplan::calibration {
 
-/// The readings, and predictions of the model for them other than the residual.
+/// Readings with the model's predictions for them, except the residual.
 struct ReadingScene {
   bool ok = false;  ///< false: a deflected shape did not converge, and the other members are invalid
   PlacedArm placed;
@@ -21,7 +21,7 @@ struct ReadingScene {
   Eigen::Matrix3Xd tips;               ///< predicted tip positions in the world frame [m]
   Eigen::Matrix3Xd seen;               ///< predicted tip positions, or displacements from the reference [m]
   std::vector<Eigen::Matrix3d> tools;  ///< axes of the deflected tool frame, in the world frame
-  /// Axes away from the vertical through the base, around it, and up, in the world frame.
+  /// Radial, tangential and upward unit vectors about the vertical through the base, in the world frame.
   std::vector<Eigen::Matrix3d> radials;
   /// Moments at each reading, one column per row of the arm, in the row's own axes [N m].
   std::vector<Eigen::Matrix3Xd> moments_L;
@@ -48,7 +48,7 @@ struct Variable {
   std::vector<std::string> groups;  ///< names of the groups; empty for a variable without groups
 };
 
-/// A kind of pattern: one row of the table.
+/// A kind of pattern, which finds variables of one kind in the readings: one row of the table.
 struct PatternKind {
   const char* name;
   std::string needs;  ///< what the test requires of the readings

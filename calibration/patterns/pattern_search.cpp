@@ -38,7 +38,7 @@ MatrixXd orthonormal(const MatrixXd& columns, const VectorXd& lengths) {
   return scaled * kept * gram.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
-/// The readings to search, and what the fitted unknowns absorb of their residual.
+/// The readings to search, with the components of their residual that the fitted unknowns absorb.
 struct SearchedScene {
   const ReadingScene& scene;
   const ReadingWeights& weights;
@@ -145,13 +145,13 @@ struct Question {
 
 bool isConstant(const Variable& variable) { return variable.groups.empty() && !varies(variable.value); }
 
-/// The part of the residual that a variable explains, and the number of degrees of freedom that it takes.
+/// The part of the residual that a variable explains, and the number of degrees of freedom used for it.
 struct Followed {
   VectorXd part;
   int numbers = 0;
 };
 
-/// Returns a column of ones and zeros for each group. This suits few groups, and allows readings to share a touched
+/// Returns a column of ones and zeros for each group. This is suitable for few groups; readings may share a touched
 /// point or noise with readings of other groups.
 MatrixXd membershipOf(const Variable& variable) {
   MatrixXd basis = MatrixXd::Zero(variable.value.size(), static_cast<Index>(variable.groups.size()));

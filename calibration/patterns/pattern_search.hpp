@@ -2,8 +2,8 @@
 //
 // For a variable with functions f_j and axes e_c of a frame, the columns are W_i e_c(i) f_j(i), where W_i is the
 // whitener of reading i. The components that the fitted unknowns, the touched points and a constant in the same frame
-// can absorb are projected out of both columns and residual. The k columns then explain a part T of the residual's
-// square R. F = (T / k) / ((R - T) / rest) has the F distribution if the residual is noise of any magnitude. Holm's
+// can absorb are projected out of both columns and residual. The k columns then explain a part T of the residual's sum
+// of squares R. F = (T / k) / ((R - T) / rest) has the F distribution if the residual is noise of any magnitude. Holm's
 // correction over all tests limits the probability of any false finding.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace tubeplan::calibration {
 /// Frame in whose axes an error is resolved.
 enum class PatternFrame { kWorld, kRadial, kTool };
 
-/// Mean, over neighbouring values of the variable, of the error component that follows the variable.
+/// Error component that follows a variable, averaged over readings with neighbouring values of the variable.
 struct TrendStep {
   double at = 0;          ///< mean value of the variable; for groups, the index of the group
   Eigen::Vector3d error;  ///< mean error, in the axes of the frame [m]
@@ -43,7 +43,7 @@ struct PatternTest {
   std::vector<TrendStep> trend;     ///< mean errors, in ascending order of the variable's value
   std::vector<std::string> groups;  ///< names of the groups, if the variable divides readings into groups; else empty
   int component = -1;               ///< index of the frame's axis along which the trend is largest; -1: none
-  /// Indices of the trend steps with the smallest and the largest error along the axis `component`; -1: none.
+  /// Indices of the trend steps with the smallest and the largest error along the frame's axis `component`; -1: none.
   int low = -1, high = -1;
   /// Difference between the errors of the trend steps `high` and `low` [m]; for a constant, the root mean square error.
   double size = std::numeric_limits<double>::quiet_NaN();

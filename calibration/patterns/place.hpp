@@ -10,7 +10,7 @@
 
 namespace tubeplan::calibration::patterns::place {
 
-// Smallest range of a coordinate that is tested, as a fraction of the arm's reach.
+// A coordinate is tested only if it ranges over at least this fraction of the arm's reach.
 inline constexpr double kLeastShare = 0.002;
 
 inline Eigen::Matrix3Xd places(const ReadingScene& scene) {

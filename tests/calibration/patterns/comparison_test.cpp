@@ -1,5 +1,5 @@
-// Patterns that were planted in the residual must be found, with no more false findings than the significance level
-// allows.
+// A pattern search must find patterns that were added to the residual, with no more false findings than the
+// significance level allows.
 #include "calibration/patterns/comparison.hpp"
 
 #include <gtest/gtest.h>
@@ -60,8 +60,8 @@ struct LinearWorld {
   }
 };
 
-// For a relative reading, `seen` must be the displacement from the reference, because the error of its length lies
-// along this vector.
+// For a relative reading, `seen` must be the displacement from the reference, because the error of the measured length
+// lies along this vector.
 TEST(Comparison, theErrorOfAWayLiesAlongIt) {
   ReadingMaker maker(cobra(), 4, ReadingMaker::Noise::kNone);
   maker.add(MeasurementKind::kRelative, 6);
@@ -205,8 +205,8 @@ TEST(Comparison, nothingFreeIsJudgedAsItStands) {
 }
 
 TEST(Comparison, whatOnlyNoiseMovesIsNotAsked) {
-  // For touches of holes in a flat sheet, the predicted height varies only with the error, so the height must not be
-  // tested. Neither may joints and positions that do not vary beyond noise.
+  // If holes of a flat sheet are touched, the predicted height varies only because of the error, so the height must not
+  // be tested. Neither may joints and positions be tested that do not vary beyond noise.
   auto readings = makeCampaign(deflection::cobraArm(), 21);
   for (auto& reading : readings) {
     const Vector3d tip = *reading.p_W;

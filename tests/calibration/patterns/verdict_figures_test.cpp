@@ -1,4 +1,4 @@
-// No verdict may contradict the figures reported with it, no matter how the readings were spoilt.
+// No verdict may contradict the figures reported with it, no matter how the readings were corrupted.
 #include <gtest/gtest.h>
 
 #include <cmath>
