@@ -52,7 +52,7 @@ TEST(CentringForecast, aShiftOfTheBaseIsRayleighAtEveryHole) {
   }
 }
 
-// A vertical shift of the base must not move a tip sideways.
+// If only the height of the base is uncertain, the forecast lateral error must be zero.
 TEST(CentringForecast, aLiftOfTheBaseMovesNoTipSideways) {
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
   covariance(2, 2) = 1e-6;
@@ -60,8 +60,8 @@ TEST(CentringForecast, aLiftOfTheBaseMovesNoTipSideways) {
   EXPECT_LT(forecast.worst.upper, 1e-9);
 }
 
-// A yaw moves a tip in proportion to its distance from the base's axis, so the farthest tip must have the largest
-// error.
+// A yaw of the base moves a tip in proportion to its distance from the base's axis, so the farthest tip must have the
+// largest error.
 TEST(CentringForecast, aYawMovesTheFurthestTipMost) {
   constexpr double kSigma = 1e-3;
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
@@ -100,8 +100,7 @@ TEST(CentringForecast, aLargerCovarianceWidensItAndAKnownBaseMayBringItsOwn) {
   EXPECT_NEAR(forecastCentring(known, postures, options).median.value, plain, 1e-9 * plain);
 }
 
-// With noise in one encoder only, the error must be the lever arm of its joint times the standard deviation of the
-// noise.
+// If only one encoder is noisy, the error must be the lever arm of its joint times the standard deviation of the noise.
 TEST(CentringForecast, theEncodersShareIsTheirNoiseThroughTheJacobian) {
   auto fit = baseFit(Eigen::Matrix<double, 6, 6>::Identity() * 1e-8);
   fit.fitted.base_poses.front().X_WB = Eigen::Isometry3d::Identity();
