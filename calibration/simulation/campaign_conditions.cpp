@@ -10,7 +10,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-// Range on either side of zero of a side chain's joint without limits [rad or m].
+// A joint without limits in a side chain ranges over this much on either side of zero [rad or m].
 constexpr double kWidest = deflection::kFullTurn / 2;
 constexpr double kNoMotion = 1e-9;  // motion below which a joint counts as not moved [rad or m]
 
@@ -46,7 +46,7 @@ ConditionSeries::ConditionSeries(const deflection::Arm& arm, const CampaignPace&
   for (const auto& joint : arm.joints()) encoder_sigmas_.push_back(joint.encoder_sigma);
 }
 
-/// Draws the conditions in the order of their table; their oscillations are functions of the simulated time.
+/// Draws the conditions in the order of kConditionKinds; their oscillations are functions of the simulated time.
 void ConditionSeries::drawConditions(deflection::ConditionValues& stated) {
   const double wait = conditions_.uniform(pace_.shortest, pace_.longest);
   time_ += is_first_ ? 0 : wait;

@@ -48,7 +48,7 @@ constexpr std::array<NamedDesign, 3> kDesigns{{
 
 int readingsPerPoint(const CampaignDesign& design) { return readingsPerPosture(design) * design.postures_per_point; }
 
-/// Returns the smallest number of readings of a surface that gives information on the arm.
+/// Returns the smallest number of readings of one surface that gives information on the arm.
 int leastOfSurface(const MeasurementKindRow& kind) { return kind.place_numbers({}) + 1; }
 
 std::string findNoiseProblem(const CampaignDesign& design) {

@@ -13,7 +13,7 @@
 
 namespace tubeplan::calibration {
 
-/// Target of the tip for a reading.
+/// Where the tip is placed for a reading.
 enum class CampaignPlace {
   kAnywhere,  ///< wherever the tip of a random posture is
   kPlane,     ///< in the horizontal plane at the median height of the tip over random postures
@@ -37,8 +37,8 @@ struct CampaignDesign {
   int setups = 1;                              ///< number of base poses, used one after another
   std::optional<Eigen::Vector3d> anchor_W;     ///< position of the anchor, for kinds that measure from an anchor [m]
   std::optional<Eigen::Vector3d> direction_W;  ///< unit vector, for kinds that measure along a direction
-  /// Box within which the tip stays [m]; empty: the half-space above the xy plane of the base frame, or any place at
-  /// holes.
+  /// Box within which the tip stays [m]. If empty, holes may be anywhere, and other targets must lie above the xy plane
+  /// of the base frame.
   std::optional<Eigen::AlignedBox3d> region_W;
   double sigma = kPositionSigma;  ///< standard deviation of a coordinate [m]; 0: noise-free readings
   /// Separate standard deviations of x, y and z [m], for kinds that measure them; overrides `sigma`.

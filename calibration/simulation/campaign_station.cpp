@@ -17,15 +17,15 @@ std::optional<ToolPose> toolIn(const deflection::Arm& arm, const CampaignSite& s
   return toolAt(arm, site.X_WB, reading, kShapeExactly);
 }
 
-/// Returns the target of readings as far as the design states it: the point, unless its position is unknown, anchor and
-/// direction.
+/// Returns the places that the design states for its readings: the point, unless its position is unknown, the anchor
+/// and the direction.
 KnownPlaces knownPlaces(const deflection::Arm& arm, const CampaignDesign& design,
                         const std::optional<Vector3d>& point_W) {
   return {design.points_known ? point_W : std::nullopt, design.anchor_W, design.direction_W, -arm.gravity_W};
 }
 
-/// Returns the noise of each row [m]; angles are multiplied by kTurnLever. Touches ignore this noise, since theirs is
-/// in the tip position.
+/// Returns the noise of each row [m]; angles are multiplied by kTurnLever. Touches ignore this noise, because the tip
+/// position of a touch already contains noise.
 MeasuredValue noiseOf(const MeasurementKindRow& kind, const ReadingConditions& conditions) {
   MeasuredValue noise = MeasuredValue::Zero(kind.rows);
   const int turns = kind.turn_rows;
@@ -136,8 +136,8 @@ PostureRefusal CampaignStation::begin(const CampaignSite& site, StationReadings&
   return PostureRefusal::kNone;
 }
 
-/// Draws a start posture at a surface. The first posture places the surface at its tip; further postures are near the
-/// surface.
+/// Draws a start posture at a surface. For the first posture, the surface is placed at its tip; the tips of further
+/// postures are near the surface.
 PostureRefusal CampaignStation::beginAtSurface(const CampaignSite& site, StationReadings& taken, VectorXd& q) {
   constexpr int kMostPostures = 200;
   constexpr double kNear = 0.15;  // largest distance from the surface, as a fraction of the reach
@@ -185,8 +185,8 @@ PostureRefusal CampaignStation::take(const CampaignSite& site, const ReadingCond
   return measure(arm_, site, conditions, trial.tool, taken.surface, reading);
 }
 
-/// Brings the tip to a goal. Effects may depend on the directions from which joints arrive, and these directions on the
-/// joint values at the goal, so both are iterated.
+/// Brings the tip to a goal. Effects may depend on the directions from which joints arrive, and these directions depend
+/// on the joint values at the goal, so both are iterated.
 PostureRefusal CampaignStation::bringTip(const CampaignSite& site, const ReadingConditions& conditions,
                                          const Vector3d& goal_W, const VectorXd& here, Measurement& reading) const {
   constexpr int kMostPasses = 4;

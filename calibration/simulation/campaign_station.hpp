@@ -34,8 +34,8 @@ class CampaignStation {
  public:
   CampaignStation(const deflection::Arm& arm, const CampaignDesign& design, const CampaignOptions& options);
 
-  /// Draws the point or posture number `number` (from 1) once, and takes one reading under each of the conditions. A
-  /// hole that has been measured is not drawn again.
+  /// Makes one attempt to draw the point or posture with the number `number` (from 1), and takes one reading there
+  /// under each of the conditions. A hole that has been measured is not drawn again.
   [[nodiscard]] StationReadings read(const CampaignSite& site, int number,
                                      const std::vector<ReadingConditions>& conditions);
 
@@ -45,7 +45,7 @@ class CampaignStation {
   /// Draws a random posture, and returns the pose of the tool in it under the first load.
   [[nodiscard]] TipTrial tryAnywhere(const CampaignSite& site);
 
-  /// Sets the height of the plane in the world frame, against gravity, for designs in a plane [m].
+  /// For designs in a plane: sets the height of the plane [m], measured against gravity in the world frame.
   void setPlaneHeight(double height) { plane_height_ = height; }
 
  private:
@@ -54,7 +54,8 @@ class CampaignStation {
   [[nodiscard]] PostureRefusal beginAtSurface(const CampaignSite& site, StationReadings& taken, Eigen::VectorXd& q);
   [[nodiscard]] PostureRefusal beginAtHole(const CampaignSite& site, StationReadings& taken, Eigen::VectorXd& q);
 
-  /// Moves the arm from `here` to the reading's target and takes the reading there, without encoder noise.
+  /// Moves the arm from the joint values `here` to the reading's target and takes the reading there, without encoder
+  /// noise.
   [[nodiscard]] PostureRefusal take(const CampaignSite& site, const ReadingConditions& conditions,
                                     const StationReadings& taken, const Eigen::VectorXd& here, Measurement& reading,
                                     Eigen::Vector3d& tip_W) const;

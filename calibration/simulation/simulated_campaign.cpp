@@ -89,7 +89,7 @@ class CampaignMaker {
     return false;
   }
 
-  /// Sets the height of the plane of touched points, which the tip exceeds in half of the arm's random postures.
+  /// Sets the height of the plane of touched points to the median tip height over random postures.
   bool findPlane() {
     RefusalCounts counts{};
     std::vector<double> heights;
@@ -135,7 +135,7 @@ class CampaignMaker {
   }
 
   /// Converts readings into displacements from the preceding reading of the same set-up. The first reading of a set-up
-  /// refers to the last one.
+  /// is converted to a displacement from the last one.
   void relate() {
     auto& readings = result_.readings;
     if (!kindOf(design_.kind).is_from_reading) return;

@@ -1,4 +1,4 @@
-// Simulated touches with a true arm: the tip is centred in a hole within the centring noise, and the joints are read
+// Simulated touches with a true arm: the tip is centred in a hole up to the centring noise, and the joints are read
 // with encoder noise.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Simulated campaigns must keep set-ups together, hold out whole points, vary only the stiffnesses of the true arm, and
-// refuse invalid designs.
+// Simulated campaigns must keep the readings of each set-up together, hold out whole points, vary only the stiffnesses
+// of the true arm, and refuse invalid designs.
 #include <gtest/gtest.h>
 
 #include <algorithm>

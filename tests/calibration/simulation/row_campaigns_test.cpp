@@ -1,4 +1,5 @@
-// Campaigns with inclinometers on rows of the arm must be simulated exactly, and must reveal hidden effects.
+// Campaigns with inclinometers on rows of the arm must give exact readings, and these readings must reveal hidden
+// effects.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -60,8 +61,8 @@ const FoundEffect* findEffect(const Explanation& explanation, const std::string&
   return nullptr;
 }
 
-/// Expects that the effect is among the alternatives with its value, and that the error falls to the noise. Returns the
-/// number of alternatives with this effect alone.
+/// Expects that the effect with its true value is among the alternatives, and that the error falls to the noise.
+/// Returns the number of alternatives with this effect alone.
 int expectNamed(const Diagnosis& found, const std::string& effect, const std::string& at, double value) {
   bool is_named = false;
   int alone = 0;
@@ -80,8 +81,8 @@ int expectNamed(const Diagnosis& found, const std::string& effect, const std::st
 
 const std::vector<const char*> kFourRows{"base-link", "latch-link", "forearm", "tool"};
 
-// Every alternative must contain a compliance of theta2's joint or of its cable, both of which rotate theta2 under
-// load. Tilts hardly show a compliance of the preceding joint, whose axis is vertical.
+// Every alternative must contain a compliance of theta2's joint or of its cable, because both rotate theta2 under load.
+// A compliance of the preceding joint, whose axis is vertical, hardly changes the tilts.
 TEST(RowCampaigns, NameAHiddenCompliance) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const auto found = diagnosisOfTilts(benchCell().arm, "joint-compliance", "latch-link.z", {1e-5}, kFourRows, seed);
@@ -102,7 +103,7 @@ TEST(RowCampaigns, NameAHiddenSagByGravity) {
   EXPECT_GE(alone, 5) << "one in twenty may have something beside it";
 }
 
-// The next readings must be proposed on the same rows, at postures that the arm can reach.
+// Further readings must be proposed on the rows that were measured so far, at postures that the arm can reach.
 TEST(RowCampaigns, AreGoneOnWithOnTheSameRows) {
   const auto& cell = benchCell();
   const CampaignDesign design = tiltsOfRows(cell.arm, {"base-link", "forearm"});
