@@ -1,4 +1,4 @@
-// Mistake: joint readings are in radians although their columns state degrees, or the reverse. Readings of prismatic
+// Mistake: joint readings are in radians although their columns state degrees, or vice versa. Readings of prismatic
 // joints are not affected.
 #pragma once
 

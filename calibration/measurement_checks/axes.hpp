@@ -36,8 +36,8 @@ inline bool areWritten(const CheckedReadings& checked) {
       checked.readings, [&](const Measurement& reading) { return reading.p_W && !isPlacedBySheet(checked, reading); });
 }
 
-/// Applies `to_world` to all measured positions, whether written or from the sheet, and to their sigmas and
-/// correlations.
+/// Applies `to_world` to all measured positions, whether written in the file or looked up in the tube sheet, and to
+/// their sigmas and correlations.
 inline void turn(const Eigen::Matrix3d& to_world, std::vector<Measurement>& readings) {
   for (auto& reading : readings) {
     if (reading.p_W) *reading.p_W = to_world * *reading.p_W;
@@ -48,7 +48,7 @@ inline void turn(const Eigen::Matrix3d& to_world, std::vector<Measurement>& read
   }
 }
 
-/// Returns all signed permutations of x, y and z, such as "-yxz".
+/// Returns the names of all signed permutations of x, y and z, such as "-yxz".
 inline std::vector<std::string> signedOrders() {
   std::vector<std::string> texts;
   std::string order = "xyz";
@@ -67,7 +67,7 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   if (!areWritten(checked)) return {};
   std::vector<std::string> texts = signedOrders();
   std::erase_if(texts, [](const std::string& text) {
-    // Excludes the file's own order and its mirrored variants.
+    // Excludes the file's own order and its three mirror images, which are tried in mirror.hpp.
     return text == "xyz" || text == "-xyz" || text == "x-yz" || text == "xy-z";
   });
   return texts;

@@ -1,4 +1,4 @@
-// Mistake: the base pose is stated as known, but the base stands elsewhere.
+// Mistake: the base is not at the pose that the cell states as known, or it was displaced between two readings.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return is_known ? std::vector<std::string>{"unknown"} : std::vector<std::string>{};
 }
 
-/// Returns the correction that moves reading `from`, and all later readings of its set-up, to a new set-up; nullopt if
-/// there is no such reading.
+/// Returns the correction that assigns reading `from` and all later readings of its set-up to a new set-up, whose base
+/// pose is fitted separately; nullopt if there is no such reading.
 inline std::optional<Mend> mendFrom(const CheckedReadings& checked, const std::string& from) {
   const auto first = std::ranges::find(checked.readings, from, &Measurement::id);
   if (first == checked.readings.end()) return std::nullopt;
@@ -38,8 +38,8 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   return mend;
 }
 
-/// Returns one step form for each set-up. If all readings state a time, the step is marked as an effect, since the
-/// catalogue has the slip of a base.
+/// Returns one step form per set-up: a displacement of its base. If all readings state a time, the step counts as an
+/// effect, since the catalogue of effects then describes it (`base-slip`).
 inline std::vector<StepForm> steps(const CheckedReadings& checked) {
   const bool are_timed =
       std::ranges::all_of(checked.readings, [](const auto& m) { return m.conditions.states(Condition::kTime); });

@@ -1,4 +1,4 @@
-// Lists of readings for the messages of a check.
+// Lists of reading ids, as text for the messages of checks.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace tubeplan::calibration {
 
-/// Returns up to five ids as "a, b, c", followed by the number of further ids.
+/// Returns a list such as "a, b, c, d, e and 3 more", with at most five ids in full.
 [[nodiscard]] inline std::string listOf(const std::vector<std::string>& ids) {
   constexpr std::size_t kMostListed = 5;
   std::string text;
@@ -14,7 +14,7 @@ namespace tubeplan::calibration {
   return ids.size() > kMostListed ? text + " and " + std::to_string(ids.size() - kMostListed) + " more" : text;
 }
 
-/// Returns the value of --assume that leaves out the readings with these ids; empty if there are too many for one line.
+/// Returns the value of `--assume` that excludes the readings with these ids; empty if there are too many for one line.
 [[nodiscard]] inline std::string assumeWithout(const std::vector<std::string>& ids) {
   constexpr std::size_t kMostAssumed = 20;
   if (ids.size() > kMostAssumed) return "";

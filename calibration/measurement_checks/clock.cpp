@@ -15,11 +15,11 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kFewestTimes = 8;  // smallest number of times that shows whether rows are in time order
+constexpr std::size_t kFewestTimes = 8;  // with fewer times, the rows do not show whether they are in time order
 // Rows are not considered to be in time order if more than this fraction of the readings is earlier than the reading
 // before.
 constexpr double kMostBack = 0.05;
-constexpr double kSlow = 3;        // multiple of the usual gap between readings above which a gap is conspicuous
+constexpr double kSlow = 3;        // gaps above this multiple of the usual gap are conspicuous
 constexpr double kHour = 3600;     // [s]
 constexpr double kMostHours = 14;  // largest shift of a clock by time zones and daylight-saving time [h]
 constexpr double kNearHour = 120;  // jumps this close to whole hours [s], and closer than the usual gap, count as whole
@@ -80,7 +80,7 @@ class Clock {
   [[nodiscard]] double time(std::size_t k) const { return timeOf(*timed_[k]); }
   [[nodiscard]] double gap(std::size_t k) const { return time(k) - time(k - 1); }
 
-  /// Returns the excess of gap `k` over the usual gap [s], rounded to whole hours if it is close to them.
+  /// Returns by how much gap `k` exceeds the usual gap [s], rounded to whole hours if it is close to them.
   [[nodiscard]] double jumpAt(std::size_t k) const {
     const double jump = gap(k) - usual_, whole = std::round(jump / kHour) * kHour;
     const bool is_whole =
@@ -88,8 +88,8 @@ class Clock {
     return is_whole ? whole : jump;
   }
 
-  /// Returns the index of the only gap that is longer than a reading takes, if its excess is a whole number of hours or
-  /// the gap exceeds a month; nullopt otherwise. Of several such gaps, some are pauses, so none is returned.
+  /// Returns the index of the only gap that is far longer than usual, if its excess is a whole number of hours or the
+  /// gap exceeds a month; nullopt otherwise, and if there are several long gaps, since some of them are pauses.
   [[nodiscard]] std::optional<std::size_t> forward() const {
     std::vector<std::size_t> longest;
     for (std::size_t k = 1; k < timed_.size(); ++k)

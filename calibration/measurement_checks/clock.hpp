@@ -1,5 +1,5 @@
-// Mistake: a clock was reset or misread during the readings. Times jump back, or forward by whole hours or months.
-// Effects that depend on time (drift, slip) would then be fitted to wrong times.
+// Mistake: a clock was reset or misread during the readings. Times jump back, or forward by whole hours or by more than
+// a month. Effects that depend on time (drift, slip) would then be fitted to wrong times.
 #pragma once
 
 #include "calibration/measurement_checks/measurement_checks.hpp"
@@ -13,8 +13,8 @@ namespace tubeplan::calibration {
 
 namespace mistakes::clock {
 
-/// Returns the kind of mistake in which the times from one reading on are off by a constant number of seconds.
-/// clockJumps() finds this reading.
+/// Returns the kind of mistake in which the times of a reading and of all later ones are off by the same number of
+/// seconds. clockJumps() finds the first such reading.
 [[nodiscard]] MistakeKind kind();
 
 }  // namespace mistakes::clock

@@ -1,4 +1,5 @@
-// Mistake: one coordinate is not in the unit that its column states. Positions from the sheet are not affected.
+// Mistake: one coordinate is not in the unit that its column states. Positions looked up in the tube sheet are not
+// affected.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
-// Mistake: coordinates and measured distances are not in the unit that their columns state. Positions from the sheet
-// are not affected.
+// Mistake: coordinates and measured distances are not in the unit that their columns state. Positions looked up in the
+// tube sheet are not affected.
 #pragma once
 
 #include "calibration/measurement_checks/units_of_columns.hpp"

@@ -12,7 +12,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Returns all values that must be equal in two rows that state the same reading.
+/// Returns the values of a reading that must all be equal for it to count as a copy of another reading.
 auto contentOf(const Measurement& m) {
   const Eigen::Vector3d p = m.p_W.value_or(Eigen::Vector3d::Zero());
   const Eigen::Vector3d tool = m.p_TQ.value_or(Eigen::Vector3d::Zero());
@@ -94,8 +94,8 @@ std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked) {
 }
 
 std::optional<MeasurementCheck> takeCopiesOut(CheckedReadings& checked) {
-  // Resolution, in sigmas, below which equal coordinates indicate a copy: two separate readings then agree in all three
-  // coordinates in fewer than one of 10^4 cases.
+  // Equal coordinates indicate a copy only if their resolution is finer than this fraction of sigma: two separate
+  // readings then agree in all three coordinates in fewer than one of 10^4 cases.
   constexpr double kFine = 0.1;
   const double step = stepOfCoordinates(checked);
   auto copies = copiesIn(checked.readings);

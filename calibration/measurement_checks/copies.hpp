@@ -1,4 +1,4 @@
-// Duplicate rows of readings.
+// Detection and removal of duplicate readings.
 #pragma once
 
 #include <optional>
@@ -7,12 +7,13 @@
 
 namespace tubeplan::calibration {
 
-/// Returns a remark on readings with the same values as an earlier reading; nullopt if there are none.
+/// Returns a remark that lists the readings whose values all equal those of an earlier reading; nullopt if there are
+/// none.
 [[nodiscard]] std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked);
 
-/// Removes readings that are certainly copies of an earlier reading: all values are equal, and the coordinates have so
-/// many digits that noise would make two separate readings differ. If copies were counted, the noise would appear too
-/// small. Returns nullopt if there are no copies.
+/// Removes copies of earlier readings and returns a remark on them; nullopt if there are none. A reading is a copy if
+/// all of its values are equal and its coordinates have so many digits that noise would make two separate readings
+/// differ. Copies would make the noise appear too small.
 std::optional<MeasurementCheck> takeCopiesOut(CheckedReadings& checked);
 
 }  // namespace tubeplan::calibration

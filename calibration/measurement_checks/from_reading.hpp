@@ -1,5 +1,5 @@
-// Mistakes that affect only some of the readings: all readings from one on, written "VALUE@READING", or a run of
-// consecutive readings, written "FIRST..LAST".
+// Functions for mistakes that affect only some of the readings: one reading and all later ones, written
+// "VALUE@READING", or a run of consecutive readings, written "FIRST..LAST".
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@ namespace tubeplan::calibration {
 /// if the value applies to all readings.
 [[nodiscard]] std::pair<std::string, std::optional<std::string>> partedAtReading(const std::string& value);
 
-/// Returns the ids of reading `id` and of all following readings; empty if there is no such reading.
+/// Returns `id` and the ids of all later readings; empty if there is no such reading.
 [[nodiscard]] std::set<std::string> idsFrom(const std::vector<Measurement>& readings, const std::string& id);
 
 /// Consecutive readings, given by the indices of the first and the last.
@@ -33,15 +33,16 @@ struct Run {
 
 [[nodiscard]] std::set<std::string> idsOf(const Run& run, const std::vector<Measurement>& readings);
 
-/// Returns the set with `text` alone if `text` is the id of a reading, or the ids of the run "FIRST..LAST"; empty if
-/// neither applies.
+/// Returns the ids that `text` names: `text` itself if it is the id of a reading, or the ids of all readings of the run
+/// "FIRST..LAST"; empty if it is neither.
 [[nodiscard]] std::set<std::string> idsNamed(const std::vector<Measurement>& readings, const std::string& text);
 
-/// Returns a change that applies `change` only to the readings with these ids. `change` must not remove readings.
+/// Returns a function that applies `change` only to the readings with these ids. `change` must not remove readings.
 [[nodiscard]] std::function<void(std::vector<Measurement>&)> changeOf(
     std::set<std::string> ids, std::function<void(std::vector<Measurement>&)> change);
 
-/// Returns the correction `whole`, limited to the readings from `id` on; nullopt if there is no such reading.
+/// Returns a copy of the correction `whole` that applies only to reading `id` and all later ones; nullopt if there is
+/// no such reading.
 [[nodiscard]] std::optional<Mend> fromReading(const CheckedReadings& checked, Mend whole, const std::string& id);
 
 }  // namespace tubeplan::calibration

@@ -1,9 +1,9 @@
-// Minimum of a function of one variable on an interval, by golden-section search.
+// Golden-section search for the minimum of a function of one variable on an interval.
 #pragma once
 
 namespace tubeplan::calibration {
 
-/// Returns the argument between `a` and `b` that minimises `valueAt`, as found in the given number of steps.
+/// Returns the argument between `a` and `b` that minimises `valueAt`, after the given number of golden-section steps.
 template <class ValueAt>
 double leastOf(const ValueAt& valueAt, double a, double b, int steps) {
   constexpr double kGolden = 0.6180339887498949;

@@ -19,10 +19,11 @@ constexpr double kAboveNoise = 5;       // smallest ratio of error to noise at w
 constexpr double kSameDirection = 0.9;  // cosine above which two directions count as equal
 // The search continues if the best of the first directions reduces the error by more than this factor.
 constexpr double kPromisingFall = 1.3;
-constexpr double kClear = 2;  // smallest ratio of the errors in directions kAway from the best one to the best error
+// Smallest factor by which the errors in directions at the angle kAway from the best one must exceed its error.
+constexpr double kClear = 2;
 // The nearest world axis is chosen if its error is smaller than this multiple of the best error.
 constexpr double kNearAxis = 1.5;
-// First and last step of the search, and angle from the best direction at which other directions are compared [rad].
+// First and smallest step of the search, and angle from the best direction to those with which it is compared [rad].
 constexpr double kFirstLean = 0.35, kLastLean = 0.004, kAway = 0.3;
 
 struct TriedDirection {
@@ -44,7 +45,8 @@ bool isWritten(const MistakeTrials& trials, const Vector3d& gravity_W) {
   return gravity_W.dot(trials.checked().start.arm.gravity_W) > kSameDirection;
 }
 
-/// Returns the best direction among the world's axes and their diagonals, except those near the stated direction.
+/// Returns the gravity direction with the smallest error among the world's axes and their diagonals, except those near
+/// the stated direction.
 TriedDirection bestOfFew(const MistakeTrials& trials) {
   TriedDirection best;
   for (int x = -1; x <= 1; ++x)
@@ -70,8 +72,8 @@ TriedDirection leastAround(const MistakeTrials& trials, const TriedDirection& fr
   return std::ranges::min(around(trials, from.gravity_W, angle), {}, &TriedDirection::error);
 }
 
-/// Moves to a better neighbouring direction as long as there is one, and halves the step otherwise. Finally chooses the
-/// nearest axis of the world if it fits about as well.
+/// Refines a direction: moves to a neighbouring direction if it fits better, and halves the step otherwise. Finally
+/// chooses the nearest axis of the world if it fits about as well.
 TriedDirection settled(const MistakeTrials& trials, TriedDirection best) {
   for (double step = kFirstLean; step > kLastLean;)
     if (const auto next = leastAround(trials, best, step); next.error < best.error)

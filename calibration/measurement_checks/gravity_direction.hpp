@@ -1,5 +1,5 @@
-// Mistake: in the world frame of the readings, gravity does not have the direction that the cell states. The arm may
-// hang from a ceiling or a wall, or stand on a tilted pedestal.
+// Mistake: in the world frame of the readings, gravity does not have the direction that the cell states. For example,
+// the arm hangs from a ceiling or a wall, or stands on a tilted pedestal.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace tubeplan::calibration {
 
-/// Returns a mistake if the readings do not fit with the stated direction of gravity, but fit with another one, which
-/// is found to within a few tenths of a degree. Returns nullopt if no direction fits, or if several fit equally well,
-/// as for an arm without compliance. A tilt below 26 deg is left to the diagnosis (`gravity-tilt`). The correction has
-/// to be made in the cell's file.
+/// Returns a mistake if the model fits the readings only with a direction of gravity other than the stated one. This
+/// direction is found to within a few tenths of a degree. Returns nullopt if no direction fits, or if several fit
+/// equally well, as for an arm without compliance. A tilt below 26 deg is left to the diagnosis (`gravity-tilt`). The
+/// correction has to be made in the cell's file.
 [[nodiscard]] std::optional<FoundMistake> gravityElsewhere(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

@@ -1,5 +1,5 @@
-// Mistake: holes were counted from the wrong first row or column, so every named hole is one or more rows or columns
-// away from the touched hole.
+// Mistake: holes were counted from the wrong first row or column, so the hole that each reading names is one or more
+// rows or columns away from the touched hole.
 #pragma once
 
 #include <algorithm>
@@ -17,18 +17,19 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return {"R+1", "R-1", "C+1", "C-1"};
 }
 
-/// Function that maps a named hole to the touched hole; its result is null if the sheet has no hole there.
+/// Function that returns the hole that was actually touched if a reading names the hole `named`; null if the sheet has
+/// no hole there.
 using OtherHole = std::function<const tubesheets::Tube*(const tubesheets::RowAndColumn& named)>;
 
-/// Returns true if all touched holes exist on the sheet. A single missing hole refutes the mistake, since a tip cannot
-/// have touched it.
+/// Returns true if every hole that `other` returns exists on the sheet. A single missing hole refutes the hypothesis,
+/// since a tip cannot have touched it.
 inline bool areAllThere(const CheckedReadings& checked, const OtherHole& other) {
   return std::ranges::all_of(checked.readings, [&](const Measurement& reading) {
     return !isPlacedBySheet(checked, reading) || other(*tubesheets::parseTubeName(reading.point)) != nullptr;
   });
 }
 
-/// Replaces the hole of every reading that touched a named hole by the hole that `other` returns.
+/// In every reading whose position is that of the hole it names, replaces the hole by the one that `other` returns.
 inline void rename(const CheckedReadings& checked, const OtherHole& other, std::vector<Measurement>& readings) {
   for (Measurement& reading : readings) {
     if (!isPlacedBySheet(checked, reading)) continue;

@@ -26,13 +26,13 @@ constexpr std::size_t kLooked = 20;        // maximum number of readings in the 
 constexpr std::size_t kMostTogether = 16;  // maximum number of hypotheses that are returned
 constexpr int kMostSigns = 8;              // maximum number of joints for which all sets of signs are tried
 constexpr int kMostOrdered = 7;            // maximum number of joints for which all orders are tried
-constexpr double kNearer = 0.25;           // smallest accepted decrease of the mean log error due to each correction
-constexpr double kByWeights = 0.5;         // by how much robust weights may decrease the mean log error further
+constexpr double kNearer = 0.25;           // smallest decrease of the mean log error required of each correction
+constexpr double kByWeights = 0.5;         // largest further decrease of the mean log error expected of robust weights
 constexpr std::size_t kMostSettled = 100;  // maximum number of hypotheses whose zeros are refined
 constexpr double kZerosApart = std::numbers::pi / 12;  // range on either side of a tried zero [rad]
 constexpr int kZeroSteps = 10;                         // number of golden-section steps
 
-/// Corrections for one mistake, or for a set of joints, with the readings corrected for them.
+/// Corrections of one mistake or of a set of joints, with the corrected readings and their score.
 struct TriedQuickly {
   JoinedMends mends;
   std::vector<Measurement> readings;
@@ -45,7 +45,7 @@ struct TriedQuickly {
 struct Likely {
   const TriedQuickly *first = nullptr, *then = nullptr;
   double score = 0;
-  /// Corrections with refined zeros that bring the readings closest to the drawing; empty: not refined.
+  /// The same corrections with the zeros that bring the readings closest to the drawing; empty: zeros not refined.
   JoinedMends settled = {};
 
   [[nodiscard]] JoinedMends mends() const {
@@ -83,8 +83,8 @@ class JoinedSearch {
     for (const auto& reading : pool.readings)
       if (statesPlace(reading) && pool.counted_quickly.contains(reading.id) && ids_.size() < kLooked)
         ids_.insert(reading.id);
-    // Neighbouring readings are kept until the first correction is applied, since it may move measured values between
-    // rows.
+    // The neighbours of the compared readings are kept until the first correction is applied, since it may move
+    // measured values between rows.
     for (std::size_t k = 0; k < pool.readings.size(); ++k) {
       const auto is_looked = [&](std::size_t near) {
         return near < pool.readings.size() && ids_.contains(pool.readings[near].id);
@@ -261,7 +261,7 @@ class JoinedSearch {
     return alignment_.score(tried.readings, alignment_.tips(tried.readings), {.frees_base = freeBase(tried.mends)});
   }
 
-  /// Returns the best additional offset of a joint's zero [rad], by golden-section search.
+  /// Returns the additional offset of a joint's zero that gives the best score [rad], by golden-section search.
   double bestShift(const TriedQuickly& tried, int joint) {
     const auto scoreAt = [&](double shift) {
       TriedQuickly shifted = tried;

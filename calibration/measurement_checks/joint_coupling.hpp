@@ -1,6 +1,6 @@
 // Mistake: the reading of a joint contains the angle of another joint, as on controllers that show the elbow relative
-// to the horizontal, or with a parallel linkage. With the value theta3:theta2:-1, theta3 of the arm's file is theta3 -
-// theta2 of the readings.
+// to the horizontal, or with a parallel linkage. With the value theta3:theta2:-1, the angle of the arm's joint theta3
+// is column theta3 minus column theta2 of the readings.
 #pragma once
 
 #include <fmt/format.h>

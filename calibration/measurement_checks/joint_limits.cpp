@@ -29,7 +29,7 @@ double pastLimit(const deflection::Joint<double>& joint, double q) {
   return std::max(joint.lower - q, q - joint.upper);
 }
 
-/// Returns how far beyond a limit a joint's encoder noise may carry a reading [rad or m].
+/// Returns by how much encoder noise may move a joint's reading beyond a limit [rad or m].
 double usualNoiseOf(const deflection::Joint<double>& joint) { return 1e-9 + 5 * joint.encoder_sigma; }
 
 /// Returns the indices of readings beyond a joint's limits; empty unless a turn brings all of them within the limits.

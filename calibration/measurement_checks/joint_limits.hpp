@@ -1,4 +1,5 @@
-// Joint readings beyond their limits: by whole turns, which do not change the pose, or by a very small amount.
+// Checks of joint readings that lie beyond the joint limits, either by a whole turn, which does not change the pose, or
+// by a very small amount.
 #pragma once
 
 #include <optional>
@@ -16,12 +17,12 @@ namespace tubeplan::calibration {
 /// prismatic joint.
 [[nodiscard]] std::optional<double> oneTurnBack(const deflection::Joint<double>& joint, double q);
 
-/// Returns a remark on readings that are beyond a limit by more than their noise but accepted by isPastLimit().
+/// Returns a remark on readings that are beyond a limit by more than their noise, but not by enough for isPastLimit().
 [[nodiscard]] std::optional<MeasurementCheck> hairPastLimits(const CheckedReadings& checked);
 
-/// Moves readings beyond the limits of a joint by one turn, if this brings all of these readings within the limits. An
-/// example is an encoder that reads 0 to 360 deg with limits of -180 and 180 deg. Returns nullopt if there is no such
-/// joint.
+/// Moves the readings that are beyond a joint's limits by one turn, if this brings all of them within the limits, and
+/// returns a remark on them; nullopt if there is no such joint. An example is an encoder that reads 0 to 360 deg with
+/// limits of -180 and 180 deg.
 std::optional<MeasurementCheck> unwindJoints(CheckedReadings& checked);
 
 }  // namespace tubeplan::calibration

@@ -1,5 +1,5 @@
-// Mistake: two joint columns are exchanged, or several are permuted cyclically. The column of each joint of the cycle
-// contains the readings of the next joint; the last column contains the readings of the first joint.
+// Mistake: two joint columns are exchanged, or several are permuted cyclically. In the latter case, the column of each
+// joint of the cycle contains the readings of the next joint; the last column contains the readings of the first joint.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return texts;
 }
 
-/// Returns the indices of the joints named between colons; empty if a joint is unknown or repeated, or if there are
-/// fewer than two.
+/// Returns the indices of the joints whose names `value` lists, separated by colons; empty if a joint is unknown or
+/// repeated, or if there are fewer than two.
 inline std::vector<int> ringOf(const deflection::Arm& arm, const std::string& value) {
   std::vector<int> ring;
   for (const std::string& name : partedAt(':', value)) {

@@ -34,9 +34,10 @@ inline std::optional<Pair> pairOf(const deflection::Arm& arm, const std::string&
   return is_pair && std::abs(pair.shares.determinant()) > 1e-9 ? std::optional(pair) : std::nullopt;
 }
 
-/// Returns values for all pairs of neighbouring revolute joints, of which one is the sum and the other the difference
-/// of the motors. Either joint may be the sum, and either motor may come first in the difference. `sizes` are the tried
-/// magnitudes of the coefficients: 0.5 if the motors turn by the sum of the joints, 1 if they turn by half of this sum.
+/// Returns values for all pairs of neighbouring revolute joints, of which one turns by the sum and the other by the
+/// difference of the motor angles. Either joint may be the sum, and either motor may come first in the difference.
+/// `sizes` are the tried magnitudes of the coefficients: 0.5 if the motors turn by the sum and the difference of the
+/// joint angles, 1 if they turn by half of these.
 inline std::vector<std::string> valuesOf(const CheckedReadings& checked, const std::vector<double>& sizes) {
   static constexpr std::array<std::array<int, 4>, 4> kSigns{
       {{1, 1, 1, -1}, {1, 1, -1, 1}, {1, -1, 1, 1}, {-1, 1, 1, 1}}};
@@ -54,7 +55,7 @@ inline std::vector<std::string> valuesOf(const CheckedReadings& checked, const s
 inline std::vector<std::string> values(const CheckedReadings& checked) { return valuesOf(checked, {0.5, 1}); }
 inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) { return valuesOf(checked, {0.5}); }
 
-/// Returns a mixture of two joints as text, such as "0.5 J5 - 0.5 J6" or "J5 - J6".
+/// Returns a linear combination of two joint angles as text, such as "0.5 J5 - 0.5 J6" or "J5 - J6".
 inline std::string mixtureText(const Eigen::RowVector2d& shares, const std::string& first, const std::string& second) {
   const auto term = [](double size, const std::string& name) {
     return size == 1 ? name : fmt::format("{:g} {}", size, name);
@@ -63,8 +64,8 @@ inline std::string mixtureText(const Eigen::RowVector2d& shares, const std::stri
          term(std::abs(shares[1]), second);
 }
 
-/// Returns the direction of a mixture's last motion, from the directions of its two parts; 0 if their contributions
-/// disagree.
+/// Returns the sign of the last motion of a linear combination of two joints with the coefficients `shares`. The signs
+/// of the joints' own last motions are `first` and `second`. Returns 0 if their contributions disagree.
 inline int senseOf(const Eigen::RowVector2d& shares, int first, int second) {
   const auto sign = [](double number) { return (number > 0) - (number < 0); };
   const int a = sign(shares[0]) * first, b = sign(shares[1]) * second;

@@ -15,14 +15,15 @@ namespace tubeplan::calibration::mistakes::joint_scale {
 namespace {
 
 constexpr double kTurns = 2.5;           // maximum number of turns of a real joint, if its limits do not allow more
-constexpr double kLeastMotion = 0.2;     // smallest range of a joint's readings after scaling [rad]
-constexpr int kScales = 400;             // number of scales tried for each sign, in a geometric series
+constexpr double kLeastMotion = 0.2;     // smallest accepted range of a joint's readings after scaling [rad]
+constexpr int kScales = 400;             // number of scales that are tried for each sign, in a geometric series
 constexpr int kFiner = 40;               // number of golden-section steps
 constexpr std::size_t kMostScaled = 60;  // maximum number of readings in the comparison
-// Values of QuickAlignmentOptions::share: in the series, and in its refinement.
+// Values of QuickAlignmentOptions::share while the series is tried, and while its best factor is refined.
 constexpr double kCoarse = 1, kFine = 0.01;
 
-/// Returns the best of a series of factors of one sign, refined between its neighbours.
+/// Returns the factor with the best score between `from` and `to`: the best of a geometric series, refined between its
+/// two neighbours.
 double bestFactor(ScaledReadings& scaled, double from, double to) {
   const double ratio = std::pow(to / from, 1. / kScales);
   double best = from, least_score = std::numeric_limits<double>::infinity();

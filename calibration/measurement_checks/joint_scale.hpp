@@ -1,5 +1,4 @@
-// Mistake: the readings of a joint are in encoder pulses or in another measure without a unit, so they have an unknown
-// scale factor.
+// Mistake: the readings of a joint are in encoder pulses or in another unknown unit, so their scale factor is unknown.
 #pragma once
 
 #include <algorithm>
@@ -21,12 +20,14 @@ struct JointRange {
 };
 [[nodiscard]] JointRange rangeOf(const CheckedReadings& checked, int joint);
 
-/// Deviation of at most `most` readings from the rigid drawing, with the readings of some joints multiplied by factors.
+/// Comparison of at most `most` readings with the rigid arm as drawn, with the readings of each of `joints` multiplied
+/// by a trial factor.
 class ScaledReadings {
  public:
   ScaledReadings(const CheckedReadings& checked, std::vector<int> joints, std::size_t most);
 
-  /// Returns the score for these factors, smaller for a better fit; `share` is QuickAlignmentOptions::share.
+  /// Returns the score for these factors, one per joint; a smaller score is a better fit. `share` is
+  /// QuickAlignmentOptions::share.
   [[nodiscard]] double score(const std::vector<double>& factors, double share);
 
  private:

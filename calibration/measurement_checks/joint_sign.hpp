@@ -1,4 +1,4 @@
-// Mistake: a joint is read with reversed sign.
+// Mistake: the readings of a joint have the opposite sign.
 #pragma once
 
 #include "calibration/measurement_checks/mistake.hpp"

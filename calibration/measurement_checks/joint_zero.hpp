@@ -36,8 +36,8 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return texts;
 }
 
-/// Returns values with offsets of 15 deg and of multiples of 30 deg, of both signs. The nearest of them is later
-/// refined to the actual zero.
+/// Returns the values that are tried together with another mistake: offsets of +-15 deg and of multiples of 30 deg. The
+/// best of them is refined later, by a fit of the zero.
 inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) {
   std::vector<std::string> texts;
   for (const int j : turningJoints(checked.start.arm))
@@ -46,8 +46,8 @@ inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) {
   return texts;
 }
 
-/// Returns a reading [rad] moved by whole turns to within its joint's limits; unchanged if that is not possible or not
-/// necessary.
+/// Returns a reading [rad] wrapped by whole turns into its joint's limits; unchanged if it is within them already or if
+/// no number of turns brings it there.
 inline double wound(const deflection::Joint<double>& joint, double q) {
   if (!isPastLimit(joint, q)) return q;
   constexpr double kTurn = 2 * std::numbers::pi;

@@ -1,4 +1,4 @@
-// Mistake: hung loads are not in the unit that their column states: newtons, kilograms or pounds.
+// Mistake: the loads hung from the tip are not in the unit that their column states (newtons, kilograms or pounds).
 #pragma once
 
 #include <algorithm>

@@ -23,7 +23,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Unit of sigma for which chi-square is closest to that of noise alone.
+/// Correction to the unit of sigma with which chi-square per degree of freedom is closest to 1.
 struct SigmaUnit {
   Mend mend;
   double chi2_per_freedom = kNoFigure;
@@ -50,8 +50,7 @@ void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& chec
   // Chi-square per degree of freedom below which the readings agree more than five times better than their stated noise
   // allows.
   constexpr double kFarBelow = 1. / 30;
-  // Factor by which chi-square per degree of freedom may differ from 1, since sigmas are usually stated no more
-  // precisely.
+  // Chi-square per degree of freedom may differ from 1 by this factor, since stated sigmas are usually rough.
   constexpr double kAgrees = 5;
   // Smallest credible sigma relative to the arm's reach: interferometers measure a machine to 0.5 um in a metre.
   constexpr double kFinest = 2e-7;
@@ -79,10 +78,10 @@ void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& chec
   checks.push_back(std::move(check));
 }
 
-/// Returns true if the fitted base is farther than any mounting from its nominal place, in a cell with a sheet. Without
-/// a sheet the nominal place is only a start value.
+/// Returns true if the fitted base is farther from its nominal place than any mounting error explains. Returns false
+/// for a cell without a tube sheet, where the nominal place is only a start value.
 bool isElsewhere(const MistakeTrials& trials) {
-  constexpr double kTurned = 0.8;  // rotation [rad] above which a base that is also shifted far faces another way
+  constexpr double kTurned = 0.8;  // rotation [rad] of a base that is turned, not just misaligned
   const Trial& as_is = trials.asIs();
   return trials.checked().sheet && trials.hasPlaces() &&
          (as_is.base_shift > trials.reach() ||
@@ -129,8 +128,8 @@ bool leavesNothing(const MistakeTrials& trials, const FoundMistake& mistake) {
 }
 
 /// Returns the mistake or the gravity direction, whichever fits the readings better. Both may fit: exchanged axes
-/// rotate an unknown base, and gravity with it in the base frame. In this case the finding whose base is near the
-/// nominal place is named; its sentence mentions the other finding.
+/// rotate an unknown base, and gravity with it in the base frame. In this case, returns the finding whose base is near
+/// its nominal place, and mentions the other finding in its sentence.
 MeasurementCheck likelier(const MistakeTrials& trials, FoundMistake mistake, FoundMistake gravity) {
   constexpr double kClearly = 2;
   if (mistake.drawn.error > kClearly * gravity.drawn.error) return std::move(gravity.check);

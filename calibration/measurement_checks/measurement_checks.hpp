@@ -2,15 +2,15 @@
 //
 // Method. Two kinds of fit are made, each with the readings as stated and as corrected for the mistake. The first keeps
 // the arm as drawn and frees only the tip, and the base if it is unknown; it gives the error in metres. The second
-// frees, within their priors, every stiffness and all other parameters that the drawing leaves open, with a prior of
-// the base about its nominal place; it gives the probability (robust_fit.hpp). A mistake is suspected if both fits
+// frees, within their priors, every stiffness and all other parameters that the drawing leaves open, with a prior that
+// keeps the base near its nominal place; it gives the probability (robust_fit.hpp). A mistake is suspected if both fits
 // support it:
 // - The error relative to the drawing falls to a third or less. A physical effect follows its own law and is not
 //   removed by another unit, sign or order. A wrong hypothesis may remove some of the error by chance, but not two
 //   thirds of it in all rows and directions.
-// - The odds of the mistake against no mistake, from the fit with priors, are above a million to one. Such odds allow
-//   for the facts that mistakes are rare and that a hundred are tried. An error that the priors allow (5 mm, 20 mrad,
-//   softer or stiffer members) is therefore not a mistake.
+// - The odds of the mistake against no mistake, from the fit with priors, are above a million to one. The threshold is
+//   that high because mistakes are rare and about a hundred hypotheses are tried. An error that the priors allow (5 mm,
+//   20 mrad, softer or stiffer members) is therefore not a mistake.
 //
 // A mistake is also reported if the fitted base is far from its nominal place (20 deg, a quarter of the reach) and the
 // mistake brings the base back without a larger error. This report is a remark: the readings' errors do not require it.
@@ -29,11 +29,11 @@ namespace tubeplan::calibration {
 inline constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 
 enum class CheckSeverity {
-  kMistake,  ///< explains the lack of fit; must be corrected before any conclusion on the model
+  kMistake,  ///< explains the lack of fit; must be corrected before the model is judged
   kRemark,
 };
 
-/// Finding of a check.
+/// Finding of one check: a suspected mistake in the readings, or a remark.
 struct MeasurementCheck {
   std::string name;
   CheckSeverity severity = CheckSeverity::kRemark;
@@ -44,12 +44,12 @@ struct MeasurementCheck {
   std::vector<std::string> equally;    ///< further values of `--assume` that explain the readings equally well
 };
 
-/// Returns a remark that does not concern errors.
+/// Returns a remark without error figures.
 [[nodiscard]] inline MeasurementCheck remarkOf(std::string name, std::string sentence, std::string assume = "") {
   return {std::move(name), CheckSeverity::kRemark, std::move(sentence), kNoFigure, kNoFigure, std::move(assume), {}};
 }
 
-/// Missing column, with a sentence about the effects that it would show.
+/// Column that the readings lack, with a sentence on the effects that it would reveal.
 struct MissingColumn {
   std::string column, sentence;
 };
@@ -69,10 +69,11 @@ struct CheckOptions {
   StopQuestion stop = {};
 };
 
-/// Checks the readings without changing them. Throws WorkStopped on a request to stop.
+/// Checks the readings without changing them. Throws WorkStopped if `options.stop` requests a stop.
 [[nodiscard]] MeasurementChecks checkMeasurements(const CheckedReadings& checked, const CheckOptions& options = {});
 
-/// Returns the first mistake, which prevents any conclusion on the model; null if there is none.
+/// Returns the first finding of severity kMistake, which must be corrected before the model is judged; null if there is
+/// none.
 [[nodiscard]] const MeasurementCheck* grossMistake(const MeasurementChecks& checks);
 
 }  // namespace tubeplan::calibration

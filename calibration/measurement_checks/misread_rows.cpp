@@ -12,8 +12,8 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kFarOff = 0.02;       // error beyond any tolerance of a drawing, relative to the reach
-constexpr double kFallByRows = 5;      // smallest factor by which other rows must reduce the error
+constexpr double kFarOff = 0.02;       // error that no tolerance of a drawing explains, relative to the reach
+constexpr double kFallByRows = 5;      // smallest factor by which the corrected rows must reduce the error
 constexpr double kLeastTwist = 0.017;  // twist [rad] below which its sign cannot be determined
 
 using Rows = std::vector<deflection::Row<double>>;
@@ -26,7 +26,7 @@ double errorAsIs(const MistakeTrials& trials) {
   return trials.asIs().ok ? trials.asIs().error : std::numeric_limits<double>::infinity();
 }
 
-/// Returns the error of the counted readings with these rows, with base and tip free [m]; infinite if the readings
+/// Returns the error of the readings if the arm had these rows, with base and tip free [m]; infinite if the readings
 /// cannot be fitted.
 double errorBy(const MistakeTrials& trials, Rows rows) {
   PlacedArm start = trials.checked().start;

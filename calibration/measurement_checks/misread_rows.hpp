@@ -8,13 +8,13 @@
 
 namespace tubeplan::calibration {
 
-/// Returns a mistake if the readings are far off with the arm's rows but fit if the rows are read in the standard
-/// convention. Returns nullopt otherwise, or if the rows are in the standard convention already. The correction has to
-/// be made in the arm's file.
+/// Returns a mistake if the errors are large with the arm's rows as stated, but small if the rows are read in the
+/// standard convention. Returns nullopt otherwise, or if the rows are in the standard convention already. The
+/// correction has to be made in the arm's file.
 [[nodiscard]] std::optional<MeasurementCheck> standardRows(const MistakeTrials& trials);
 
-/// Returns a mistake if the readings fit once the sign of one row's twist, or of every row's twist, is reversed; of
-/// these variants, the one with the smallest error is reported. Returns nullopt if no variant fits.
+/// Returns a mistake if the readings fit when the sign of one row's twist, or of every row's twist, is reversed. If
+/// several of these variants fit, the one with the smallest error is reported. Returns nullopt if no variant fits.
 [[nodiscard]] std::optional<MeasurementCheck> negatedTwists(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

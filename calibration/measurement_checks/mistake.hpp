@@ -1,6 +1,6 @@
 // Common mistakes in readings, as an extensible table. Each kind of mistake is a file in this folder and a row of the
-// table in mistakes.cpp; nothing else names it. A kind states which values are worth trying, and how to correct the
-// readings for each value. measurement_checks.cpp finds the mistake that explains the readings.
+// table in mistakes.cpp; no other code refers to it. A kind states which values are worth trying, and how to correct
+// the readings for each value. measurement_checks.cpp finds the mistake that explains the readings.
 #pragma once
 
 #include <functional>
@@ -52,15 +52,15 @@ struct Mend {
   std::string mistake, value;  ///< the two parts of `--assume MISTAKE=VALUE`
   std::string sentence;  ///< description, such as "the unit of the coordinates is mm, not in as their columns say"
   std::function<void(std::vector<Measurement>&)> change = [](std::vector<Measurement>&) {};
-  /// Corrects noise that is in the same wrong unit; empty if there is no such noise.
+  /// Corrects the stated sigmas if they are in the same wrong unit; empty if there are no such sigmas.
   std::function<void(std::vector<Measurement>&)> change_sigma = {};
   bool frees_base = false;         ///< true: the base counts as unknown
   bool parts_setups = false;       ///< true: every set-up is fitted separately, with a separate tip
   bool is_of_part = false;         ///< true: applies to some of the readings only
   std::vector<int> zeros_of = {};  ///< joints whose zeros are fitted, starting from the tried values
-  int numbers_fitted = 0;          ///< number of parameters fitted to the readings: zeros and scales
+  int numbers_fitted = 0;          ///< number of parameters of the correction that are fitted, such as zeros
   std::optional<NewSetup> new_setup = {};
-  double against = 0;  ///< prior log odds against the mistake if it may begin at any of many readings
+  double against = 0;  ///< prior log odds against a mistake that may begin at any reading; otherwise 0
 
   /// Applies the corrections and updates the references between readings.
   void apply(std::vector<Measurement>& readings) const {
@@ -78,16 +78,17 @@ template <class Change>
   };
 }
 
-/// Mistake that may begin at any reading, with constant parameters from this reading on (step_search.hpp).
+/// Form of a mistake that may begin at any reading and is constant from then on, such as a displaced base
+/// (step_search.hpp).
 struct StepForm {
   int numbers = 1;
-  /// Returns the derivatives of a reading with respect to the parameters (rows x parameters). The prediction has
-  /// derivatives with respect to the tip's x, y, z, to the joints and to the base.
+  /// Returns the derivatives of a reading with respect to the step's parameters (rows x parameters). The prediction
+  /// passed to it has derivatives with respect to the tip's x, y, z, to the joints and to the base.
   std::function<Eigen::MatrixXd(const Prediction&)> slopes;
   std::function<std::string(const Eigen::VectorXd& size, const std::string& from)> value;
   std::optional<std::string> setup = {};  ///< set-up to which the mistake is limited; nullopt: not limited
-  /// True if an effect of the catalogue describes this step, which is then left to the diagnosis. A step of another
-  /// form is proposed only if it explains clearly more.
+  /// True if an effect of the catalogue describes this step. It is then left to the diagnosis, and a step of another
+  /// form is proposed only if it explains the readings clearly better.
   bool is_effect = false;
   bool is_of_tip = false;  ///< true: a step of the tip, such as a tool that was mounted again for a set-up
 };
@@ -99,7 +100,7 @@ struct MistakeKind {
   std::vector<std::string> (*values)(const CheckedReadings&);  ///< values worth trying
   /// Returns the correction for a value; nullopt if there is no such value.
   std::optional<Mend> (*mend)(const CheckedReadings&, const std::string& value);
-  bool settles_sigma = false;  ///< true: the mistake determines the noise, so other corrections do not change the noise
+  bool settles_sigma = false;  ///< true: its correction sets the noise, which other corrections then do not change
   bool joins_itself = false;   ///< true: the mistake may occur several times, each for another joint or column
   /// Values worth trying together with another mistake; null: the same as `values`.
   std::vector<std::string> (*values_beside)(const CheckedReadings&) = nullptr;
@@ -108,7 +109,7 @@ struct MistakeKind {
   bool is_of_turns = false;  ///< true: concerns rotations of a measured frame, which positions do not show
 };
 
-/// Returns the table of mistakes, in the order in which several mistakes are corrected.
+/// Returns the table of mistakes. If there are several mistakes, their corrections are applied in this order.
 const std::vector<MistakeKind>& mistakeKinds();
 
 /// Returns one correction that applies all corrections of `parts` in sequence. Its value lists the second and further
@@ -139,7 +140,7 @@ const std::vector<MistakeKind>& mistakeKinds();
 /// Parses `count` finite numbers separated by colons, such as "0:0.5:0"; nullopt if the string has another form.
 [[nodiscard]] std::optional<std::vector<double>> numbersAtColons(const std::string& text, std::size_t count);
 
-/// Returns no values, for a mistake that is searched for elsewhere or is not tried together with others.
+/// Returns no values: for mistakes that are searched for elsewhere, or that are not tried together with others.
 [[nodiscard]] inline std::vector<std::string> noValues(const CheckedReadings&) { return {}; }
 
 }  // namespace tubeplan::calibration

@@ -52,14 +52,14 @@ class MistakeSearch {
     return suspects;
   }
 
-  /// Adds those combinations of mistakes that explain the error and in which each mistake is needed.
+  /// Adds to `suspects` those of `several` that explain the error and need each of their mistakes to do so.
   void addExplaining(std::vector<Suspect> several, std::vector<Suspect>& suspects) const {
     for (Suspect& suspect : several)
       if (judgement_.explainsError(suspect) && judgement_.isAllNeeded(suspect)) suspects.push_back(std::move(suspect));
   }
 
-  /// Returns steps in the readings as stated and, if `beside` is true, also steps in the readings corrected for each
-  /// suspect.
+  /// Returns suspects with a step: in the readings as stated and, if `beside` is true, also in the readings corrected
+  /// for each of `suspects`.
   std::vector<Suspect> withSteps(const std::vector<Suspect>& suspects, bool beside) const {
     std::vector<Suspect> begun;
     const auto add = [&](const JoinedMends& parts, const Mend& before, const Trial& open) {
@@ -78,7 +78,8 @@ class MistakeSearch {
     return begun;
   }
 
-  /// Returns the best suspect as a finding, with the values of other suspects that explain the readings equally well.
+  /// Returns the first suspect as a finding, together with the values of `--assume` for other suspects that explain the
+  /// readings equally well.
   FoundMistake checkOf(std::vector<Suspect> suspects) const {
     Suspect& best = suspects.front();
     MeasurementCheck check;
@@ -97,8 +98,8 @@ class MistakeSearch {
     return {std::move(check), std::move(best.drawn)};
   }
 
-  /// Decides whether the noise is corrected as well if its column states the same wrong unit. The noise is not
-  /// corrected if the readings agree better with the noise as stated, since its column may state the right unit.
+  /// Decides whether the sigmas are corrected together with the coordinates if both columns state the same unit. They
+  /// are not if the errors agree better with the sigmas as stated, whose column may state the right unit.
   void settleSigma(Suspect& best, MeasurementCheck& check) const {
     if (!best.mend.change_sigma) return;
     Mend apart = best.mend;
@@ -123,8 +124,8 @@ class MistakeSearch {
     }));
   }
 
-  /// Returns true if nearly all corrected readings are within the joints' limits, or if the correction fits no joint's
-  /// zero and moves no further readings beyond the limits.
+  /// Returns true if nearly all corrected readings are within the joint limits, or if the correction involves no
+  /// joint's zero and moves no further readings beyond the limits.
   [[nodiscard]] bool isWithinLimits(const Mend& mend) const {
     auto readings = trials_.pool().readings;
     mend.apply(readings);
@@ -155,7 +156,7 @@ class MistakeSearch {
     return foremost(std::move(suspects));
   }
 
-  /// Adds a hypothesis with its fit relative to the drawing, unless it is invalid or already tried.
+  /// Fits a hypothesis relative to the drawing and adds it to `suspects`, unless it is invalid or already among them.
   void screen(JoinedMends tried, std::vector<Suspect>& suspects) const {
     auto parts = withZerosFound(trials_, std::move(tried));
     if (!parts) return;
@@ -185,9 +186,9 @@ class MistakeSearch {
     return -3 * static_cast<double>(trials_.pool().counted_quickly.size()) * std::log(trials_.shrinkage(trial));
   }
 
-  /// Sets the errors of the readings as stated and as corrected, from the depth of fit at which they differ most:
-  /// relative to the drawing, with the tip as drawn, or with all open parameters free. If only some readings are
-  /// corrected, the error over all readings is considered as well, since the best nine tenths may not include the
+  /// States in `check` the errors before and after the correction, at the depth of fit where they differ most: relative
+  /// to the drawing, with the tip as drawn, or with all open parameters free. If only some readings are corrected, the
+  /// error over all readings is considered as well, since the nine tenths with the smallest errors may exclude the
   /// corrected readings. A fit with as many parameters as measured values yields no error, and no error is stated below
   /// the noise.
   void stateErrors(const Suspect& best, MeasurementCheck& check) const {

@@ -9,15 +9,15 @@
 
 namespace tubeplan::calibration {
 
-/// Mistake, with the fit of the corrected readings relative to the drawing.
+/// Suspected mistake, with the fit of the corrected readings to the arm as drawn.
 struct FoundMistake {
   MeasurementCheck check;
   Trial drawn;
 };
 
-/// Returns the mistake that explains most, with the values of `--assume` for other mistakes that explain as much.
-/// Returns nullopt if there is no error to explain, or if no mistake explains it. Throws WorkStopped on a request to
-/// stop.
+/// Returns the mistake that best explains the error, with the values of `--assume` for other mistakes that explain it
+/// equally well. Returns nullopt if there is no error to explain, or if no mistake explains it. Throws WorkStopped if a
+/// stop is requested.
 [[nodiscard]] std::optional<FoundMistake> findMistake(const MistakeTrials& trials);
 
 /// Returns the distance of the base from its nominal place as text, such as "12 in (8.0 pitches) and 3 deg".

@@ -16,8 +16,8 @@ constexpr double kUsualTurn = 0.05;   // usual rotation of a base from its nomin
 constexpr double kUsualShift = 0.05;  // usual shift of a base from its nominal place, relative to the reach
 constexpr std::size_t kQuickReadings = 40;
 
-/// Returns the indices of the readings to use: all, or groups drawn randomly with `seed`. Readings of one unknown point
-/// form a group.
+/// Returns the indices of the readings to use: all of them, or at most `most`, drawn randomly with `seed`. Readings of
+/// one unknown point are drawn together.
 std::vector<std::size_t> drawReadings(const std::vector<Measurement>& readings, std::size_t most, std::uint64_t seed) {
   auto groups = groupsByPlace(readings);
   std::vector<std::size_t> drawn;
@@ -55,7 +55,7 @@ std::vector<Measurement> only(std::vector<Measurement> readings, const std::set<
   return readings;
 }
 
-/// Returns everything that the drawing leaves open: the cell's free parameters, the geometry, and every stiffness.
+/// Returns all parameters that the drawing leaves open: the cell's free parameters, the geometry, and every stiffness.
 FreeChoice allThatIsOpen(const CheckedReadings& checked) {
   FreeChoice open = checked.free;
   open.base = true;  // frees base poses that are not known
@@ -89,7 +89,7 @@ double turnOf(const PlacedArm& found, const PlacedArm& nominal, std::size_t p) {
 }
 
 /// Returns the root-mean-square spread of tips that touched unknown points [m]; 0 if there are fewer than two. A
-/// mistake that contracts these tips lowers their error without being right.
+/// correction that contracts these tips lowers their error even if it is wrong.
 double extentOfTips(const PlacedArm& placed, const std::vector<Measurement>& readings) {
   std::vector<Eigen::Vector3d> tips;
   for (const auto& reading : readings)
@@ -121,9 +121,9 @@ MistakeTrials::MistakeTrials(const CheckedReadings& checked, const CheckOptions&
   as_is_.error = drawn.error;
   const Trial held = tried({}, TrialDepth::kHeld);
   as_is_.held_error = held.error;
-  // With all open parameters free, other parameters absorb part of the base's displacement; with few readings the tip
-  // does so too. Relative to the drawing alone, the base has the full displacement. A wrong tip displaces the base, so
-  // the fit with the smaller displacement is used.
+  // In a fit with all open parameters free, these absorb part of the base's displacement; with few readings, so does
+  // the tip. With the tip as drawn, in turn, a wrong tip displaces the base. The smaller of the two displacements
+  // relative to the drawing is therefore used.
   const Trial& nearer = held.ok && (!drawn.ok || held.base_shift < drawn.base_shift) ? held : drawn;
   as_is_.base_shift = nearer.base_shift;
   as_is_.base_turn = nearer.base_turn;

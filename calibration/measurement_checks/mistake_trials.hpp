@@ -1,5 +1,5 @@
-// Fits of the readings, as stated or as corrected for one mistake, at three depths: relative to the drawing with the
-// tip as drawn, with the tip free, and with all parameters free that the drawing leaves open.
+// Fits of the readings, as stated or as corrected for one mistake, at three depths: with arm and tip as drawn, with the
+// arm as drawn and the tip free, and with all parameters free that the drawing leaves open.
 #pragma once
 
 #include <limits>
@@ -12,13 +12,13 @@
 
 namespace tubeplan::calibration {
 
-/// Rotation of the base from its nominal place above which the base counts as far [rad].
+/// A base that is rotated by more than this relative to its nominal pose counts as far from it [rad].
 inline constexpr double kFarTurn = 0.35;
-/// Shift of the base from its nominal place above which the base counts as far, relative to the arm's reach.
+/// A base that is shifted by more than this from its nominal place, relative to the arm's reach, counts as far from it.
 inline constexpr double kFarShift = 0.25;
 
-/// Fit of the readings, as stated or as corrected for one mistake. The lack of fit includes the base's prior. In the
-/// fit of the readings as stated, `error` is relative to the drawing with base and tip free.
+/// Fit of the readings, as stated or as corrected for one mistake. The lack of fit includes the base's prior. For the
+/// readings as stated, `error` is that of the arm as drawn, with base and tip free.
 struct Trial : RobustFit {
   double held_error = std::numeric_limits<double>::infinity();  // error with base free, tip as drawn [m]
   double open_error = std::numeric_limits<double>::infinity();  // error with all open parameters free [m]
@@ -33,13 +33,14 @@ enum class TrialDepth {
 };
 
 /// Randomly drawn readings together with their neighbours, which are needed to correct mistakes in the order of rows.
-/// The ids name the drawn readings that count in full fits and in quick fits.
+/// `counted` and `counted_quickly` are the ids of the drawn readings that are used in full fits and in quick fits.
 struct ReadingPool {
   std::vector<Measurement> readings;
   std::set<std::string> counted, counted_quickly;
 };
 
-/// Fits of corrected readings at several depths. Both `checked` and `options` must outlive the object.
+/// Fits the readings, as stated and as corrected, at several depths. Both `checked` and `options` must outlive the
+/// object.
 class MistakeTrials {
  public:
   MistakeTrials(const CheckedReadings& checked, const CheckOptions& options);
@@ -47,7 +48,7 @@ class MistakeTrials {
   /// Returns the fit of the readings as stated, with the errors at all three depths.
   [[nodiscard]] const Trial& asIs() const { return as_is_; }
   [[nodiscard]] Trial tried(const Mend& mend, TrialDepth depth) const;
-  /// Returns the fit relative to the drawing with the parameters named in `zeros` (joint offsets) free as well.
+  /// Fits the corrected readings to the arm as drawn, with the joint offsets named in `zeros` free as well.
   [[nodiscard]] RobustFit fitZeros(const Mend& mend, PlacedArm start, const std::vector<std::string>& zeros) const;
   /// Returns the cell's arm; its base poses count as unknown if the mistake frees the base, and a new set-up is added
   /// if the mistake begins one.
@@ -55,7 +56,7 @@ class MistakeTrials {
   /// Returns the counted readings, corrected for a mistake. At depths other than kOpen, only the subset for quick fits
   /// is returned.
   [[nodiscard]] std::vector<Measurement> mended(const Mend& mend, TrialDepth depth) const;
-  /// Returns the fit of the readings as stated with the arm of another drawing, with base and tip free.
+  /// Fits the readings as stated to the arm of another drawing, with base and tip free.
   [[nodiscard]] Trial triedBy(PlacedArm drawing) const;
   /// Returns the names of all parameters that the drawing leaves open.
   [[nodiscard]] const FreeChoice& open() const { return open_; }
@@ -66,7 +67,8 @@ class MistakeTrials {
   /// Returns the root-mean-square length of the errors that the stated noise alone causes [m].
   [[nodiscard]] double noise(const Mend& mend) const;
 
-  /// Returns the ratio by which a mistake contracts the spread of the touched tips; at least 1.
+  /// Returns the factor by which a mistake's correction contracts the spread of the tips that touched unknown points;
+  /// at least 1.
   [[nodiscard]] double shrinkage(const Trial& trial) const;
   /// Returns by how much the correction of a mistake decreases the lack of fit, without the part that is due to
   /// contracted tips; very large if the readings as stated cannot be fitted.
@@ -79,7 +81,7 @@ class MistakeTrials {
   [[nodiscard]] const CheckOptions& options() const { return options_; }
   [[nodiscard]] const ReadingPool& pool() const { return pool_; }
   [[nodiscard]] double reach() const { return reach_; }
-  /// Returns true if at least one reading states the position of its point.
+  /// Returns true if at least one reading states the position of the tip.
   [[nodiscard]] bool hasPlaces() const { return has_places_; }
 
  private:

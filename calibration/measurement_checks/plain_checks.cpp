@@ -20,8 +20,8 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Returns a remark on joint readings that are all as small as angles in radians, and that would be within the joints'
-/// limits as radians. Touches of unknown points fit in either unit, so their errors do not show this mistake.
+/// Returns a remark if all joint readings are as small as angles in radians, and would be within the joint limits if
+/// they were in radians. Touches of unknown points fit in either unit, so their errors do not reveal this mistake.
 std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
   constexpr double kTurn = 2 * std::numbers::pi;
   constexpr std::size_t kFew = 4;
@@ -44,8 +44,8 @@ std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
       "angles=rad");
 }
 
-/// Returns a remark on joints whose readings exceed the range of any real joint. The remark asks the user to state
-/// their scales, in case no fit has found them.
+/// Returns a remark on joints whose readings exceed the range of any real joint. It asks the user for their scales, in
+/// case no fit has found them.
 std::optional<MeasurementCheck> pulses(const CheckedReadings& checked) {
   const auto joints = mistakes::joint_scale::jointsBeyondTurns(checked);
   if (joints.empty()) return std::nullopt;
@@ -74,8 +74,8 @@ std::optional<MeasurementCheck> heavyLoad(const CheckedReadings& checked) {
                   heaviest / unit.factor, unit.name, weight / unit.factor, unit.name));
 }
 
-/// Returns a remark on beams with too few segments for their bending under these readings: the discretisation error
-/// exceeds half the readings' noise. The reading with the heaviest load and several others are evaluated.
+/// Returns a remark on beams that are divided into too few segments, so that the discretisation error exceeds half the
+/// noise of the readings. It is evaluated at the reading with the heaviest load and at several others.
 std::optional<MeasurementCheck> fewSegments(const CheckedReadings& checked) {
   constexpr std::size_t kMostSolved = 8;
   constexpr double kOfNoise = 0.5;
@@ -106,7 +106,7 @@ std::optional<MeasurementCheck> fewSegments(const CheckedReadings& checked) {
   return remarkOf("segments", std::move(sentence));
 }
 
-/// Returns a remark if there are too few readings for their errors to show a mistake.
+/// Returns a remark if there are too few readings for their errors to reveal a mistake.
 std::optional<MeasurementCheck> fewReadings(const CheckedReadings& checked) {
   constexpr int kLeastFreedom = 6;
   PlacedArm placed = checked.start;
@@ -211,7 +211,7 @@ std::vector<MeasurementCheck> mistakenHoles(const CheckedReadings& checked, cons
          "hole=" + reading.id + ":" + name,
          {}});
   }
-  // If many touches are off, the cause is not a single wrong name.
+  // If many touches lie at other holes, the cause is not the name in a single reading.
   return mistaken.size() * 3 > tried ? std::vector<MeasurementCheck>{} : mistaken;
 }
 

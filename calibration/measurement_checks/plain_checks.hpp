@@ -1,5 +1,5 @@
-// Checks of readings without a fit: joints that look like radians, loads much heavier than the arm, too few measured
-// values for the free parameters, missing columns.
+// Checks of readings without a fit: joint readings that look like radians, loads much heavier than the arm, too few
+// measured values for the free parameters, missing columns.
 #pragma once
 
 #include "calibration/measurement_checks/measurement_checks.hpp"

@@ -19,7 +19,7 @@ constexpr double kUsualTurnOfBase = 0.05, kUsualShiftOfBase = 0.05;
 constexpr int kReweighings = 3;
 constexpr std::size_t kLeastPlaces = 6;
 
-/// Tips in the base frame and their measured positions in the world frame [m], of one set-up.
+/// Predicted tips in the base frame, and their measured positions in the world frame [m], of one set-up.
 struct Cloud {
   std::vector<Vector3d> tips, places;
 };
@@ -52,9 +52,9 @@ double largestEigenvalue(const Matrix4d& K, const Matrix3d& H, double bound) {
   return value;
 }
 
-/// Returns the rotation that best maps vectors a to vectors b, where H is the sum of a b^T: Horn 1987 with unit
-/// quaternions, the eigenvector as in Theobald 2005 and in Liu, Agrafiotis and Theobald 2010. `bound` is half the sum
-/// of the squared lengths of all a and b.
+/// Returns the rotation that best maps vectors a to vectors b, where H is the sum of a b^T. The method is that of Horn
+/// 1987 with unit quaternions; the eigenvector is computed as in Theobald 2005 and in Liu, Agrafiotis and Theobald
+/// 2010. `bound` is half the sum of the squared lengths of all a and b.
 Matrix3d turnBetween(const Matrix3d& H, double bound) {
   Matrix4d K;
   K << H(0, 0) + H(1, 1) + H(2, 2), H(1, 2) - H(2, 1), H(2, 0) - H(0, 2), H(0, 1) - H(1, 0),  //
@@ -64,7 +64,7 @@ Matrix3d turnBetween(const Matrix3d& H, double bound) {
   const Matrix4d shifted = K - largestEigenvalue(K, H, bound) * Matrix4d::Identity();
   Eigen::Vector4d best = Eigen::Vector4d::Unit(0);
   double longest = 0;
-  for (int row = 0; row < 4; ++row) {  // a row of cofactors is the eigenvector, unless it is zero
+  for (int row = 0; row < 4; ++row) {  // any nonzero row of cofactors is an eigenvector
     Eigen::Vector4d cofactors;
     for (int column = 0; column < 4; ++column) {
       Matrix3d minor;
@@ -115,8 +115,9 @@ double sumOf(const std::vector<double>& squares, double blind) {
   return sum;
 }
 
-/// Returns sumOf() after the best alignment of the base, plus the log prior odds against this base. If the sum is below
-/// `promising`, the alignment is repeated with Cauchy weights, scaled by the typical squared error.
+/// Returns sumOf() after the best alignment of the base, plus the log prior odds against this base. As long as the sum
+/// is below `promising`, the alignment is repeated a few times with Cauchy weights, scaled by the typical squared
+/// error.
 double alignedSum(const Cloud& cloud, const Eigen::Isometry3d& nominal, double blind, double promising) {
   std::vector<double> weights(cloud.tips.size(), 1), squares;
   Placing X = aligned(cloud, weights);

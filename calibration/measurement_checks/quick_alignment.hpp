@@ -1,5 +1,5 @@
-// Distance of readings from the rigid drawing with the base at its best pose. The computation takes microseconds, so
-// that thousands of corrections can be compared and only a few are fitted.
+// Distance between measured positions and the tips of the rigid arm as drawn, with the base at its best pose. The
+// computation takes microseconds, so thousands of corrections can be compared before the best few are fitted.
 #pragma once
 
 #include <limits>
@@ -13,11 +13,11 @@ namespace tubeplan::calibration {
 struct QuickAlignmentOptions {
   bool frees_base = false;
   double share = 1;  ///< error that counts as zero, relative to a hundredth of the reach
-  /// Score above which the alignment of the base is not refined.
+  /// The alignment of the base is refined only if the score is below this value.
   double promising = std::numeric_limits<double>::infinity();
 };
 
-/// Alignment of rigid tips with measured positions. Each thread needs a separate object.
+/// Alignment of the rigid arm's tips with the measured positions. Each thread needs a separate object.
 class QuickAlignment {
  public:
   /// Prepares the alignment for an arm with this `reach` [m].

@@ -17,10 +17,10 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kBest = 0.9;  // fraction of the readings, those with the smallest errors, that the stated error covers
+constexpr double kBest = 0.9;  // RobustFit::error covers this fraction of the readings, those with the smallest errors
 constexpr int kScaleSteps = 40;
-constexpr double kTellingFreedom = 12;  // fewest degrees of freedom at which chi-square is informative about the noise
-constexpr double kConverged = 0.05;     // the fit ends once a step decreases the lack of fit by less
+constexpr double kTellingFreedom = 12;  // with fewer degrees of freedom, chi-square says little about the noise
+constexpr double kConverged = 0.05;     // the fit ends if a step decreases the lack of fit by less than this
 constexpr int kMostTrials = 6;          // maximum number of attempts at a step, each shorter than the one before
 
 /// Returns the sum of the smallest values, up to the fraction `share` of all values, and the number of summed values.
@@ -65,7 +65,7 @@ class StudentLoss {
     return value;
   }
 
-  /// Returns the square root of each row's weight, divided by the scale.
+  /// Returns, for each row, the square root of its weight divided by the scale.
   [[nodiscard]] VectorXd rowWeights() const {
     VectorXd rows(weights_.rows);
     for (std::size_t k = 0; k < weight_.size(); ++k)
@@ -73,8 +73,8 @@ class StudentLoss {
     return rows;
   }
 
-  /// Returns chi-square of the best readings relative to its expectation; `degrees_of_freedom` are those of all
-  /// readings.
+  /// Returns chi-square of the readings with the smallest errors, divided by its expectation. `degrees_of_freedom` are
+  /// those of all readings.
   [[nodiscard]] double chi2PerFreedom(double degrees_of_freedom) const {
     // If noise is normal, the worst tenth of readings with three rows contributes a quarter of the chi-square.
     constexpr double kShareOfBest = 0.74;
@@ -98,7 +98,7 @@ double priorLackOfFit(const std::vector<Unknown>& unknowns, const VectorXd& x) {
   return priorResiduals(unknowns, x).squaredNorm() / 2;
 }
 
-/// Iteration of the fit: damped Gauss-Newton steps within bounds.
+/// Damped Gauss-Newton iteration within the bounds of the unknowns.
 class Descent {
  public:
   Descent(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& readings,

@@ -19,11 +19,10 @@ struct RobustFit {
   bool ok = false;
   PlacedArm placed;
   double lack_of_fit = std::numeric_limits<double>::infinity();  ///< -log(likelihood x priors), without constants
-  /// Root-mean-square error of the best nine tenths of the readings [m].
+  /// Root-mean-square error of the nine tenths of the readings with the smallest errors [m].
   double error = std::numeric_limits<double>::infinity();
   double whole_error = error;  ///< root-mean-square error of all readings [m]
-  /// Chi-square per degree of freedom of the best nine tenths of the readings, relative to the stated noise; NaN if not
-  /// computed.
+  /// Chi-square per degree of freedom of the same nine tenths, relative to the stated noise; NaN if not computed.
   double chi2_per_freedom = kNotKnown;
 };
 
@@ -34,14 +33,14 @@ struct RobustFitOptions {
   StopQuestion stop = {};
 };
 
-/// Returns the weight of a reading under Student's t distribution, from the squared length of its whitened error and
-/// the variance of the scale.
+/// Returns the weight of a reading under Student's t distribution, from the squared length `square` of its whitened
+/// error and the square `variance` of the scale.
 [[nodiscard]] inline double studentWeight(double square, int rows, double variance) {
   return (kStudentFreedom + rows) / (kStudentFreedom + square / variance);
 }
 
-/// Fits the free parameters, starting with the base poses that align the tips best. Throws WorkStopped on a request to
-/// stop.
+/// Fits the free parameters, starting from the base poses that best align the predicted tips with the measured
+/// positions. Throws WorkStopped if `options.stop` requests a stop.
 [[nodiscard]] RobustFit fitRobustly(PlacedArm start, const std::vector<Measurement>& readings,
                                     const RobustFitOptions& options);
 

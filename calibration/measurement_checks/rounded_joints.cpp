@@ -16,9 +16,10 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kDisplayDegrees[] = {1, 0.5, 0.1, 0.05, 0.01};                // display resolutions [deg]
 constexpr double kDisplayRadians[] = {0.1, 0.05, 0.01, 0.005, 0.001, 0.0005};  // display resolutions [rad]
-constexpr double kNearStep = 0.02;  // tolerance for a value written with few digits, relative to the step
+// Largest deviation of a reading from a multiple of the step, relative to the step, if it is written with few digits.
+constexpr double kNearStep = 0.02;
 constexpr std::size_t kLeastReadings = 8, kLeastStops = 4;
-// Smallest accepted ratio of the errors to those that rounding causes, and of the latter to the former.
+// The errors, and those that rounding causes, may differ by at most the reciprocal of this factor.
 constexpr double kShareOfError = 1. / 3;
 
 struct DisplayStep {
@@ -35,8 +36,8 @@ std::vector<DisplayStep> displaySteps() {
   return steps;
 }
 
-/// Returns true if a joint's readings are whole multiples of a step and have several different values. A joint that
-/// never moves may have a round value by chance.
+/// Returns true if a joint's readings are whole multiples of a step and take several different values, since a joint
+/// that hardly moves may have a round value by chance.
 bool areMultiples(const std::vector<Measurement>& readings, int joint, double step) {
   std::set<double> places;
   for (const auto& reading : readings) {
@@ -47,8 +48,8 @@ bool areMultiples(const std::vector<Measurement>& readings, int joint, double st
   return places.size() >= kLeastStops;
 }
 
-/// Returns for each joint the largest display resolution of which its readings are multiples, if coarser than the
-/// encoder; size 0 for other joints.
+/// For each joint, returns the coarsest display resolution of which all its readings are multiples; size 0 if there is
+/// none that is coarser than the encoder.
 std::vector<DisplayStep> stepsOf(const CheckedReadings& checked) {
   const auto& arm = checked.start.arm;
   const auto steps = displaySteps();
@@ -62,7 +63,7 @@ std::vector<DisplayStep> stepsOf(const CheckedReadings& checked) {
   return of_joints;
 }
 
-/// Returns the root-mean-square motion of the tips due to the rounding [m].
+/// Returns the root-mean-square displacement of the tips that the rounding of the joints causes [m].
 double motionOfRounding(const std::vector<DisplayStep>& steps, const MistakeTrials& trials) {
   const PlacedArm& placed = trials.asIs().placed;
   double squares = 0;

@@ -8,8 +8,8 @@
 namespace tubeplan::calibration {
 
 /// Returns a remark if the readings of revolute joints are whole multiples of a round angle, which may differ between
-/// joints. The rounding must move the tip by more than the readings' noise and by about the size of the errors. Returns
-/// nullopt otherwise, since exact readings may be round, too.
+/// joints, and if such rounding moves the tip by more than the noise and by about as much as the errors. Returns
+/// nullopt otherwise, since exact readings may happen to be round.
 [[nodiscard]] std::optional<MeasurementCheck> roundedJoints(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

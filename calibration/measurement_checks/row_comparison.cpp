@@ -9,8 +9,8 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kBlind = 0.01;   // error below which errors count as zero, relative to the reach
-constexpr double kMostOfRow = 3;  // largest evidence that a single row contributes: log of the ratio of its errors
+constexpr double kBlind = 0.01;   // errors below this, relative to the reach, count as zero
+constexpr double kMostOfRow = 3;  // largest evidence from one row: log of the ratio of its errors
 constexpr std::size_t kEndRows = 20;
 
 }  // namespace

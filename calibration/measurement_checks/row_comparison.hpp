@@ -1,5 +1,5 @@
-// Row-by-row comparison of two versions of the readings with an arm's predictions, which shows the row where a mistake
-// begins.
+// Row-by-row comparison of two versions of the readings, as stated and as corrected, with an arm's predictions. It
+// shows at which row a mistake begins.
 #pragma once
 
 #include <optional>
@@ -36,8 +36,8 @@ class RowErrors {
 /// Comparison of the rows as stated with the corrected rows.
 class RowComparison {
  public:
-  /// Smallest mean of at() over rows that a mistake affects: its correction reduces their errors by a factor of e or
-  /// more.
+  /// Smallest mean of at() over the rows that a mistake affects: the correction must reduce their errors by a factor of
+  /// e.
   static constexpr double kLeastMean = 1;
 
   RowComparison(RowErrors& as_is, RowErrors& mended, double reach);

@@ -16,11 +16,11 @@ namespace {
 
 // Tried ratios of a joint's largest reading to its limit.
 constexpr double kSharesOfLimit[] = {0.95, 0.7, 0.5, 0.36};
-constexpr double kHalfTurn = 3.2;          // limit that is assumed if the joint's limit is farther away [rad]
+constexpr double kHalfTurn = 3.2;          // replaces limits of joints that are farther than this from zero [rad]
 constexpr double kPastByScale = 0.05;      // largest accepted excess over a limit [rad]
 constexpr std::size_t kMostTried = 5000;   // maximum number of combinations that are tried
 constexpr std::size_t kMostLookedAt = 20;  // maximum number of readings in the comparison
-// Numbers of combinations that are improved, and that are proposed.
+// Number of combinations that are improved, and number of those that are finally proposed.
 constexpr std::size_t kBettered = 16, kProposed = 2;
 constexpr int kScaleTurns = 3, kSectionSteps = 8, kFitRepeats = 3;
 
@@ -45,7 +45,8 @@ class ScalesTogether {
   }
 
  private:
-  /// Returns scales of both signs for which a joint's readings are within its limits and cover much of the range.
+  /// Returns the scales to be tried for a joint: those of either sign with which its readings stay within its limits
+  /// and cover much of its range.
   [[nodiscard]] std::vector<double> worthTrying(int j) const {
     const auto& joint = checked_.start.arm.joint(j);
     const auto [lowest, highest] = mistakes::joint_scale::rangeOf(checked_, j);
@@ -86,7 +87,7 @@ class ScalesTogether {
     if (all.size() > most) all.resize(most);
   }
 
-  /// Improves the scales joint by joint; the search range is halved after each pass.
+  /// Improves the scales of one combination joint by joint; the search range is halved after each pass over the joints.
   void better(Scales& scales, double share) {
     scales.score = scaled_.score(scales.factors, share);
     double apart = 0.3;  // search range relative to the scale
@@ -105,7 +106,7 @@ class ScalesTogether {
       }
   }
 
-  /// Fits the factors relative to the drawing, together with the base if it is unknown.
+  /// Fits the factors to the arm as drawn, together with the base if it is unknown.
   void fit(Scales& scales) const {
     for (int repeat = 0; repeat < kFitRepeats; ++repeat) {
       auto readings = checked_.readings;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kMostRowsLooked = 2000;
 constexpr std::size_t kFewest = 3;  // smallest number of rows before and after a lost point
-constexpr int kTried[] = {-1, 1};   // tried shifts, in rows, from some row on
-constexpr double kFits = 0.03;      // error up to which a row counts as not shifted, relative to the reach
+constexpr int kTried[] = {-1, 1};   // tried shifts [rows] that begin within the table
+constexpr double kFits = 0.03;      // a row with a smaller error, relative to the reach, counts as not shifted
 
 /// Copies the measured values of a reading, but not its joints and loads.
 void takeMeasured(const Measurement& from, Measurement& to) {
@@ -34,8 +34,8 @@ void takeMeasured(const Measurement& from, Measurement& to) {
   to.turn_sigma = from.turn_sigma;
 }
 
-/// Parsed value such as "-1" or "-1@P37": the number of rows, and the id of the first shifted reading; nullopt: whole
-/// table.
+/// Parsed value such as "-1" or "-1@P37": by how many rows values are shifted, and from which reading on; nullopt: in
+/// the whole table.
 struct Shift {
   int by = 0;
   std::optional<std::string> from;
@@ -48,8 +48,8 @@ std::optional<Shift> shiftNamed(const std::string& value) {
   return Shift{*by, from};
 }
 
-/// Returns every reading with the measured values from `by` rows further down, without removing rows. A reading without
-/// such a row has no position.
+/// Returns all readings, each with the measured values from `by` rows further down. Unlike shift(), keeps readings
+/// without such a row, but without a position.
 std::vector<Measurement> inPlace(int by, const std::vector<Measurement>& readings) {
   auto moved = readings;
   const auto count = static_cast<int>(readings.size());
@@ -63,8 +63,9 @@ std::vector<Measurement> inPlace(int by, const std::vector<Measurement>& reading
   return moved;
 }
 
-/// Returns the row from which on the corrected rows fit better: the row with the largest sum of evidence up to the end,
-/// moved to the nearest row at which errors above `fits` [m] begin. Returns nullopt if there is none.
+/// Returns the first row of a shift that extends to the end of the table: the row from which the evidence for the
+/// corrected rows has the largest sum, moved to the nearest row at which errors above `fits` [m] begin. Returns nullopt
+/// if there is none.
 std::optional<std::size_t> startOf(RowComparison& comparison, RowErrors& as_is, std::size_t count, double fits) {
   const std::size_t stride = (count + kMostRowsLooked - 1) / kMostRowsLooked;
   double sum = 0, best = 0;

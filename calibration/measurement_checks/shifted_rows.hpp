@@ -1,5 +1,5 @@
-// Mistake: measured values are one or more rows away from their joints and loads, in the whole table or from a lost or
-// duplicated point on. Values without a matching row are left out.
+// Mistake: measured values are written one or more rows above or below their joints and loads, in the whole table or
+// after a lost or duplicated point. Readings without a matching row are excluded.
 #pragma once
 
 #include "calibration/measurement_checks/mistake.hpp"

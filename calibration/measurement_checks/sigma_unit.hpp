@@ -1,5 +1,5 @@
-// Mistake: the noise is not in the unit that its column states. Only the size of the errors relative to the noise shows
-// this mistake. It is searched for separately (measurement_checks.cpp), so no values are tried here.
+// Mistake: the sigmas of the readings are not in the unit that their column states. Only the ratio of the errors to the
+// sigmas reveals this mistake. It is searched for separately (measurement_checks.cpp), so no values are tried here.
 #pragma once
 
 #include "calibration/measurement_checks/units_of_columns.hpp"

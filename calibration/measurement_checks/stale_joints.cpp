@@ -22,15 +22,16 @@ namespace {
 // Smallest ratio of a gross error to the usual error and to the noise; no physical law leaves a single reading so far
 // off.
 constexpr double kGross = 10;
-constexpr std::size_t kLeast = 6;  // smallest number of errors that determine the usual error
-// Fraction of stale readings above which the joints are not the cause, unless the readings are consecutive.
+constexpr std::size_t kLeast = 6;  // with fewer errors, the usual error is not determined
+// If more than this fraction of the readings is stale, copied joints are not the cause, unless the readings are
+// consecutive.
 constexpr double kMostOfThem = 0.2;
 constexpr double kMostOfRun = 0.4;  // largest accepted fraction of stale readings if these are consecutive
 
-/// Values that are compared between two readings, and the set-up.
+/// Values of a reading that are compared with those of another one, and the set-up.
 using Station = std::pair<std::vector<double>, std::string>;
 
-/// Returns the joint values and the load, which are equal in two readings of one posture.
+/// Returns the joint values and the load, which together determine the posture.
 std::optional<Station> jointsOf(const Measurement& reading) {
   std::vector<double> numbers(reading.q.begin(), reading.q.end());
   numbers.insert(numbers.end(), reading.side_q.begin(), reading.side_q.end());
@@ -38,14 +39,14 @@ std::optional<Station> jointsOf(const Measurement& reading) {
   return Station{std::move(numbers), reading.setup};
 }
 
-/// Returns the position that an instrument measured; nullopt for touched points, which may be touched repeatedly.
+/// Returns the position that an instrument measured; nullopt for touches, since a point may be touched repeatedly.
 std::optional<Station> placeMeasured(const Measurement& reading) {
   const auto& kind = kindOf(reading);
   if (!reading.p_W || !kind.is_place || kind.is_touch || kind.has_anchor) return std::nullopt;
   return Station{{reading.p_W->begin(), reading.p_W->end()}, reading.setup};
 }
 
-/// Group of values of a reading that may belong to another reading, with the wording of its messages.
+/// Part of a reading, its joints or its measured position, that may be stale, with the wording of its messages.
 struct Side {
   const char *name, *one, *several, *cause;
   std::optional<Station> (*of)(const Measurement&);
@@ -59,15 +60,15 @@ constexpr Side kSides[] = {
      "readings state the place of another reading, to the last digit, and the arm is not there",
      "the tracker stood still while the arm moved on, or the place was copied", placeMeasured}};
 
-/// Returns the length of a reading's error relative to the model [m], as defined by the kind of reading. NaN for
-/// touches of unknown points, and if the model cannot be evaluated.
+/// Returns the norm of a reading's residual [m]; NaN for touches of unknown points, and if the model cannot be
+/// evaluated.
 double errorOf(const PlacedArm& placed, const Measurement& reading) {
   if (hasUnknownPlace(reading)) return kNotKnown;
   const Prediction predicted = predictReading(placed, reading);
   return predicted.ok ? (predicted.value - kindOf(reading).measured(reading)).norm() : kNotKnown;
 }
 
-/// Index of a stale reading, and index of the reading whose values it states.
+/// Index of a stale reading, and index of the reading whose values it repeats.
 struct Stale {
   std::size_t reading = 0, of = 0;
 };

@@ -16,8 +16,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Weights under Student's t distribution, whose scale is that of most readings but at least that of the noise; `roots`
-/// are the square roots of the weights, one per row.
+/// Weights under Student's t distribution, whose scale is that of the majority of the readings but at least that of the
+/// noise; `roots` are the square roots of the weights, one per row.
 struct RowWeights {
   VectorXd roots;
   double variance = 1;
@@ -83,7 +83,7 @@ bool StepScan::linearize(PlacedArm fitted, const FreeChoice& open) {
   const PredictionRequest request = slopesOfSteps(fitted.arm);
   for (const StepForm& form : forms_) by_step_.emplace_back(MatrixXd::Zero(residual_.size(), form.numbers));
   for (std::size_t k = 0; k < readings_.size(); ++k) {
-    if (hasUnknownPlace(readings_[k])) continue;  // the unknown point absorbs any step
+    if (hasUnknownPlace(readings_[k])) continue;  // the unknown place absorbs any step
     const auto& X_WB = basePoseAt(fitted, readings_[k]);
     const Prediction predicted = predictor.predict(X_WB, readings_[k], request);
     if (!predicted.ok) return false;
@@ -124,7 +124,7 @@ double StepScan::gainOf(double fall) const {
   const double before = residual_.squaredNorm() - residual_by_fit_.squaredNorm();
   const double rows = static_cast<double>(residual_.size());
   const double after = std::max(before - 2 * fall, 0.);
-  // Negative log likelihood with the best scale that is at least one.
+  // Negative log likelihood as a function of the sum of squares, with the best scale that is at least one.
   const auto cost = [&](double squares) {
     const double variance = std::max(1., squares / rows);
     return rows / 2 * std::log(variance) + squares / (2 * variance);
@@ -185,7 +185,8 @@ MatrixXd StepScan::creeping(std::size_t form, const std::vector<VectorXd>& along
   return columns;
 }
 
-/// Returns the functions that a creep may follow, each with one column per parameter.
+/// Returns the functions of conditions (such as time), load, joints and row that a creep may follow, each with one
+/// column per parameter.
 std::vector<std::vector<VectorXd>> StepScan::courses(const StepForm& form) const {
   const auto count = static_cast<Index>(readings_.size());
   const auto by = [&](auto number) {

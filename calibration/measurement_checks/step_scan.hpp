@@ -1,4 +1,4 @@
-// Search of a fit's errors for a step, tried at each reading, and for a gradual change (creep).
+// Search for a step, or for a gradual change (creep), in the errors of a fit. A step is tried at every reading.
 #pragma once
 
 #include <Eigen/Dense>
@@ -12,7 +12,7 @@ namespace tubeplan::calibration {
 
 inline constexpr std::size_t kFewestOfStep = 4;  ///< smallest number of readings before and after a step
 
-/// Best step of one form: its reading and size.
+/// Best step of one form: the reading at which it begins, and its size, one number per parameter.
 struct FoundStep {
   std::size_t form = 0, reading = 0;  ///< `reading` is the first reading after the step
   double merit = 0;                   ///< log odds gained, minus the penalty of the step
@@ -32,9 +32,9 @@ class StepScan {
   [[nodiscard]] bool ok() const { return ok_; }
   /// Returns the best step of each form, most probable first.
   [[nodiscard]] std::vector<FoundStep> steps() const;
-  /// Returns the best size of a step of this form that begins at this reading.
+  /// Returns the least-squares size of a step of this form that begins at this reading.
   [[nodiscard]] Eigen::VectorXd sizeAt(std::size_t form, std::size_t reading) const;
-  /// Returns the log odds gained by the best creep minus its penalty, comparable with FoundStep::merit.
+  /// Returns the log odds gained by the best creep, minus its penalty; comparable with FoundStep::merit.
   [[nodiscard]] double bestCreep() const;
 
  private:

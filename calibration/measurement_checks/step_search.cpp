@@ -17,9 +17,9 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr std::size_t kMostSteps = 3;  // maximum number of steps that are proposed for the readings as stated
-constexpr int kTurns = 4;              // maximum number of alternations between size fit and search for the reading
-constexpr double kBeyondCreep = 5;     // smallest log odds of a step relative to a creep
-constexpr double kDrasticFall = 8;     // factor of error reduction above which a step cannot be a creep
+constexpr int kTurns = 4;              // maximum number of passes: fit of the size, then search for the reading
+constexpr double kBeyondCreep = 5;     // smallest log odds of a step against a creep
+constexpr double kDrasticFall = 8;     // a step that reduces the error by more than this factor cannot be a creep
 
 class StepSearch {
  public:
@@ -89,7 +89,7 @@ class StepSearch {
     return mend;
   }
 
-  /// Returns the correction of the step's size from a linear fit of the size and of all open parameters.
+  /// Returns by how much the step's size changes in a linear fit of the size together with all open parameters.
   [[nodiscard]] VectorXd change(std::size_t form, const VectorXd& size, const PlacedArm& placed,
                                 const std::vector<Measurement>& readings, const std::string& from) const {
     const auto ids = idsFrom(all_, from);

@@ -11,18 +11,18 @@ namespace {
 
 constexpr double kLeastFall = 3;  // smallest factor by which a mistake must reduce the error relative to the drawing
 constexpr double kOdds = 14;      // required log odds: log of a million
-// Factor by which no fit of the drawing's parameters reduces the error relative to the drawing.
+// A reduction of the error by this factor is more than a fit of the drawing's open parameters plausibly achieves.
 constexpr double kDrastic = 8;
 constexpr double kAsGood = 3;         // log odds within which another mistake explains the readings equally well
 constexpr double kAsGoodError = 1.5;  // ratio of errors within which another mistake explains the readings equally well
 constexpr double kNoisePerRow = 0.6;  // lack of fit per row due to noise alone
-constexpr double kFits = 0.05;        // largest error of readings that count as corrected, relative to the reach
+constexpr double kFits = 0.05;        // readings with a larger error, relative to the reach, contain a mistake
 // Error, relative to the reach, above which several mistakes are tried after one is corrected.
 constexpr double kLeftOver = 0.001;
-constexpr double kBent = 0.005;     // error with the tip as drawn that is larger than any sag, relative to the reach
+constexpr double kBent = 0.005;     // error with the tip as drawn that exceeds any sag, relative to the reach
 constexpr double kMostAtNoise = 2;  // largest chi-square per degree of freedom due to noise alone
 
-/// Returns true if a correction has fitted parameters; without them, no reduction of the error is due to a fit.
+/// Returns true if a correction has fitted parameters, to which part of the error's reduction may be due.
 bool hasNumbers(const Mend& mend) { return mend.frees_base || mend.parts_setups || mend.numbers_fitted > 0; }
 
 }  // namespace
@@ -61,7 +61,7 @@ bool SuspectJudgement::isAllNeeded(const Suspect& suspect) const {
 bool SuspectJudgement::asksForMistakes() const {
   if (!trials_.asIs().ok) return true;
   const double noise = trials_.noise({});
-  if (trials_.asIs().whole_error > kFits * trials_.reach()) return true;  // mistake in some of the readings
+  if (trials_.asIs().whole_error > kFits * trials_.reach()) return true;  // some of the readings contain a mistake
   const bool is_bent =
       // The readings fit only if the arm's dimensions depart implausibly far from the drawing.
       trials_.asIs().held_error > kDrastic * trials_.asIs().open_error;
@@ -70,7 +70,7 @@ bool SuspectJudgement::asksForMistakes() const {
 }
 
 bool SuspectJudgement::asksForSteps() const {
-  constexpr double kMoreThanNoise = 1.5;  // chi-square per degree of freedom that exceeds noise alone
+  constexpr double kMoreThanNoise = 1.5;  // chi-square per degree of freedom that noise alone hardly exceeds
   return isLackOfFit() || trials_.asIs().chi2_per_freedom > kMoreThanNoise;
 }
 
@@ -100,13 +100,14 @@ bool SuspectJudgement::explainsError(const Suspect& suspect) const {
   // A step that leaves only noise, and that no creep explains (step_search.hpp), need not reduce the error by
   // kLeastFall.
   if (suspect.mend.against > 0 && isAtNoise(suspect) && gainOf(suspect) >= kOdds) return true;
-  // A wrong base affects all readings, so that freeing it must also reduce the error over all of them, not only over
-  // the best nine tenths.
+  // A wrong base affects all readings, so freeing it must also reduce the error over all of them, not only over the
+  // nine tenths with the smallest errors.
   if (suspect.mend.frees_base && !falls(trials_.asIs().whole_error, suspect.open.whole_error)) return false;
   if (!hasNumbers(suspect.mend) && trials_.gain(suspect.open) > 0 &&
       trials_.asIs().held_error >= kDrastic * suspect.drawn.held_error * shrinks)
     return true;
-  // The corrected readings must fit as well as the other readings; otherwise the mistake is a different one.
+  // A correction of some readings must make them fit about as well as the others, i.e. `whole_error` must be close to
+  // `error`; otherwise it is the wrong correction.
   if (suspect.mend.is_of_part && trials_.gain(suspect.open) >= kOdds &&
       trials_.asIs().whole_error >= kDrastic * suspect.open.whole_error * shrinks &&
       suspect.open.whole_error < kLeastFall * suspect.open.error)

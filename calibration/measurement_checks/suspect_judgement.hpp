@@ -1,4 +1,5 @@
-// Assessment of mistakes with the criteria of measurement_checks.hpp, for one mistake or for several together.
+// Decides whether a suspected mistake, or several together, explains the readings, by the criteria of
+// measurement_checks.hpp.
 #pragma once
 
 #include <vector>
@@ -7,14 +8,15 @@
 
 namespace tubeplan::calibration {
 
-/// One mistake, or several together, with the trials relative to the drawing and with all open parameters free.
+/// One suspected mistake, or several together, with the fits of the corrected readings: `drawn` to the arm as drawn,
+/// `open` with all open parameters free.
 struct Suspect {
   JoinedMends parts;
   Mend mend;
   Trial drawn, open;
 };
 
-/// Criteria for suspected mistakes. `trials` must outlive the object.
+/// Judges suspects by comparing their fits with those of the readings as stated. `trials` must outlive the object.
 class SuspectJudgement {
  public:
   explicit SuspectJudgement(const MistakeTrials& trials) : trials_(trials) {}
@@ -24,7 +26,7 @@ class SuspectJudgement {
   [[nodiscard]] bool asksForMistakes() const;
   /// Returns true if there is an error that a step of a few sigmas could cause.
   [[nodiscard]] bool asksForSteps() const;
-  /// Returns true if no single mistake reduces the error to about the usual error of a model.
+  /// Returns true if, whichever suspect is corrected, the remaining error exceeds the usual error of a model.
   [[nodiscard]] bool isLeftOver(const std::vector<Suspect>& suspects) const;
 
   /// Returns true if several mistakes are worth trying together: an error remains, or every suspect leaves the base far
@@ -35,15 +37,16 @@ class SuspectJudgement {
   [[nodiscard]] bool explainsError(const Suspect& suspect) const;
   /// Returns true if a suspect brings the base back to its nominal place without a larger error.
   [[nodiscard]] bool explainsBase(const Suspect& suspect) const;
-  /// Returns true if each of several mistakes meets the criteria of a single mistake, given the other mistakes.
+  /// Returns true if each of a suspect's mistakes meets the criteria of a single mistake once the others are corrected.
   [[nodiscard]] bool isAllNeeded(const Suspect& suspect) const;
-  /// Returns true if a suspect leaves no more error than the noise.
+  /// Returns true if, with the suspect corrected, the remaining error is no larger than the noise.
   [[nodiscard]] static bool isAtNoise(const Suspect& suspect);
-  /// Returns true if there are enough readings to contradict a correction that is fitted to them or leaves some of them
-  /// out.
+  /// Returns true if there are enough readings to refute a correction that is fitted to them or that excludes some of
+  /// them.
   [[nodiscard]] bool isDetermined(const Mend& mend) const;
 
-  /// Returns the log odds that a suspect gains, minus the penalty for mistakes that may begin at any of many readings.
+  /// Returns the log odds of a suspect against no mistake, minus the penalty for mistakes that may begin at any
+  /// reading.
   [[nodiscard]] double gainOf(const Suspect& suspect) const;
   /// Returns gainOf(suspect) minus the prior log odds against each further mistake.
   [[nodiscard]] double merit(const Suspect& suspect) const;
@@ -52,8 +55,8 @@ class SuspectJudgement {
 
  private:
   [[nodiscard]] bool isLackOfFit() const;
-  /// Returns true if the readings fit only with a drawing that is distorted to match them, to the limits of its priors
-  /// and beyond.
+  /// Returns true if the corrected readings fit only with dimensions that depart from the drawing to the limits of
+  /// their priors or beyond.
   [[nodiscard]] bool isBent(const Suspect& suspect) const;
   /// Returns true if a base that was far from its nominal place before is near it after the correction.
   [[nodiscard]] bool bringsBack(const Trial& before, const Trial& after) const;

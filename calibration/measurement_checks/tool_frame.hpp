@@ -16,8 +16,8 @@ namespace tubeplan::calibration::mistakes::tool_frame {
 
 inline double angleOf(const Eigen::Matrix3d& R) { return Eigen::AngleAxisd(R).angle(); }
 
-/// Returns the rotation R_TM of the measured frame M relative to the tool T, from an order of axes, or from roll, pitch
-/// and yaw between colons in the unit of the file's angles. Returns nullopt if the text has neither form.
+/// Parses the rotation R_TM of the measured frame M relative to the tool T: an order of axes such as "yzx", or roll,
+/// pitch and yaw separated by colons, in the unit of the file's angles. Returns nullopt if the string has neither form.
 inline std::optional<Eigen::Matrix3d> turnOf(const CheckedReadings& checked, const std::string& value) {
   if (const auto R_TM = axes::matrixOf(value)) return R_TM->determinant() > 0 ? R_TM : std::nullopt;
   const auto rpy = numbersAtColons(value, 3);
@@ -69,7 +69,7 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return texts;
 }
 
-/// Returns as text the tool's `rpy` that would make the tool frame of the arm's file equal to the measured frame.
+/// Returns, as text, the value of the tool's `rpy` with which the tool frame of the arm's file is the measured frame.
 inline std::string rpyText(const CheckedReadings& checked, const Eigen::Matrix3d& R_TM) {
   const Eigen::Vector3d rpy = fixedAngles(checked, checked.start.arm.R_LT * R_TM);
   return fmt::format("[{:.6g}, {:.6g}, {:.6g}] {}", rpy.x(), rpy.y(), rpy.z(), checked.units.angles.name);

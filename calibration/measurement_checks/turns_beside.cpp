@@ -23,8 +23,8 @@ std::vector<Measurement> placesOfPoses(const std::vector<Measurement>& readings)
   return places;
 }
 
-/// Parses a string such as "joint-sign=q1,joint-sign=q4" into corrections, without those of the noise; empty if one of
-/// them does not apply to these readings.
+/// Parses a string such as "joint-sign=q1,joint-sign=q4" into corrections, omitting those of the sigmas; empty if one
+/// of them does not apply to these readings.
 JoinedMends mendsOf(const CheckedReadings& checked, const std::string& assume) {
   JoinedMends mends;
   for (const std::string& text : partedAssumptions(assume)) {
@@ -43,8 +43,8 @@ CheckedReadings takenBy(CheckedReadings checked, const JoinedMends& mends) {
   return checked;
 }
 
-/// Returns `before` combined with each value of a mistake in rotations, for readings corrected by `before`. Mistakes
-/// that must be corrected before the last correction of `before` are excluded.
+/// Returns `before` combined with each correction of a mistake in rotations that is worth trying once `before` is
+/// applied. Mistakes that must be corrected before the last correction of `before` are excluded.
 std::vector<JoinedMends> withTurns(const CheckedReadings& checked, const JoinedMends& before) {
   std::vector<JoinedMends> all;
   const CheckedReadings mended = takenBy(checked, before);

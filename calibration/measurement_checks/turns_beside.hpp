@@ -1,5 +1,5 @@
-// Choice of combinations that are worth a fit: mistakes in the rotations of a measured frame, together with mistakes
-// that positions show.
+// Selection of the combinations to be fitted: mistakes in the rotations of a measured frame, together with mistakes
+// that positions reveal.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the mistake that the positions of pose readings alone show, combined with each value of a mistake in their
-/// rotations. If positions show no mistake, returns pairs of mistakes in the rotations. Empty if too few readings state
-/// both a position and a rotation.
+/// Returns the mistake that the positions of pose readings alone reveal, combined with each value of a mistake in their
+/// rotations. If positions reveal no mistake, returns pairs of mistakes in the rotations. Empty if too few readings
+/// state both a position and a rotation.
 [[nodiscard]] std::vector<JoinedMends> likelyBesideTurns(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

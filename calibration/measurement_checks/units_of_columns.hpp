@@ -1,5 +1,5 @@
-// Common functions for mistakes of units: names of the units that a column may have instead, and the factors that
-// correct its values.
+// Functions shared by all mistakes of units: the units that a column may have instead of the stated one, and the
+// factors that correct its values.
 #pragma once
 
 #include <cmath>
@@ -26,9 +26,9 @@ inline std::optional<double> factorOf(const std::vector<NamedUnit>& units, const
   return std::nullopt;
 }
 
-/// Returns the correction that multiplies by `factor` the noise whose columns state the same unit as the coordinates'
-/// columns. The correction applies to all axes or, if `axis` is given, to this axis only; a common sigma is then not
-/// changed. Empty if there is no such noise column.
+/// Returns the correction that multiplies by `factor` those sigmas whose columns state the same unit as the
+/// coordinates. The correction applies to all axes or, if `axis` is given, to this axis only; a common sigma is then
+/// not changed. Empty if there are no such sigmas.
 inline std::function<void(std::vector<Measurement>&)> sigmaAlong(const CheckedReadings& checked, double factor,
                                                                  std::optional<Eigen::Index> axis = {}) {
   const auto& units = checked.units;

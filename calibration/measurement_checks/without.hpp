@@ -1,5 +1,5 @@
-// Correction that leaves out readings: duplicates, readings beyond the arm's reach, or a run of readings from a device
-// that stood still.
+// Correction that excludes readings: duplicates, readings beyond the arm's reach, or a run of readings from a device
+// that had stopped updating.
 #pragma once
 
 #include "calibration/measurement_checks/from_reading.hpp"

@@ -12,7 +12,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Returns the name of the arm's parameter that is the zero of a joint.
+/// Returns the name of the arm's parameter for the zero of a joint, such as "forearm.joint.offset".
 std::string offsetOf(const deflection::Arm& arm, int joint) {
   const int row = deflection::activeRows(arm)[static_cast<std::size_t>(joint)];
   return arm.rows[static_cast<std::size_t>(row)].name + ".joint.offset";

@@ -1,4 +1,4 @@
-// Fit of the joint zeros of a suspected mistake.
+// Fit of the joint zeros that a suspected mistake concerns.
 #pragma once
 
 #include <optional>
