@@ -15,7 +15,7 @@ inline void record(const ToolPose& tool, double scale, const MeasuredValue& nois
   reading.p_W = scale * tool.p_W + noise.head<3>();
 }
 
-/// Writes the position of the hole or mark, if known.
+/// Copies the position of the hole or mark, if known, into the reading.
 inline void statePoint(const KnownPlaces& places, Measurement& reading) { reading.p_W = places.point_W; }
 
 inline MeasurementKindRow row(MeasurementKind kind, const char* name) {

@@ -1,8 +1,7 @@
 // Kind `direction`: the direction of the x axis of the tool frame or of a row's frame, in the world frame. It is stated
 // as azimuth from x towards y and altitude above the xy plane (an altazimuth mount's line of sight, a beam on a tool).
 // The error is the angle from the measured to the predicted direction, resolved along the circle of equal altitude and
-// upwards. Both components are angles on the sphere, so that an azimuth near the zenith has as little weight as it
-// should.
+// upwards. Both components are angles on the sphere, so the azimuth loses weight towards the zenith.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -21,7 +21,7 @@ inline void record(const ToolPose& tool, double scale, const MeasuredValue& nois
   reading.own[0] = scale * value(reading, tool)[0] + noise[0];
 }
 
-/// Writes the anchor's position or, if no anchor is given, the world's origin.
+/// Copies the anchor's position or, if no anchor is given, the world's origin into the reading.
 inline void stateAnchor(const KnownPlaces& places, Measurement& reading) {
   reading.p_W = places.anchor_W.value_or(Eigen::Vector3d::Zero());
 }

@@ -38,8 +38,8 @@ bool isMeasurementScale(const deflection::Arm& arm, const deflection::Variable& 
          deflection::EffectStage::kMeasurement;
 }
 
-/// Converts true lengths to measured lengths if the arm has a scale error of the measuring system. This concerns all
-/// rows except rotations. Touches of unknown points stay unchanged, since they measure nothing in the world frame.
+/// Converts true lengths to measured lengths if the arm has a scale error of the measuring system. Rows that are angles
+/// do not change, nor do touches of unknown points, which measure nothing in the world frame.
 void scaleCoordinates(const deflection::Arm& arm, const Measurement& reading, const PredictionRequest& request,
                       Prediction& prediction) {
   if (arm.effects.empty() || !kindOf(reading).is_by_scale || touchesUnknownPoint(reading)) return;

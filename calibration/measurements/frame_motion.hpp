@@ -19,17 +19,18 @@ struct FrameMotion {
   void takeOff(const FrameMotion& from, Eigen::Index own_joints);
 };
 
-/// Returns the variables of a request: its parameters, then, if requested, three rotations of gravity, from which the
-/// derivatives with respect to the base follow, and the joints.
+/// Returns the variables with respect to which a request needs derivatives: its parameters; three rotations of gravity
+/// if derivatives with respect to the base are requested; the joints if requested.
 [[nodiscard]] std::vector<deflection::Variable> variablesOf(const PredictionRequest& request,
                                                             const deflection::Arm& arm);
 
-/// Returns the number of joint columns of a displacement that are kept separate from those of its reference.
+/// Returns the number of joint columns that a displacement keeps separate from those of its reference; 0 if the two
+/// share their joint readings.
 [[nodiscard]] Eigen::Index ownJointsOf(const Measurement& reading, const PredictionRequest& request,
                                        const deflection::Arm& arm);
 
-/// Fills in the requested derivatives of a value, given the value's derivatives with respect to the frame's pose in the
-/// world.
+/// Fills in the derivatives of a measured value that `request` asks for, from `slope`, the derivatives of the value
+/// with respect to the frame's pose in the world.
 void deriveOf(const FrameMotion& frame, const MeasuredSlope& slope, const Eigen::Isometry3d& X_WB,
               const PredictionRequest& request, bool is_displacement, Prediction& prediction);
 

@@ -1,4 +1,5 @@
-// A kind of reading: what the kind measures of the tip's pose, what a reading must state, how a reading is simulated.
+// Description of a kind of reading: which part of the tip's pose it measures, what a reading must state, and how
+// readings are simulated.
 #pragma once
 
 #include <optional>
@@ -44,19 +45,19 @@ struct Departure {
   bool is_unloaded = false;
 };
 
-/// Known target positions of a simulated reading.
+/// Known positions and directions from which the target of a simulated reading is taken.
 struct KnownPlaces {
   std::optional<Eigen::Vector3d> point_W;  ///< centre of the hole or mark [m]; empty if unknown
   std::optional<Eigen::Vector3d> anchor_W, direction_W;
   Eigen::Vector3d up_W = Eigen::Vector3d::UnitZ();  ///< direction against gravity
 };
 
-/// Missing part of a reading, as a sentence, and advice to the user.
+/// What a reading lacks, as a sentence, and advice to the user.
 struct ReadingLack {
   std::string what, advice;
 };
 
-/// Returns a lack of x, y, z, which most kinds need; empty if the reading states them.
+/// Reports that x, y, z are missing, which most kinds need; empty if the reading states them.
 [[nodiscard]] inline std::optional<ReadingLack> lackOfPlace(const Measurement& reading, const std::string& kind) {
   if (reading.p_W) return std::nullopt;
   return ReadingLack{"the reading of kind " + kind + " has no x, y, z", "write its coordinates"};
@@ -93,9 +94,10 @@ struct MeasurementKindRow {
 
   MeasuredValue (*value)(const Measurement& reading, const ToolPose& tool);
   MeasuredSlope (*slope)(const Measurement& reading, const ToolPose& tool);
-  /// Returns the measured values; zero for a touch of an unknown point, whose position is eliminated.
+  /// Returns the measured values; zero for a touch of an unknown point, whose position the fit eliminates.
   MeasuredValue (*measured)(const Measurement& reading);
-  /// Writes the reading that a tool at this pose gives, with lengths multiplied by `scale` and with this noise [m].
+  /// Writes into `reading` the values measured of a tool at this pose, with lengths multiplied by `scale` and with
+  /// `noise` [m] added.
   void (*record)(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& reading);
 
   /// Returns what a reading lacks besides its measured values; `kind` is the kind's name. Null for kinds whose values
@@ -108,7 +110,7 @@ struct MeasurementKindRow {
   /// Returns true if the values that a reading states are possible. Null if all values are.
   bool (*is_possible)(const Measurement& reading) = nullptr;
 
-  /// Writes the target position or direction that a simulated reading states. Null for kinds without a target.
+  /// Copies the target position or direction from `places` into a simulated reading. Null for kinds without a target.
   void (*state)(const KnownPlaces& places, Measurement& reading) = nullptr;
 
   /// Returns the reference position of a displacement; null for other kinds.

@@ -146,7 +146,7 @@ bool isPossibleCorrelation(const Eigen::Vector3d& correlation) {
 }
 
 MeasuredCovariance statedCovariance(const Measurement& reading) {
-  constexpr double kNotStated = 1e-6, kLeast = 1e-8;  // kLeast is far below the noise of any instrument
+  constexpr double kNotStated = 1e-6, kLeast = 1e-8;  // both in m; kLeast is far below the noise of any instrument
   MeasuredValue sigmas = rowSigmas(reading);
   for (double& sigma : sigmas) sigma = std::isfinite(sigma) ? std::max(sigma, kLeast) : kNotStated;
   MeasuredCovariance covariance = sigmas.array().square().matrix().asDiagonal();

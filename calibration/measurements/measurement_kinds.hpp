@@ -18,7 +18,7 @@ namespace tubeplan::calibration {
 [[nodiscard]] const MeasurementKindRow& kindOf(MeasurementKind kind);
 [[nodiscard]] inline const MeasurementKindRow& kindOf(const Measurement& reading) { return kindOf(reading.kind); }
 
-/// Returns the row of the kind of that name, or null if there is none.
+/// Returns the row of the kind with this name; null if there is none.
 [[nodiscard]] const MeasurementKindRow* findMeasurementKind(std::string_view name);
 
 /// Returns the names of all kinds, for messages.
@@ -40,7 +40,7 @@ namespace tubeplan::calibration {
 /// do not.
 [[nodiscard]] inline bool seesToolTurn(const Measurement& reading) { return !reading.row && seesTurn(reading); }
 
-/// Returns the tool's pose with the position of the measured point instead of the tip's.
+/// Returns the tool's pose, with its position moved from the tip to the point that the reading measures.
 [[nodiscard]] ToolPose atMeasuredPoint(const Measurement& reading, ToolPose tool);
 
 /// Return the values that the reading would measure of a tool at this pose [m], and their derivatives with respect to
@@ -86,8 +86,8 @@ namespace tubeplan::calibration {
   return from && !from->is_unloaded ? from->reading : nullptr;
 }
 
-/// Sets the reference of every reading to the present copy of the referenced reading in `readings`. A reference that
-/// `readings` no longer contains stays unchanged.
+/// Sets the reference of every reading to a copy of the referenced reading as it now is in `readings`. References to
+/// readings that `readings` no longer contains stay unchanged.
 void linkReferences(std::vector<Measurement>& readings);
 
 /// Returns the length of the rotational part [rad] of a reading's error, whose rows are in m; NaN if the reading
@@ -109,8 +109,8 @@ void linkReferences(std::vector<Measurement>& readings);
 /// positive definite beyond rounding.
 [[nodiscard]] bool isPossibleCorrelation(const Eigen::Vector3d& correlation);
 
-/// Returns the stated covariance of a reading's rows [m^2]; rows without a sigma count as exact to a micrometre. Only
-/// here does stated noise become a weight; readingCovariance() adds the encoder noise.
+/// Returns the stated covariance of a reading's rows [m^2]; rows without a sigma count as exact to a micrometre. All
+/// weights of readings derive from this covariance and the encoder noise that readingCovariance() adds.
 [[nodiscard]] MeasuredCovariance statedCovariance(const Measurement& reading);
 
 [[nodiscard]] inline bool isTouch(const Measurement& reading) { return kindOf(reading).is_touch; }
@@ -121,8 +121,8 @@ void linkReferences(std::vector<Measurement>& readings);
 /// Returns true if the reading touches a surface, whose position is always unknown.
 [[nodiscard]] inline bool touchesSurface(const Measurement& reading) { return kindOf(reading).settle != nullptr; }
 
-/// Return the number of parameters of the reading's unknown place, which all readings of the place share, and the
-/// reading's derivatives with respect to these parameters. A touch of an unknown point has three such parameters, most
+/// Return the number of parameters of the reading's unknown place, and the reading's derivatives with respect to these
+/// parameters. All readings of the place share them. A touch of an unknown point has three such parameters, most
 /// readings have none.
 [[nodiscard]] int placeNumbers(const Measurement& reading);
 [[nodiscard]] PlaceColumns byPlaceNumbers(const Measurement& reading, const ToolPose& tool);
@@ -135,8 +135,8 @@ void linkReferences(std::vector<Measurement>& readings);
 /// all its readings.
 [[nodiscard]] std::vector<std::vector<int>> groupsByPlace(const std::vector<Measurement>& readings);
 
-/// Returns the smallest number of readings of an unknown place that give information on the arm: one more than
-/// determine the place.
+/// Returns the smallest number of readings of an unknown place that give information on the arm: one more than are
+/// needed to determine the place.
 [[nodiscard]] inline int leastOfPlace(const Measurement& reading) {
   return placeNumbers(reading) / rowsOf(reading) + 1;
 }

@@ -1,4 +1,4 @@
-// The posture of a reading, as input to the arm model.
+// Conversion of a reading's joints, loads and conditions to a posture, the input of the arm model.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the posture stated by a reading, for a base at X_WB. All conditions of a reading reach the model through
+/// Returns the posture that a reading states, for a base at `X_WB`. All conditions of a reading reach the model through
 /// this function.
 [[nodiscard]] inline deflection::Posture postureOf(const Measurement& reading, const deflection::Arm& arm,
                                                    const Eigen::Isometry3d& X_WB) {

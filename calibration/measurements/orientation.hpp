@@ -1,6 +1,6 @@
 // Kind `orientation`: the rotation of the tool frame in the world frame as fixed angles roll, pitch, yaw, with the same
-// definition as `rpy` of the base (measured by a probe or a camera on the tool, with its own mounting subtracted). The
-// error is the rotation vector from the measured to the predicted frame.
+// definition as `rpy` of the base (measured by a probe or a camera on the tool and already corrected for its mounting).
+// The error is the rotation vector from the measured to the predicted frame.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Functions shared by the kinds that measure some of three components: those that the reading states.
+// Functions shared by the kinds whose readings may state only some of three components.
 #pragma once
 
 #include <cmath>

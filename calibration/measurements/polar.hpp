@@ -1,7 +1,7 @@
 // Kind `polar`: the raw readings of a tracker or a total station: the slope distance to the tip, the horizontal angle
 // from the world's x towards y, and the vertical angle above the xy plane. The station is at x, y, z (the world's
-// origin if left out), and its axes are the world's. Distances and angles have separate noise, so that near and far
-// readings get appropriate weights.
+// origin if left out), and its axes are the world's. Distances and angles have separate noise, so near and far readings
+// get appropriate weights.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ inline Eigen::Vector3d wayTo(const Measurement& reading, const ToolPose& tool) {
 inline Eigen::Vector3d numbersOf(const Eigen::Vector3d& way) {
   return {way.norm(), std::atan2(way.y(), way.x()), std::atan2(way.z(), way.head<2>().norm())};
 }
-/// Returns the predicted values. The horizontal angle is relative to the measured one, without whole turns.
+/// Returns the predicted values. The horizontal angle is relative to the measured one, wrapped to half a turn.
 inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
   const Eigen::Vector3d there = numbersOf(wayTo(reading, tool));
   const double off = std::remainder(there[1] - reading.own[1], 2 * EIGEN_PI);

@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t kReadingsOfCore = 128;  // readings per block for one core, solved side by side
 constexpr std::size_t kReadingsInTurn = 16;   // readings per block for one core, solved singly with one prepared arm
 
-/// The readings to predict, and the requested derivatives.
+/// Arguments of predictAll(): the readings to predict, and what to compute for each.
 struct AskedReadings {
   const PlacedArm& placed;
   const std::vector<Measurement>& readings;
@@ -49,7 +49,8 @@ bool predictInTurn(const AskedReadings& asked, std::size_t first, std::size_t co
   return true;
 }
 
-/// A block of readings, followed by the reference postures of displacements.
+/// Prediction of a block of readings side by side (SIMD). Reference postures of displacements follow the readings' own
+/// postures.
 class SideBySide {
  public:
   explicit SideBySide(const AskedReadings& asked) : asked_(asked) {}

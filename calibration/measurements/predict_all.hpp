@@ -1,4 +1,4 @@
-// Prediction of many readings on all cores.
+// Prediction of many readings in parallel on all cores.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,8 @@ namespace tubeplan::calibration {
 
 /// Calls `each(k, prediction)` for every reading, in any order and on any thread; reading k is made at base pose
 /// `base_pose_of[k]`. Returns false if a shape does not converge or `stop` requests a stop; some readings are then left
-/// out. `prepared`, if not null, must belong to the arm; it saves time when few readings are predicted at many bases.
+/// out. `prepared`, if not null, must belong to the arm; it saves time when few readings are predicted for many base
+/// poses.
 [[nodiscard]] bool predictAll(const PlacedArm& placed, const std::vector<Measurement>& readings,
                               const std::vector<int>& base_pose_of, const PredictionRequest& request,
                               const StopQuestion& stop,

@@ -59,7 +59,7 @@ std::optional<Measurement> expectedReading(const PlacedArm& placed, const Propos
     if (!rest) return std::nullopt;
     tool->p_W -= rest->p_W;
   }
-  // Without measured values the reading counts as one in which all steps entered, as the model expects of a centred
+  // Left without measured values, the reading counts as one in which all steps entered, as is expected of a centred
   // tool.
   if (kind.counts_steps) return reading;
   if (proposed.is_length_alone)

@@ -1,4 +1,4 @@
-// A reading that could be made. This is a separate type, because it has no measured value.
+// Reading that has been proposed but not yet made. It has a type of its own because it has no measured values.
 #pragma once
 
 #include <limits>
@@ -36,18 +36,19 @@ struct ProposedMeasurement {
   deflection::ConditionValues conditions;  ///< expected conditions; the time is the earliest one for the reading
 };
 
-/// Return true if a proposed reading touches a point of known or of unknown position, respectively.
+/// Return true if the proposed reading is a touch of a point whose position is known, or unknown, respectively.
 [[nodiscard]] bool touchesKnownPoint(const ProposedMeasurement& proposed);
 [[nodiscard]] bool touchesUnknownPoint(const ProposedMeasurement& proposed);
 
-/// Returns the values that must be recorded; of a displacement, either its coordinates or its length.
+/// Returns the columns that must be filled in when the reading is made; for a displacement, either its coordinates or
+/// its length.
 [[nodiscard]] ValueColumns valueColumnsOf(const ProposedMeasurement& proposed);
 
 /// Returns a reading with the proposed conditions and joint positions, but without measured values.
 [[nodiscard]] Measurement conditionsOf(const ProposedMeasurement& proposed);
 
-/// Returns the noise-free reading expected with the arm at its latest base pose; empty if the shape does not converge.
-/// The reading is meant for computing designs and must not enter a table of measurements.
+/// Returns the noise-free reading predicted with the arm at its latest base pose; empty if the shape does not converge.
+/// The reading is only for the optimization of designs and must not be mixed with measured readings.
 [[nodiscard]] std::optional<Measurement> expectedReading(const PlacedArm& placed, const ProposedMeasurement& proposed);
 
 }  // namespace tubeplan::calibration

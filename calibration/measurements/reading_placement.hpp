@@ -8,7 +8,7 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the arm with a base pose at `X_WB` for every set-up that the readings name, in their order.
+/// Returns the arm with a base pose at `X_WB` for every set-up that the readings name, in order of first appearance.
 [[nodiscard]] PlacedArm placeForReadings(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool is_known,
                                          const std::vector<Measurement>& readings);
 

@@ -29,13 +29,13 @@ struct PredictionRequest {
 struct Prediction {
   bool ok = false;  ///< true: the deflected shape converged; false: the other members are invalid
   Eigen::VectorXd value;
-  /// Derivatives with respect to the parameters (rows x parameters), a base step at zero (rows x 6), and the joints
-  /// (rows x joints, then the joints of a displacement's reference).
+  /// Derivatives with respect to the requested parameters (rows x parameters), to a small displacement of the base
+  /// (rows x 6), and to the joints (rows x joints, followed by the joints of a displacement's reference).
   Eigen::MatrixXd by_numbers, by_base, by_joints;
 };
 
-/// Predictor of successive readings of one arm. Each thread needs its own predictor. `arm` must outlive the predictor
-/// and must not change.
+/// Predicts successive readings of one arm. Each thread needs its own predictor. `arm` must outlive the predictor and
+/// must not change.
 class ReadingPredictor {
  public:
   explicit ReadingPredictor(const deflection::Arm& arm);
@@ -45,7 +45,7 @@ class ReadingPredictor {
   [[nodiscard]] Prediction predict(const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                    const PredictionRequest& request = {});
 
-  /// Predicts the tip's position in the world frame [m] with its derivatives, without a scale error of the measuring
+  /// Predicts the tip's position in the world frame [m] with its derivatives, ignoring any scale error of the measuring
   /// system.
   [[nodiscard]] Prediction predictTip(const Eigen::Isometry3d& X_WB, const deflection::Posture& posture,
                                       const PredictionRequest& request = {});
@@ -61,8 +61,8 @@ class ReadingPredictor {
 [[nodiscard]] Prediction predictReading(const PlacedArm& placed, const Measurement& reading,
                                         const PredictionRequest& request = {});
 
-/// Predicts the tip of the arm for a base at `X_WB`, with the derivatives with respect to base and joints. As the base
-/// rotates, gravity rotates in the base frame.
+/// Predicts the tip of the arm for a base at `X_WB`, with the derivatives with respect to base and joints. They include
+/// the effect of a base rotation on gravity in the base frame.
 [[nodiscard]] Prediction predictTip(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q,
                                     double load);
 
@@ -83,7 +83,7 @@ class ReadingPredictor {
 /// Returns the covariance of predicted values [m^2] caused by encoder noise alone, through `by_joints` (rows x joints).
 [[nodiscard]] Eigen::MatrixXd encoderCovariance(const deflection::Arm& arm, const Eigen::MatrixXd& by_joints);
 
-/// Returns the covariance of the tip's position [m^2] caused by the covariance of the base and by encoder noise.
+/// Returns the covariance of the tip's position [m^2] due to the uncertainty of the base pose and to encoder noise.
 [[nodiscard]] Eigen::Matrix3d tipCovariance(const deflection::Arm& arm, const Prediction& tip,
                                             const Eigen::Matrix<double, 6, 6>& base_covariance);
 

@@ -28,8 +28,8 @@ std::optional<int> loneReading(const std::vector<Measurement>& readings) {
   return std::nullopt;
 }
 
-/// Returns the problem of a touched surface with too few readings: a surface with no more readings than parameters
-/// gives no information on the arm.
+/// Reports that a surface was touched too few times: unless it has more readings than parameters, it gives no
+/// information on the arm.
 ReadingProblem fewOfSurface(int place, const std::vector<Measurement>& readings) {
   const Measurement& first = readings[static_cast<std::size_t>(place)];
   const auto count = std::count_if(readings.begin(), readings.end(),

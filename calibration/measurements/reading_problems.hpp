@@ -1,4 +1,4 @@
-// Faults of a set of readings that prevent any identification.
+// Faults of a set of readings that make any identification impossible.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace tubeplan::calibration {
 
-/// Reason why readings determine nothing, or too little.
+/// Reason why a set of readings cannot determine the free parameters.
 struct ReadingProblem {
   int reading = -1;  ///< index of the reading at fault; -1 if no single reading is
   std::string what;  ///< the fault, as a sentence

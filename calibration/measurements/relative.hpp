@@ -1,5 +1,5 @@
 // Kind `relative`: the displacement of the tip from its position at another reading, `reference`, as x, y, z in the
-// world frame or as its length alone. This kind exploits a known distance at an unknown position: two sockets of a jig,
+// world frame or as its length alone. It makes use of a known distance at an unknown position: two sockets of a jig,
 // two holes one pitch apart, the travel that the scale of a linear stage shows.
 #pragma once
 

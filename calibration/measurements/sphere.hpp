@@ -12,7 +12,7 @@ namespace tubeplan::calibration::sphere {
 
 inline constexpr std::array<MeasuredColumn, 1> kColumns{{{"radius", deflection::Quantity::kLength}}};
 
-/// Returns true if the radius is left out or above zero.
+/// Returns true if the radius is not stated or is above zero.
 inline bool isPossible(const Measurement& reading) { return !(reading.own[0] <= 0); }
 
 inline bool isRadiusKnown(const Measurement& reading) { return !std::isnan(reading.own[0]); }

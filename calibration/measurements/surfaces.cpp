@@ -21,7 +21,7 @@ std::map<std::string, std::vector<std::size_t>> bySurface(const std::vector<Meas
   return groups;
 }
 
-/// Returns the tool's pose at the measured point, which is the contact, in the world frame [m]; empty if the shape does
+/// Returns the tool's pose in the world frame, with the point of contact as its position [m]; empty if the shape does
 /// not converge.
 std::optional<ToolPose> contactOf(const PlacedArm& placed, const Measurement& reading) {
   const auto tool = toolAt(placed, reading, kSettleExactly);

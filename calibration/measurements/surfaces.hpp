@@ -12,12 +12,12 @@ namespace tubeplan::calibration {
 /// Returns true if any of the readings touches a surface of unknown position.
 [[nodiscard]] bool touchSurfaces(const std::vector<Measurement>& readings);
 
-/// Fits every surface to the points that touched it, with the arm as placed, and stores the surface in the readings
-/// that touch it. Readings keep their surface if the points do not determine a new one. Returns false if a shape does
-/// not converge.
+/// Fits every surface to the tips that touched it, as predicted with `placed`, and stores the surface in its readings.
+/// Readings keep their surface if the tips do not determine a new one. Returns false if a deflected shape does not
+/// converge.
 bool settleSurfaces(const PlacedArm& placed, std::vector<Measurement>& readings);
 
-/// A fitted surface and the residual of the readings that touch it.
+/// Fitted surface, with the residual of the readings that touch it.
 struct SettledSurface {
   std::string kind, point;
   Surface surface;
@@ -26,7 +26,7 @@ struct SettledSurface {
 };
 
 /// Returns the surfaces that the readings touch, in the order of their names. Surfaces that the readings do not
-/// determine are left out.
+/// determine are omitted.
 [[nodiscard]] std::vector<SettledSurface> surfacesOf(const PlacedArm& placed, std::vector<Measurement> readings);
 
 }  // namespace tubeplan::calibration

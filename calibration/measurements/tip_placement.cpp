@@ -12,7 +12,7 @@ using Eigen::Matrix3Xd, Eigen::Vector3d, Eigen::VectorXd;
 constexpr deflection::FlexibleKinematicsOptions kExact{1e-13, 100};
 constexpr double kLongestStep = 0.5;  // longest step [rad or m]
 
-/// Returns the Jacobian of the tip with respect to the joints, with an unchanged deflected shape.
+/// Returns the Jacobian of the tip's position with respect to the joints, as if the deflected shape were rigid.
 Matrix3Xd stiffJacobian(const Arm& arm, const FlexibleKinematics& shape) {
   const auto active = deflection::activeRows(arm);
   Matrix3Xd columns(3, static_cast<Eigen::Index>(active.size()));
@@ -42,7 +42,8 @@ bool isStretched(const Matrix3Xd& jacobian, double reach, double floor) {
   return square.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() < floor * floor;
 }
 
-/// State of the search: the posture reached so far, and the Jacobian for the next step.
+/// Search for a posture that places the tip at the goal; holds the posture reached so far and the Jacobian for the next
+/// step.
 class TipSearch {
  public:
   TipSearch(const Arm& arm, Posture start, const Vector3d& goal_B)
@@ -56,7 +57,8 @@ class TipSearch {
   [[nodiscard]] bool isConverged() const { return shape_.status == KinematicsStatus::kConverged; }
   [[nodiscard]] Matrix3Xd jacobian() const { return stiffJacobian(arm_, shape_); }
 
-  /// Takes a step, halved until the tip comes nearer to the goal; returns false if it never does.
+  /// Takes a step, which is halved until it brings the tip nearer to the goal; returns false if even the shortest one
+  /// does not.
   bool advance() {
     VectorXd step = stepTowards(jacobian_, goal_B_ - shape_.X_BD.p);
     for (int halvings = 0; halvings < 12; ++halvings, step /= 2) {
@@ -77,7 +79,7 @@ class TipSearch {
   }
 
  private:
-  static constexpr double kFarStep = 0.05;  // step length beyond which the old Jacobian is unusable [rad or m]
+  static constexpr double kFarStep = 0.05;  // after a longer step, the Jacobian is recomputed [rad or m]
 
   void refresh() {
     if (isConverged()) jacobian_ = jacobian();

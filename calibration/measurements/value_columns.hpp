@@ -19,9 +19,9 @@ struct MeasuredColumn {
 inline constexpr std::array<MeasuredColumn, 3> kPlaceColumns{
     {{"x", deflection::Quantity::kLength}, {"y", deflection::Quantity::kLength}, {"z", deflection::Quantity::kLength}}};
 
-/// Values that must be recorded for a reading of a kind.
+/// Values that must be filled in for a reading of one kind.
 struct ValueColumns {
-  bool has_joints = false;              ///< true: all joint readings, which alone measure a tip that rests at a point
+  bool has_joints = false;              ///< true: the joint readings, for kinds whose tip rests at a point
   bool has_place = false;               ///< true: x, y, z; otherwise x, y, z is the point from which the kind measures
   std::vector<MeasuredColumn> numbers;  ///< x, y, z if measured, then the kind's own columns
   int least = 0;                        ///< smallest number of `numbers` that a reading must state
