@@ -1,5 +1,5 @@
-// A clock that was set or misread during a campaign is named with the first affected reading, and is corrected; pauses
-// and reordered rows are not reported.
+// If a clock was set or misread during a campaign, the checks name the first affected reading and correct the times.
+// They do not report pauses and rows that are not in time order.
 #include "calibration/measurement_checks/clock.hpp"
 
 #include <gtest/gtest.h>

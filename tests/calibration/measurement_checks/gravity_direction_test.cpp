@@ -11,7 +11,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// Returns the checks of 40 readings that a Cobra took under gravity `gravity_W`, while its cell states gravity
+/// Returns the findings for 40 readings of a Cobra under gravity `gravity_W`, whose cell states that gravity points
 /// downwards.
 MeasurementChecks checksUnder(const Eigen::Vector3d& gravity_W, bool is_base_known, std::uint64_t seed = 8) {
   PlacedArm real = cobra();
@@ -63,7 +63,8 @@ void expectGravity(const MeasurementCheck* gross, const Eigen::Vector3d& gravity
   EXPECT_LT(gross->error_if_mended, gross->error_as_is / 5);
 }
 
-// If gravity is oblique, as for a base on a tilted pedestal, its direction is found within two degrees.
+// If gravity is oblique in the world frame, as for a base on a tilted pedestal, its direction is found to within two
+// degrees.
 TEST(GravityDirection, IsFoundWhereItIsOblique) {
   for (const double lean : {50., 75., 120.})
     for (const double azimuth : {0., 35., 200.}) {
@@ -73,8 +74,8 @@ TEST(GravityDirection, IsFoundWhereItIsOblique) {
     }
 }
 
-// Exchanged axes can turn an unknown base to within 45 degrees of any direction, but gravity is named in at least five
-// of six cases, since it fits better.
+// If the base is unknown, exchanged axes can turn it to within 45 degrees of any direction. Oblique gravity is
+// nevertheless named in at least five of six cases, since it fits better.
 TEST(GravityDirection, IsFoundWhereItIsObliqueAndTheBaseUnknown) {
   int named = 0;
   for (const double lean : {75., 120.})
@@ -91,8 +92,8 @@ TEST(GravityDirection, IsFoundWhereItIsObliqueAndTheBaseUnknown) {
   EXPECT_GE(named, 5);
 }
 
-// If gravity is along a coordinate axis, exchanged axes explain the readings equally well; the cause that leaves the
-// base in its nominal place is named.
+// If gravity is along a coordinate axis, exchanged axes explain the readings equally well; the explanation that leaves
+// the base at its nominal place is named.
 TEST(GravityDirection, IsToldFromExchangedAxesByTheBase) {
   for (const Eigen::Vector3d& gravity_W :
        {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, -1, 0)}) {
@@ -114,8 +115,8 @@ TEST(GravityDirection, IsToldFromExchangedAxesByTheBase) {
   }
 }
 
-// A tilt of 30 degrees, not far above the 26 up to which it is left to the effect gravity-tilt, is left to this effect
-// or named as gravity, but never named as another mistake.
+// If gravity is tilted by 30 degrees, little more than the 26 degrees below which a tilt is left to the effect
+// gravity-tilt, the checks name either its direction or no mistake at all.
 TEST(GravityDirection, IsFoundOrLeftToTheFitWhereItLeansLittle) {
   for (const double azimuth : {0., 35., 200.})
     for (const bool is_base_known : {true, false}) {

@@ -50,7 +50,8 @@ TEST(JointLimits, AHairIsAThousandthOfTheRange) {
   EXPECT_TRUE(isPastLimit(endless, -120.1 * kDeg));
 }
 
-/// Returns the readings of a set after `change`, written in the format of a file and read back.
+/// Applies `change` to the readings of a set, writes them in the format of a measurement file, and returns what is read
+/// back.
 app::ReadingsWithChecks readUnwound(SeededSet& set, const std::function<void(std::vector<Measurement>&)>& change) {
   change(set.table.readings);
   return app::parseAndCheck(app::measurementsCsv(set.table.readings, set.cell.arm, set.cell.units), "m.csv", set.cell,
@@ -77,7 +78,8 @@ TEST(JointLimits, ReadingsOfAnEncoderFromZeroToATurnAreTakenBackAndSaidSo) {
   EXPECT_EQ(grossMistake(read.checks), nullptr);
 }
 
-// A reading 0.1 deg beyond a limit is accepted with a remark; a reading 0.3 deg beyond it is refused.
+// A reading 0.1 deg beyond a joint limit is accepted with a remark that names it; a file with a reading 0.3 deg beyond
+// the limit is refused.
 TEST(JointLimits, AReadingAHairPastIsTakenAndSaidSo) {
   const auto raised = [](double hair) {
     return [hair](std::vector<Measurement>& readings) { readings[4].q[1] = (180 + hair) * kDeg; };
@@ -105,8 +107,8 @@ TEST(JointLimits, AJointWithAReadingThatNoTurnBringsBackIsRefused) {
                app::InputError);
 }
 
-// If one encoder counts from zero and another joint has the wrong sign, the count is corrected and the sign is still
-// named.
+// If one encoder counts from zero and another joint has the wrong sign, the readings of the encoder are corrected and
+// the wrong sign is still named.
 TEST(JointLimits, AnotherMistakeBesideTheTurnIsNamed) {
   auto set = simulatedSet("bench.yaml", "bench", 30, {}, 3);
   ASSERT_TRUE(set);

@@ -1,5 +1,5 @@
-// Two joint columns that contain the motors of a differential are corrected, and named also when combined with another
-// mistake.
+// If two joint columns contain the motor angles of a differential, the checks name and correct them, also in
+// combination with another mistake.
 #include "calibration/measurement_checks/joint_pair.hpp"
 
 #include <gtest/gtest.h>
@@ -48,8 +48,8 @@ TEST(JointPair, TakesSensesOfMotionThatTheMotorsTell) {
   }
 }
 
-// If the columns contain the motors and a unit, sign or coordinate axis is wrong, too, the proposed correction restores
-// the clean readings in all cases but at most one.
+// If the columns contain the motor angles, and a unit, sign or coordinate axis is wrong, too, the proposed correction
+// restores the clean readings in all cases but at most one.
 TEST(JointPair, IsNamedBesideAnotherMistake) {
   int made = 0, mended = 0;
   std::string found;

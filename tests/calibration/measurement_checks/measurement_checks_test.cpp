@@ -17,8 +17,8 @@ namespace {
 
 class MeasurementChecks : public ::testing::TestWithParam<std::size_t> {};
 
-// Each mistake is named in at least two of three sets, since priors may explain it in a single one. The zero of the
-// last joint is left out: for tip positions it is equivalent to a tool mounted elsewhere.
+// Each mistake is named in at least two of three sets; in the third, the priors may explain the error. The zero of the
+// last joint is excluded: for tip positions it is equivalent to a tool mounted elsewhere.
 TEST_P(MeasurementChecks, NameTheMistake) {
   constexpr int kSets = 3;
   const auto& kind = seededMistakes().at(GetParam());
@@ -59,8 +59,8 @@ double chi2Mended(SeededSet& set, const std::string& assume) {
   return comparison.after_refit.chi2 / comparison.after_refit.degrees_of_freedom;
 }
 
-// The proposed correction leads to a chi-square that the noise explains. Noise left in the wrong unit would change it
-// by a factor of hundreds.
+// After the proposed correction, chi-square is as expected of the noise. If the sigmas stayed in the wrong unit, it
+// would be off by a factor of hundreds.
 TEST_P(MeasurementChecks, AreMendedByWhatTheyOffer) {
   constexpr int kSets = 2;
   const auto& kind = seededMistakes().at(GetParam());
@@ -87,7 +87,8 @@ TEST_P(MeasurementChecks, AreMendedByWhatTheyOffer) {
 
 INSTANTIATE_TEST_SUITE_P(OfEveryKind, MeasurementChecks, ::testing::Range<std::size_t>(0, seededMistakes().size()));
 
-// No error is stated below the noise, even if the free parameters fit few readings exactly.
+// No finding states an error below the noise, even if the readings are so few that the free parameters fit them
+// exactly.
 TEST(MeasurementChecksOf, ErrorsAreQuotedNoLowerThanTheNoise) {
   int quoted = 0;
   for (const auto& kind : seededMistakes())
@@ -134,8 +135,8 @@ TEST(MeasurementChecksOf, PhysicsIsNoMistake) {
   }
 }
 
-// Drifts, and slips of the base in readings with times, are left to the diagnosis, so no check proposes a mistake from
-// a reading on.
+// Drifts, and slips of the base in readings with times, are left to the diagnosis: no mistake that begins at a reading
+// is proposed for them.
 TEST(MistakesFromAReading, AreNotSeenInWhatCreeps) {
   static constexpr const char* kHidden[] = {"base-drift@base", "thermal-growth@arm", "base-slip@base"};
   for (const char* hidden : kHidden)
@@ -148,7 +149,7 @@ TEST(MistakesFromAReading, AreNotSeenInWhatCreeps) {
 }
 
 /// A zero that drifts as the arm warms up, by as much as a step of twenty times the noise, is not named as a mistake
-/// from a reading on.
+/// that begins at a reading.
 TEST(MistakesFromAReading, AreNotSeenInAZeroThatCreeps) {
   for (const std::uint64_t number : {0, 3, 5, 8})
     for (const double share : {0.1, 0.4, 3.}) {
@@ -164,7 +165,7 @@ TEST(MistakesFromAReading, AreNotSeenInAZeroThatCreeps) {
     }
 }
 
-// The checks find no further mistake in readings that are corrected as proposed.
+// Once the readings are corrected as proposed, the checks find no further mistake in them.
 TEST(MistakesFromAReading, AreGoneOnceMended) {
   int mended = 0;
   for (const char* label : {"counts lost midway", "another target midway", "tracker bumped midway"})
@@ -233,7 +234,7 @@ TEST(MeasurementChecksOf, BeamsThatBendTooFarForTheirSegmentsAreNamed) {
   EXPECT_FALSE(has());
 }
 
-// Returns an elbow arm of six joints whose standard Denavit-Hartenberg table is taken for a modified one.
+// Returns an elbow arm of six joints whose standard Denavit-Hartenberg parameters are stated as modified ones.
 PlacedArm elbowArm() {
   PlacedArm placed;
   const double alpha[] = {90, 0, -90, 90, -90, 0}, a[] = {0, 0.43, 0.02, 0, 0, 0}, d[] = {0.6, 0.1, 0.15, 0.43, 0, 0.1};
@@ -282,8 +283,8 @@ TEST(MeasurementChecksOf, ATwistWithTheOtherSignIsNamed) {
   EXPECT_LT(gross->error_if_mended, 1e-3);
 }
 
-// At least 10 of the first 12 pairs are named completely, or with a correction that fits as well as the clean readings.
-// studies/measurement_checks.cpp counts five hundred pairs.
+// For at least 10 of the first 12 pairs of mistakes, the checks name both, or propose a correction with which the
+// readings fit as well as the clean ones. studies/measurement_checks.cpp counts five hundred pairs.
 TEST(PairsOfMistakes, AreBothNamed) {
   constexpr int kPairs = 12;
   int made = 0, named = 0;
@@ -302,7 +303,7 @@ TEST(PairsOfMistakes, AreBothNamed) {
   EXPECT_GE(named, 10) << found;
 }
 
-// If joints are rounded to different steps, the remark names both steps.
+// If some joints are rounded to one step and some to another, the remark names both steps.
 TEST(MeasurementChecksOf, JointsRoundedEachByItselfAreRemarkedOn) {
   auto set = cleanSet(0);
   ASSERT_TRUE(set);
@@ -318,7 +319,7 @@ TEST(MeasurementChecksOf, JointsRoundedEachByItselfAreRemarkedOn) {
   EXPECT_NE(said->sentence.find("0.005 rad"), std::string::npos) << said->sentence;
 }
 
-// If all joints are read in pulses, their scales are found or the user is asked for them.
+// If all joints are read in pulses, the checks find their scales or ask the user for them.
 TEST(MeasurementChecksOf, PulsesOfSeveralJointsAreAskedFor) {
   auto set = cleanSet(0);
   ASSERT_TRUE(set);
@@ -398,7 +399,7 @@ TEST(MeasurementChecksOf, CopiesAreTakenOutWhereNoTwoReadingsWouldBeAlike) {
   EXPECT_EQ(copied.readings.back().id, clean.readings.back().id);
 }
 
-// Coarse readings with equal values, as a dial gauge often shows, are not taken for copies.
+// Readings that are equal only because they are coarse, as a dial gauge's often are, are not taken for copies.
 TEST(MeasurementChecksOf, CoarseReadingsThatAgreeAreNoCopies) {
   auto set = simulatedSet("bench.yaml", "bench", 30, {}, 7);
   ASSERT_TRUE(set);
@@ -431,8 +432,8 @@ TEST(MeasurementChecksOf, ManyReadingsAreThinnedOut) {
   EXPECT_EQ(grossMistake(checks)->name, "joint-sign");
 }
 
-// A miscount that puts a touched hole outside the sheet is refused. Otherwise this touch would be left out, which would
-// improve the fit of the others.
+// A miscount of holes is refused as an explanation if it places a touched hole off the sheet. Otherwise this touch
+// would be excluded, which would improve the fit of the others.
 TEST(MistakeKinds, HolesWereNotCountedSoThatOneIsMissing) {
   const app::Cell cell = shippedCell("mockup.yaml");
   CheckedReadings checked;

@@ -1,5 +1,5 @@
-// Several joints in encoder pulses, with different or equal counts per degree, are named with their scales; other
-// readings are left unchanged.
+// If several joints are read in encoder pulses, with different or equal counts per degree, the checks find their
+// scales, unless there are too few readings.
 #include "calibration/measurement_checks/scales_together.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ void countPulses(SeededSet& set, const std::vector<int>& joints, const std::vect
       m.q[joints[k]] = std::round(m.q[joints[k]] / kDegree * counts[k]) * kDegree;
 }
 
-// At least three quarters of the sets are corrected. The others may get the wrong common sign, since an arm with all
-// signs reversed fits with another base.
+// The scales are found in at least three quarters of the sets. In the others, all of them may have the wrong sign,
+// since an arm with all signs reversed fits with another base.
 TEST(ScalesTogether, OfSeveralJointsAreNamed) {
   int made = 0, mended = 0;
   std::string found;

@@ -16,8 +16,8 @@
 
 namespace tubeplan::calibration {
 
-/// One mistake. `make` applies it and returns its correction as for `--assume`; empty if the set does not allow the
-/// mistake.
+/// One kind of mistake. `make` introduces it into a set and returns its correction as a value of `--assume`; empty if
+/// the set does not allow the mistake.
 struct SeededMistake {
   const char* name;  ///< name of the check that should find the mistake
   const char* label;
@@ -94,7 +94,7 @@ inline Made coordinateInMillimetres(SeededSet& s, SeededRandom& random) {
   for (auto& m : s.table.readings) (*m.p_W)[axis] *= s.table.units.coordinates.factor / 1e-3;
   return std::string("coordinate-unit=") + "xyz"[axis] + ":mm";
 }
-/// Converts the noise of reading `first` and of all later readings to `unit`, the actual unit of the coordinates.
+/// Converts the sigmas of reading `first` and of all later readings to `unit`, the actual unit of the coordinates.
 inline Made withSigma(SeededSet& set, const std::string& unit, std::size_t first, Made mend) {
   const double factor = set.table.units.coordinates.factor / app::findUnit(app::UnitKind::kLength, unit)->factor;
   for (std::size_t k = first; mend && k < set.table.readings.size(); ++k) set.table.readings[k].sigma *= factor;
@@ -113,8 +113,8 @@ inline Made coordinateInMillimetresWithSigma(SeededSet& s, SeededRandom& random)
   }
   return mend;
 }
-/// Draws the first of the readings at the end of the table that have a mistake, as in a file appended to another;
-/// returns its index and the range of ids.
+/// Draws a run of readings that extends to the end of the table, as of a file appended to another. Returns the index of
+/// its first reading and its name "FIRST..LAST".
 inline std::pair<std::size_t, std::string> drawnEnd(const SeededSet& set, SeededRandom& random) {
   const auto& readings = set.table.readings;
   const int count = static_cast<int>(readings.size());
@@ -267,7 +267,8 @@ inline Made shiftedFromAPoint(SeededSet& s, SeededRandom& random) {
   if (by < 0) readings.pop_back();
   return "shift=" + std::to_string(by) + "@" + readings[static_cast<std::size_t>(first)].id;
 }
-/// Counts holes from the wrong row or column; only for a known base, since an unknown base would absorb the shift.
+/// Shifts the names of all holes by one row or column; only for a known base, since an unknown base would absorb the
+/// shift.
 inline Made holesOff(SeededSet& s, SeededRandom& random) {
   if (!areHoles(s) || !s.cell.base_known) return std::nullopt;
   const bool of_rows = random() % 2;
@@ -315,7 +316,8 @@ inline Made baseElsewhere(SeededSet& s, SeededRandom& random) {
     if (m.kind == MeasurementKind::kPosition || m.kind == MeasurementKind::kTouch) *m.p_W = turn * *m.p_W + shift;
   return "base=unknown";
 }
-/// Moves the reflector on the last link before the second of two set-ups, as a rigid shift of the tip.
+/// Moves the reflector to another point of the last link before the last set-up, which displaces the tip in the tool
+/// frame.
 inline Made tipAnew(SeededSet& s, SeededRandom& random) {
   std::vector<std::string> setups;
   for (const auto& m : s.table.readings)
@@ -329,7 +331,7 @@ inline Made tipAnew(SeededSet& s, SeededRandom& random) {
   const PlacedArm placed = app::startOf(s.cell, s.table.readings);
   for (auto& m : s.table.readings) {
     if (m.setup != setups.back() || !m.p_W) continue;
-    // The base has the cell's pose except for small errors of the set-up, so the tool's rotation in the world is nearly
+    // Apart from small errors of the set-up, the base is at the cell's pose, so the tool's computed rotation is nearly
     // exact.
     const auto shape =
         deflection::solveFlexibleKinematics(placed.arm, postureOf(m, placed.arm, placed.base_poses.front().X_WB));
@@ -368,7 +370,7 @@ inline Made staleJoints(SeededSet& s, SeededRandom& random) {
   return "without=" + readings[k].id;
 }
 
-/// A reading and the displacement of the measured points from this reading on, between 10 and 1000 times the noise.
+/// Step to be introduced: from reading `first` on, the measured points are displaced, by 10 to 1000 times the noise.
 struct SeededStep {
   std::size_t first = 0;
   double motion = 0;  // displacement of the measured points [m]
@@ -390,8 +392,8 @@ inline std::optional<SeededStep> drawnStep(const SeededSet& s, SeededRandom& ran
 }
 inline double drawnTimes(SeededRandom& random) { return 10 * std::pow(10., drawnBetween(0, 2, random)); }
 
-/// Removes encoder counts of a joint from one reading on, as many as give the drawn mean displacement of the tip. The
-/// last joint is excluded, since its lost counts would equal a tool mounted elsewhere.
+/// Lets a joint lose encoder counts at a drawn reading: as many as displace the tip by the drawn distance on average.
+/// The last joint is excluded, since its lost counts would look like a tool mounted elsewhere.
 inline Made zeroFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   const auto step = drawnStep(s, random, times_noise);
   if (!step) return std::nullopt;
@@ -407,7 +409,7 @@ inline Made zeroFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   for (std::size_t k = step->first; k < s.table.readings.size(); ++k) s.table.readings[k].q[joint] -= lost;
   return fmt::format("joint-zero={}:{:.6g}@{}", jointName(s, joint), lost / s.table.units.angles.factor, step->from);
 }
-/// Moves the reflector on the last link for all readings from a randomly drawn one on.
+/// Moves the reflector to another point of the last link at a drawn reading, for this and all later readings.
 inline Made tipFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   const auto step = drawnStep(s, random, times_noise);
   if (!step) return std::nullopt;
@@ -424,8 +426,8 @@ inline Made tipFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   by /= s.table.units.coordinates.factor;
   return fmt::format("tip={:.5g}:{:.5g}:{:.5g}@{}", by[0], by[1], by[2], step->from);
 }
-/// Displaces the tracker from a reading on, and removes the readings' times; with times the displacement would be an
-/// effect of the catalogue.
+/// Displaces the tracker at a drawn reading, and removes the times of all readings, since with times the displacement
+/// would be an effect of the catalogue.
 inline Made baseFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   const auto step = drawnStep(s, random, times_noise);
   if (!step) return std::nullopt;
@@ -448,7 +450,7 @@ inline Made tipFromByFar(SeededSet& s, SeededRandom& random) { return tipFrom(s,
 inline Made baseFromBarely(SeededSet& s, SeededRandom& random) { return baseFrom(s, random, 10); }
 inline Made baseFromByFar(SeededSet& s, SeededRandom& random) { return baseFrom(s, random, drawnTimes(random)); }
 
-/// Draws a run of up to a fifth of the readings, to be logged from a device that was frozen.
+/// Draws a run of up to a fifth of the readings, during which a device is to be frozen.
 inline std::optional<std::pair<std::size_t, std::size_t>> drawnRun(const SeededSet& s, SeededRandom& random) {
   const auto& readings = s.table.readings;
   const int count = static_cast<int>(readings.size());
@@ -533,8 +535,9 @@ inline const std::vector<SeededMistake>& seededMistakes() {
   return kMistakes;
 }
 
-/// Returns true if two corrections name a step of the same kind and joint, with values within 30 % and first rows at
-/// most two apart. The first row cannot be determined exactly where the step hardly changes the readings.
+/// Returns true if two corrections name a step of the same kind and joint, with values within 30 % and first readings
+/// at most two rows apart. The first reading cannot be determined exactly if the step hardly changes the readings next
+/// to it.
 inline bool isSameStep(const std::string& a, const std::string& b) {
   constexpr double kRows = 2, kShare = 0.3;
   const auto at = [](const std::string& text) { return std::min(text.find('@'), text.size()); };
@@ -567,8 +570,8 @@ inline bool isSameStep(const std::string& a, const std::string& b) {
 
 enum class Naming { kRight, kEqually, kWrong, kMissed };
 
-/// Returns how the checks name the mistake: first, among equally good explanations, wrongly, or not at all. For a zero,
-/// whose value is estimated, and for the unit of a sigma, only the kind and the place must agree.
+/// Returns how the checks name the mistake: first, among equally good explanations, wrongly, or not at all. For a zero
+/// or a scale, whose value is estimated, only the joint must agree; for sigmas, only the kind of mistake.
 inline Naming judgeNaming(const SeededMistake& mistake, const std::string& mend, const MeasurementChecks& checks) {
   const auto fits = [&](const std::string& assume) {
     if (mend.find('@') != std::string::npos && !mend.starts_with("shift=")) return isSameStep(assume, mend);

@@ -33,8 +33,9 @@ inline const SeededMistake& seededMistake(const std::string& label) {
   return *std::ranges::find_if(seededMistakes(), [&](const auto& mistake) { return mistake.label == label; });
 }
 
-/// Returns the pair with this number; empty if the set does not allow the pair, or if both mistakes are of one kind.
-/// Zeros of the last joint are excluded, since for tips alone they equal a tool mounted elsewhere.
+/// Returns clean readings with the pair of mistakes of this number; empty if the set does not allow the pair, or if
+/// both mistakes are of one kind. Zeros of the last joint are excluded, since for tip positions they are equivalent to
+/// a tool mounted elsewhere.
 inline std::optional<SeededPair> seededPair(std::uint64_t number) {
   SeededRandom random(number * 977 + 11);
   const auto& labels = pairedMistakes();
@@ -101,7 +102,7 @@ inline bool fitsAsClean(const SeededPair& pair, const std::string& assume) {
          with.asIs().open_error < 1.5 * without.asIs().open_error;
 }
 
-/// Judges whether a check names both mistakes. Both: its proposal, or an equally good one, restores the clean readings
+/// Judges how the checks name the two mistakes. Both: a proposal, or an equally good one, restores the clean readings
 /// to within 0.05 rad and 0.05 m. As good: a named mistake corrects the readings to fit as well as clean ones. One: a
 /// proposal contains one of the two mistakes.
 inline PairNaming judgePair(const SeededPair& pair, const MeasurementChecks& checks) {

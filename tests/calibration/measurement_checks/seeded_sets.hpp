@@ -1,4 +1,5 @@
-// Clean readings of arms that differ slightly from their drawing, from a design of a shipped cell or by set number.
+// Sets of clean readings of arms that differ slightly from their drawing, simulated for a design of a shipped cell or
+// chosen by number.
 #pragma once
 
 #include <fmt/format.h>
@@ -41,8 +42,8 @@ inline app::Cell shippedCell(const std::string& name) {
   return app::readCell((std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells" / name).string());
 }
 
-/// Returns readings from a design of a shipped cell, with stiffnesses wrong by a tenth, a displaced base where it is
-/// unknown, and the hidden effects. Empty if the simulation cannot make the readings.
+/// Returns readings simulated for a design of a shipped cell, with stiffnesses wrong by a tenth, a displaced base if it
+/// is unknown, and the effects `hidden`. Empty if the simulation cannot make the readings.
 inline std::optional<SeededSet> simulatedSet(const std::string& cell_name, const std::string& design, int readings,
                                              const std::vector<std::string>& hidden, std::uint64_t seed,
                                              const std::function<void(app::SimulationTask&)>& change = {}) {

@@ -1,5 +1,5 @@
-// Rotations written in another form under roll, pitch, yaw are named, and their correction restores the rotations. The
-// test writes the forms with code independent of the reader.
+// If the columns roll, pitch, yaw contain rotations in another form, the checks name the form, and their correction
+// restores the rotations. The test writes the forms with code that is independent of the reader's.
 #include "calibration/measurement_checks/turns_as.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// Readings under tip forces and moments, and of arms with side chains, have exact derivatives, and the intervals fitted
-// to them cover the truth.
+// For readings under tip forces and moments, and for arms with side chains, derivatives are exact and 95 % intervals
+// contain the truth as often as they should.
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/identification.hpp"
@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Returns the bench's arm with a second arm on its base link, whose weight shows only in the deflection that it
-/// causes.
+/// Returns the bench's arm with a second arm on its base link, whose weight is noticeable only by the deflection that
+/// it causes.
 deflection::Arm withSideChain() {
   deflection::Arm arm = benchCell().arm;
   deflection::SideChain<double> chain{2, {}};
@@ -32,7 +32,7 @@ deflection::Arm withSideChain() {
 
 PlacedArm placed(const deflection::Arm& arm) { return {arm, {{"", benchCell().X_WB, true}}}; }
 
-/// Counts the 95 % intervals that miss the true value, over seeds.
+/// Counts the 95 % intervals that miss the true value, over all seeds.
 struct LoadedCoverage {
   int outside = 0, all = 0;
   void add(const Identification& found, const deflection::Arm& truth) {

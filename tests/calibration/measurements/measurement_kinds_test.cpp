@@ -1,4 +1,4 @@
-// Laws that every row of the table of measurement kinds obeys.
+// Properties that every kind of reading in the table of measurement kinds must have.
 #include "calibration/measurements/measurement_kinds.hpp"
 
 #include <gtest/gtest.h>
@@ -98,7 +98,7 @@ TEST(MeasurementKinds, WhatIsRecordedIsAllThatAReadingHasToState) {
     EXPECT_EQ(statesEnough(m), valueColumnsOf(row).least == 0) << row.name;
     if (row.state) row.state(places, m);
     row.record(anyTool(), 1, MeasuredValue::Zero(row.rows), m);
-    if (row.counts_steps) m.own[0] = 3;  // the caller, who knows the tool, counts the steps
+    if (row.counts_steps) m.own[0] = 3;  // record() leaves the number of steps to the caller, who knows the tool
     m.point = "P1";
     EXPECT_TRUE(statesEnough(m)) << row.name;
     EXPECT_FALSE(row.lack && row.lack(m, row.name)) << row.name;
@@ -123,8 +123,8 @@ TEST(MeasurementKinds, TiltsAreTheElevationsOfTheToolsAxes) {
   EXPECT_NEAR(sum, 1, 1e-12);
 }
 
-// Between 180 and 198 of 200 intervals of 95 % contain the truth; for correct intervals, this has a probability of
-// 0.998.
+// For each kind of reading, between 180 and 198 of 200 intervals of 95 % contain the truth; for correct intervals, this
+// has a probability of 0.998.
 TEST(MeasurementKinds, IntervalsHoldTheTruthAsOftenAsTheySay) {
   for (const MeasurementKindRow& row : measurementKinds()) {
     if (row.is_touch) continue;  // one inverse solution per touch is too slow; the tests of campaigns cover touches

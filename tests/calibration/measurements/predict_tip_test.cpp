@@ -1,4 +1,5 @@
-// The tip in the world frame, its derivatives with respect to the base, and its noise due to the joints.
+// Predicted tip position in the world frame, its derivatives with respect to the base, and its covariance due to
+// encoder noise.
 #include <gtest/gtest.h>
 
 #include "tests/calibration/estimation/cobra_touches.hpp"
@@ -25,8 +26,8 @@ TEST(PredictTip, DerivativesByTheBaseIncludeGravity) {
           (2 * h);
       EXPECT_LE((slope - tip.by_base.col(k)).norm(), 1e-6 * tip.by_base.col(k).norm()) << k;
     }
-    // Since the arm sags, the derivative also depends on gravity's rotation: without this part it would be wrong by
-    // over a thousandth of the lever.
+    // Since the arm sags, the derivative also includes the rotation of gravity in the base frame: without this part, it
+    // would be wrong by over a thousandth of the lever.
     const Eigen::Vector3d lever = tip.value - cell.X_WB_true.translation();
     double without_gravity = 0;
     for (int k = 0; k < 3; ++k)

@@ -1,4 +1,4 @@
-// The predicted value of each kind of reading, and the noise of the prediction.
+// Predicted values of each kind of reading, and their covariance.
 #include "calibration/measurements/reading_prediction.hpp"
 
 #include <gtest/gtest.h>
@@ -107,8 +107,8 @@ TEST(ReadingPrediction, DerivativesByTheJointsMatchDifferences) {
   }
 }
 
-// The predicted covariance is that of randomly drawn readings. In a deflection, encoder noise moves both tips together
-// and almost cancels.
+// The predicted covariance agrees with that of randomly drawn readings. In a deflection, encoder noise displaces the
+// loaded and the unloaded tip equally, so it almost cancels.
 TEST(ReadingPrediction, CovarianceIsThatOfDrawnReadings) {
   PlacedArm placed = cobra();
   for (auto& row : placed.arm.rows) row.joint.encoder_sigma *= 3;

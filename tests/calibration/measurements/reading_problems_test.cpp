@@ -66,7 +66,8 @@ TEST(ReadingProblems, FewerNumbersThanAreFree) {
   EXPECT_FALSE(findReadingProblem(maker.readings, unknownsOf(kTwo)));
 }
 
-// Parameters of the geometry may outnumber the readings: the combinations that the readings determine are fitted.
+// If parameters of the geometry outnumber the measured values, the readings are accepted, since only the combinations
+// that they determine are fitted.
 TEST(ReadingProblems, GeometryMayOutnumberTheReadings) {
   ReadingMaker maker(cobra(), 5);
   maker.add(MeasurementKind::kPosition, 3);

@@ -77,7 +77,7 @@ TEST(RowReadings, DerivativesMatchDifferences) {
     request.numbers = {deflection::Variable::number(number->path)};
     for (int row = 0; row < static_cast<int>(placed.arm.rows.size()); ++row) {
       Measurement m = tiltOf(placed.arm, row);
-      // The nearly vertical axis, whose slope is ill-conditioned, is left out, as an inclinometer leaves it out.
+      // record() omits the nearly vertical axis, whose derivative is ill-conditioned, as an inclinometer does.
       kindOf(m).record(*frameAt(placed.arm, X_WB, m), 1, MeasuredValue::Zero(3), m);
       ASSERT_EQ(rowsOf(m), 2);
       const auto exact = predictReading(placed.arm, X_WB, m, request);
@@ -108,8 +108,8 @@ TEST(RowReadings, DerivativesMatchDifferences) {
   }
 }
 
-// Residuals and derivatives of tool readings are the same whether these are solved in batches or, together with
-// readings of rows, singly.
+// Residuals and derivatives of tool readings are the same whether they are solved in batches or, if readings of rows
+// are among them, singly.
 TEST(RowReadings, AmongOthersChangeNothingOfThem) {
   const PlacedArm placed = cobraTwice();
   ReadingMaker maker(placed, 8, ReadingMaker::Noise::kStated);
@@ -136,8 +136,8 @@ struct Stiffness {
   const char* name;
 };
 
-// Between 180 and 198 of 200 intervals of 95 % contain the truth; for correct intervals, this has a probability of
-// 0.998.
+// For each kind and row, between 180 and 198 of 200 intervals of 95 % contain the truth; for correct intervals, this
+// has a probability of 0.998.
 TEST(RowReadings, IntervalsHoldTheTruthAsOftenAsTheySay) {
   for (const auto kind : kindsOfRows())
     for (const auto& [row, name] :

@@ -43,8 +43,8 @@ TEST(Surfaces, ExactReadingsLieOnThem) {
     }
 }
 
-// The fitted surfaces contain the simulator's own tips: a plane is normal to the cross product of two vectors between
-// its tips, and the centre of a sphere is at the same distance from all of its tips.
+// The fitted surfaces agree with the tips from which the simulator made the touches: a plane is normal to the cross
+// product of two vectors between its tips, and the centre of a sphere is at the same distance from all of its tips.
 TEST(Surfaces, AreThoseThatWereTouched) {
   const PlacedArm placed = cobra();
   const auto tipsOf = [&](const std::vector<Measurement>& readings) {
@@ -106,7 +106,7 @@ TEST(Surfaces, DoNotSeeWhereTheBaseIs) {
   }
 }
 
-// A forearm 2 mm longer than drawn is found from touches of unknown surfaces, as with a tracker.
+// If the forearm is 2 mm longer than drawn, touches of unknown surfaces reveal its length, as a tracker does.
 TEST(Surfaces, TellALengthOfTheArm) {
   for (const auto kind : kindsOfSurfaces()) {
     const auto readings = touches(kind, 90, ReadingMaker::Noise::kStated, 11);
