@@ -1,5 +1,5 @@
-// Study of motion proofs: for each scene, the number of random motions proved collision-free that checks in fine steps
-// refute. The number should be zero.
+// Study of motion proofs: for each scene, it counts the random motions that are proved collision-free although checks
+// in fine steps find a collision. The number should be zero.
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 

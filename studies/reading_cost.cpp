@@ -1,5 +1,6 @@
 // Study of the cost of an identification as a function of the number of readings: six stiffnesses and the base are
-// identified from positions. The output has processor and wall times and the slope of log time against log number.
+// identified from positions. The output lists processor and wall times and the slope of log time against the log of the
+// number of readings.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

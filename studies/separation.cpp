@@ -1,6 +1,6 @@
-// Study of proposed readings for data with several possible explanations. At most twelve proposed readings are
-// simulated with the true arm, round by round. The study counts how often a single cause remains, and how often this
-// cause is the true one. The same number of random candidate readings serves as a comparison.
+// Study of the readings that the diagnosis proposes if several explanations fit the data. At most twelve proposed
+// readings are simulated with the true arm, round by round. The study counts how often a single cause remains, and how
+// often this cause is the true one. The same number of random candidate readings serves as a comparison.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -25,7 +25,7 @@ constexpr std::array kHidden{"backlash@tool.z:0.03deg",       "stiffening@tool.z
                              "backlash@base-link.z:0.012deg", "link-weight@forearm:0.8",
                              "contact-force@tip:0.8",         "joint-coupling@theta4<-theta3:0.00015"};
 
-/// Returns simulated readings of the true arm at a candidate's postures, with measurement and encoder noise.
+/// Returns simulated readings of the true arm at the proposed postures, with measurement and encoder noise.
 std::vector<Measurement> filledIn(const calibration::CampaignTruth& truth,
                                   const std::vector<calibration::ProposedMeasurement>& proposed,
                                   const std::string& name, Random& random) {

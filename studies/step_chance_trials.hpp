@@ -1,6 +1,6 @@
-// Comparison of predicted step probabilities with true arms whose physics differs from the model. Each true arm has
-// stiffness errors, a different mixture of effects that the model lacks, and an error field over the sheet that no
-// effect of the catalogue causes.
+// Comparison of the predicted probabilities that a given number of the tool's steps enters a hole with what happens on
+// true arms whose physics differs from the model. Each true arm has stiffness errors, a different mixture of effects
+// that the model lacks, and an error field over the sheet that no effect of the catalogue causes.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ struct StepChanceTrial {
   std::array<double, kBins> predicted{}, happened{};  ///< sums over the holes, per number of steps
 };
 
-/// Physics of the true arms that the model lacks, in addition to stiffness errors, which every true arm has.
+/// Physics of a true arm that its model lacks, in addition to the stiffness errors that every true arm has.
 enum class HiddenPhysics { kMixed, kEffects, kField, kStiffnesses };
 
 inline constexpr double kStiffnessSigma = 0.05;
@@ -186,8 +186,8 @@ class StepChanceTrials {
   int touches_, holes_;
 };
 
-/// Predicted and observed fractions of all holes per number of steps, with the standard error of the difference,
-/// estimated from the scatter between the true arms.
+/// Predicted and observed fractions of holes per number of inserted steps, with the standard error of their difference,
+/// estimated from the scatter between true arms.
 struct StepChanceSummary {
   int calibrated = 0, holes = 0;
   std::array<double, kBins> predicted{}, happened{}, standard_error{};

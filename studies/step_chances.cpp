@@ -1,5 +1,6 @@
-// Study of step probabilities for 1,000 random true arms whose physics differs from the model, with three, four and six
-// touches: predicted and observed fractions of holes for each number of inserted steps.
+// Study of the predicted probabilities that a given number of the tool's steps enters a hole. For 1,000 random true
+// arms whose physics differs from the model, and for three, four and six touches, it compares the predicted with the
+// observed fractions of holes for each number of steps.
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 

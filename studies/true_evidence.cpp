@@ -1,6 +1,6 @@
-// Study of the evidence of two kinds of models: the model of the truly hidden effects, fitted from their true sizes,
-// and the models that the diagnosis finds. Their comparison shows whether a miss is due to the search or to the
-// readings. The output is JSON for studies/blind_trial/oracle.py.
+// Study that compares the evidence of the model of the truly hidden effects, fitted from their true sizes, with that of
+// the models that the diagnosis finds. The comparison shows whether a miss is due to the search or to the readings. The
+// output is JSON for studies/blind_trial/oracle.py.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>

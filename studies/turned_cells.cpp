@@ -1,6 +1,6 @@
-// Study of one task in other units, rotated about the sheet's normal, or expressed in another base frame: the plan must
-// visit the same tubes. The travel times are printed for comparison. With a tilted base or tilted gravity, the tubes
-// may differ, but every tube that random starts reach must be visited.
+// Study of equivalent forms of one task: in other units, rotated about the sheet's normal, or expressed in another base
+// frame. The plan must visit the same tubes in all forms. The travel times are printed for comparison. With a tilted
+// base or tilted gravity, the tubes may differ, but every tube that random starts reach must be visited.
 #include "tests/planner/turned_cells.hpp"
 
 #include <fmt/format.h>
@@ -45,8 +45,8 @@ struct Answer {
   double travel = 0;
 };
 
-/// Returns false if the plan visits other tubes although the task is equivalent to the first task, if the plan is
-/// refuted, or if random starts reach a tube that was refused.
+/// Returns false if the plan visits other tubes than in the first task although the tasks are equivalent, if the plan
+/// cannot be proved free of collisions, or if random starts reach a tube that was refused.
 bool answer(const Task& task, const std::vector<int>& tubes, int starts, Answer& first) {
   const std::clock_t before = std::clock();
   const VisitPlan plan = planVisits(task.cell, tubes);

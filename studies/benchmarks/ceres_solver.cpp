@@ -10,7 +10,7 @@ using calibration::LeastSquaresProblem, calibration::LeastSquaresResult, calibra
 using Eigen::MatrixXd, Eigen::VectorXd;
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// All residuals as one cost function of a single block of variables, each in units of its scale.
+/// All residuals as one cost function of a single block of variables, each of which is divided by its scale.
 class WholeResidual : public ceres::CostFunction {
  public:
   WholeResidual(const LeastSquaresProblem& problem, int residuals) : problem_(problem) {

@@ -61,7 +61,8 @@ const Bench& bench() {
   return made;
 }
 
-/// Returns the smallest margin [m], with the distance of every pair of solids computed by FCL.
+/// Returns the smallest distance between bodies, or between a body and an obstacle, minus the required clearance [m].
+/// FCL computes the distances between solids.
 double marginByLibrary(const Scene& scene, const std::vector<Isometry3d>& X_WL) {
   double least = std::numeric_limits<double>::infinity();
   const auto solidOf = [](const ShapePointer& shape) { return dynamic_cast<const Solid*>(shape.get()); };
@@ -129,7 +130,7 @@ void posturesSideBySide(benchmark::State& state) {
     benchmark::DoNotOptimize(bench().clearance.together(q, ContactRule::kApproach));
 }
 
-/// Measures proofs that moves are free, and reports mean and median over the moves.
+/// Measures the proofs that moves are collision-free, and reports mean and median over the moves.
 void proveMoves(benchmark::State& state, const PostureClearance& clearance_of) {
   const auto& moves = bench().moves;
   std::vector<double> seconds, checks;

@@ -47,7 +47,7 @@ struct Look {
   double straight_time = 0;  ///< time of straight joint moves between the same postures in the same order [s]
   double flowing_time = 0;   ///< shortest time, without intermediate stops [s]
   double least_clearance = std::numeric_limits<double>::infinity();  ///< [m]
-  /// Numbers of travels that are nearer than the scene's clearance, and that collide.
+  /// Number of travels that come closer to an obstacle than the scene's clearance, and number of those that collide.
   int below_clearance = 0, colliding = 0;
 };
 

@@ -1,5 +1,5 @@
-// Benchmark of the mock-up's whole sheet on one core. It times the inverse kinematics at every hole, the same with the
-// approaches into the holes, the same with collision checks, and the scoring of visits.
+// Benchmark of the mock-up's whole sheet on one core. It times the inverse kinematics at every hole: alone, with the
+// approaches into the holes, and also with collision checks. It also times the scoring of visits.
 #include <benchmark/benchmark.h>
 
 #include "app/formats/cell/workcell.hpp"

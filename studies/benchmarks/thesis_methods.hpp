@@ -1,4 +1,4 @@
-// The two minimisation methods of the thesis (section 5.3.3), for comparison with the program's methods.
+// The two minimisation methods of the thesis (Calkins 1994, section 5.3.3), for comparison with the program's methods.
 #pragma once
 
 #include "calibration/estimation/least_squares.hpp"
