@@ -1,7 +1,7 @@
 // A contact force on the tip.
 //
-// Law: a constant force at the tip, against gravity.
-// Symbols: f [N], positive upwards.
+// Law: a constant force f at the tip, against gravity.
+// Symbols: f force [N], positive upwards.
 // Validity: a probe or a support of constant force, equal in every reading.
 // Source: statics.
 #pragma once

@@ -14,14 +14,14 @@ namespace tubeplan::deflection {
 
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// One parameter of an effect, in internal units. On a prismatic joint, angles of effects on readings are lengths.
+/// One parameter of an effect, in internal units. For effects on the readings of prismatic joints, angles are lengths.
 struct EffectParameter {
   const char* name;
   Quantity quantity;
-  double neutral;       ///< value without effect, if all other parameters are neutral
+  double neutral;       ///< value at which the effect vanishes, if all other parameters are neutral
   double lower, upper;  ///< hard physical bounds
   double plausible;     ///< largest plausible magnitude on a real machine
-  /// True: the parameter has a meaning only while the effect is not neutral, so its value must be found by a scan.
+  /// True: at neutral values, the parameter has no influence, so a fit that starts there must find its value by a scan.
   bool is_shape = false;
   double (*least)(const Arm&, const Place&) = nullptr;  ///< replaces `lower` if the bound depends on the arm
 };
@@ -45,7 +45,8 @@ class EffectVariable {
   std::optional<Condition> condition_;
 };
 
-/// Returns "joint", "sense" (for kDirection), "load", "moment", "position", "set-up" or the name of a condition.
+/// Returns the name of a variable: "joint", "sense" (for kDirection), "load", "moment", "position", "set-up" or the
+/// name of a condition.
 [[nodiscard]] const char* nameOf(EffectVariable variable);
 
 /// Part of the model that an effect acts on.
@@ -62,7 +63,7 @@ struct EffectNeeds {
   bool approach_directions = false, load = false, moments = false, no_weights = false, tool_turn = false;
 };
 
-/// One row of the effect table.
+/// A kind of effect: one row of the effect table.
 struct EffectKind {
   const char* name;
   const char* words;  ///< description for a reader who does not know the effect's name
@@ -77,7 +78,7 @@ struct EffectKind {
   const char* places_elsewhere = "";  ///< description of the places, if `places` does not list them
   double odds = 1;  ///< prior odds of the kind relative to others, split among its places; 0: tried only on request
   const char* odds_reason = "";             ///< reason for the odds
-  std::vector<EffectVariable> varies_with;  ///< simplest variable first; empty: not known in advance
+  std::vector<EffectVariable> varies_with;  ///< variables of the law, simplest first; empty: unknown
   EffectNeeds needs;
   std::vector<EffectParameter> parameters;
   std::vector<Place> (*places)(const Arm&);  ///< returns every place of an arm where the effect can act

@@ -29,7 +29,8 @@ struct EffectContext {
   std::string undefined = {};  ///< reason why an effect has no finite value here; empty if every effect has one
 };
 
-/// Resets the copies and applies the arm's effects. Earlier content is overwritten in place.
+/// Resets the copies of arm and posture, and applies the arm's effects to them. Earlier content is overwritten in
+/// place.
 template <class S>
 void applyEffects(EffectContext<S>& context);
 

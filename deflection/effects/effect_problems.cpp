@@ -1,4 +1,4 @@
-// Checks of the effects of an arm.
+// Checks of an arm's effects: kinds, places, values and repetitions.
 #include <algorithm>
 #include <cmath>
 #include <set>

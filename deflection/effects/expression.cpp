@@ -14,9 +14,10 @@ namespace tubeplan::deflection {
 
 namespace {
 
-// Ratio of the wide to the narrow step of the differences; the narrow step is used if the wide step may cross a kink.
+// Ratio of the wide to the narrow step of the central differences; the narrow step is used if the wide step may cross a
+// kink.
 constexpr double kNarrower = 64;
-constexpr double kSmoothEnough = 1e-10;  // largest relative difference between both results for a smooth function
+constexpr double kSmoothEnough = 1e-10;  // a function is smooth if both steps' results differ by less, relatively
 constexpr const char* kConstants[] = {"pi", "_pi", "_e"};
 
 bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -58,7 +59,7 @@ std::vector<Word> wordsOf(const std::string& text) {
   return words;
 }
 
-/// Finds content that muParser would accept but a formula must not have: assignments, string literals, non-printable
+/// Finds content that muParser would accept but a formula must not contain: assignments, string literals, non-printable
 /// bytes.
 std::optional<ExpressionProblem> findForeign(const std::string& text) {
   for (std::size_t k = 0; k < text.size(); ++k) {
@@ -107,7 +108,8 @@ ExpressionProblem problemOf(const mu::ParserError& error, const std::string& tex
 
 }  // namespace
 
-/// A parser bound to its own argument values. Several threads must not build parsers at once: muParser shares a locale.
+/// A parser bound to its own argument values. Parsers must not be built in several threads at once, because all parsers
+/// of muParser share a locale.
 struct Expression::Evaluator {
   std::vector<double> at;
   mu::Parser parser;

@@ -11,7 +11,7 @@
 
 namespace tubeplan::deflection {
 
-/// Reason why a string is not an expression. The message consists of `what`, " at character N" and `rest`.
+/// Reason why a string is not a valid expression. The message consists of `what`, " at character N" and `rest`.
 struct ExpressionProblem {
   std::string what;                ///< beginning of the message, such as "the formula ends"
   std::string rest;                ///< end of the message, such as " where an expression should follow"; may be empty

@@ -130,8 +130,7 @@ std::optional<MadeFormula> bindNames(const Arm& arm, const FormulaUnits& units, 
   return std::nullopt;
 }
 
-/// Decides which parameters are factors in which the formula is linear (sizes) and which are shapes, and sets the start
-/// values.
+/// Decides which parameters are sizes, in which the formula is linear, and which are shapes; sets the start values.
 std::optional<MadeFormula> chooseParameters(const std::vector<Start>& starts, Formula& formula, MadeFormula& made) {
   for (const Start& start : starts)
     if (std::find(formula.names.begin(), formula.names.end(), start.name) == formula.names.end()) {

@@ -10,8 +10,8 @@
 //      value is used.
 // Values of symbols that are lengths, forces, moments or conditions are in the file's units. The value of the
 // expression is in the target's unit, in degrees for an angle if the file uses degrees.
-// All other names are parameters. The formula's sizes are the largest set of parameters in which it is linear and that
-// make it vanish if they are all zero: they start at 0 and have the target's unit. The other parameters are shapes:
+// All other names are parameters, of two kinds. Sizes are the largest set of parameters in which the formula is linear
+// and that make it vanish if they are all zero: they start at 0 and have the target's unit. All others are shapes:
 // plain numbers that need a start value.
 #pragma once
 
@@ -63,7 +63,7 @@ struct NamedSymbol {
 /// Returns the targets of an arm as written in formulas.
 [[nodiscard]] std::vector<std::string> formulaTargets(const Arm& arm);
 
-/// A parsed formula, shared by the effects that carry it and never changed.
+/// A parsed formula. It never changes, and all effects with this formula share it.
 struct Formula {
   std::string text;  ///< the formula as the user wrote it
   /// Place of the effect: the target's name, with "#2" appended for the second formula of a target, and so on.
@@ -98,7 +98,7 @@ struct MadeFormula {
   std::string expected;            ///< description of valid values; empty unless a value is wrong
   std::string word;                ///< the unknown name, if a name is unknown; else empty
   std::vector<std::string> known;  ///< the known names, if a name is unknown
-  /// Names of the parameters without a start value. A misspelt symbol would be among them.
+  /// Names of the parameters without a start value. They would include a misspelt symbol.
   std::vector<std::string> free;
   Effect effect;  ///< the effect at its start values
 };

@@ -24,14 +24,15 @@ class Spread {
   int count_ = 0;
 };
 
-/// Returns true if the expression is linear in the parameters of a bit mask, and vanishes where they are zero.
+/// Returns true if the expression is linear in the parameters that the bit mask selects, and vanishes if they are all
+/// zero.
 bool isLinear(const Formula& formula, unsigned mask) {
   Spread spread;
   int tried = 0;
   for (int n = 0; n < kSamples; ++n) {
-    // The parameters of the mask are 0, u, v, u + v and -2 u; all other arguments are unchanged.
+    // At the five points, the parameters in the mask are 0, u, v, u + v and -2 u; all other arguments are equal.
     std::array<std::vector<double>, 5> at;
-    const double scale = std::pow(10., n % 4);  // up to 1000: temperatures and moments are larger than angles
+    const double scale = std::pow(10., n % 4);  // 1 to 1000, because temperatures and moments are larger than angles
     for (const Formula::Input& input : formula.inputs) {
       const double u = spread.next(), v = spread.next();
       const bool is_in = input.parameter >= 0 && (mask >> input.parameter & 1U) != 0;

@@ -1,5 +1,5 @@
-// Search for the sizes among a formula's parameters: the largest set of parameters in which the formula is linear and
-// that make it vanish if they are all zero.
+// Search for a formula's sizes: the largest set of its parameters in which the formula is linear and that make it
+// vanish if they are all zero.
 #pragma once
 
 #include "deflection/effects/formula.hpp"

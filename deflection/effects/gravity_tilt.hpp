@@ -1,7 +1,7 @@
 // Gravity tilted relative to the nominal pose of the base.
 //
 // Law: the direction of gravity is rotated by the rotation vector (wx, wy, 0) in base axes; the geometry is unchanged.
-// Symbols: wx, wy [rad].
+// Symbols: wx, wy components of the rotation vector [rad].
 // Validity: angles far below one radian, so that the order of the two rotations does not matter. A rotation about
 //      gravity itself has no effect.
 // Source: statics; the tilt of an instrument's vertical axis in levelling.

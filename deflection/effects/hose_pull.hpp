@@ -1,7 +1,7 @@
 // A hose or cable that pulls on a link.
 //
-// Law: a constant force at the link's end, in base axes.
-// Symbols: f [N].
+// Law: a constant force (x, y, z) at the link's end, in base axes.
+// Symbols: x, y, z components of the force [N].
 // Validity: a hose so long that neither the posture nor the deflection changes its pull.
 // Source: statics.
 #pragma once

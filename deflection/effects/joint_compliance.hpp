@@ -1,7 +1,7 @@
 // Compliance of a joint axis that was taken as rigid.
 //
 // Law: rotation = c M about the axis, at the row's origin (elements/joint_stiffness.hpp).
-// Symbols: c [rad/(N m)], M moment about the axis [N m].
+// Symbols: c compliance [rad/(N m)], M moment about the axis [N m].
 // Validity: linear.
 // Source: Calkins 1994, eq. 2.17.
 #pragma once

@@ -1,7 +1,7 @@
 // A joint that is also moved by another joint, through a belt or a differential.
 //
 // Law: true joint value = reading + share * reading of the other joint.
-// Symbols: share, fraction of the other joint's reading [1].
+// Symbols: share fraction of the other joint's reading [1].
 // Validity: two joints of the same type; readings counted from the encoders' zeros.
 // Source: coupled joints in Craig, Introduction to Robotics (actuator space and joint space).
 #pragma once

@@ -1,7 +1,7 @@
 // Bending of a member about an axis that was taken as rigid.
 //
 // Law: curvature = b M about the row's axis projected perpendicular to the member (elements/beam.hpp); b = 1/(E I).
-// Symbols: b [1/(N m^2)], M moment about that axis [N m].
+// Symbols: b bending compliance [1/(N m^2)], M moment about that axis [N m].
 // Validity: as for the beam. A member bends about two axes, so the effect cannot act about the row's axis nearest to
 //      the member's direction.
 // Source: Calkins 1994, eq. 2.8 to 2.16.

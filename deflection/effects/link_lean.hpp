@@ -1,7 +1,7 @@
 // A link whose two joint axes, drawn nearly parallel, lean relative to each other.
 //
 // Law: the next row's frame is rotated by dbeta about its own y axis, before its joint rotates it.
-// Symbols: dbeta [rad].
+// Symbols: dbeta lean angle [rad].
 // Validity: geometry only; links whose far axis is parallel to their near axis within 30 degrees. For other links,
 //      link-twist, link-length and joint-offset together place the axis.
 // Source: Hayati and Mirmirani 1985 (the parameter beta of nearly parallel axes).

@@ -1,7 +1,7 @@
 // A link longer or shorter than drawn.
 //
 // Law: a to the next frame = a drawn + dL; a row placed as in URDF is moved along its own position vector.
-// Symbols: dL [m].
+// Symbols: dL excess length [m].
 // Validity: geometry only; a distributed weight grows with the length. Not for the last row: see tool-offset.
 // Source: Denavit and Hartenberg 1955, as modified by Craig; Klimchik et al. (arXiv 1211.5739).
 #pragma once

@@ -1,7 +1,7 @@
 // Torsion of a member that was taken as rigid.
 //
 // Law: twist per length = t M about the member (elements/beam.hpp); t = 1/(G J).
-// Symbols: t [1/(N m^2)], M moment about the member [N m].
+// Symbols: t torsion compliance [1/(N m^2)], M moment about the member [N m].
 // Validity: uniform torsion (Saint-Venant).
 // Source: Calkins 1994, eq. 2.16.
 #pragma once

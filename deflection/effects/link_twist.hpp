@@ -1,7 +1,7 @@
 // A link that is twisted about its own length, so that its far joint axis is rotated relative to the drawing.
 //
 // Law: alpha to the next frame = alpha drawn + dalpha; for a row placed as in URDF, dalpha is added to the roll.
-// Symbols: dalpha [rad].
+// Symbols: dalpha additional twist angle [rad].
 // Validity: geometry only; every link but the last.
 // Source: Denavit and Hartenberg 1955, as modified by Craig; Klimchik et al. (arXiv 1211.5739).
 #pragma once

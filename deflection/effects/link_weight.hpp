@@ -1,7 +1,7 @@
-// A link heavier or lighter than stated, at its end.
+// A link that is heavier or lighter than stated; the difference acts at its end.
 //
 // Law: weight at the link's end = as stated + w.
-// Symbols: w [N], at least minus the link's whole weight.
+// Symbols: w additional weight [N], at least minus the link's whole weight.
 // Validity: at rest.
 // Source: Calkins 1994, section 2.3 (end weights).
 #pragma once

@@ -2,7 +2,8 @@
 //
 // Law: the load acts at tip + v, a point that rotates with the deflected tool: a couple (R v) x F in addition to the
 //      force.
-// Symbols: v [m] in the last row's axes at the tip, R rotation of these axes on the deflected arm, F hung load [N].
+// Symbols: v offset [m] in the last row's axes at the tip, R rotation of these axes on the deflected arm, F hung load
+//      [N].
 // Validity: the load is held rigidly; the tool's own weight is not displaced.
 // Source: statics.
 #pragma once

@@ -1,7 +1,7 @@
 // A scale error of the measuring instrument.
 //
 // Law: measured coordinate = (1 + e) * true world coordinate.
-// Symbols: e [1].
+// Symbols: e relative error of the scale [1].
 // Validity: all coordinates are measured by one instrument in the world frame; the arm itself does not change.
 // Source: calibration of length-measuring instruments.
 #pragma once

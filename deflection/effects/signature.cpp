@@ -14,10 +14,11 @@ namespace {
 using Eigen::Index, Eigen::Matrix3Xd, Eigen::Vector3d;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-// Weight of a tip shift that changes with a condition or direction (1 for the load): few laws depend on these.
+// Weight of a sweep of a condition or direction when sweeps are compared (1 for the load), because few laws depend on
+// these.
 constexpr double kOfCondition = 5;
-constexpr double kOfOwnJoint = 3;  // weight of a tip shift that changes with the effect's own joint
-constexpr double kOfReach = 1e-9;  // tip shift that may be due to rounding alone, as a fraction of the reach
+constexpr double kOfOwnJoint = 3;  // weight of a sweep of the effect's own joint
+constexpr double kOfReach = 1e-9;  // largest tip shift that may be due to rounding alone, as a fraction of the reach
 constexpr double kOfRange = 0.05;  // smallest distance from a joint's limits, as a fraction of its range
 
 /// Returns the effect at half of its plausible magnitude. A step in time occurs halfway through the sweep of time.
@@ -88,8 +89,8 @@ class Sweeper {
           [&](Posture& posture, double at) { posture.conditions[kind.condition] = at; });
   }
 
-  /// Returns the tip's shift due to the effect in the last row's axes [m], so that a rotation of the first joint does
-  /// not rotate the shift.
+  /// Returns the tip's shift due to the effect [m], in the last row's axes, so that turning the first joint does not
+  /// change it.
   [[nodiscard]] Vector3d shiftAt(const Posture& posture) const {
     const auto without = solveFlexibleKinematics(without_, posture), with = solveFlexibleKinematics(with_, posture);
     if (without.status != KinematicsStatus::kConverged || with.status != KinematicsStatus::kConverged)
@@ -133,7 +134,8 @@ class Sweeper {
     const double change = changes.colwise().norm().maxCoeff(), weighed = change * weightOf(found);
     if (change <= kOfReach * reachOf(without_) || weighed <= most_change_) return;
     most_change_ = weighed;
-    // A matrix with three fixed rows would leave Eigen's thin U no room for two columns.
+    // MatrixXd, because for a matrix with three fixed rows Eigen's U is fixed at 3 x 3 and cannot have just two
+    // columns.
     const Eigen::JacobiSVD<Eigen::MatrixXd> axes(changes, Eigen::ComputeThinU);
     const Vector3d axis = axes.matrixU().col(0);
     for (Index k = 0; k < shifts.cols(); ++k) found.shift.push_back(axis.dot(shifts.col(k)));

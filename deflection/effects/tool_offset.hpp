@@ -1,7 +1,7 @@
 // An offset of the tip in the last row's frame.
 //
 // Law: tip = tip as drawn + v, in the last row's frame.
-// Symbols: v [m].
+// Symbols: v offset [m].
 // Validity: geometry only; a distributed weight extends to the new tip.
 // Source: Klimchik et al. (arXiv 1211.5739), tool transformation.
 #pragma once

@@ -2,7 +2,7 @@
 // the other set-ups.
 //
 // Law: in the named set-up, tip in the last row's frame = tip in the other set-ups + (x, y, z).
-// Symbols: x, y, z [m].
+// Symbols: x, y, z components of the offset [m].
 // Validity: rigid; constant throughout the set-up.
 // Source: geometry; a known error of measurement campaigns with several set-ups.
 #pragma once

@@ -2,7 +2,7 @@
 //
 // Law: axes of the tool frame = exp(turn drawn + v) times the axes drawn, in the last row's frame. The tip does not
 //      move.
-// Symbols: v [rad], a rotation vector.
+// Symbols: v additional rotation vector [rad].
 // Validity: geometry only; observable in measured rotations of the tool and in points of the tool away from its tip.
 //      The axis along which the tool enters a hole does not rotate with the tool frame.
 // Source: Everett 1987 (six parameters of a mechanism's tool, three of them for the tip).

@@ -1,7 +1,7 @@
 // A tool heavier or lighter than stated, in the same proportion everywhere.
 //
 // Law: every weight of the last row = weight as stated * (1 + e).
-// Symbols: e [1], at least -1.
+// Symbols: e relative error of the weights [1], at least -1.
 // Validity: at rest; the hung load is not included.
 // Source: Calkins 1994, section 2.3 (weight per length, end weights).
 #pragma once

@@ -2,7 +2,7 @@
 //
 // Law: as written (effects/formula.hpp).
 // Symbols: the symbols and the parameters of the formula.
-// Validity: where the expression has a finite value; postures without a finite value are not solved.
+// Validity: where the expression has a finite value; other postures are not solved.
 // Source: the user.
 #pragma once
 
@@ -75,7 +75,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   }
 }
 
-/// Returns the kind. It lists no places in an arm, because a formula names its own target.
+/// Returns the kind of user-defined effects. It lists no places in an arm, because a formula names its own target.
 inline EffectKind kind() {
   return {.name = kName,
           .words = "a user-defined formula",

@@ -3,7 +3,7 @@
 // Law: complementarity. |theta| <= g/2; theta = +g/2 where the moment there is positive, -g/2 where it is negative, and
 //      in between only where the moment is zero and the joint hangs freely in its gap.
 // Symbols: g gap [rad], theta rotation within it [rad], M moment about the axis [N m].
-// Method: theta <- clamp(theta + M/kappa, -g/2, g/2) once in each pass of the shape. kappa is at least the restoring
+// Method: theta <- clamp(theta + M/kappa, -g/2, g/2) once in each pass over the arm. kappa is at least the restoring
 //      moment per angle |dM/dtheta|, times the number of clearances: the load on a joint is a pendulum, and several
 //      clearances are a chain of pendulums, for which the iteration is then a contraction.
 // Validity: at rest, without friction. Where the moment neither presses nor restores (an axis along gravity), theta and

@@ -1,5 +1,4 @@
-// Flexible elements of a row. Each converts the load on it into a deflection, by a law that is stated in a file of its
-// own.
+// Flexible elements of a row. Each deflects under its load by a law that is stated in a file of its own.
 #pragma once
 
 #include <span>
@@ -48,8 +47,8 @@ struct DeflectionSlopes {
 /// Place of an element in its row: at the origin, or along the member, which is split into the beam's segments.
 enum class ElementPlace { kOrigin, kMember };
 
-/// One row of the element table. A new law needs a new file with the templates `flexibilityOf` and `deflect` and the
-/// function `slopesOf`, and a row in elements.cpp.
+/// A kind of element: one row of the element table. A new law needs a new file with the templates `flexibilityOf` and
+/// `deflect` and the function `slopesOf`, and a row in elements.cpp.
 struct ElementKind {
   const char* key;  ///< key of the element's parameters in the arm file
   const char* law;
