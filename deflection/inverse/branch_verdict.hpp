@@ -15,8 +15,8 @@ inline double angleApart(double a, double b) {
   return off <= kFullTurn / 2 ? off : std::abs(std::remainder(off, kFullTurn));
 }
 
-/// Shifts each revolute reading into the joint's limits by whole turns where possible. Returns the name of a joint that
-/// remains outside its limits; empty if there is none.
+/// Shifts revolute readings by whole turns into their joint limits, up to the first joint for which this is impossible.
+/// Returns the name of that joint; empty if all readings are within their limits.
 std::string wrapIntoLimits(const Arm& arm, Eigen::VectorXd& q);
 
 /// Sets the status and reason of a branch from its residuals.

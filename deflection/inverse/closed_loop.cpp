@@ -113,8 +113,8 @@ ClosedLoop<Size>::ClosedLoop(const ClosureChain<Size>& chain) : reach_(chain.rea
   std::array<JointTerms<Size>, kJoints> terms;
   for (std::size_t k = 0; k < kJoints; ++k) {
     slides_[k] = chain.joints[k].slides;
-    // A quasi-random value: the half-angle tangent is infinite half a turn away from `zero_`, where a root is then
-    // unlikely to lie.
+    // The value is quasi-random, because the half-angle tangent is infinite half a turn away from it: a root is
+    // unlikely to lie there.
     zero_[k] = slides_[k] ? 0.1 : 1 + 2 * drawn(static_cast<int>(k) + 40);
     if (k < kOuter)
       outer_[k] = chain.joints[k];
@@ -136,7 +136,8 @@ ClosedLoop<Size>::ClosedLoop(const ClosureChain<Size>& chain) : reach_(chain.rea
     }
 }
 
-/// Returns the goal moved back by the outer joints, one column for each product of their terms; column 0 is constant.
+/// Returns the goal moved back by the outer joints, one column for each product of the joints' terms; column 0 belongs
+/// to the constant term.
 template <int Size>
 auto ClosedLoop<Size>::outerSide(const Vector3d& p_B, const Vector3d& axis_B) const -> Outer {
   const Closure<Size> goal = closureOf<Size>(p_B / reach_, axis_B);
@@ -194,7 +195,7 @@ template <int Size>
 VectorXd ClosedLoop<Size>::readingsAt(const Sides& sides, double x) const {
   VectorXd q(kJoints);
   setInner(nullVector(sides.polynomial[0] + x * (sides.polynomial[1] + x * sides.polynomial[2])), x, q);
-  // The terms of the outer joints, without the constant term, follow from the goal.
+  // With the inner readings known, the equations are linear in the outer joints' terms other than the constant one.
   const Matrix<double, kOuterTerms - 1, 1> outer =
       sides.outer_solver.solve((innerSide(q) - sides.outer.col(0)).template head<Size - 1>());
   const auto set = [&](std::size_t joint, int first, int second) {
@@ -222,7 +223,7 @@ void ClosedLoop<Size>::addRoots(const Vector3d& p_B, const Vector3d& axis_B, dou
   for (int a = 0; a < 3; ++a) {
     auto& m = sides.polynomial[static_cast<std::size_t>(a)];
     m.setZero(kUnknowns, kUnknowns);
-    // Number of columns by which one more power of the eliminated joint's unknown shifts the terms.
+    // Number of columns by which the terms shift if the equations are multiplied by the eliminated joint's unknown.
     constexpr int kNext = kUnknowns - kInnerTerms;
     const auto terms = left.template middleCols<kInnerTerms>(a * kInnerTerms);
     m.template topLeftCorner<kEquations, kInnerTerms>() = terms;

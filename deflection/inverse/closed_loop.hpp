@@ -20,7 +20,7 @@ namespace tubeplan::deflection {
 template <int Size>
 struct ClosureChain {
   std::vector<JointClosure<Size>> joints;
-  Closure<Size> tool;  ///< quantities of the tool at zero readings
+  Closure<Size> tool;  ///< quantities of loop_closure.hpp for the tool at zero readings
   double reach;        ///< reach of the chain [m]
 };
 

@@ -15,7 +15,7 @@ VectorXd FreeMotion::take(const Matrix<double, Dynamic, Dynamic, 0, Rows, Dynami
   free.noalias() = slope.lazyProduct(projector_);
   Square gram(slope.rows(), slope.rows());
   gram.noalias() = free.lazyProduct(free.transpose());
-  // If every direction is far above the floor, all directions are used together; only in doubt are they examined one by
+  // If every direction is clearly above the floor, all directions are used together; otherwise they are examined one by
   // one.
   const Eigen::LLT<Square> cholesky(gram);
   const Square inverse = cholesky.solve(Square::Identity(gram.rows(), gram.rows()));

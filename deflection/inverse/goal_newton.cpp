@@ -13,12 +13,14 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Dynamic, Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
-constexpr double kPlaceFloor = 1e-4;  ///< smallest derivative of the position / reach that counts as motion
+constexpr double kPlaceFloor = 1e-4;  ///< smallest derivative of the position, divided by the reach, that counts as
+                                      ///< motion
 /// Weight of the position residual (as a fraction of the reach), relative to the tilt [rad], in the merit of a posture.
 constexpr double kPlaceWeight = 10;
-constexpr double kLimitWeight = 2;          ///< weight of the excess over joint limits [rad, reaches]
-constexpr double kIntoLimits = 1e-3;        ///< step into the limits below which the iteration may end [rad, reaches]
-constexpr double kLongestScaledStep = 0.5;  ///< longest step of any joint [rad, reaches]
+constexpr double kLimitWeight = 2;  ///< weight of the excess over joint limits [rad or fraction of the reach]
+/// Step into the limits below which the iteration may end [rad or fraction of the reach].
+constexpr double kIntoLimits = 1e-3;
+constexpr double kLongestScaledStep = 0.5;  ///< longest step of any joint [rad or fraction of the reach]
 constexpr double kLeastShare = 0.1;         ///< smallest fraction of a step that is tried
 constexpr int kMostStrikes = 4;             ///< steps without improvement at any length before the start is abandoned
 constexpr std::size_t kSideBySide = 32;
@@ -37,12 +39,12 @@ double smallestSingularValue(const GoalResidual& r, bool with_lean) {
 }
 
 struct GoalStep {
-  VectorXd joints;         ///< step of the joints [rad, reaches]
+  VectorXd joints;         ///< step of the joints [rad or fraction of the reach]
   double lean = 0;         ///< predicted reduction of the tilt [rad]
   double into_limits = 0;  ///< length of the part that moves joints into their limits
 };
 
-/// Adds to the step a motion of joints back into their limits, as far as the position and the tilt leave it free.
+/// Adds to the step a motion of joints back into their limits, as far as it changes neither the position nor the tilt.
 void addWayIntoLimits(const GoalProblem& problem, const VectorXd& q, FreeMotion& free, GoalStep& step) {
   std::vector<Index> past;
   for (Index k = 0; k < q.size(); ++k)
@@ -81,7 +83,8 @@ bool isMet(const GoalProblem& problem, const GoalResidual& r, const GoalStep& st
          step.into_limits < kIntoLimits && (!problem.isTurret() || r.tilt < std::numbers::pi / 2);
 }
 
-/// Returns the merit of a posture, which the iteration reduces.
+/// Returns the merit of a posture, which the iteration reduces: a weighted sum of position residual, tilt and excess
+/// over joint limits.
 double meritOf(const GoalProblem& problem, const GoalResidual& r, const VectorXd& q) {
   double past = 0;
   for (Index k = 0; k < q.size(); ++k) past += std::pow(problem.pastLimit(k, q[k]), 2);
@@ -102,7 +105,7 @@ class Lead {
   [[nodiscard]] std::size_t which() const { return which_; }
   [[nodiscard]] const VectorXd& asked() const { return there_; }  ///< readings at which the tip is needed next
 
-  /// Takes the tip at the requested readings; returns false at the end of the iteration.
+  /// Continues the iteration with the tip at the readings asked(); returns false when the iteration has ended.
   bool arrive(const GoalProblem& problem, const ToolGoal& goal, TipMotion& tip) {
     problem.evaluate(goal, tip, next_);
     if (is_first_) {

@@ -12,7 +12,8 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
-constexpr double kWithin = 0.02;  ///< joints beyond a limit are led this far inside it [rad, reaches]
+/// Joints beyond a limit are moved this far inside it [rad or fraction of the reach].
+constexpr double kWithin = 0.02;
 
 /// Adds the pitch residual of a turret arm: the tilt about the axis h of the last joint, which moves with the tool.
 void addPitch(const Vector3d& n, const TipMotion& tip, GoalResidual& out) {

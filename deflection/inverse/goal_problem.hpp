@@ -1,5 +1,5 @@
-// The equations that an arm's joints must solve at a goal: the residual of a posture and its derivatives with respect
-// to the joints. Internal to the inverse kinematics.
+// The equations that an arm's readings must fulfil at a goal: the residual of a posture and its derivatives with
+// respect to the joints. Internal to the inverse kinematics.
 #pragma once
 
 #include <functional>
@@ -10,8 +10,8 @@
 
 namespace tubeplan::deflection {
 
-/// Computes the tip and its derivatives at the readings in each column of q [rad, m], for the flexible or the rigid
-/// arm.
+/// Function that computes the tip and its derivatives for the readings in each column of q [rad, m], on the flexible or
+/// the rigid arm.
 using PlaceTips = std::function<void(const Eigen::Ref<const Eigen::MatrixXd>& q, std::span<TipMotion> tips)>;
 
 /// Returns the function that computes the deflected tip under a load [N]. `arm` must outlive the function.
@@ -37,14 +37,14 @@ struct GoalResidual {
   [[nodiscard]] bool isFinite() const { return off.allFinite() && lean.allFinite() && by_off.allFinite(); }
 };
 
-/// Goal equations of one arm; values that do not depend on the goal are computed once.
+/// The goal equations of one arm. Values that do not depend on the goal are computed once.
 class GoalProblem {
  public:
   /// `options` must outlive this object.
   GoalProblem(const Arm& arm, bool turret, PlaceTips place, const InverseKinematicsOptions& options);
 
   void place(const Eigen::Ref<const Eigen::MatrixXd>& q, std::span<TipMotion> tips) { place_(q, tips); }
-  /// Computes the residual of a tip; scales `tip.columns` in place.
+  /// Computes the residual of a tip; converts `tip.columns` to scaled joints in place.
   void evaluate(const ToolGoal& goal, TipMotion& tip, GoalResidual& residual) const;
 
   /// Returns how far the k-th reading, wrapped by whole turns, lies beyond its nearer limit (negative below the lower

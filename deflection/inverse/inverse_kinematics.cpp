@@ -19,7 +19,7 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
-constexpr int kStraightSteps = 12;  ///< largest number of undamped steps; other goals are led again with damping
+constexpr int kStraightSteps = 12;  ///< largest number of undamped steps; goals not met by then are solved with damping
 
 simd::Tool toolOf(const Arm& arm, const simd::RevoluteChain& chain) {
   const simd::TurnDirection& last = chain.lastAxis();
@@ -56,14 +56,14 @@ class InverseSolver::Parts {
   Parts(const Arm& arm, double load, const Vector3d& gravity_B, const InverseKinematicsOptions& asked)
       : options(asked), branches(arm, options), arm_(arm), load_(load), gravity_B_(gravity_B), prepared_(arm) {}
 
-  /// Leads each start to its goal.
+  /// Iterates from each start to its goal; returns the resulting branches with their verdicts.
   std::vector<Branch> lead(std::span<const ToolGoal> goals, std::span<const VectorXd> starts) {
     std::vector<Branch> found(goals.size());
     std::vector<std::size_t> open(goals.size());
     std::iota(open.begin(), open.end(), std::size_t{0});
     const simd::RevoluteChain* chain = prepared_.revoluteChain();
-    // Most goals are met without damping. The others are led in a second pass, because damped steps would make
-    // neighbouring lanes wait.
+    // Most goals are met without damping. The others are solved in a second pass, because damped steps in one lane
+    // would make the other lanes wait.
     if (branches.isTurret() && chain && chain->hasJacobian())
       for (const bool damped : {false, true}) open = leadSideBySide(*chain, goals, starts, open, damped, found);
     leadOthers(goals, starts, open, found);
@@ -75,7 +75,8 @@ class InverseSolver::Parts {
   StartPostures branches;
 
  private:
-  /// Leads the starts with indices `which` by kernels. Returns the indices of the starts that the kernels abandoned.
+  /// Iterates with kernels from the starts with indices `which` to their goals. Returns the indices of the starts that
+  /// the kernels abandoned.
   std::vector<std::size_t> leadSideBySide(const simd::RevoluteChain& chain, std::span<const ToolGoal> goals,
                                           std::span<const VectorXd> starts, std::span<const std::size_t> which,
                                           bool damped, std::vector<Branch>& found);
@@ -188,7 +189,7 @@ std::vector<InverseKinematics> InverseSolver::solve(std::span<const ToolGoal> go
       Branch& branch = found[k];
       const bool known = std::any_of(branches.begin(), branches.end(),
                                      [&](const Branch& other) { return isSameBranch(other.q, branch.q); });
-      // A rigid posture near the goal does not give a branch if the flexible arm does not reach the goal from it.
+      // Except on turret arms, a start from which the flexible arm does not reach the goal gives no branch.
       if (!known && (parts_->branches.isTurret() || branch.position_error < parts_->options.position_tolerance))
         branches.push_back(std::move(branch));
     }

@@ -14,14 +14,15 @@ struct InverseKinematicsOptions {
   double position_tolerance = 1e-10;  ///< tolerance of the deflected tip [m]
   double pitch_tolerance = 1e-10;     ///< tolerance of the tilt that the joints can still reduce [rad]
   int max_iterations = 60;
-  /// Smallest allowed singular value of the scaled Jacobian: of the tip's motion as a fraction of the reach and, for
-  /// turret arms, of the pitch, per rad. Other arms leave a tilt that the joints change by less than this value per
-  /// rad.
+  /// Smallest allowed singular value of the scaled Jacobian, whose rows are the tip's motion as a fraction of the reach
+  /// and, for turret arms, the pitch, per rad. On other arms, a tilt that the joints change by less than this value per
+  /// rad is not reduced.
   double singular_floor = 0.01;
   /// Largest allowed angle between tool axis and goal axis [rad]; branches with a larger angle get kTiltTooLarge.
   double max_tilt = std::numbers::pi / 2;
   int lattice_starts = 256;  ///< number of start postures for arms without a closed form or closure equations
-  int most_branches = 48;    ///< largest number of rigid postures, mutually different, that start the flexible solution
+  int most_branches = 48;    ///< largest number of distinct rigid postures near their limits or within, from which the
+                             ///< flexible solution is started
   FlexibleKinematicsOptions kinematics{1e-13, 100};
 };
 

@@ -1,4 +1,5 @@
-// Flexible inverse kinematics for many goals of one arm: prepared once, with goals and branches solved side by side.
+// Flexible inverse kinematics for many goals of one arm, which is prepared once. Goals and branches are solved side by
+// side.
 #pragma once
 
 #include <memory>
@@ -9,7 +10,8 @@
 
 namespace tubeplan::deflection {
 
-/// Returns an upper bound on the number of branches of a goal.
+/// Returns an upper bound on the number of branches of a goal, without those that start far outside joint limits or
+/// with far too large a tilt.
 [[nodiscard]] int mostBranches(const Arm& arm, const InverseKinematicsOptions& options);
 
 /// Solves goals of one arm under one load; each thread needs its own object. The solution of a goal is bit-identical

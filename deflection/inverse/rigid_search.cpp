@@ -14,7 +14,7 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
-constexpr int kProbes = 8;              ///< number of postures at which an arm's freedom is examined
+constexpr int kProbes = 8;              ///< number of postures at which the tip's derivatives are examined
 constexpr double kTurnsTheTool = 1e-3;  ///< smallest singular value of slopesAt() at which an arm can turn its tool
 constexpr double kNearlyReal = 0.2;     ///< largest imaginary part of complex roots that are used [rad]
 /// Number of slices, in each of which the held joints and the tool's rotation about its axis are fixed: for turret
@@ -41,8 +41,8 @@ AxesAtZero withJointHeld(AxesAtZero axes, std::size_t held, double q) {
   return axes;
 }
 
-/// Returns derivatives with respect to the joints: of the tip position divided by the reach and, in the last two rows,
-/// of the tool's rotation about two directions perpendicular to its axis.
+/// Returns derivatives with respect to the joints. The first three rows are those of the tip position divided by the
+/// reach, the last two those of the tool's rotation about two directions perpendicular to its axis.
 MatrixXd slopesAt(const AxesAtZero& axes, const VectorXd& q, double reach) {
   TipMotion tip;
   placeRigidTip(axes, q, tip);
@@ -187,8 +187,8 @@ void RigidSearch::addFrom(const Slice& slice, const ToolGoal& goal, double most_
 }
 
 void RigidSearch::addPostures(const ToolGoal& goal, std::vector<VectorXd>& postures) const {
-  // Complex roots are not needed if slices sample the redundancy: postures that nearly coincide in a slice are distinct
-  // in the next.
+  // Complex roots are not needed if slices sample the redundancy, because postures that nearly coincide in one slice
+  // are distinct in the next.
   const double most_imaginary = isContinuum() ? 0 : kNearlyReal;
   for (const Slice& slice : slices_) addFrom(slice, goal, most_imaginary, postures);
 }

@@ -27,7 +27,7 @@ class RigidSearch {
 
   /// Returns the indices of the joints that are held at sampled readings.
   [[nodiscard]] std::span<const int> sampled() const { return held_; }
-  /// Returns true if a goal leaves a continuous family of postures, which the search samples.
+  /// Returns true if a continuous family of postures meets a goal; the search then returns samples of the family.
   [[nodiscard]] bool isContinuum() const { return !held_.empty() || form_ == Form::kWrist; }
   /// Returns true if the search finds postures with the tool along the goal axis; otherwise it ignores the tool's
   /// direction.

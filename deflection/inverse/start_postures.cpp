@@ -13,13 +13,17 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::VectorXd;
-constexpr double kBends = 0.03;        ///< tip error that deflection may correct, as a fraction of the reach
-constexpr double kBendsBy = 0.1;       ///< excess over limits [rad, reaches] or tilt [rad] that deflection may correct
-constexpr double kUnlike = 0.3;        ///< distance [rad, reaches] between the postures that are chosen first
-constexpr double kSamePosture = 1e-3;  ///< distance [rad, reaches] below which postures count as the same
-constexpr double kNearGoal = 0.01;     ///< largest tip error of a usable search result, as a fraction of the reach
-constexpr std::size_t kEnough = 8;     ///< number of usable postures of a redundant arm that is enough
-/// Largest number of postures outside limits or tilted too far that are led on, to explain why a goal is not met.
+constexpr double kBends = 0.03;  ///< tip error that deflection may correct, as a fraction of the reach
+/// Excess over joint limits [rad or fraction of the reach] or largest tilt [rad] that deflection may correct.
+constexpr double kBendsBy = 0.1;
+/// Smallest difference between the postures that are chosen first, in at least one joint [rad or fraction of the
+/// reach].
+constexpr double kUnlike = 0.3;
+/// Largest difference, in every joint, between postures that count as the same [rad or fraction of the reach].
+constexpr double kSamePosture = 1e-3;
+constexpr double kNearGoal = 0.01;  ///< largest tip error of a usable search result, as a fraction of the reach
+constexpr std::size_t kEnough = 8;  ///< number of usable postures that suffices for a redundant arm
+/// Largest number of start postures outside limits or tilted too far; their branches explain why a goal is not met.
 constexpr int kMostSpoilt = 4;
 
 InverseKinematicsOptions roughly(InverseKinematicsOptions options) {
@@ -54,8 +58,8 @@ bool StartPostures::leadAll(const ToolGoal& goal, std::span<const VectorXd> star
   return is_any_met;
 }
 
-/// Returns the starts that are already nearly at the goal and within limits. If there are enough, a redundant arm needs
-/// no others.
+/// Returns the starts that are already near the goal and within limits. With kEnough of them, a redundant arm needs no
+/// others.
 std::vector<StartPostures::Candidate> StartPostures::within(const ToolGoal& goal, std::span<const VectorXd> starts) {
   std::vector<Candidate> good;
   TipMotion tip;

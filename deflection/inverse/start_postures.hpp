@@ -1,5 +1,5 @@
-// Rigid postures for the goals of one arm, which start the flexible solution. Values that do not depend on the goal are
-// computed once. Internal to the inverse kinematics.
+// Postures of the rigid arm at the goals, from which the flexible solution starts. Values that do not depend on the
+// goal are computed once. Internal to the inverse kinematics.
 #pragma once
 
 #include <optional>
@@ -25,12 +25,12 @@ class StartPostures {
  private:
   struct Candidate {
     Eigen::VectorXd q;
-    double spoilt;  ///< excess over joint limits [rad, reaches] plus excess over the largest tilt [rad]
+    double spoilt;  ///< excess over joint limits [rad or fraction of the reach] plus excess over the largest tilt [rad]
   };
   [[nodiscard]] std::vector<Candidate> search(const ToolGoal& goal);
   [[nodiscard]] std::vector<Candidate> within(const ToolGoal& goal, std::span<const Eigen::VectorXd> starts);
-  /// Leads each start to the goal. `candidates` becomes those that meet the goal or, if none does, those that end near
-  /// it. Returns true if any meets it.
+  /// Iterates from each start to the goal. `candidates` becomes the postures that meet the goal or, if none does, those
+  /// that end near it. Returns true if any posture meets it.
   bool leadAll(const ToolGoal& goal, std::span<const Eigen::VectorXd> starts, std::vector<Candidate>& candidates);
   [[nodiscard]] std::vector<Eigen::VectorXd> unlike(std::span<const Candidate> candidates, int most) const;
 

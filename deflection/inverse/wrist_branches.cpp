@@ -18,14 +18,14 @@ using Eigen::Index, Eigen::Matrix3d, Eigen::Vector3d, Eigen::VectorXd;
 constexpr double kMeet = 1e-3;
 constexpr double kParallel = 0.02;     ///< largest angle between axes treated as parallel; iterations correct it [rad]
 constexpr double kLeastSine = 0.2;     ///< smallest sine of the angle between successive axes of a wrist
-constexpr double kStretched = 1e-6;    ///< allowed excess of a wrist's cosine over one
+constexpr double kStretched = 1e-6;    ///< relative excess of a cosine over its limit that is put down to rounding
 constexpr double kInLine = 1e-6;       ///< angle below which two axes count as being in line [rad]
 constexpr double kNearlyInLine = 0.1;  ///< angle below which axes may be in line on a flexible arm [rad]
 constexpr double kSameRoot = 0.5;      ///< largest difference between readings of one root at successive rolls [rad, m]
 constexpr int kTurnsInLine = 6;        ///< number of sampled readings of two joints that are in line
 constexpr double kNear = 0.01;         ///< largest position error of a usable wrist centre, as a fraction of the reach
 constexpr double kAtItsPlace = 1e-7;   ///< largest position error of a converged centre, as a fraction of the reach
-constexpr double kLongestStep = 0.5;   ///< longest step of a joint [rad, reaches]
+constexpr double kLongestStep = 0.5;   ///< longest step of a joint [rad or fraction of the reach]
 constexpr int kMostSteps = 6;
 
 /// Returns the point with the smallest sum of squared distances from the last three axes.
@@ -111,8 +111,8 @@ bool WristBranches::lead(const Vector3d& p_BW, VectorXd& arm) const {
     for (Index k = 0; k < 3; ++k)
       if (arm_.slides[static_cast<std::size_t>(k)]) slopes.col(k) *= reach_;
     Vector3d by = slopes.partialPivLu().solve(off);
-    // At the edge of the reach, the wrist centre may only come near its position. The steps are then too long and are
-    // not taken.
+    // Near the edge of the reach, the wrist centre may only come near its position. Steps then become too long, and the
+    // iteration ends.
     if (!(by.cwiseAbs().maxCoeff() < kLongestStep)) break;
     for (Index k = 0; k < 3; ++k) arm[k] += arm_.slides[static_cast<std::size_t>(k)] ? by[k] * reach_ : by[k];
   }

@@ -32,7 +32,7 @@ class WristBranches {
   void addPostures(const ToolGoal& goal, std::span<const double> rolls, double most_imaginary,
                    std::vector<Eigen::VectorXd>& postures) const;
 
-  /// Adds the postures that meet the goal with the tool rotated about its axis as at readings `q`.
+  /// Adds the postures that meet the goal with the same rotation of the tool about its axis as at readings `q`.
   void addPosturesLike(const ToolGoal& goal, const Eigen::VectorXd& q, double most_imaginary,
                        std::vector<Eigen::VectorXd>& postures) const;
 
@@ -50,7 +50,8 @@ class WristBranches {
   [[nodiscard]] std::vector<Root> rootsAt(const ToolGoal& goal, double roll, double most_imaginary) const;
   [[nodiscard]] Eigen::Matrix3d turnAt(const ToolGoal& goal, double roll) const;
   [[nodiscard]] Root rootAt(Eigen::VectorXd arm, const Eigen::Matrix3d& R) const;
-  /// Iterates from a root to readings with the wrist centre at its position. Returns false if it does not come near.
+  /// Iterates from a root to readings with the wrist centre at its position. Returns false if the centre does not come
+  /// near it.
   [[nodiscard]] bool lead(const Eigen::Vector3d& p_BW, Eigen::VectorXd& arm) const;
   void addWrists(const Root& root, double q4_in_line, std::vector<Eigen::VectorXd>& postures) const;
   [[nodiscard]] Eigen::VectorXd withWrist(const Root& root, double q4, double q5) const;
