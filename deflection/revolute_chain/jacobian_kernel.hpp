@@ -4,9 +4,9 @@
 // In the base, each turn has an axis z_i, a position p_i and a first moment S_i (of the loads beyond, about p_i). A
 // rotation of turn j changes the moment about its own axis, or about an axis i nearer to the base, by z_i . a_j with
 // a_j = (z_j x S_j) x g. It changes the moment about an axis i farther out by z_j . a_i, because dead loads have a
-// potential. With rho of each beam as a further unknown, this gives a small linear system for the changes of the
-// deflections when a joint turns. The diagonal is one and the other entries are of the order of a deflection, so the
-// system is eliminated without pivoting. Gravity and compliances are further columns of the system.
+// potential. With rho of each beam (shape_kernel.hpp) as a further unknown, this gives a small linear system for the
+// changes of the deflections when a joint turns. The diagonal is one and the other entries are of the order of a
+// deflection, so the system is eliminated without pivoting. Gravity and compliances are further columns of the system.
 #pragma once
 
 #include "deflection/revolute_chain/shape_kernel.hpp"
@@ -32,10 +32,11 @@ inline constexpr int kMaxColumns = kMaxJoints + kGravityTurns + kMaxUnknowns;
 
 struct Linearization {
   Unknown unknown[kMaxUnknowns];
-  Softening softening[kMaxUnknowns];  ///< by the springs' compliance for a deflection, by the beam's for a rho
+  /// For each unknown: by the springs' compliance if it is a deflection, by the beam's if it is a rho.
+  Softening softening[kMaxUnknowns];
   int count;
   Vec S[kMaxTurns], a[kMaxTurns];
-  int width;  ///< length of an equation: the unknowns, then the variables of derivatives
+  int width;  ///< number of entries of an equation: one per unknown, then one per variable
   Real equations[kMaxUnknowns * (kMaxUnknowns + kMaxColumns)];
   Real* row(int r) { return equations + r * width; }
 };

@@ -1,9 +1,10 @@
 // SIMD numbers with TUBEPLAN_LANES lanes: one double, or a vector register of the processor.
 //
-// For source files that are each compiled for one processor. Everything is in an unnamed namespace and nothing of the
-// standard library is used, so that the linker never takes code compiled for another processor. Every operation is an
-// IEEE operation on doubles, lane by lane (the source files are compiled without contraction). The shape of a posture
-// is therefore bit-identical whatever the number of lanes and whatever postures fill the other lanes.
+// Included by source files that are each compiled for one type of processor. Everything is in an unnamed namespace and
+// nothing of the standard library is used, so that the linker never takes code compiled for another processor. Every
+// operation is an IEEE operation on doubles, lane by lane (the source files are compiled without contraction). The
+// shape of a posture is therefore bit-identical whatever the number of lanes and whatever postures fill the other
+// lanes.
 #pragma once
 
 #if TUBEPLAN_LANES >= 4
@@ -147,7 +148,7 @@ inline SineCosine bentSineCosine(Real x) {
   return {select(small, little.sine, full.sine), select(small, little.cosine, full.cosine)};
 }
 
-/// Rotates (c, s) by a small angle, accurate to rounding below 1e-3 rad.
+/// Rotates the vector (c, s) by a small angle x [rad]; accurate to rounding below 1e-3 rad.
 inline void turnLittle(Real x, Real& c, Real& s) {
   const Real t2 = x * x;
   const Real sine = x - x * t2 * (1. / 6), less = t2 * (0.5 - t2 * (1. / 24));

@@ -22,8 +22,8 @@ struct BentPiece {
   bool bends;                 ///< false: the piece only twists
   double compliance, others;  ///< compliance about the turn's axis; sum of other compliances there [rad/(N m)]
   double along[3];            ///< vector of the piece, in the row's axes [m]
-  double across[3];           ///< turn's axis x `along` [m]
-  double turning[3];          ///< turn's axis x the row's member [m]
+  double across[3];           ///< cross product of the turn's axis and `along` [m]
+  double turning[3];          ///< cross product of the turn's axis and the row's member [m]
 };
 
 /// A row's frame and, if the row has a beam, its member.
@@ -44,7 +44,8 @@ struct PlainArm {
   PlainPose X_WB;
 };
 
-/// Results of a kernel for the postures (see Shapes): 12 values for the tip, then 12 and 4 for each turn.
+/// A kernel's results for the postures (see Shapes): 12 values for the tip's pose and, for each turn, 12 for its frame
+/// and 4 for its element state.
 struct BentShapes {
   const double *tip, *turns, *element_states;
   long stride;

@@ -50,7 +50,7 @@ struct Postures {
   int max_iterations;
 };
 
-/// Shapes side by side. Arrays whose pointer is null are not filled.
+/// Solved shapes of several postures, side by side. Arrays whose pointer is null are not filled.
 struct Shapes {
   double* pose;      ///< 12 values: p_BD, then the columns of R_BD
   double* jacobian;  ///< 6 values for each joint: d p_BD, then the rotation vector, in base axes
@@ -70,7 +70,7 @@ struct Shapes {
 /// Solves as many postures at once as the kernel has lanes.
 using SolveShapes = void (*)(const RevoluteArm&, const Postures&, const Shapes&);
 
-/// Directions on an arm of four joints that are compared with the goals.
+/// Directions on an arm of four joints that Newton's method compares with those of the goals.
 struct Tool {
   double axis[3];       ///< tool axis in the tip's frame
   int hand;             ///< index of the turn that carries the last joint's axis

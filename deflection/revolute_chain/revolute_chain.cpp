@@ -9,7 +9,7 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 
 namespace {
 
-constexpr double kSameFrame = 1e-15;  ///< rounding of composed frames: in unit vectors, and as a fraction of the reach
+constexpr double kSameFrame = 1e-15;  ///< rounding error of composed frames: of unit vectors, and of positions / reach
 
 /// A compliance about a single axis.
 struct OneAxis {
@@ -162,7 +162,7 @@ class RevoluteChain::Builder {
   }
 
   void addWeight(double weight, const Vector3d& place) {
-    if (last() < 0) return;  // the weight rests on the base
+    if (last() < 0) return;  // the weight rests on the base and loads no turn
     Turn& turn = out_.turns_.back();
     turn.weight += weight;
     for (int k = 0; k < 3; ++k) turn.moment[k] += weight * place[k];
@@ -302,7 +302,7 @@ void RevoluteChain::copyDeflections(const double* element_states, long stride,
     double angle = hinge.compliance * moment;
     Vector3d displacement = Vector3d::Zero();
     if (hinge.is_beam) {
-      // The angle of this element is the total angle less the angle of the axis's other springs.
+      // The angle of this element is the total angle minus the angle of the other springs about the same axis.
       angle = angle_of_all - (turns_[static_cast<std::size_t>(hinge.turn)].compliance - hinge.compliance) * moment;
       displacement = lambda * hinge.axis.cross(hinge.member) - kappa * hinge.member;
     }

@@ -19,7 +19,7 @@ struct RevoluteElement {
   Eigen::Vector3d member;  ///< member of a beam, in its near axes [m]
 };
 
-/// A direction fixed to a turn.
+/// A direction in the frame of a turn.
 struct TurnDirection {
   int turn = -1;
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();

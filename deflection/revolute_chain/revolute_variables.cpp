@@ -12,8 +12,8 @@ bool isStiffnessAt(const ParameterPath& path) {
 }
 
 /// Returns the derivative of an element's compliance with respect to a stiffness `value`; nothing if the stiffness acts
-/// about another axis. Its terms in the compliance are inversely proportional to it, and vanish in the row `without`,
-/// where it is infinite.
+/// about another axis. The compliance's terms due to the stiffness are inversely proportional to it. They vanish in the
+/// row `without`, where the stiffness is infinite.
 std::optional<double> slopeOf(const FlexibleElement& element, const RevoluteElement& hinge, const Row<double>& without,
                               double value) {
   const Eigen::Matrix3d of_number =
@@ -80,7 +80,7 @@ std::optional<RevoluteVariables> RevoluteVariables::of(const std::vector<Variabl
     }
     out.ends_.push_back(out.terms_.size());
   }
-  // Each kind of derivative has a fixed position, up to the last kind that is requested.
+  // Each kind of derivative has a fixed first column; columns after the last requested kind are omitted.
   out.columns_ = out.has_compliances_ ? first_compliance + 2 * revolute_chain.numbers().count
                  : out.has_gravity_   ? first_compliance
                                       : out.joints_;

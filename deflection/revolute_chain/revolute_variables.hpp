@@ -35,7 +35,8 @@ class RevoluteVariables {
 
   /// Returns the number of columns of 6 values that a kernel writes.
   [[nodiscard]] int columns() const { return columns_; }
-  /// Points the members of `out` into `derivatives`: one kind of derivative after the other, with values `lanes` apart.
+  /// Sets the derivative pointers of `out` to places in `derivatives`, which holds one kind of derivative after
+  /// another, with values `lanes` apart.
   void place(double* derivatives, long lanes, Shapes& out) const;
 
   /// Combines a kernel's derivatives into the 6 derivatives with respect to a variable, for the first `count` lanes

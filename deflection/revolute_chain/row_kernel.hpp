@@ -1,4 +1,5 @@
-// Frames of the rows of bent arms side by side. See plain_rows.hpp for the input, lanes.hpp for the SIMD numbers.
+// Frames of the rows of several bent arms, side by side. See plain_rows.hpp for the input, lanes.hpp for the SIMD
+// numbers.
 //
 // Bodies of a bent member lie along its chord: the row's axes are rotated by the smallest rotation that takes the
 // member to the chord. The distance of the member from the chord is evaluated at five points of a cubic. The cubic is

@@ -1,4 +1,5 @@
-// Deflected shapes of postures side by side. See revolute_arm.hpp for the arm and lanes.hpp for the SIMD numbers.
+// Deflected shapes of several postures, side by side. See revolute_arm.hpp for the arm and lanes.hpp for the SIMD
+// numbers.
 //
 // Every load is due to gravity. The load on a turn therefore follows from the direction g of gravity in the turn's
 // frame, which a sweep outwards computes, and from the magnitude and first moment S of the loads beyond, which a sweep
@@ -24,7 +25,7 @@ using namespace tubeplan::deflection::simd;
 struct TurnState {
   Real rest_c, rest_s, c, s;  ///< cosine and sine of the angle without and with deflection
   Vec g;                      ///< direction of gravity, in the turn's frame
-  Real sx, sy;                ///< first moment of the loads beyond: x and y components before the turn
+  Real sx, sy;                ///< x and y of the first moment of the loads beyond, in axes before the turn's rotation
   Real size;                  ///< sum of the loads beyond [N]
   Real given, moment;         ///< deflection of the turn [rad], moment about its axis [N m]
   Real lambda, kappa, rho;    ///< dimensionless parameters of a beam, as defined above
