@@ -12,8 +12,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Names the property that fixes the origin of a row: its beam, an effect, or a weight along or at the end of its
-/// member. Empty if there is none.
+/// Returns the name of the property that fixes the origin of a row: its beam, an effect, or a weight along its member
+/// or at the member's end. Empty if there is none.
 std::string heldByMember(const Row<double>& row) {
   if (row.beam) return "a beam";
   if (row.effect_terms) return "an effect";

@@ -24,8 +24,8 @@ struct AnchoredRows {
 /// unchanged.
 [[nodiscard]] AnchoredRows anchoredRows(const Arm& arm);
 
-/// Returns why a row's origin must not be moved along its z axis, worded to follow the row's name; empty if it may be
-/// moved.
+/// Returns the reason why a row's origin must not be moved along its z axis, in words that follow the row's name; empty
+/// if it may be moved.
 [[nodiscard]] std::string heldAgainstSlide(const Arm& arm, std::size_t row);
 
 }  // namespace tubeplan::deflection

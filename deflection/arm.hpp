@@ -1,7 +1,8 @@
 // A serial arm as data: rows of geometry, joints, stiffnesses and weights.
 //
-// Internal units of the whole program, stated here once: metre, newton, radian, second, kelvin. Files carry their own
-// units; the readers convert. Weights are forces (N), not masses. An infinite stiffness means a rigid axis.
+// Internal units of the whole program, stated here once: metre, newton, radian, second, kelvin. Files state their own
+// units, and the file readers convert them. Weights are forces (N), not masses. An infinite stiffness means a rigid
+// axis.
 //
 // Frames: B is the arm's base, L1..Ln are the rows' frames (L0 = B), T is the tool frame at the tip, D the deflected
 // tool frame. Row i leads from frame L(i-1) to Li. Its member (the link's body) runs from Li to L(i+1), or to the tip
@@ -47,8 +48,8 @@ struct Origin {
 
 enum class JointType { kPassive, kRevolute, kPrismatic };
 
-/// A joint that drives another joint. `ratio` is the angle of the driven joint per angle of the driving joint, offset
-/// included.
+/// A joint that drives another joint. `ratio` is the driven joint's angle, without its own offset, per angle of the
+/// driving joint, including that joint's offset.
 struct FollowedJoint {
   int row = -1;
   double ratio = 0;
@@ -103,7 +104,8 @@ struct Lump {
   Vector3<S> at = Vector3<S>::Zero();  ///< position in the row's frame [m]
 };
 
-/// Weight distributed along the member [N/m], concentrated at its end [N], or lumped anywhere in the row's frame.
+/// Weight of a row: distributed along the member [N/m], concentrated at the member's end [N], and as lumps anywhere in
+/// the row's frame.
 template <class S>
 struct Weight {
   S distributed{0};
@@ -111,7 +113,7 @@ struct Weight {
   std::vector<Lump<S>> lumps;
 };
 
-/// Terms that effects add to a row while a shape is solved; arm files contain none of them. The flags
+/// Terms that effects add to a row while the deflected shape is solved; arm files contain none of them. The flags
 /// (`joint_is_compliant`, `member_is_compliant`, `bends`, `has_gap`) depend on which effects act on the row, not on the
 /// values of the terms, which may be zero.
 template <class S>
@@ -139,11 +141,12 @@ struct Row {
   std::optional<Beam<S>> beam;
   Weight<S> weight;
   std::optional<EffectTerms<S>> effect_terms;
-  /// Name of the map that holds alpha, a, beta and b of this row in the arm file and in fits, if not the row's own
-  /// `dh`. In the standard convention the map is "NAME.dh" of the row before, or "NAME.axis" of a first row. Empty
-  /// string: no map holds them, and they are not parameters.
+  /// Name of the arm file's entry that holds this row's alpha, a, beta and b, unset if it is the row's own `dh`; fits
+  /// use the same name. In the standard convention the entry is "NAME.dh" of the row before, or "NAME.axis" for a first
+  /// row. Empty string: no entry holds them, and they are not parameters.
   std::optional<std::string> placed_by;
-  /// False for the end row added after the last link in the standard convention, which the arm file does not contain.
+  /// False for a row that the arm file does not contain: the end row added after the last link in the standard
+  /// convention.
   bool is_written = true;
 };
 
@@ -155,7 +158,7 @@ struct SideChain {
   std::vector<Row<S>> rows;
 };
 
-/// Loads that effects add at the tip while a shape is solved; arm files contain none of them.
+/// Loads that effects add at the tip while the deflected shape is solved; arm files contain none of them.
 template <class S>
 struct TipLoad {
   /// Point of action of the hung load relative to the deflected tip, in the last row's axes [m].
@@ -185,7 +188,7 @@ struct ArmOf {
   Vector3<S> tool_turn_L = Vector3<S>::Zero();
   /// Conditions at which the nominal parameters hold; also assumed for conditions that a posture does not state.
   ConditionValues reference = usualConditions();
-  std::vector<EffectOf<S>> effects;       ///< effects that rows, tip and tool do not model
+  std::vector<EffectOf<S>> effects;       ///< physical effects beyond the data of rows, tip and tool
   std::vector<SideChain<S>> side_chains;  ///< rigid rows that only add weight
   std::vector<RigidMounting> mountings;   ///< one entry for each set-up with rigid rows
   std::optional<TipLoad<S>> tip_load;
@@ -221,7 +224,7 @@ std::vector<FollowedJoint> turnedWith(const Arm& arm, int active_row);
 /// Returns true if a row's axis is within 30 degrees of parallel or antiparallel to the previous row's axis.
 bool isNearlyParallel(const Row<double>& row);
 
-/// Return the names of joints and rows in order, and the index of a named row (nothing if there is no such row).
+/// Return the names of all joints, the names of all rows, and the index of the row `name` (nothing if there is none).
 std::vector<std::string> jointNames(const Arm& arm);
 std::vector<std::string> rowNames(const Arm& arm);
 std::optional<int> findRow(const Arm& arm, std::string_view name);
@@ -257,7 +260,7 @@ double slideLength(const Joint<double>& joint);
 /// limits therefore count as zero.
 double reachOf(const Arm& arm);
 
-/// A fault of an arm. `path` is the dotted name of the faulty entry in the arm file (`tool.joint_stiffness.z`).
+/// A fault found in an arm. `path` is the dotted name of the faulty entry in the arm file (`tool.joint_stiffness.z`).
 struct ArmProblem {
   std::string path;
   std::string found;          ///< value found, or a sentence that states the problem if no value is expected

@@ -1,4 +1,5 @@
-// The arm at a posture, flattened into links that are swept once outwards (positions) and once inwards (loads).
+// The arm at a posture, flattened into a sequence of links. A sweep outwards along the sequence gives positions, a
+// sweep inwards gives loads.
 #pragma once
 
 #include <algorithm>
@@ -88,8 +89,8 @@ S followedAngle(const ArmOf<S>& arm, const Joint<S>& joint, const Eigen::Matrix<
 
 namespace chain_assembly {
 
-/// Adds the components of a row at its origin or along its member, one for each of `pieces` sections; adds none if the
-/// row is rigid there. Only one law applies at the origin, and one along the member.
+/// Adds the flexible components of a row at its origin or along its member, one for each of `pieces` sections; adds
+/// none if the row is rigid there. At most one law applies at the origin, and one along the member.
 template <class S>
 void addElements(Chain<S>& chain, const Row<double>& values, int row, ElementPlace place, int pieces) {
   const auto kinds = elementKinds();
@@ -124,8 +125,8 @@ inline double shareOf(const Row<double>& values, int lump, const Vector3<double>
   return std::clamp(values.weight.lumps[static_cast<std::size_t>(lump)].at.dot(member) / member.squaredNorm(), 0., 1.);
 }
 
-/// End of a section of the member, as a fraction of the member's length. `value` is a plain number, from which the
-/// structure follows; `share` is the same fraction with derivatives.
+/// End of a section of the member, as a fraction of the member's length. `value` is a plain number, which decides where
+/// the member is cut; `share` is the same fraction with derivatives.
 template <class S>
 struct Cut {
   double value;
@@ -217,10 +218,10 @@ void addSlide(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int
 
 }  // namespace chain_assembly
 
-/// Adds the links of one row. `values` is the row as plain numbers; the structure follows from them, and is therefore
-/// the same for every scalar type. `reading` is the joint's value, offset included (zero for a row that neither moves
-/// nor follows other joints). `to_next` leads from the row's origin, or from the end of a prismatic row's bar, to the
-/// next row's origin or the tip.
+/// Adds the links of one row. `values` is the row in plain numbers; they alone determine which links are added, so
+/// every scalar type gives the same links. `reading` is the joint's value, offset included (zero for a row that neither
+/// moves nor follows other joints). `to_next` leads from the row's origin, or from the end of a prismatic row's bar, to
+/// the next row's origin or the tip.
 template <class S>
 void assembleRow(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const S& reading,
                  const Vector3<S>& to_next) {
@@ -247,7 +248,7 @@ Vector3<S> offsetToNext(const ArmOf<S>& arm, std::size_t row) {
   return row + 1 == arm.rows.size() ? arm.p_LT : offsetInPreviousAxes<S>(arm.rows[row + 1]);
 }
 
-/// Returns all links of an arm at a posture; `values` is the arm as plain numbers.
+/// Returns all links of an arm at a posture; `values` is the same arm in plain numbers.
 template <class S>
 Chain<S> assembleChain(const ArmOf<S>& arm, const Arm& values, const Eigen::Matrix<S, Eigen::Dynamic, 1>& q) {
   Chain<S> chain;

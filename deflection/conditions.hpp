@@ -21,13 +21,15 @@ enum class Course {
   kSlow,          ///< any slow change over the condition's range: a drift, a step, a swing
 };
 
-/// Range of a condition, relative to its usual value, over which effects are plotted. Equal ends: none is plotted.
+/// Range of a condition, relative to its usual value, over which effects are plotted. If both ends are equal, no effect
+/// is plotted.
 struct ConditionSweep {
   double low = 0, high = 0;
   double otherwise = 0;  ///< value, relative to the usual one, while another variable is swept
 };
 
-/// Slow variation of a simulated condition about its usual value. Two zeros: the condition is not simulated.
+/// Slow variation of a simulated condition about its usual value. If both values are zero, the condition is not
+/// simulated.
 struct ConditionSwing {
   double amplitude = 0;
   double flutter = 0;  ///< standard deviation of the random part, drawn anew for each reading
@@ -37,7 +39,7 @@ struct ConditionSwing {
 struct ConditionKind {
   Condition condition;
   const char* name;   ///< key in JSON, symbol in formulas, and column name without the unit
-  const char* words;  ///< noun for sentences that say what an error depends on
+  const char* words;  ///< noun in sentences such as "the error depends on time"
   ValueUnit unit = {};
   std::array<const char*, 2> aliases{};  ///< other column names, used in tables of other programs, in lower case
   double least = -std::numeric_limits<double>::infinity();

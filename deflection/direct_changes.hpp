@@ -2,7 +2,7 @@
 // by the sensitivities of the solved shape.
 //
 // The derivatives are computed row by row, with dual numbers in the templates that build the chain and its elements.
-// Rows that do not depend on the variables are not built.
+// Links are not built for rows that do not depend on the variables.
 #pragma once
 
 #include <vector>
@@ -17,8 +17,8 @@ using TipColumns = Eigen::Matrix<double, 6, kDualSize>;
 bool changes(const Dual& x);
 bool changes(const Vector3<Dual>& v);
 
-/// Adds the motion of a tip that is fixed in a moving frame, in the axes A in which the frame's pose is given. `p` is
-/// the vector from the frame's origin to the tip, in A [m].
+/// Adds the motion of a tip that is fixed in the moving frame `frame`, in the axes A in which the frame's pose is
+/// given. `p` is the vector from the frame's origin to the tip, in A [m].
 void addMotion(const PoseOf<Dual>& frame, const Eigen::Vector3d& p, TipColumns& tip);
 
 /// Adds the rotation of the tool frame caused by a change of `turn_L`; `R_BL` are the last row's axes at the tip.
@@ -26,8 +26,8 @@ void addToolTurn(const Vector3<Dual>& turn_L, const Eigen::Matrix3d& R_BL, TipCo
 
 class DirectChanges {
  public:
-  /// Refers to the shape last solved by `arm`, about which `sensitivity` was linearised. Both must outlive this object;
-  /// call begin() after they have solved another shape.
+  /// Refers to the shape last solved by `arm`, about which `sensitivity` was linearised. Both must outlive this object.
+  /// After they have processed another shape, begin() must be called.
   DirectChanges(const PreparedArm& arm, const TipSensitivity& sensitivity) : arm_(arm), sensitivity_(sensitivity) {}
 
   void begin();

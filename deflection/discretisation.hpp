@@ -1,6 +1,6 @@
-// Check of the number of segments of beams. The law of a segment assumes small rotations; its error under large bending
-// grows with the square of the segment's length. At P L^2 / (E I) = 1, the computed deflection of a cantilever of one
-// segment is 4 % too large.
+// Check whether beams are divided into enough segments. The law of a segment assumes small rotations; its error under
+// large bending grows with the square of the segment's length. At P L^2 / (E I) = 1, the computed deflection of a
+// cantilever of one segment is 4 % too large.
 #pragma once
 
 #include "deflection/flexible_kinematics.hpp"
@@ -9,8 +9,8 @@ namespace tubeplan::deflection {
 
 struct Discretisation {
   double tip_error = 0;  ///< estimated error of the deflected tip [m]; NaN if the arm has no equilibrium
-  /// Smallest tried multiplier of each beam's number of segments that keeps the error within the allowed error; 0:
-  /// none.
+  /// Factor on every beam's number of segments: the smallest of 1, 2, 4, ... 32 that keeps the error allowed; 0 if none
+  /// of them does.
   int factor = 1;
 };
 

@@ -63,7 +63,7 @@ class DualNumber {
     return result;
   }
 
-  /// Sets the value, and the derivatives by the chain rule for two arguments.
+  /// Sets the value to `value`, and the derivatives by the chain rule for two arguments: this number and `b`.
   DualNumber& combine(double value, double slope, const DualNumber& b, double slope_b) {
     value_ = value;
     for (int k = 0; k < N; ++k) derivatives_[k] = slope * derivatives_[k] + slope_b * b.derivatives_[k];

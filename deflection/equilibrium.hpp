@@ -5,7 +5,7 @@
 // element follows from three quantities: the direction g in the element's axes, and the magnitude and first moment S of
 // the loads beyond the element. A sweep outwards rotates g from body to body; a sweep inwards accumulates magnitude and
 // S. The moment is M = S x g (step 3 of table 2.1 of Calkins 1994), and both sweeps bend the elements that they pass
-// (step 4). Nothing here allocates once the arm's elements are known.
+// (step 4). No memory is allocated here once the arm's elements are known.
 #pragma once
 
 #include <vector>
@@ -41,14 +41,14 @@ struct FlexibleElement {
   [[nodiscard]] bool hasGap() const { return has_gap[0] || has_gap[1] || has_gap[2]; }
 };
 
-/// All loads of one direction, or a couple: a moment of constant direction, independent of any motion.
+/// All loads in one direction, or a couple: a moment of constant direction, independent of any motion.
 struct DeadLoad {
   bool is_couple = false;
   Eigen::Vector3d direction_B = Eigen::Vector3d::Zero();
   double at_tip = 0;                                     ///< load at the tip, as a multiple of direction_B
   Eigen::Vector3d tip_moment = Eigen::Vector3d::Zero();  ///< first moment of the load at the tip, in the tip's axes
   int body = -1;                                         ///< index of the body that carries a unit load; -1: none
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();       ///< point of action on the body, in near axes
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();       ///< point of action in the body's near frame [m]
 };
 
 class Equilibrium {
@@ -58,7 +58,7 @@ class Equilibrium {
   std::vector<RigidBody> bodies;
   std::vector<FlexibleElement> elements;
   std::vector<DeadLoad> loads;
-  double reach = 0;    ///< lever arm in the conversion of rotations to tip motions [m]
+  double reach = 0;    ///< lever arm that converts rotations to tip motions [m]
   int clearances = 0;  ///< number of axes with a clearance greater than zero
 
   /// Iterates from the undeflected shape until a sweep outwards moves the tip by no more than `tolerance` [m].
@@ -67,7 +67,7 @@ class Equilibrium {
   /// Computes the loads on the elements for their present deflections.
   void carryLoads();
 
-  /// Returns the number of pairs of sweeps in the last solution.
+  /// Returns the number of pairs of sweeps that the last call of converge() took.
   [[nodiscard]] int iterations() const { return iterations_; }
 
   /// Returns the pose of the deflected tip in the base.
@@ -80,7 +80,7 @@ class Equilibrium {
   [[nodiscard]] clearance::Rest restOf(std::size_t element, int axis, double moment) const;
 
  private:
-  /// Loads of one direction beyond an element: their magnitude, their first moment about the element's far end in far
+  /// Loads in one direction beyond an element: their magnitude, their first moment about the element's far end in far
   /// axes, and their direction in near axes.
   struct OutboardLoad {
     double size = 0;

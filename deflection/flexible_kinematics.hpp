@@ -65,7 +65,7 @@ inline Eigen::Vector3d gravityInBase(const Arm& arm, const Eigen::Isometry3d& X_
 }
 
 struct FlexibleKinematicsOptions {
-  /// Tip motion between two passes above which another pass is made, as a fraction of the arm's reach.
+  /// The iteration ends once a pass moves the tip by no more than this fraction of the arm's reach.
   double tolerance = 1e-10;
   int max_iterations = 100;
 };
@@ -77,8 +77,8 @@ enum class KinematicsStatus {
   kUndefined,  ///< an effect has no finite value at the posture
 };
 
-/// State of a row's frame. Forces and moments are resultants of all loads from the row's origin outwards; moments are
-/// about that origin.
+/// Pose of a row's frame, and the loads on it. Forces and moments are resultants of all loads from the row's origin
+/// outwards; moments are about that origin.
 struct RowState {
   PoseOf<double> X_BL_rigid, X_BL;    ///< frame without and with deflection
   Eigen::Vector3d force_B, moment_B;  ///< force and moment in base axes [N, N m]

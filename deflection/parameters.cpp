@@ -22,7 +22,7 @@ Row<double> fullRow(const std::variant<DenavitHartenberg<double>, Origin<double>
   return row;
 }
 
-/// Returns the kinds of parameters of rows, in the order of arm files.
+/// Returns the parameter fields of a row, in the order in which arm files list them.
 std::vector<ParameterField> rowFields() {
   std::vector<ParameterField> fields;
   const auto add = [&](const RowNumber& about, double&) {
@@ -37,7 +37,8 @@ std::vector<ParameterField> rowFields() {
   return fields;
 }
 
-/// Returns a row's value of the kind `field` (null if the row has none), and its quantity in that row.
+/// Returns a pointer to the value of a row that `field` describes (null if the row has none), and the value's quantity
+/// in that row.
 template <class S>
 std::pair<S*, Quantity> findIn(Row<S>& row, const ParameterField& field, int lump) {
   std::pair<S*, Quantity> found{nullptr, field.quantity};

@@ -1,5 +1,5 @@
-// Every numeric value of an arm under its dotted name, for any scalar type: parameters that fits can estimate, and
-// variables of derivatives.
+// Access to every numeric value of an arm by its dotted name, for any scalar type. Fits estimate these values, and the
+// tip can be differentiated with respect to them.
 #pragma once
 
 #include <optional>
@@ -35,7 +35,7 @@ struct ParameterField {
 
 const std::vector<ParameterField>& parameterFields();
 
-/// Returns a row's value of the kind `field`, or null if the row has none.
+/// Returns a pointer to the value of a row that `field` describes; null if the row has no such value.
 double* findNumber(Row<double>& row, const ParameterField& field, int lump);
 Dual* findNumber(Row<Dual>& row, const ParameterField& field, int lump);
 
@@ -47,7 +47,8 @@ struct Parameter {
   double lower = 0, upper = 0;
 };
 
-/// Returns all finite values of the arm, in file order, then those of its effects. Rigid axes have no parameter.
+/// Returns all finite values of the arm as parameters, in file order, followed by those of its effects. The infinite
+/// stiffness of a rigid axis is not a parameter.
 std::vector<Parameter> parametersOf(const Arm& arm);
 
 /// Returns the parameter named `name`; nothing if there is none.

@@ -26,7 +26,7 @@ VectorXd turnsUndone(const Arm& arm, VectorXd q) {
   return q;
 }
 
-/// Computes R Rz(angle), with z as the joint's axis.
+/// Replaces R with R Rz(angle): a rotation about the joint's axis z.
 void turnAboutZ(double angle, Eigen::Matrix3d& R) {
   const double c = std::cos(angle), s = std::sin(angle);
   const Vector3d x = R.col(0);

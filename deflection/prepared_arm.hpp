@@ -117,11 +117,11 @@ class PreparedArm {
   Posture asked_;
   std::optional<EffectContext<double>> context_;  ///< effects at the present posture; empty if there are none
   bool is_fixed_;                                 ///< true: the links are the same at every posture
-  bool is_prepared_ = false;                      ///< true: the members below hold the fixed arm
+  bool is_prepared_ = false;                      ///< true: is_fixed_, and the members below are set
   Chain<double> chain_;                           ///< chain with the revolute joints at zero
   std::vector<JointTurn> turns_;
   std::vector<RigidPart> parts_;
-  std::vector<std::size_t> part_ends_;  ///< index after the last part of each body
+  std::vector<std::size_t> part_ends_;  ///< for each body, the index after its last part
   std::vector<Hanging> hanging_;
   /// Elements and loads at equilibrium, filled by copyOutElements() on demand if a kernel has solved the shape.
   mutable Equilibrium equilibrium_;

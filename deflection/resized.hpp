@@ -5,8 +5,8 @@
 
 namespace tubeplan::deflection {
 
-/// Replaces a matrix with a value of another size, which is computed completely first. If memory ran out, a plain
-/// assignment would leave the matrix invalid, as Eigen's resize() does: see resizeOrEmpty().
+/// Replaces a matrix with a value of another size. The value is computed completely before the matrix changes. If
+/// memory ran out, a plain assignment would leave the matrix invalid, as Eigen's resize() does: see resizeOrEmpty().
 template <class Matrix, class Value>
 void takeSized(Matrix& matrix, const Value& value) {
   matrix = Matrix(value);

@@ -8,7 +8,7 @@
 
 namespace tubeplan::deflection {
 
-/// A tip at given readings and its derivatives with respect to the readings, in base axes.
+/// The tip at given readings, and its derivatives with respect to the readings, in base axes.
 struct TipMotion {
   bool is_converged = true;                                                      ///< false: the other members are NaN
   Eigen::Vector3d p = Eigen::Vector3d::Zero(), axis = Eigen::Vector3d::UnitZ();  ///< position [m]; tool direction

@@ -24,8 +24,8 @@ struct OnAxis {
   [[nodiscard]] bool isNothing() const { return turn == 0 && slide == 0; }
 };
 
-/// Step from a row to the next: the motion of the row's frame along and about its own axis, then the parameters that
-/// lead to the next axis, with theta and d that lead on to the next frame.
+/// Step from a row to the next: first a motion of the row's frame along and about its own axis, then the parameters
+/// that lead to the next axis. Their theta and d lead on to the next frame.
 struct RowStep {
   OnAxis first;
   CraigNumbers numbers;
@@ -144,7 +144,7 @@ void placeByOrigin(std::vector<Row<double>>& rows) {
     row.placement = Origin<double>{offsetInPreviousAxes<double>(row), fixedAnglesOf(rotationFromPrevious<double>(row))};
 }
 
-/// Converts to Craig's parameters; the frame of the last row does not move.
+/// Converts the rows to Craig's parameters; the frame of the last row does not move.
 ConvertedArm modifiedRows(const Arm& arm, const ConversionOptions& options) {
   ConvertedArm converted{true, "", "", arm};
   std::vector<OnAxis> moves(arm.rows.size() + 1);  // moves of the base and of each row
@@ -169,7 +169,7 @@ ConvertedArm modifiedRows(const Arm& arm, const ConversionOptions& options) {
 
 bool leadsAnywhere(const CraigNumbers& dh) { return dh.alpha != 0 || dh.a != 0 || dh.beta != 0 || dh.b != 0; }
 
-/// Names the parameters of Craig's rows as in a file of the standard convention.
+/// Gives the parameters of Craig's rows the names that they have in a file of the standard convention.
 void nameAsStandard(Arm& arm) {
   if (leadsAnywhere(std::get<CraigNumbers>(arm.rows.front().placement))) putFirst({}, arm);
   arm.rows.front().placed_by = arm.rows.front().name + ".axis";

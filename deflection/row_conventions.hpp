@@ -1,4 +1,4 @@
-// Conversion of an arm to rows of another convention: origins, Denavit-Hartenberg parameters as modified by Craig, or
+// Conversion of an arm's rows to another convention: origins, Denavit-Hartenberg parameters as modified by Craig, or
 // standard Denavit-Hartenberg parameters.
 //
 // The origin of a Denavit-Hartenberg frame lies on the common normal of its axis and the next axis. For two nearly
@@ -38,16 +38,16 @@ struct ConvertedArm {
   Arm arm;                  ///< the arm with the same tip, axes and loads, without effects
 };
 
-/// Converts the rows of an arm. Frames are moved along their axes and rotated about them as the convention requires. A
-/// row without a joint is inserted first if the base's own frame would have to move. The conversion is refused if it
-/// would change the stiffness, beam or weight of a row in its moved frame.
+/// Converts the rows of an arm to `convention`. Frames are moved along their axes and rotated about them as the
+/// convention requires. A row without a joint is inserted first if the base's own frame would have to move. The
+/// conversion is refused if it would change the stiffness, beam or weight of a row in its moved frame.
 [[nodiscard]] ConvertedArm convertRows(const Arm& arm, RowConvention convention, const ConversionOptions& options = {});
 
-/// Converts rows with standard Denavit-Hartenberg parameters to Craig's convention, in which a row has alpha, a and
-/// beta of the row before. The names of the parameters stay those of the file (Row::placed_by). If the last row has a
-/// non-zero alpha, a or beta, a row NAME-end without a joint is added to hold them. Rows placed by origin, if any, must
-/// come first. The axis of a first row with standard parameters is the base's z axis; the row's alpha, a, beta and b in
-/// Craig's convention can place it elsewhere.
+/// Converts rows with standard Denavit-Hartenberg parameters to Craig's convention, in which each row takes over alpha,
+/// a and beta of the row before. The names of the parameters stay those of the file (Row::placed_by). If the last row
+/// has a non-zero alpha, a or beta, a row NAME-end without a joint is added to hold them. Rows placed by origin, if
+/// any, must come first. The axis of a first row with standard parameters is the base's z axis; the row's alpha, a,
+/// beta and b in Craig's convention can place it elsewhere.
 void readAsStandard(std::vector<Row<double>>& rows);
 
 /// Returns true if rows were converted by readAsStandard().

@@ -28,7 +28,7 @@ struct RowNumber {
   double upper = std::numeric_limits<double>::infinity();
   RowPart part = RowPart::kLoad;
   int lump = -1;                                               ///< index of the lump that has the value; -1: none
-  double left_out = std::numeric_limits<double>::quiet_NaN();  ///< default, which files need not state; NaN: none
+  double left_out = std::numeric_limits<double>::quiet_NaN();  ///< default, which files may omit; NaN: no default
   /// True: fits can estimate the value, and it is not redundant with the joint's reading or offset.
   bool is_parameter = false;
 };
@@ -40,7 +40,7 @@ inline std::string_view keyIn(std::string_view map, const RowNumber& about) {
   return is_there ? name.substr(map.size() + 1) : std::string_view();
 }
 
-/// Name of the parameter that is redundant in all rows but an arm's first.
+/// Name of the parameter b, which is redundant in all rows but an arm's first.
 inline constexpr std::string_view kShiftOfFirstAxis = "dh.b";
 
 /// Returns true if the parameter named `number` is one of those that place the row's axis relative to the row before.
@@ -188,8 +188,8 @@ void visitLoads(Visit&& visit, R& row, Rest&... rest) {
   visitLumps({}, visit, row.effect_terms->hung, rest.effect_terms->hung...);
 }
 
-/// Calls `visit(about, numbers...)` for every number of the rows, which must have the same structure, in the order of
-/// files.
+/// Calls `visit(about, numbers...)` for every number of the rows, in the order in which arm files list the numbers. All
+/// rows must have the same structure.
 template <class Visit, class... R>
 void visitNumbers(Visit&& visit, R&... rows) {
   visitPlacements(visit, rows...);

@@ -1,6 +1,6 @@
-// Placement of the rows of an arm bent by weight and load; each row's frame is rotated so that its member lies along
-// the bent member's chord. Collision bodies are fixed to these frames. As many postures are placed at once as the
-// processor has SIMD lanes.
+// Frames of the rows of an arm that is bent by its weight and load; each frame is rotated so that the row's undeflected
+// member lies along the bent member's chord. Collision bodies are fixed to these frames. As many postures are placed at
+// once as the processor has SIMD lanes.
 //
 // The frames of a posture are bit-identical whatever postures fill the other lanes, on every processor, with or without
 // a kernel.
@@ -20,7 +20,7 @@ namespace tubeplan::deflection {
 struct PlacedRows {
   int lanes = 0;
   int count = 0;
-  /// 12 values for each row, in lanes: the row's frame in the world, laid out as the poses of TipBatch.
+  /// 12 values for each row, in lanes: the row's frame in the world, laid out like TipBatch::poses.
   std::vector<double> frames;
   std::vector<double> bow;         ///< for each lane, largest distance of a bent member from its chord [m]
   std::vector<bool> is_converged;  ///< false: the deflected shape does not converge, and frames and bow are invalid

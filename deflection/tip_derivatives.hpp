@@ -9,9 +9,9 @@
 
 namespace tubeplan::deflection {
 
-/// Variable of a derivative: a joint reading (`index` of the joint), the hung load, a rotation of gravity about a base
-/// axis (`index` of the axis), or a parameter of the arm. The rotation turns gravity_B together with a wrench, because
-/// both are fixed in the world.
+/// Variable with respect to which the tip is differentiated: a joint reading (`index` of the joint), the hung load, a
+/// rotation of gravity about a base axis (`index` of the axis), or a parameter of the arm. The rotation turns gravity_B
+/// together with a wrench, because both are fixed in the world.
 struct Variable {
   enum class Type { kJoint, kLoad, kGravityTurn, kParameter };
   Type type = Type::kJoint;

@@ -11,7 +11,7 @@ namespace tubeplan::deflection {
 namespace {
 
 /// Returns the row whose links change with a variable of an arm without effects; `rows` if the variable belongs to no
-/// row, as those of tool, load and gravity.
+/// row, which is so for tool, load and gravity.
 int rowOf(const Variable& variable, const std::vector<int>& active, int rows) {
   if (variable.type == Variable::Type::kJoint) return active[static_cast<std::size_t>(variable.index)];
   if (variable.type == Variable::Type::kParameter) return variable.parameter.row < 0 ? rows : variable.parameter.row;
@@ -90,8 +90,8 @@ void TipDifferentiation::store(const Block& block, int count, const TipColumns& 
 }
 
 /// Adds the motion of the tip caused by changes of a row, of its reading `q` and, if `leads_elsewhere`, of the vector
-/// to the next row. Only changed parts are built. Returns true if the vector from the row before to this row may
-/// change.
+/// to the next row. Only the changed links and elements are built. Returns true if the vector from the row before to
+/// this row may change.
 bool TipDifferentiation::differentiateRow(std::size_t index, ArmOf<Dual>& arm, const Dual& q, bool leads_elsewhere,
                                           TipColumns& tip) {
   Row<Dual>& row = arm.rows[index];

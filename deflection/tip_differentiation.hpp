@@ -37,7 +37,7 @@ class TipDifferentiation {
   [[nodiscard]] const Eigen::Matrix<double, 6, Eigen::Dynamic>& columns() const { return columns_; }
 
  private:
-  using Block = std::array<std::size_t, kDualSize>;  ///< indices of the variables of a pass
+  using Block = std::array<std::size_t, kDualSize>;  ///< indices of the variables that are differentiated in one pass
 
   KinematicsStatus solveByKernel(const Posture& posture, const simd::RevoluteVariables& kernel,
                                  const FlexibleKinematicsOptions& options);

@@ -84,7 +84,8 @@ void TipSensitivity::answerOf(const PreparedArm& arm, std::size_t k, std::size_t
     if (!element.has_gap[axis]) continue;
     elements_[e].rests[axis] = shape.restOf(e, axis, load.moment[axis]);
     if (elements_[e].rests[axis].by_angle == 0) continue;
-    // The axis hangs freely in its gap: instead of the element's law, its moment is zero.
+    // About this axis the joint hangs freely in its gap, so the element's law is replaced by the condition that the
+    // moment is zero.
     out.is_compliant[axis] = 0;
     out.rotation_by_moment.row(axis) = Eigen::RowVector3d::Unit(axis);
     right.row(axis) = seen.row(axis);

@@ -18,7 +18,7 @@ namespace tubeplan::deflection {
 /// Value of an argument `row` that selects the tool frame, at the tip.
 inline constexpr int kTool = -1;
 
-/// Motion of the tip (position [m], then rotation vector [rad], base axes) per unit of a vector.
+/// Motion of the tip (position [m], then rotation vector [rad], base axes) per unit of each component of a vector.
 using TipRows = Eigen::Matrix<double, 6, 3>;
 
 /// Responses of the tip to a larger deflection of an element under the same load, in the element's near axes, and to a
@@ -70,7 +70,7 @@ class TipSensitivity {
     Eigen::Matrix3d R, turn_B;  ///< near axes; rotation vector in base axes per change of the element's rotation
     Eigen::Matrix3d displacement_by_force, displacement_by_moment, displacement_by_weight;
     Eigen::Matrix3d rotation_by_force, rotation_by_moment, rotation_by_weight, rotation_by_displacement;
-    Eigen::Matrix3d displacement_itself;  ///< amplification of a displacement by its own change of the chord
+    Eigen::Matrix3d displacement_itself;  ///< amplification of a displacement by the change of chord that it causes
     /// Derivative of the moment of the loads beyond with respect to the element's rotation; inverse of the matrix of
     /// the linear equation for that rotation.
     Eigen::Matrix3d moment_by_rotation, inverse;

@@ -1,4 +1,4 @@
-// Combined weights of rows and arms: end weights, weights distributed over the undeflected members, and lumps.
+// Total weights of rows and arms: sums of end weights, weights distributed over the undeflected members, and lumps.
 #pragma once
 
 #include <Eigen/Core>
