@@ -1,6 +1,6 @@
 // CalculiX model of an arm: rigid bodies joined by strips of solid elements that are compliant about one axis only.
 //
-// A strip is one 20-node brick between two bodies, thin across its bending axis and far wider along that axis than
+// Each strip is one 20-node brick between two bodies, thin across its bending axis and far wider along that axis than
 // long. Its modulus E follows from E h^3 w / 12 = EI, so it bends as a beam of stiffness EI. Its end faces cannot warp,
 // so about the other two axes it is stiffer by (width / length)^2 and (width / thickness)^2: practically rigid. A joint
 // stiffness K is a short strip with EI = K l centred on the row's origin; a beam is a row of strips. The model uses
@@ -71,7 +71,7 @@ class CalculixModel {
  private:
   struct Body {
     std::vector<int> nodes;
-    int pilot = 0;  ///< pilot node with the translation; the following node has the rotation
+    int pilot = 0;  ///< pilot node for the translation; the next node number is for the rotation
   };
 
   void addRow(const Row<double>& row, const PoseOf<double>& X_BL, const Eigen::Vector3d& p_end) {

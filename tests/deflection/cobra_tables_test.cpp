@@ -35,7 +35,7 @@ TEST(CobraTables, AllThirtySixFigures) {
   const Vector6 first = list(68.688, -39.055, 39.994, 88.901, .027, -36.696),
                 second = list(23.829, 30.582, 46.937, 89.606, 2.158, 73.302);
   const Eigen::Vector4d q1(-36.688, 46.138, -35.856, -11.127), q2(73.312, 126.138, -95.856, -31.127);
-  // The thesis prints -0.030 as the last angle of the second row, which no parameters reproduce.
+  // In the second row, -0.034 is expected instead of the printed last angle of -0.030, which no parameters reproduce.
   const Example examples[] = {{q1, first, 0, list(.612, -.322, -1.333, -.172, 1.248, -.015)},
                               {q1, first, 30, list(1.019, -.573, -2.315, -.255, 2.275, -.034)},
                               {q2, second, 0, list(.185, .181, -.226, .153, .369, .006)},

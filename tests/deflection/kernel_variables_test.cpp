@@ -1,5 +1,5 @@
-// Derivatives of batches with respect to stiffnesses and the direction of gravity must agree with the general
-// sensitivities and with differences.
+// A kernel's derivatives with respect to stiffnesses and the direction of gravity must agree with the general solver
+// and with difference quotients.
 #include <gtest/gtest.h>
 
 #include "tests/deflection/central_difference.hpp"
@@ -72,8 +72,8 @@ TEST(PostureBatch, DerivativesByStiffnessesAndGravityAreDifferencesOfShapes) {
   }
 }
 
-/// If several stiffnesses determine the bending about one axis, the derivatives with respect to each must agree with
-/// differences.
+/// If several stiffnesses determine the bending about one axis, the derivative with respect to each of them must agree
+/// with a difference quotient.
 TEST(PostureBatch, StiffnessesOfOneAxisAreToldApart) {
   Arm arm = cobraArm();
   arm.rows[3].beam->I = {3e-7, 5e-7, kRigid};

@@ -40,7 +40,7 @@ inline Row<double> randomRow(int index) {
   row.joint.name = "joint" + std::to_string(index);
   row.joint.lower = row.joint.type == JointType::kRevolute ? -3 : 0.05;
   row.joint.upper = row.joint.type == JointType::kRevolute ? 3 : 0.8;
-  row.joint.offset = between(-0.04, 0.1);  // keeps a prismatic joint's length positive, as it has a kink at zero
+  row.joint.offset = between(-0.04, 0.1);  // keeps a prismatic joint's length positive: the tip has a kink at zero
   return row;
 }
 

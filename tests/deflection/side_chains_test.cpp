@@ -88,8 +88,7 @@ TEST(SideChains, BendTheArmAsALumpAtTheirCentreOfGravity) {
     const auto without = solveFlexibleKinematics(lumped, posture, kTight);
     const double difference = (with.rows[2].moment_B - without.rows[2].moment_B).norm();
     EXPECT_GT(difference, 0.1) << "the side chain is felt";
-    // Equilibrium of the deflected shape: the moment on the row is that of the next row plus that of the weights in
-    // between.
+    // In equilibrium, the moment on the row must be the moment on the next row plus that of the weights in between.
     const auto& row = with.rows[2];
     const Eigen::Vector3d at_B = row.X_BL.R * carrier.weight.lumps[0].at;
     Eigen::Vector3d beyond = Eigen::Vector3d::Zero();

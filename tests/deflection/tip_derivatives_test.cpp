@@ -54,8 +54,8 @@ TEST(TipDerivatives, AgreeWithCentralDifferencesOverAThousandPostures) {
   }
 }
 
-// The derivatives of every row's frame must also be exact with respect to rows beyond it, which move it only by their
-// loads.
+// The derivatives of every row's frame must also be exact with respect to rows beyond it, which move it only through
+// their loads.
 TEST(TipDerivatives, OfEveryRowsFrameAgreeWithCentralDifferences) {
   const Arm arm = cobraArm(2);
   const auto cases = casesOf(arm);

@@ -1,5 +1,5 @@
-// Shapes under a force and moment on the tip must agree with closed forms, their derivatives with differences, and a
-// wrench must not affect later solutions.
+// Shapes under a force and moment on the tip must agree with closed forms, and their derivatives with difference
+// quotients. A wrench must not affect later solutions.
 #include <gtest/gtest.h>
 
 #include "deflection/effects/rigid_moment.hpp"

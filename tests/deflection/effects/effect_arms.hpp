@@ -22,8 +22,8 @@ inline Row<double> originRow(const std::string& name, const Eigen::Vector3d& pos
   return row;
 }
 
-/// Returns an arm of six revolute joints with rows placed by origin. Among its rows there are springs about every axis,
-/// a twisting beam, and lumped weights.
+/// Returns an arm of six revolute joints with rows placed by origin. The rows include springs about each axis, a beam
+/// that twists, and lumped weights.
 inline Arm sixAxisArm() {
   constexpr double kQuarter = std::numbers::pi / 2;
   Arm arm;
@@ -94,7 +94,8 @@ inline std::vector<Effect> allEffects(const Arm& arm) {
 }
 
 /// Returns the effect with each parameter moved from neutral by the fraction `share` of its largest plausible
-/// magnitude, except for shapes. Signs alternate between parameters that may be negative.
+/// magnitude, except for shape parameters (EffectParameter::is_shape). Signs alternate between parameters that may be
+/// negative.
 inline Effect sized(const Arm& arm, Effect effect, double share) {
   const auto& parameters = effectKinds()[effect.kind].parameters;
   double sign = 1;

@@ -56,7 +56,7 @@ FlexibleKinematics solve(const Arm& arm, const Posture& posture) {
   return shape;
 }
 
-/// Returns the rotation of the tool about z [rad].
+/// Returns the rotation of the tool about the base's z axis [rad].
 double angleOf(const FlexibleKinematics& shape) { return std::atan2(shape.X_BD.R(1, 0), shape.X_BD.R(0, 0)); }
 
 /// Returns the equilibrium rotation [rad] of a boom on a joint of the given stiffness, under a moment that depends on
@@ -176,7 +176,7 @@ void thermalGrowth() {
   Posture posture = at({0, 0}, 0);
   EXPECT_NEAR(solve(warm, posture).X_BD.p.x(), 0.5 + 2 * kLength, 1e-15);
   posture.conditions[Condition::kTemperature] = 320;
-  // The offset from the base to the first joint belongs to the base and does not grow.
+  // The offset from the base to the first joint belongs to the base and must not grow.
   EXPECT_NEAR(solve(warm, posture).X_BD.p.x(), 0.5 + 2 * kLength * (1 + 2e-5 * 30), 1e-15);
 }
 
@@ -200,7 +200,7 @@ void payloadOffset() {
   Arm arm = boom();
   arm.rows[0].weight.end = 30;
   const auto shape = solve(withEffect(arm, "payload-offset", "payload", {0.1, 0.2, 0}), at({0}));
-  // Only the hung load is displaced from the tip; its offset rotates with the boom.
+  // Only the hung load must be displaced from the tip, by an offset that rotates with the boom.
   const auto moment = [&](double a) {
     return -30 * kLength * std::cos(a) - kLoad * ((kLength + 0.1) * std::cos(a) - 0.2 * std::sin(a));
   };
@@ -211,7 +211,8 @@ void payloadOffset() {
 void gravityTilt() {
   const double tilt = 0.02;
   const auto shape = solve(withEffect(boom(), "gravity-tilt", "base", {tilt, 0}), at({0}, kLoad, -Vector3d::UnitZ()));
-  // Gravity along the joint's axis has no moment about the axis; tilted about x, gravity has a component along y.
+  // Gravity along the joint's axis has no moment about it. Tilted about x, gravity has a component along y, which must
+  // rotate the joint.
   EXPECT_NEAR(angleOf(shape), turnUnder([&](double a) { return kLoad * std::sin(tilt) * kLength * std::cos(a); }),
               1e-14);
 }
@@ -275,7 +276,7 @@ void stiffening() {
   const auto moment = [](double load) { return [load](double a) { return -load * kLength * std::cos(a); }; };
   const double below = 15, beyond = 200;
   EXPECT_NEAR(angleOf(solve(arm, at({0}, below))), turnUnder(moment(below), kStiffness / (1 + softness)), 1e-15);
-  // Piecewise linear spring: stiffness K1 up to the knee, K2 beyond the knee.
+  // The spring must be piecewise linear: soft up to the knee moment, with the stated stiffness beyond it.
   const auto past_knee = [&](double a) { return moment(beyond)(a) - softness * knee; };
   EXPECT_NEAR(angleOf(solve(arm, at({0}, beyond))), turnUnder(past_knee), 1e-15);
   EXPECT_NEAR(angleOf(solve(arm, at({0}, beyond, Vector3d::UnitY()))), -turnUnder(past_knee), 1e-15);
@@ -285,12 +286,13 @@ void backlash() {
   const double gap = 0.01;
   const Arm arm = withEffect(boom(), "backlash", "boom.z", {gap});
   for (double up : {-1., 1.}) {
-    // The joint rotates by half the gap in the direction of the moment, then the spring deflects.
+    // The joint must rotate by half the gap in the direction of the moment, in addition to the deflection of the
+    // spring.
     double angle = 0;
     for (int k = 0; k < 200; ++k) angle = up * (kLoad * kLength * std::cos(angle) / kStiffness + gap / 2);
     EXPECT_NEAR(angleOf(solve(arm, at({0}, kLoad, up * Vector3d::UnitY()))), angle, 1e-14);
   }
-  // Hanging boom: inside the gap the boom hangs straight down; beyond the gap it rests on the gap's end and loads the
+  // A hanging boom must hang straight down inside the gap; beyond the gap it must rest on the gap's end and load the
   // spring.
   for (double off : {-0.02, -0.0049, 0., 0.003, 0.0049, 0.02}) {
     const auto shape = solve(arm, at({-std::numbers::pi / 2 + off}));
@@ -315,7 +317,7 @@ void baseSlip() {
   expectSame(slipped, posture, arm, posture);
   posture.conditions[Condition::kTime] = 500;
   expectSame(slipped, posture, slipped, at({0.3}));
-  // A base rotated by the yaw is equivalent to a joint reading changed by the yaw, under the same gravity.
+  // A rotation of the base by the yaw must be equivalent to a joint reading changed by the yaw, under the same gravity.
   const auto as_read = solve(arm, at({0.3 + 0.1}));
   EXPECT_LE((now.X_BD.p - as_read.X_BD.p - Vector3d(0.01, -0.02, 0.03)).norm(), 1e-14);
   EXPECT_LE((now.rows[0].X_BL.R - as_read.rows[0].X_BL.R).norm(), 1e-14);
@@ -357,7 +359,7 @@ void toolRemount() {
 }
 
 void gravitySag() {
-  // Gravity along -y rotates the boom in proportion to the horizontal lever arms of its parts and of its tip.
+  // Gravity along -y must rotate the boom in proportion to the horizontal lever arms of its parts and of its tip.
   const double x = 4e-3, y = 1e-3, tip = 2e-3, reading = 0.3;
   const double level = (x + kLength * tip) * std::cos(reading) - y * std::sin(reading);
   const Arm arm = boom(kRigid);

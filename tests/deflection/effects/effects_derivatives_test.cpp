@@ -46,8 +46,8 @@ std::string nameOf(const Arm& arm, const Variable& variable) {
   return textOf(arm, effect) + "." + effectKinds()[effect.kind].parameters[variable.parameter.value].name;
 }
 
-/// Returns true if a step might carry a moment across a knee, or across zero at a joint with backlash, where there is
-/// no derivative.
+/// Returns true if a step might carry a moment across a knee, or across zero at a joint with backlash. The tip has no
+/// derivative there.
 bool isNearAKink(const Arm& arm, const Posture& posture) {
   const auto shape = solveFlexibleKinematics(arm, posture, kTight);
   for (const Effect& effect : arm.effects) {

@@ -149,7 +149,7 @@ TEST(Effects, AwayFromNeutralEachDoesSomething) {
   std::mt19937_64 random(22);
   for (const Arm& arm : effectArms()) {
     for (const Effect& neutral : allEffects(arm)) {
-      // A straight tool that carries all loads on its own line is not twisted.
+      // The loads on a straight tool act on its own line and do not twist it; its torsion therefore has no effect.
       const std::string name = effectKinds()[neutral.kind].name;
       if (name == "link-torsion" && neutral.place.row + 1 == static_cast<int>(arm.rows.size())) continue;
       Arm one = arm;

@@ -1,5 +1,5 @@
-// User-defined formulas must have the values of closed forms and the derivatives of differences; invalid formulas must
-// be refused.
+// Shapes under user-defined formulas must agree with closed forms, their derivatives with difference quotients, and
+// invalid formulas must be refused.
 #include "deflection/effects/formula.hpp"
 
 #include <gtest/gtest.h>
@@ -150,8 +150,8 @@ TEST(Formula, AtZeroSizesDoesNothing) {
     }
 }
 
-/// Returns the text with JOINT replaced by the symbol of the arm's first joint, and MOMENT by that of the first row's
-/// moment, without its axis.
+/// Returns the text with JOINT replaced by the symbol of the arm's first joint, and MOMENT by the symbol of the first
+/// row's moment without the suffix for the axis.
 std::string spelt(std::string text, const Arm& arm) {
   std::string joint, moment;
   for (const NamedSymbol& named : formulaSymbols(arm, {})) {

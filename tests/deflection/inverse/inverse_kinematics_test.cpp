@@ -27,7 +27,7 @@ void everyPostureIsFoundAgain(const Eigen::Vector3d& gravity_B) {
   int tried = 0;
   for (int n = 0; n < 300; ++n) {
     const auto q = randomJoints(arm, random);
-    if (std::abs(std::sin(q[2])) < 0.1) continue;  // near a stretched elbow, two branches coincide
+    if (std::abs(std::sin(q[2])) < 0.1) continue;  // near a stretched elbow, two branches nearly coincide
     const ToolGoal goal = goalOf(arm, q, 90, gravity_B);
     const auto found = solveInverseKinematics(arm, goal, 90, gravity_B);
     bool singular = false;
@@ -78,8 +78,8 @@ TEST(InverseSolver, SolvesEachGoalAsIfItWereAlone) {
   }
 }
 
-/// If both converge, the kernels and the general derivatives must lead a start to the same readings, tilt and singular
-/// value.
+/// If both converge, the kernels and the general solver must find the same readings, tilt and singular value from the
+/// same start.
 TEST(InverseSolver, AgreesWithTheGeneralSteps) {
   std::mt19937_64 random(23);
   const Arm arm = cobraArm(), general = withEffect(arm, "contact-force", "tip", {1e-200});
@@ -134,7 +134,8 @@ TEST(InverseKinematics, ReportsTheTiltThatFourJointsCannotCorrect) {
   const auto found =
       solveInverseKinematics(arm, {Eigen::Vector3d(40, -30, 44) * kInch, Eigen::Vector3d::UnitZ()}, 0, down);
   ASSERT_EQ(found.status, BranchStatus::kConverged);
-  // The platform tilts by 1.37 deg relative to the beam; four joints leave part of this tilt, and the sag, uncorrected.
+  // The platform is tilted by 1.37 deg relative to the beam; four joints cannot correct all of this tilt and of the
+  // sag.
   EXPECT_GT(found.branches.front().tilt, 0.1 * kDegree);
   EXPECT_LT(found.branches.front().tilt, 2 * kDegree);
 }

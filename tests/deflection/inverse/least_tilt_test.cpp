@@ -20,8 +20,8 @@ Arm shipped(const std::string& name) {
   return app::readArm(app::readYamlFile(TUBEPLAN_SOURCE_DIR "/app/cells/" + name).root).arm;
 }
 
-/// Posture well within the limits, neither stretched nor folded, and a goal: the tip of this posture and an axis tilted
-/// from its tool axis.
+/// Posture well within the limits, neither stretched nor folded, and a goal: the posture's tip, with an axis tilted
+/// relative to its tool axis.
 struct Asked {
   VectorXd q;
   ToolGoal goal;
@@ -111,7 +111,7 @@ TEST_P(EachArm, TiltsTheLeastThatThePlaceAllows) {
     for (std::size_t k = 0; k < found.branches.size() && k < 4; ++k) {
       const Branch& branch = found.branches[k];
       if (branch.status != BranchStatus::kConverged) continue;
-      // The solver leaves a tilt that changes by less than the singular floor per rad.
+      // The solver may leave a tilt that the joints change by less than the singular floor per rad.
       EXPECT_LE(branch.tilt,
                 leastTiltNear(arm, asked.goal, branch.q, kStep, random) + 1.1 * options.singular_floor * kStep);
     }

@@ -1,4 +1,4 @@
-// The closed forms of rotations about known axes must solve their problems, and a step of FreeMotion must not undo
+// The closed forms for rotations about known axes must satisfy their equations, and a step of FreeMotion must not undo
 // earlier steps.
 #include "deflection/inverse/subproblems.hpp"
 
@@ -38,7 +38,7 @@ TEST(Subproblems, TurnsLeadToWhereTheyAreAskedTo) {
     const double turn = draw(3);
     const Vector3d b = Eigen::AngleAxisd(turn, axis) * a;
     EXPECT_NEAR(std::remainder(turnBetween(axis, a, b) - turn, 2 * std::numbers::pi), 0, 1e-9);
-    // Each solution, rotated back, gives the point its original coordinate along h.
+    // Each solution, rotated back, must give the point its original coordinate along h.
     for (const double q : solveOffset(axis, h, b, h.dot(a)))
       EXPECT_NEAR(h.dot(Eigen::AngleAxisd(-q, axis) * b), h.dot(a), 1e-12);
   }

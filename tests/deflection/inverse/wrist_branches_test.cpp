@@ -1,5 +1,5 @@
-// On arms whose last three axes meet, every posture must be found at its rotation of the tool about its axis, and no
-// false posture.
+// On arms whose last three axes meet in one point, every posture must be found if the tool's rotation about its axis is
+// given, and no false posture.
 #include "deflection/inverse/wrist_branches.hpp"
 
 #include <gtest/gtest.h>
@@ -84,7 +84,7 @@ TEST(WristBranches, AxesThatMissEachOtherALittleGiveStartsThatLeadToThePosture) 
     RigidSearch(chain.arm, chain.axes).addPosturesLike(goal, q, like);
     missed += !hasNear(chain, like, q, 0.05);
   }
-  EXPECT_LE(missed, 3);  // postures that nearly coincide are found less accurately
+  EXPECT_LE(missed, 3);  // a few may be missed, because postures that nearly coincide are less accurate
 }
 
 TEST(WristBranches, AxesThatDoNotMeetAreNoWrist) {

@@ -9,7 +9,8 @@
 namespace tubeplan::deflection {
 
 /// Returns an arm with all features that kernels support: beams in several pieces, a twisting beam, lumped weights, a
-/// tilted tool, a spring across a joint's axis, and a beam whose start is not on its joint's axis.
+/// tilted tool, a spring about an axis perpendicular to its joint's axis, and a beam that does not start on its joint's
+/// axis.
 inline Arm oddRevoluteArm() {
   Arm arm = cobraArm(3);
   arm.name = "odd";
