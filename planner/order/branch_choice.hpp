@@ -15,27 +15,27 @@ struct BranchChoice {
   BranchChoiceStatus status = BranchChoiceStatus::kNotRun;
   std::string reason;
   std::vector<int> branches;  ///< index of the branch chosen for each visit, in the order of visits
-  /// Travel time, including the moves from start and to end and extra times [s]; infinite if every choice has a
-  /// forbidden move.
+  /// Travel time [s], including extra times and the moves from the start and to the end posture; infinite if every
+  /// choice has a forbidden move.
   double travel_time = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Finds the branches that minimise the travel time of the given order, exactly (shortest path through the layers of
-/// postures). `order` names visits, each at most once; it may leave visits out.
+/// postures). `order` lists visits, each at most once, and need not contain all visits.
 [[nodiscard]] BranchChoice bestBranches(const Route& route, const std::vector<int>& order);
 
 class PostureTable;
 
-/// Chooses the posture of each node so that the total time is shortest. `node_order` has the nodes of the table in
-/// order, with start and end nodes if there are any. Returns the time [s], in which a forbidden move counts
+/// Chooses a posture for each node so that the total time is as short as possible. `node_order` has the nodes of the
+/// table in order, with start and end nodes if there are any. Returns the time [s], in which a forbidden move counts
 /// `kForbiddenTime`.
 double choosePostures(const PostureTable& table, const std::vector<int>& node_order, std::vector<int>& posture_of_node);
 
 /// Returns the order of visits with the start node added before it and the end node after it, if there are any.
 [[nodiscard]] std::vector<int> withEndNodes(const PostureTable& table, const std::vector<int>& order);
 
-/// Returns the order of visits row after row, with every second row backwards. `rows` and `columns` have the row and
-/// the column of each visit.
+/// Returns the visits in order of their rows, with the direction reversed in every second row. `rows` and `columns`
+/// have the row and the column of each visit.
 [[nodiscard]] std::vector<int> serpentineOrder(const std::vector<int>& rows, const std::vector<int>& columns);
 
 }  // namespace tubeplan::planner

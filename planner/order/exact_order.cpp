@@ -9,7 +9,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr int kMostVisits = 20;  // largest number of visits; a set of visits has one bit for each
+constexpr int kMostVisits = 20;  // largest number of visits; a set of visits is stored as one bit for each visit
 
 using VisitSet = std::uint32_t;
 

@@ -10,7 +10,7 @@
 
 namespace tubeplan::planner {
 
-/// Largest work for which an exact order is computed: the number of sets of visits times the number of pairs of
+/// Limit on the work of an exact search, measured as the number of sets of visits times the number of pairs of
 /// postures. This much work takes a few hundredths of a second.
 inline constexpr double kMostExactWork = 2e7;
 

@@ -11,7 +11,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-/// Returns the time of the straight move between two visits, the shortest over their branches [s].
+/// Returns the time of the quickest straight move between any branches of two visits [s].
 double between(const PostureTable& table, int a, int b) {
   double least = std::numeric_limits<double>::infinity();
   for (int p = table.first(a); p < table.last(a); ++p)
@@ -19,7 +19,7 @@ double between(const PostureTable& table, int a, int b) {
   return least;
 }
 
-/// Returns the index in the order at which it costs least to insert the visit; the size of the order means at the end.
+/// Returns the index at which inserting the visit adds the least time; the size of the order means at its end.
 std::size_t cheapestPlace(const PostureTable& table, const std::vector<int>& order, int visit) {
   std::vector<double> to(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) to[k] = between(table, order[k], visit);

@@ -25,7 +25,7 @@ int widestJoint(const PostureTable& table) {
   return widest;
 }
 
-// A short sorted list of the nearest `count` nodes, each listed once.
+// The `count` nearest nodes offered so far, nearest first, each listed once.
 class BestNodes {
  public:
   explicit BestNodes(std::size_t count) : count_(count) {}
@@ -47,7 +47,8 @@ class BestNodes {
   std::vector<Neighbour> list_;
 };
 
-// Postures sorted by the value of one joint; no move takes less time than this joint needs at full speed.
+// Postures sorted by the value of one joint. The time that this joint needs at full speed is a lower bound on the time
+// of a move, so a scan along the postures can stop early.
 struct Sweep {
   explicit Sweep(const PostureTable& table)
       : joint(widestJoint(table)), sorted(table.postures()), place(table.postures()) {

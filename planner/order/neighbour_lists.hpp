@@ -1,5 +1,5 @@
-// The nearest other nodes of each node of a route, sorted by the time of the shortest straight move over the branches
-// of both nodes. Internal to the ordering.
+// For each node of a route, the other nodes nearest to it, sorted by the time of the quickest straight move between any
+// of their branches. Internal to the ordering.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@ namespace tubeplan::planner {
 
 struct Neighbour {
   int node;
-  double time;  ///< time of the shortest straight move over the branches of both nodes, without extra time [s]
+  double time;  ///< time of the quickest straight move between any branches of the two nodes, without extra time [s]
 };
 
-/// Returns up to `count` neighbours for each node, nearest first, ties in the order of node numbers. The lists are
+/// Returns up to `count` neighbours for each node, nearest first, with ties in order of node numbers. The lists are
 /// exact; they are found by a sweep along the joint with the widest range of values.
 [[nodiscard]] std::vector<std::vector<Neighbour>> nearestNeighbours(const PostureTable& table, int count);
 

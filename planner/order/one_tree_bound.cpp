@@ -14,22 +14,22 @@ namespace {
 constexpr double kFirstStep = 1;
 constexpr int kPatience = 10;  // steps without improvement before the step fraction is reduced
 constexpr double kFall = 0.8;
-// Weight of the latest tree in the running mean. Prices of postures can change the posture of a whole node, so they
-// need a longer memory.
+// Weight of the latest tree in the running mean of the violations. Prices of postures can change the posture of a whole
+// node, so they need a longer memory.
 constexpr double kMeanShareByNodes = 0.3, kMeanShareByPostures = 0.03;
 constexpr std::size_t kCutsOfRound = 10;
 constexpr int kMostPosturesToCut = 1000;
-// Smallest improvement worth a round of cuts, as a fraction of the bound: gained in a round, or still possible in
-// total.
+// Smallest worthwhile improvement, as a fraction of the bound: cuts end if less is still possible, and a round of cuts
+// that gains less counts as idle.
 constexpr double kWorthwhile = 2e-3;
-// Number of successive rounds with less improvement after which cuts end; several, because cuts take effect together.
+// Number of successive idle rounds after which cuts end: more than one, because cuts take effect together.
 constexpr int kIdleCutRounds = 3;
 
 enum class Detail { kNodes, kPostures };
 
 // Returns how much a tree violates each condition, in the order of the prices. With Detail::kNodes, the edge ends of
-// all postures of a node are counted together: with one posture per node this covers every condition, with several it
-// is best for the first steps.
+// all postures of a node are counted together. With one posture per node this covers every condition; with several, it
+// suits the first steps best.
 std::vector<double> violations(const PostureTable& table, const PairGraph& graph, const PricedTree& tree,
                                Detail detail) {
   const std::size_t first_cut = tree.ends.size() + tree.pair_ends.size();

@@ -18,9 +18,9 @@ namespace tubeplan::planner {
 struct OneTreeOptions {
   int iterations = 1500;  ///< total number of subgradient steps on the sparse graph
   int rounds = 4;       ///< number of trees on the complete graph; the edges of each tree are added to the sparse graph
-  int neighbours = 10;  ///< neighbours of each visit in the sparse graph
-  int complete_up_to = 30;  ///< number of visits up to which the complete graph is used throughout
-  int cuts_up_to = 100;     ///< number of visits up to which cuts are added, if the visits have several branches
+  int neighbours = 10;  ///< number of nearest neighbours of each visit in the sparse graph
+  int complete_up_to = 30;  ///< with at most this many visits, all steps use the complete graph
+  int cuts_up_to = 100;     ///< with at most this many visits, cuts are added if visits have several branches
   /// Largest number of rounds with cuts after the other rounds; these rounds end once the improvement is small.
   int cut_rounds = 12;
   /// Travel time of a known route, which controls the step size [s].

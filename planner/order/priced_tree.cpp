@@ -63,7 +63,7 @@ class PairGraph::Sum {
     magnitude_ += std::abs(value);
   }
 
-  // Takes the postures of highest worth at a node. Postures of equal worth share the node in proportion to their edge
+  // Selects the posture of highest worth at a node. Postures of equal worth share the node in proportion to their edge
   // ends, so that prices need less correction.
   void takePostures(int node, const std::vector<double>& worth) {
     const double greatest = *std::max_element(worth.begin() + table_.first(node), worth.begin() + table_.last(node));

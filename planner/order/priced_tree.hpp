@@ -33,12 +33,12 @@ struct PricedTree {
   double bound = 0;          ///< lower bound of the travel time, valid if the tree was found on the complete graph [s]
   std::vector<double> ends;  ///< number of edge ends at each posture
   std::vector<double> pair_ends;  ///< number of edge ends to which each pair price applies
-  std::vector<double> taken;      ///< share of each posture in its node according to the prices; they add up to 1
+  std::vector<double> taken;      ///< share of each posture in its node, by the prices; adds up to 1 in each node
   std::vector<double> crossings;  ///< number of edges across each cut
   std::vector<std::pair<int, int>> edges;  ///< edges of the tree as pairs of postures
 };
 
-/// Chosen pairs of nodes, with the stored times between their postures.
+/// A sparse graph of nodes, which stores the times between all postures of each connected pair of nodes.
 class PairGraph {
  public:
   static constexpr std::size_t kMostCuts = 64;
@@ -47,7 +47,8 @@ class PairGraph {
       : table_(table), edges_of_(table.nodes()), inside_(static_cast<std::size_t>(table.postures()), 0) {}
   /// Adds a pair of nodes, unless the graph has it already.
   void add(int node_a, int node_b);
-  /// Adds a set of postures, as a flag for each posture, that has all postures of one node and none of another node.
+  /// Adds a cut: a set of postures, given by one flag per posture, that has all postures of one node and none of
+  /// another.
   void addCut(const std::vector<char>& inside);
   [[nodiscard]] std::size_t cuts() const { return cuts_; }
   [[nodiscard]] std::size_t pairPrices() const { return posture_of_price_.size(); }
@@ -61,13 +62,13 @@ class PairGraph {
  private:
   struct Edge {
     int to;
-    std::size_t times;  // index of the first pair of postures, with this node's posture in the outer loop
+    std::size_t times;  // index in `times_` of the first pair of postures; the other node's posture varies faster
     // price indices of this node's first posture and of the other node's first posture
     std::size_t own_prices, other_prices;
   };
   struct Link;
   class Sum;
-  /// Returns the sum of the prices of all cuts that separate p from q, which is subtracted from the edge.
+  /// Returns the sum of the prices of all cuts that separate p from q, to be subtracted from the cost of the edge.
   [[nodiscard]] double relief(const Prices& prices, int p, int q) const {
     double sum = 0;
     for (std::uint64_t across = inside_[p] ^ inside_[q]; across != 0; across &= across - 1)
@@ -82,7 +83,7 @@ class PairGraph {
   std::vector<std::vector<Edge>> edges_of_;
   std::vector<double> times_;
   std::vector<int> posture_of_price_;
-  std::vector<std::uint64_t> inside_;  ///< bits for each posture, one bit for each cut
+  std::vector<std::uint64_t> inside_;  ///< for each posture, one bit per cut: 1 if the cut contains the posture
   std::size_t cuts_ = 0;
 };
 

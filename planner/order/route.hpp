@@ -42,7 +42,7 @@ class EdgePenalties {
 
  private:
   std::unordered_map<std::uint64_t, double> seconds_;
-  std::vector<char> touched_;  // flag for each visit, so that most moves need no look-up
+  std::vector<char> touched_;  // for each visit, nonzero if any of its moves has extra time; saves most look-ups
 };
 
 /// A route visits every tube once, in any order, from rest to rest. Without `start` it begins at any tube; without

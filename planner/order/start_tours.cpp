@@ -6,7 +6,7 @@
 namespace tubeplan::planner {
 namespace {
 
-constexpr int kNarrowView = 3, kWideView = 60;  // rounds of averaging over neighbours
+constexpr int kNarrowView = 3, kWideView = 60;  // rounds of averaging, for a narrow and a wide neighbourhood
 
 // For each node, returns the posture from which neighbouring nodes are quickest to reach, averaged over a region that
 // grows with the number of rounds.
@@ -37,7 +37,7 @@ std::vector<int> locallyQuickest(const PostureTable& table, const std::vector<st
   return quickest;
 }
 
-// A growing route. At its last node it is at one posture, or at any of the node's postures (-1).
+// A route that grows node by node. Its posture at the last node is either fixed or still undecided (-1).
 class NearestNeighbourTour {
  public:
   // `only`: index of the one posture allowed at each node; empty if all are allowed.

@@ -1,4 +1,4 @@
-// Nearest-neighbour routes as initial orders of the local search. Internal to the ordering.
+// Nearest-neighbour routes that are used as starting orders for the local search. Internal to the ordering.
 #pragma once
 
 #include <vector>

@@ -164,7 +164,7 @@ bool TourSearch::tryOrOpt(const Stretches& stretches, const Junction& at, double
   return false;
 }
 
-// Moves a single visit to the junction, in another branch.
+// Tries to move a single visit to the junction while it changes to another branch.
 bool TourSearch::tryOtherBranch(const Stretches& stretches, const Junction& at, double now) {
   const Segment& segment = stretches.segments[0];
   const int node = segment.last;
@@ -211,7 +211,7 @@ void TourSearch::exchange(int a, int b, int c, int d) {
   }
 }
 
-// Reverses the given positions or all the others, whichever are fewer: the closed tour is the same.
+// Reverses the given positions or all the others, whichever are fewer: both give the same closed tour.
 void TourSearch::reversePlaces(int from, int to) {
   int length = to - from + 1;
   if (length <= 0) length += size();

@@ -56,7 +56,7 @@ Candidate kicked(const PostureTable& table, TourSearch& search, const Candidate&
   return next.time < candidate.time ? next : candidate;
 }
 
-/// Returns the best start tour after a short search from each of them in parallel. Each search has its own seed, so
+/// Runs a short search from each start tour, in parallel, and returns the best result. Each search has its own seed, so
 /// that the result does not depend on the threads.
 Candidate bestOfTrials(const PostureTable& table, const std::vector<std::vector<Neighbour>>& neighbours, long kicks,
                        const VisitOrderOptions& options) {

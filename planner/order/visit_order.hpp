@@ -15,19 +15,20 @@ namespace tubeplan::planner {
 
 struct VisitOrderOptions {
   std::uint64_t seed = 1;
-  /// Local perturbations per visit; a count and not a time, so that a run can be repeated exactly.
+  /// Number of local kicks per visit: a count and not a time limit, so that a run can be repeated exactly.
   int kicks_per_visit = 30;
   int least_kicks = 20'000;    ///< smallest number of kicks, for small problems
   int most_kicks = 2'000'000;  ///< largest number of kicks, for large problems
   int neighbours = 8;          ///< number of nearest other visits that the local search may connect to a visit
-  double most_exact_work = kMostExactWork;  ///< largest work up to which problems are solved exactly (exact_order.hpp)
-  /// If false, lower_bound and optimality_gap stay NaN (the bound does not depend on extra times).
+  double most_exact_work = kMostExactWork;  ///< routes with at most this work are ordered exactly (exact_order.hpp)
+  /// If false, lower_bound and optimality_gap stay NaN. The bound ignores extra times, so a search repeated with other
+  /// extra times does not need it again.
   bool with_bound = true;
   OneTreeOptions bound;
   /// An order of all visits to start from; it is improved by local search alone, without other starts or kicks. May be
   /// empty.
   std::vector<int> start;
-  /// An order of all visits, found before, as an additional start of the search; may be empty.
+  /// An order of all visits found earlier, used as an additional starting order of the search; may be empty.
   std::vector<int> hint;
   /// Called from time to time, from several threads. Once it returns true, the search ends early with its result so
   /// far.
@@ -41,7 +42,7 @@ struct VisitOrder {
   std::string reason;
   std::vector<int> order;     ///< indices of visits, first to last
   std::vector<int> branches;  ///< branches[k]: index of the branch at visit order[k]
-  /// Time of straight moves and extra times, including the moves from start and to end [s].
+  /// Travel time [s]: straight moves, including those from the start and to the end posture, plus extra times.
   double travel_time = std::numeric_limits<double>::quiet_NaN();
   double lower_bound = std::numeric_limits<double>::quiet_NaN();     ///< proved lower bound of the travel time [s]
   double optimality_gap = std::numeric_limits<double>::quiet_NaN();  ///< (travel_time - lower_bound) / lower_bound

@@ -30,8 +30,8 @@ Route partOf(const Route& route, const std::vector<int>& visits) {
   return part;
 }
 
-/// Returns the extra times of the route, for visit indices of the part. The part's start posture stands for visit
-/// `before` of the whole route, which may be the whole route's start posture.
+/// Returns the extra times of moves in the route of one zone, looked up in the whole route. The zone's start posture
+/// stands for visit `before` of the whole route, which may be the whole route's start posture.
 ExtraTime extraOf(const Route& route, const std::vector<int>& visits, int before, int branch_before) {
   if (!route.extra_time) return {};
   return [&whole = route.extra_time, visits, before, branch_before](int a, int branch_a, int b, int branch_b) {
@@ -57,7 +57,7 @@ std::vector<int> startOf(const std::vector<int>& start, const std::vector<int>& 
   return order;
 }
 
-/// Returns the shortest time [s] of a move from any posture of one set of visits to any posture of another set.
+/// Returns the time [s] of the quickest move from any posture in `from` to any posture in `to`.
 double quickestWay(const Route& from, const Route& to) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& a : from.visits)

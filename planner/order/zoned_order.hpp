@@ -9,13 +9,13 @@
 namespace tubeplan::planner {
 
 /// Orders the visits like orderVisits(); `zones` has the zone of each visit, from 0 and without gaps. Each zone is
-/// searched separately, so that the order is the best of each zone, not of all zones together. The bound holds for
+/// searched separately, so the order is optimised within each zone, not over all zones together. The bound holds for
 /// every order that completes one zone before the next.
 [[nodiscard]] VisitOrder orderByZones(const Route& route, const std::vector<int>& zones,
                                       const VisitOrderOptions& options);
 
-/// Returns a proved lower bound [s] on the time of every route that completes one zone before the next: the sum of the
-/// bounds of the zones and of the quickest moves from each zone to the next.
+/// Returns a proved lower bound [s] on the time of every route that completes one zone before the next: the bounds of
+/// all zones plus the quickest moves between consecutive zones.
 [[nodiscard]] double zonedBound(const Route& route, const std::vector<int>& zones, const OneTreeOptions& options = {});
 
 /// Returns the travel time [s] of the usual order, row after row within each zone, with the best branches; NaN if a
