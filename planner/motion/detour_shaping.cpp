@@ -15,7 +15,7 @@ namespace {
 using Eigen::VectorXd;
 
 // Displacements by one joint, as travel of the arm's farthest point [m]: offsets from the straight move at which a
-// detour is searched, and step sizes for shaping the detour.
+// detour is searched for, and step sizes for shaping the detour.
 constexpr std::array kSideways{0.03, 0.06, 0.12, 0.25, 0.5, 1.0};
 constexpr std::array kFinerAndFiner{0.8, 0.4, 0.2, 0.1, 0.05, 0.025, 0.012};
 constexpr int kAttemptsForOneMore = 8;    // one attempt in this many adds a waypoint
@@ -36,7 +36,7 @@ VectorXd stepsPerMetre(const MotionProblem& problem) {
   return reach.unaryExpr([least](double r) { return r > least ? 1 / r : 0.0; });
 }
 
-/// Returns postures around the middle, with one or two joints displaced, within the joint limits.
+/// Returns postures within the joint limits that differ from `middle` in one or two joints.
 std::vector<VectorXd> posturesBeside(const VectorXd& middle, const MotionProblem& problem) {
   const VectorXd steps = stepsPerMetre(problem);
   std::vector<VectorXd> postures;
@@ -95,7 +95,7 @@ struct Shaping {
     }
   }
 
-  /// Displaces all joints of a random inner waypoint; in some attempts first adds a waypoint before it.
+  /// Displaces all joints of a random inner waypoint or, in some attempts, of a new waypoint that is added before it.
   void moveOne(const VectorXd& steps) {
     Waypoints moved = best;
     const std::size_t k = 1 + generator() % (best.size() - 2);

@@ -12,7 +12,8 @@ namespace tubeplan::planner {
 namespace {
 
 constexpr std::size_t kLanes = 8;          // largest number of kernel lanes on any processor
-constexpr std::size_t kMostTogether = 64;  // most postures computed together; those after a blocked one are wasted
+constexpr std::size_t kMostTogether = 64;  // largest number of postures computed together; those after a blocked
+                                           // posture are wasted
 
 struct Sample {
   double s;       ///< position along the motion, from 0 to 1
@@ -131,8 +132,8 @@ class MotionProof {
     askTogether(places);
   }
 
-  /// Returns true if both halves would be proved if the margin at the midpoint were the mean of the margins at the two
-  /// ends.
+  /// Returns true if both halves would be proved, assuming that the margin at the midpoint is the mean of the margins
+  /// at the two ends.
   [[nodiscard]] bool halvesWillDo(const Stretch& stretch) const {
     const Sample middle{middleOf(stretch), 0.5 * (stretch.a.margin + stretch.b.margin)};
     return isProved({stretch.a, middle}, middle.margin - 0.25 * travelOf(stretch));

@@ -38,7 +38,7 @@ struct MotionPlannerOptions {
   int max_iterations = 3000;
   double range = 0;  ///< longest step of the search, as travel [m]; 0: a fifth of the diagonal of the joint space
   int shortcut_attempts = 100;
-  int shaping_attempts = 1500;  ///< attempts per step size to shape a detour
+  int shaping_attempts = 1500;  ///< number of attempts to shape a detour with each step size
   MotionCheckOptions check = {};
 };
 

@@ -79,8 +79,8 @@ class SeededSampler : public ob::StateSampler {
   std::mt19937_64 generator_;
 };
 
-/// Data shared by the posture and motion checkers: the problem, and the numbers of postures checked and of blocking
-/// pairs.
+/// Data shared by the posture and motion checkers: the problem, and counts of the postures checked and of the pairs
+/// that blocked them.
 struct Referee {
   const MotionProblem& problem;
   const MotionPlannerOptions& options;

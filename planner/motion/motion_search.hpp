@@ -10,7 +10,8 @@
 
 namespace tubeplan::planner {
 
-/// Number of times that each pair blocked the search: the names of a body and of the obstacle or body in its way.
+/// For each pair of names (a body, and the obstacle or body in its way), the number of times that it blocked the
+/// search.
 using BlockerCounts = std::map<std::pair<std::string, std::string>, int>;
 
 struct MotionSearchResult {

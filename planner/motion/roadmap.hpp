@@ -17,7 +17,8 @@ struct RoadmapOptions {
   std::uint64_t seed = 1;
   /// Number of free postures drawn within the joint limits, in addition to the given postures.
   int random_postures = 1200;
-  int neighbours = 12;   ///< number of nearest neighbours that a posture is connected to if the move is free
+  int neighbours = 12;   ///< number of nearest postures to which each posture is connected by a move, if that move is
+                         ///< free
   int attachments = 24;  ///< number of nearest postures tried to attach a start or goal
   MotionCheckOptions check = {};
 };
@@ -37,8 +38,8 @@ struct RoadmapWay {
 
 class Roadmap {
  public:
-  /// Builds the roadmap. `postures` [rad], such as ends of travels, become nodes; blocked postures are left out. The
-  /// problem must have a cost function.
+  /// Builds the roadmap. `postures` [rad], such as ends of travels, become nodes unless they are blocked. The problem
+  /// must have a cost function.
   Roadmap(const MotionProblem& problem, std::vector<Eigen::VectorXd> postures, const RoadmapOptions& options = {});
 
   /// Returns the fastest path from q0 to q1 along the edges, and adds the number of postures checked to `checks`. Const

@@ -8,8 +8,8 @@
 
 namespace tubeplan::planner {
 
-/// A PostureClearance that also takes many postures. The proof of a motion recognises this type
-/// (std::function::target), and computes a whole level of its bisection together.
+/// A PostureClearance that can also compute the margins of many postures at once. The proof of a motion recognises this
+/// type (std::function::target), and computes a whole level of its bisection together.
 struct SideBySideClearance {
   PostureClearance alone;
   /// Returns the margins of many postures, bitwise identical to the results of `alone`.
