@@ -14,7 +14,7 @@ namespace tubeplan::planner {
 class NearestPairs;
 struct NearestPair;
 
-/// Rule for contact of the tool with the sheet. The tool may enter holes only while it approaches or retreats; while it
+/// Whether the tool may enter the sheet's holes. It may enter holes only while it approaches or retreats; while it
 /// travels between tubes it keeps clear of the sheet like every other body.
 enum class ContactRule { kTravel, kApproach };
 
@@ -40,10 +40,10 @@ struct MarginsSideBySide {
   Clearance clearance;
 };
 
-/// Clearance of postures of one workcell. Const use from several threads is safe.
+/// Computes the clearance of the arm in any posture in one workcell. Const use from several threads is safe.
 class ArmClearance {
  public:
-  /// `padding`: how many standard deviations of the base's pose, propagated to each body in each posture, are
+  /// `padding` is a number of standard deviations of the base's pose: propagated to each body in each posture, they are
   /// subtracted from its distance to fixed obstacles.
   explicit ArmClearance(const Workcell& cell, double padding = 0);
   ~ArmClearance();

@@ -117,7 +117,7 @@ class Bound {
   }
 
   /// Returns an element's rotation per rotation of the joint of `row`, without the coupling between elements [rad/rad].
-  /// The joint turns everything beyond it, of which an element further out carries only the loads beyond itself.
+  /// The joint turns all loads beyond it, but an element further out carries only the loads beyond itself.
   [[nodiscard]] double gainedByTurn(const FlexiblePlace& place, int row) const {
     return place.compliance * std::min(place.moment, at_origin_[static_cast<std::size_t>(row)].moment);
   }

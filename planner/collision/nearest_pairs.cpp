@@ -52,7 +52,7 @@ KnownObstacle cylinderOf(const CylinderSolid& cylinder, PlainObstacle& plain) {
   return {PairKind::kCylinder, true};
 }
 
-/// Describes a shape that the kernels do not support by a sphere of infinite radius around the shape.
+/// Represents a shape that the kernels do not support by a sphere of infinite radius, which is near everything.
 KnownObstacle unknown(PlainObstacle& plain) {
   return capsuleOf({Vector3d::Zero(), Vector3d::Zero(), std::numeric_limits<double>::infinity()}, false, plain);
 }

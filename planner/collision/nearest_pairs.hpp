@@ -16,9 +16,9 @@
 
 namespace tubeplan::planner {
 
-/// The nearest pair of one posture.
+/// The pair nearest to each other in one posture, and its distance.
 struct NearestPair {
-  double distance = std::numeric_limits<double>::quiet_NaN();  ///< distance with the meaning of Clearance::distance [m]
+  double distance = std::numeric_limits<double>::quiet_NaN();  ///< distance, as in Clearance::distance [m]
   int pair = -1;  ///< index of the nearest pair among the pairs of the scene; -1 if there is nothing to touch
 };
 

@@ -14,8 +14,8 @@ namespace {
 
 using Matrix36 = Eigen::Matrix<double, 3, 6>;
 
-/// Returns the Jacobian of the displacement of a point at `r` from the base with respect to a shift and a small
-/// rotation of the base.
+/// Returns the derivative of the displacement of a point with respect to a shift and a small rotation of the base. The
+/// point is at `r` from the base.
 Matrix36 displacementAt(const Vector3d& r) {
   Matrix36 J;
   J << Matrix3d::Identity(), (Matrix3d() << 0, r.z(), -r.y(), -r.z(), 0, r.x(), r.y(), -r.x(), 0).finished();

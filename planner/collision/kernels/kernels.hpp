@@ -1,5 +1,5 @@
-// The clearance kernels that this processor supports. All return bitwise identical results, for different numbers of
-// postures at a time.
+// The clearance kernels that this processor supports. All return bitwise identical results; they differ in the number
+// of postures that they compute at a time.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ struct Kernel {
 /// Returns the clearance kernels, with the same lane counts as the kernels of deflection/revolute_chain/kernels.hpp.
 std::span<const Kernel> kernels();
 
-/// Returns the kernel with that number of lanes.
+/// Returns the kernel with the given number of lanes, which must be one of those in kernels().
 const Kernel& kernelOf(int lanes);
 
 }  // namespace tubeplan::planner::kernels

@@ -3,8 +3,8 @@
 // Postures are side by side: entry l of each array belongs to lane l, and consecutive values of a posture are `stride`
 // apart.
 //
-// This header is included by sources that are compiled for different processors, so nothing here may generate code of
-// its own.
+// This header must not define functions: it is included by sources that are compiled for different processors, and the
+// linker might keep the version of a processor other than the one in use.
 #pragma once
 
 #include "deflection/revolute_chain/plain_rows.hpp"
