@@ -26,7 +26,7 @@ struct Obstacle {
 /// A solid carried by a link, in the link's own frame.
 struct Body {
   std::string link;
-  int frame_index = -1;            ///< index of the link in Scene::links, and of its pose in the poses of all links
+  int frame_index = -1;            ///< index of the link in Scene::links, and of its pose in arrays of link poses
   std::string name;                ///< name in reports; if empty, the link's name is used
   ShapePointer shape;              ///< shape of the body; must be a Solid
   std::vector<std::string> allow;  ///< names of obstacles, links or bodies that may touch this body
@@ -61,8 +61,8 @@ struct SceneProblem {
 [[nodiscard]] bool mayTouch(const Obstacle& obstacle, const Body& body);
 [[nodiscard]] bool mayTouch(const Body& a, const Body& b);
 
-/// Returns true if two bodies, given by index, are checked against each other unless they may touch. Not checked are
-/// inseparable pairs, and bodies on one rigid part or on the two sides of a single joint, because these always touch.
+/// Returns true if two bodies, given by index, are checked against each other unless they may touch. Inseparable pairs
+/// are not checked, nor are bodies on one rigid part or on the two sides of a single joint, because these always touch.
 /// Rows that do not move form one rigid part with the row before them.
 [[nodiscard]] bool areJudged(const Scene& scene, int a, int b);
 

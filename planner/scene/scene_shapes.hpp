@@ -1,5 +1,5 @@
 // The extensible table of scene shapes: one row per kind, with everything that file readers, help pages and drawings
-// need. A new shape is a row in scene_shapes.cpp, and a class if no existing class fits; no other code names a kind.
+// need. To add a kind of shape, add a row in scene_shapes.cpp, and a class if no existing class fits.
 #pragma once
 
 #include <span>

@@ -59,9 +59,9 @@ struct Box {
   Eigen::Vector3d half;  ///< half the edge lengths [m]
 };
 
-/// A solid as a core, placed in the solid's frame, with a rounding of constant thickness around it. The distance
-/// library computes distances between cores, which are then reduced by the roundings, so that the cores of rounded
-/// solids are well apart even if the solids touch.
+/// A solid described by a core, placed in the solid's frame, and a rounding of constant thickness around the core. The
+/// distance library computes distances between cores, which are then reduced by the roundings, so that the cores of
+/// rounded solids are well apart even if the solids touch.
 struct RoundedCore {
   std::shared_ptr<const fcl::CollisionGeometry<double>> geometry;
   Eigen::Isometry3d X_FC = Eigen::Isometry3d::Identity();

@@ -60,7 +60,7 @@ std::vector<EdgeUse> edgeUses(const TriangleMesh& mesh) {
     for (int k = 0; k < 3; ++k) {
       const auto from = static_cast<std::uint64_t>(place[static_cast<std::size_t>(triangle[k])]);
       const auto to = static_cast<std::uint64_t>(place[static_cast<std::size_t>(triangle[(k + 1) % 3])]);
-      // An edge of zero length, in a degenerate triangle, cannot open the surface and is not counted.
+      // An edge of zero length, in a degenerate triangle, cannot leave the surface open, so it is not counted.
       if (from != to) uses.push_back({std::min(from, to) << 32 | std::max(from, to), from < to ? 1 : -1});
     }
   std::ranges::sort(uses, {}, &EdgeUse::edge);

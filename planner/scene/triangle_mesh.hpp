@@ -19,15 +19,15 @@ struct TriangleMesh {
 inline constexpr std::size_t kMostTriangles = 2'000'000;
 
 /// Returns the reason why a mesh is unusable; an empty string if it is usable. A usable mesh has at least one and at
-/// most kMostTriangles triangles, not all degenerate; their corners exist and have finite coordinates of at most a
-/// million.
+/// most kMostTriangles triangles, not all degenerate. All corner indices are valid, and all coordinates of these
+/// corners are finite and at most a million.
 [[nodiscard]] std::string findMeshProblem(const TriangleMesh& mesh);
 
 /// Topology of a mesh. Corners at the same coordinates count as one.
 struct MeshSurvey {
   std::size_t open_edges = 0;  ///< edges that belong to an odd number of triangles
-  /// Other edges, which their triangles traverse more often in one direction: adjacent triangles have opposite
-  /// orientations.
+  /// Other edges that are traversed more often in one direction than in the other, because adjacent triangles have
+  /// opposite orientations.
   std::size_t turned_edges = 0;
   Eigen::AlignedBox3d bounds;
   /// Returns true if the surface has an inside: every edge is traversed equally often in both directions.

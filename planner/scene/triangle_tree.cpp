@@ -13,7 +13,8 @@ constexpr std::size_t kLeafTriangles = 4;
 constexpr std::size_t kBins = 12;
 // Depth beyond which the triangles are split into halves of equal count, so that the recursion terminates.
 constexpr int kDeepestSearch = 40;
-// Smallest triple product whose sign is certain despite rounding, relative to the lengths of its vectors.
+// Smallest triple product whose sign is certain despite rounding, relative to the product of the lengths of its
+// vectors.
 constexpr double kTellable = 1e-12;
 
 /// Directions of rays for the winding number. They are arbitrary, but no edge or face of a mesh is likely to be
