@@ -28,8 +28,8 @@ const CompensationRow& rowOf(Compensation mode) {
   return *std::find_if(kModes.begin(), kModes.end(), [&](const auto& row) { return row.mode == mode; });
 }
 
-/// Approach to the goal of one branch. Via points lie at equal spacing from the goal down to the standoff. Their number
-/// is doubled until the placer's model has its tip close enough to the vertical midway between via points.
+/// Approach to the goal in one branch. Via points are evenly spaced from the goal down to the standoff. Their spacing
+/// is halved until the tip of the placer's model, midway between via points, is close enough to the vertical line.
 class Approach {
  public:
   Approach(const Vector3d& goal_W, TubeBranch& branch) : goal_W_(goal_W), branch_(&branch), postures_{branch.q} {}
@@ -167,8 +167,8 @@ void addApproaches(ToolPlacer& placer, const CompensationOptions& options, std::
   }
 }
 
-/// The models of a compensation mode: flexible and rigid, for the goal and for the approach. Each is created on first
-/// use.
+/// The models, flexible or rigid, that a compensation mode uses for the goal and for the approach. Each is created on
+/// first use.
 class Modes {
  public:
   Modes(const Workcell& cell, const CompensationOptions& options) : cell_(cell), options_(options), tips_(cell) {}

@@ -13,11 +13,11 @@
 namespace tubeplan::planner {
 
 enum class Compensation {
-  kNone,  ///< goal and approach by rigid kinematics
-  /// Goal by the flexible model; approach by rigid kinematics, relative to the rigid model's tip in the goal posture
-  /// (4.3.1).
+  kNone,  ///< goal and approach are computed with rigid kinematics
+  /// The goal is computed with the flexible model, the approach with rigid kinematics, relative to the rigid model's
+  /// tip in the goal posture (4.3.1).
   kGoalPoint,
-  kViaPoint,  ///< every via point by the flexible model (4.3.2)
+  kViaPoint,  ///< all via points are computed with the flexible model (4.3.2)
 };
 
 /// Returns the name of a mode in files and options: none, goal-point or via-point.
@@ -40,7 +40,7 @@ struct CompensationOptions {
 struct TubeBranch {
   deflection::BranchStatus status = deflection::BranchStatus::kNotRun;
   std::string reason;
-  Eigen::VectorXd q;  ///< joint readings with the tip at the goal, nominally the hole's centre on the face
+  Eigen::VectorXd q;  ///< joint readings at which the tip is at the goal, usually the centre of the hole on the face
   std::vector<Eigen::VectorXd> approach;  ///< postures from the standoff up to q, both included
   Eigen::Vector3d predicted_tip_W;        ///< tip position of the flexible model at q, in the world [m]
   double tilt = std::numeric_limits<double>::quiet_NaN();  ///< angle between the tool axis and the hole's axis [rad]

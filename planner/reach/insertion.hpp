@@ -1,4 +1,4 @@
-// Clearance of the tool inside a tube.
+// Clearance between the tool and the tube that it enters.
 #pragma once
 
 #include <vector>

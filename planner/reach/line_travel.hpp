@@ -23,7 +23,7 @@ enum class LineTravelStatus { kNotRun, kOnLine, kNotReached, kOtherPosture, kToo
 struct LineTravel {
   LineTravelStatus status = LineTravelStatus::kNotRun;
   std::string reason;                      ///< reason why there is no straight travel; empty if there is one
-  std::vector<Eigen::VectorXd> waypoints;  ///< from start to goal, both included; to be passed without stops
+  std::vector<Eigen::VectorXd> waypoints;  ///< waypoints from start to goal, both included, to be passed without stops
   /// Largest distance of the tip from the line during the motion without stops [m].
   double deviation = std::numeric_limits<double>::quiet_NaN();
 };

@@ -9,8 +9,8 @@
 
 namespace tubeplan::planner {
 
-/// Places the tool with the flexible or the rigid arm; `cell` and `arm` must outlive this object. The tool points along
-/// the holes' axis as far as the arm can.
+/// Finds postures for given tip positions, and the converse, with the flexible or the rigid arm. The tool points along
+/// the holes' axis as closely as the arm can. `cell` and `arm` must outlive this object.
 class ToolPlacer {
  public:
   ToolPlacer(const Workcell& cell, const deflection::Arm& arm, const deflection::InverseKinematicsOptions& options);

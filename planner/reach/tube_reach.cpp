@@ -21,7 +21,7 @@ struct BranchVerdict {
 
 constexpr double kSameTilt = 0.0044;  ///< difference below which tilts count as equal, a quarter of a degree [rad]
 
-/// Smallest number of joints that control the tilt: three hold the tip's position, two more tilt the tool.
+/// Smallest number of joints with which an arm controls its tilt: three for the tip's position, two more for the tilt.
 constexpr Eigen::Index kJointsThatTilt = 5;
 
 /// Removes branches that are tilted more than the most upright branch. An arm with fewer than kJointsThatTilt joints

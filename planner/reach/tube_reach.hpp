@@ -16,7 +16,7 @@ struct TubeReachOptions {
   /// Number of standard deviations of the base's pose by which the scene's clearance is increased. A standoff is
   /// lowered by the same number of deviations along the hole's axis, so that `compensation.standoff` remains.
   double padding = 0;
-  double spare = 5.08e-4;  ///< reserve of a plan in addition to the scene's clearance [m] (0.020 in)
+  double spare = 5.08e-4;  ///< reserve that a plan keeps beyond the scene's clearance [m] (0.020 in)
 };
 
 enum class ReachStatus { kNotRun, kReachable, kUnreachable };
@@ -27,7 +27,7 @@ struct TubeReach {
   /// Usable branches: they reach the hole within the joint limits, and are clear at the hole and during the whole
   /// approach.
   std::vector<TubeBranch> branches;
-  std::string reason;  ///< failure of the branch that passed most tests; empty if there is a usable branch
+  std::string reason;  ///< failure of the branch that passed the most tests; empty if there is a usable branch
   Clearance blocking;  ///< pair of bodies that collides, if the failure is a collision
 };
 

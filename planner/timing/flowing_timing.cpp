@@ -12,7 +12,7 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr int kChords = 8;  // number of chords for a curved phase
-// Each repair lengthens the legs that are too short for their corners by the factor kRepair.
+// Each repair multiplies by kRepair the durations of the legs that are too short for their corners.
 constexpr int kMostRepairs = 1000;
 constexpr double kRepair = 1.02;
 
@@ -53,8 +53,9 @@ std::vector<double> cornerTimes(const Legs& legs, const JointSpeeds& speeds) {
   return times;
 }
 
-/// Lengthens legs until each has time for half of the corner at either end. Returns the corner durations [s], or an
-/// empty vector if that fails. All legs are lengthened in the same pass, so that the reverse path takes the same times.
+/// Increases the durations of legs until each leg has time for half of the corner at either end. Returns the durations
+/// of the corners [s], or an empty vector if that fails. Each pass changes all legs at once, so that the reversed path
+/// takes the same times.
 std::vector<double> fitCorners(Legs& legs, const JointSpeeds& speeds) {
   std::vector<double> corners = cornerTimes(legs, speeds);
   for (int repair = 0; repair < kMostRepairs; ++repair) {

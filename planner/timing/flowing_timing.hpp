@@ -37,7 +37,8 @@ struct TimedFlow {
 /// chords of each curved phase. Times are strictly increasing. Empty for a flow without phases.
 [[nodiscard]] std::vector<TimedPosture> sampleFlow(const TimedFlow& flow, double max_step);
 
-/// Returns the ends of phases and chords: samples at any step lie on the straight lines between these postures.
+/// Returns the postures at the ends of all phases and chords. Samples with any `max_step` lie on the straight lines
+/// between these postures.
 [[nodiscard]] std::vector<Eigen::VectorXd> cornersOf(const TimedFlow& flow);
 
 }  // namespace tubeplan::planner
