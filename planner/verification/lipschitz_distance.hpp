@@ -1,4 +1,4 @@
-// Clearance computed by a different method from the planner's: only the distance of a point from a shape is used.
+// Clearance computed by a different method from the planner's: it uses only the distance of a point from a shape.
 //
 // If a point moves by h, its distance changes by at most h. The smallest distance along a capsule's axis is therefore
 // found to any accuracy by bisecting the axis where the distance could still be smaller (Piyavskii 1972). The method is
@@ -16,12 +16,12 @@
 
 namespace tubeplan::planner {
 
-/// Accuracy of the distance. The result never exceeds the true distance.
+/// Options for the accuracy of lipschitzDistance(), whose result never exceeds the true distance.
 struct LipschitzOptions {
   double accuracy = 1e-6;  ///< largest amount by which the result may fall below the true distance [m]
   /// Alternative accuracy, as a fraction of the distance beyond `required`; the larger of the two applies.
   double share = 0;
-  double required = 0;  ///< distance from which `share` counts [m]
+  double required = 0;  ///< distance at which `share` begins to count [m]
   /// A lower bound of at least `enough` [m] counts as accurate enough.
   double enough = std::numeric_limits<double>::infinity();
 };
@@ -30,8 +30,8 @@ struct LipschitzOptions {
 [[nodiscard]] double lipschitzDistance(const Capsule& capsule, const Shape& shape,
                                        const LipschitzOptions& options = {});
 
-/// Margins of postures in one scene; the pairs that may not touch are found only once. Each thread needs its own
-/// object.
+/// Computes the margins of postures in one scene. The pairs that may not touch are determined only once. Each thread
+/// needs its own object.
 class LipschitzMargins {
  public:
   /// `scene` must outlive this object, and must not change. `padding` is subtracted from every distance to fixed

@@ -129,8 +129,8 @@ class PathClearance {
  private:
   [[nodiscard]] bool isStopped() const { return hooks_.stop && hooks_.stop(); }
 
-  /// Returns true if a row is within the joint limits. Rows beyond them are refuted anyway, and travel to them may be
-  /// unbounded.
+  /// Returns true if all joint values are within their limits. Rows beyond the limits are refuted by another check;
+  /// moves to them are skipped here, because they may be very long.
   [[nodiscard]] bool isWithinLimits(const VectorXd& q) const {
     for (int j = 0; j < q.size(); ++j)
       if (isPastLimit(arm_.joint(j), q[j])) return false;

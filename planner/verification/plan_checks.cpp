@@ -197,8 +197,8 @@ class Checker {
         const VectorXd acceleration = (speed - before) / ((step + step_before) / 2);
         const double pull = (acceleration.cwiseAbs().array() / limits.max_acceleration.array()).maxCoeff();
         result_.worst_acceleration_share = std::max(result_.worst_acceleration_share, pull);
-        // Joint values are written to 1e-12 rad; over two short steps, this rounding is a fraction of the acceleration
-        // limit.
+        // Joint values are written to 1e-12 rad; over two short steps, this rounding can cause an error that is a
+        // noticeable fraction of the acceleration limit.
         const double rounding = 8e-12 / (step * std::min(step, step_before)) / limits.max_acceleration.minCoeff();
         if (!(pull <= kLimitShare + rounding))
           find(fmt::format("path row {}: a joint exceeds its acceleration limit ({:.4f} of it)", k + 1, pull));
@@ -222,7 +222,7 @@ class Checker {
     compare("total time", plan_.total_time, plan_.path.back().time - plan_.path.front().time);
   }
 
-  /// Returns the dwell time of the arm at a row [s].
+  /// Returns how long the arm rests in the posture of row k from that row on [s].
   double stayAfter(std::size_t k) const {
     std::size_t last = k;
     while (last + 1 < plan_.path.size() && plan_.path[last + 1].q == plan_.path[k].q) ++last;

@@ -1,4 +1,4 @@
-// A second proof of a written plan, made from the values in the plan's files and the model, with different code from
+// A second proof of a written plan. It uses only the values in the plan's files and the model, and different code from
 // the planner's.
 #pragma once
 
@@ -30,7 +30,7 @@ struct StatedPlan {
   std::vector<PathRow> path;
   std::optional<Eigen::VectorXd> start, end;      ///< postures where the path begins and ends [rad]
   std::optional<double> travel_time, total_time;  ///< stated times of all travels and of the whole path [s]
-  std::optional<double> least_clearance;          ///< clearance that the arm keeps along the whole path [m]
+  std::optional<double> least_clearance;          ///< stated smallest clearance along the whole path [m]
 };
 
 struct PlanCheckOptions {
@@ -65,7 +65,7 @@ struct PlanCheck {
   double worst_centring = 0;  ///< largest distance of the tip from its goal at a tube [m]
   double worst_approach = 0;  ///< largest distance of the tip from the hole's axis during approaches and retreats [m]
   double worst_tilt = 0;      ///< largest angle between the tool axis and the hole's axis [rad]
-  /// Largest distance at a tube between the tips computed by the two methods [m].
+  /// Largest distance between the tip positions that the two methods compute for a tube [m].
   double worst_statics = std::numeric_limits<double>::quiet_NaN();
   std::string statics_not_covered;  ///< reason why the second method does not apply to this arm; empty if it does
   /// Reason why the bound on travel by deflection is sampled, not proved; empty if it is proved.

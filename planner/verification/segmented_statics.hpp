@@ -11,9 +11,10 @@
 namespace tubeplan::planner {
 
 struct SegmentedStaticsOptions {
-  /// Pieces of every flexible member; the error is inversely proportional to the square of this number.
+  /// Number of pieces into which each flexible member is cut; the error is inversely proportional to the square of this
+  /// number.
   int pieces = 32;
-  double tolerance = 1e-9;  ///< largest change of a spring's rotation between two passes at convergence [rad]
+  double tolerance = 1e-9;  ///< converged if no spring's rotation changes by more between two passes [rad]
   int max_passes = 200;
 };
 
@@ -21,12 +22,13 @@ enum class SegmentedStaticsStatus { kNotRun, kConverged, kNotConverged, kNotCove
 
 struct SegmentedStatics {
   SegmentedStaticsStatus status = SegmentedStaticsStatus::kNotRun;
-  std::string reason;  ///< reason if the shape is not converged or not covered; empty if converged
+  std::string reason;  ///< why the shape did not converge or the arm is not covered; empty if converged
   Eigen::Vector3d p_BD = Eigen::Vector3d::Zero();  ///< deflected tip in the base frame [m]
 };
 
-/// Solves the shape at rest: every spring turns by its compliance times the moment of everything beyond it, on the bent
-/// shape. Effects act according to their own laws; arms with mechanical play are not covered.
+/// Solves for the shape at rest, in which every spring turns by its compliance times the moment of all weights and
+/// loads beyond it, in their positions on the bent shape. Effects act according to their own laws; arms with mechanical
+/// play are not covered.
 [[nodiscard]] SegmentedStatics solveSegmentedStatics(const deflection::Arm& arm, const deflection::Posture& posture,
                                                      const SegmentedStaticsOptions& options = {});
 
