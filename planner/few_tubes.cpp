@@ -9,15 +9,15 @@ namespace tubeplan::planner {
 
 namespace {
 
-// Number of estimates: kEstimates, and kEstimatesPerPair more for each pair of nodes.
+// Largest number of moves whose time is estimated: kEstimates plus kEstimatesPerPair for each pair of nodes.
 constexpr int kEstimates = 20, kEstimatesPerPair = 10;
-constexpr long kMostChecks = 1'000'000;  // largest number of postures checked: as many as for five optimised detours
+constexpr long kMostChecks = 1'000'000;  // largest number of postures checked by estimates
 constexpr double kRounding = 1e-12;      // rounding error of a sum of times in a different order
-// Fraction of a rough detour's excess over its straight line that remains after optimisation, for expected times,
-// optimistic times and lower bounds. On average it is 0.6 to 0.7 for three arms, with a standard deviation of 0.2.
+// Assumed fraction of the extra time of a rough detour, compared with the straight move, that remains after
+// optimisation: for expected times, optimistic times and lower bounds. Measured for three arms, the fraction is 0.6 to
+// 0.7 on average, with a standard deviation of 0.2.
 constexpr std::array kExcessLeft{0.6, 0.2, 0.0};
-// Number of these fractions that are used in turn; the last fraction is used once the orders for the other fractions
-// are known.
+// The first two fractions are used in turn. The last is used once the quickest orders for both are known.
 constexpr std::size_t kTakenInTurn = 2;
 
 std::vector<Stop> stopsOf(const PostureTable& table, const VisitChoice& choice) {
@@ -77,7 +77,7 @@ RealOrder FewTubes::order() {
   return best;
 }
 
-/// Returns the moves of an order that are known less well than `knowledge`.
+/// Returns the moves of an order whose times are not yet known at the level `knowledge`.
 std::vector<FewTubes::Move> FewTubes::movesBelow(const std::vector<int>& postures, Knowledge knowledge) {
   std::vector<Move> moves;
   for (std::size_t k = 0; k + 1 < postures.size(); ++k)
@@ -126,8 +126,8 @@ void FewTubes::noteApart(bool is_apart, const Clearance& tightest) {
   between_ = tightest;
 }
 
-/// Marks all moves between disconnected parts once one such move is found, so that the others need not be tried one by
-/// one.
+/// Once a first move between disconnected parts of the free space is found, marks all such moves as forbidden, so that
+/// they need not be tried one by one.
 void FewTubes::takePartsAsApart() {
   has_parts_ = true;
   const std::vector<int> parts = network_.partsOf(stops_);
@@ -139,8 +139,8 @@ void FewTubes::takePartsAsApart() {
     }
 }
 
-/// Once all estimates are used, sets the times of unknown moves to their straight times, scaled by the ratio of known
-/// to straight times of the other moves.
+/// Once no more estimates are allowed, sets the time of each move not yet estimated to its straight time multiplied by
+/// the ratio of known to straight times of all other moves.
 void FewTubes::expectTheUnknownToBeAsTheKnown() {
   const auto isKnown = [this](int p, int q) { return knowledgeOf(p, q) != Knowledge::kStraight; };
   for (Eigen::MatrixXd& times : times_) {

@@ -1,11 +1,10 @@
-// The quickest order of a few tubes: exact for the times of moves known so far, and repeated until all moves of the
-// chosen order are planned. Internal to the planning of visits.
+// Search for the quickest order of a few tubes: an exact search with the times of moves known so far, repeated until
+// all moves of the order found have been planned. Internal to the planning of visits.
 //
 // The time of a move along the straight line is known at once. The rough time of a detour takes some computing time,
-// and the time of the optimised detour ten times as much. Each is therefore computed only if the quickest order depends
-// on it. Because the gain from optimising a detour varies, orders are searched with expected and with optimistic times
-// in turn, and finally with lower bounds of the times. The result is the quickest of all orders that were planned in
-// full.
+// and the time of an optimised detour takes ten times as much. Each is therefore computed only if the quickest order
+// depends on it. Because the gain from optimising a detour varies, the search uses expected and optimistic times in
+// turn, and finally lower bounds of the times. The result is the quickest of all orders that were planned in full.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,24 +23,24 @@ class FewTubes {
            const std::vector<int>& zones, TravelNetwork& network);
 
   /// Returns the order, as orderWithRealMoves() does. A move between disconnected parts of the free space is avoided
-  /// like any impossible move; `is_parted` is true if every order has such a move.
+  /// like any impossible move; `is_parted` is true if no order without such a move was found.
   [[nodiscard]] RealOrder order();
 
  private:
   enum class Knowledge : char { kStraight, kEstimated, kExact };
 
-  /// A move of an order, between postures of the table.
+  /// A move between two postures of the table.
   struct Move {
     int from, to;
   };
 
-  /// Returns a reference to how well the move between postures p and q is known.
+  /// Returns a reference to the state of knowledge about the time of the move between postures p and q.
   [[nodiscard]] Knowledge& knowledgeOf(int p, int q) {
     return knowledge_[static_cast<std::size_t>(p * table_.postures() + q)];
   }
   [[nodiscard]] std::vector<Move> movesBelow(const std::vector<int>& postures, Knowledge knowledge);
-  /// Sets the time of a move [s]. `rough` is the time of a detour that is found but not yet optimised; if the knowledge
-  /// is exact, it is the move's time.
+  /// Sets the time of a move [s] in all tables. `rough` is the time of a detour that is not yet optimised or, if
+  /// `knowledge` is kExact, the final time of the move.
   void setTime(Move move, double rough, Knowledge knowledge);
   void estimate(const std::vector<Move>& moves);
   void plan(const std::vector<Move>& moves);
@@ -50,7 +49,7 @@ class FewTubes {
   void takePartsAsApart();
   void expectTheUnknownToBeAsTheKnown();
   void showProgress(const std::vector<int>& postures, std::size_t open) const;
-  /// Returns the time of moves that are all known exactly [s].
+  /// Returns the travel time [s] of an order whose moves all have exactly known times.
   [[nodiscard]] double timeOf(const std::vector<int>& postures) const;
   [[nodiscard]] std::vector<Stop> stopsOf(const std::vector<int>& postures) const;
 
@@ -58,12 +57,12 @@ class FewTubes {
   const PostureTable& table_;
   const std::vector<int>& zones_;
   TravelNetwork& network_;
-  std::vector<Stop> stops_;  // stop of each posture of the table
+  std::vector<Stop> stops_;  // for each posture of the table, the stop that it belongs to
   Eigen::MatrixXd straight_;
   std::array<Eigen::MatrixXd, 3> times_;  // expected times, optimistic times, lower bounds [s]
   std::vector<Knowledge> knowledge_;
   int estimates_left_;
-  long checks_left_;  // number of postures left to check for estimates
+  long checks_left_;  // number of postures that estimates may still check
   bool is_parted_ = false, has_parts_ = false;
   Clearance between_;
 };

@@ -1,5 +1,6 @@
-// Costly results of a plan, kept so that a stopped plan can resume and a changed work list reuses results that are
-// still valid. Every entry is the result for one tube or one travel, independent of the rest of the work list.
+// Cache of the costly results of planning, so that a stopped plan can resume and a changed work list can reuse results
+// that are still valid. Except for the orders, each entry is the result for one tube or one travel, independent of the
+// rest of the work list.
 #pragma once
 
 #include <map>
@@ -18,10 +19,10 @@ struct TubePosture {
   auto operator<=>(const TubePosture&) const = default;
 };
 
-/// Ends of a travel between the standoffs of two tubes; if both ends are the same tube, of the approach to the tube.
+/// The two ends of a travel between the standoffs of two tubes. Two equal ends denote the approach to that tube.
 using MotionEnds = std::pair<TubePosture, TubePosture>;
 
-/// Proved smallest margin along a segment.
+/// The proved smallest margin along a path segment, and the clearance of the tightest posture.
 struct SegmentProof {
   /// Margin beyond the clearance that the scene requires [m].
   double margin = std::numeric_limits<double>::quiet_NaN();
@@ -30,9 +31,10 @@ struct SegmentProof {
 
 struct PlanCache {
   std::map<int, TubeReach> reach;             ///< reach of each tube, keyed by tube index
-  std::map<MotionEnds, MotionPlan> travels;   ///< travels by their ends, with the smaller end first
+  std::map<MotionEnds, MotionPlan> travels;   ///< travels, keyed by their ends with the smaller end first
   std::map<MotionEnds, SegmentProof> proofs;  ///< proofs of segments, keyed by their ends in the direction of travel
-  /// Order of each round, as indices among the reachable tubes of the current work list.
+  /// The order found in each round of planning; its visits are indices into the reachable tubes of the current work
+  /// list.
   std::vector<VisitOrder> orders;
   /// Tubes in the order of the last completed plan. The next search starts from this order if most tubes are the same.
   std::vector<int> visiting_order;

@@ -1,4 +1,4 @@
-// Common input of every stage of the planning of visits. Internal to the planning.
+// Input shared by all stages of planning the visits. Internal to the planning.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,8 @@
 
 namespace tubeplan::planner {
 
-/// The cell, the options, the caller's hooks and the cache. Each stage first reads from the cache and then adds to it.
+/// The cell, the options, the caller's hooks and the cache. Each stage first looks for its results in the cache, and
+/// adds new results to it.
 struct PlanContext {
   const Workcell& cell;
   const VisitPlanOptions& options;

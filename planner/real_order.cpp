@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kLaterKicksShare = 10;  // divisor of the number of kicks in later rounds, which start from a good order
 
-/// Returns the index of a visit's branch in its reach; 0 for the start and end postures.
+/// Returns the index within the tube's reach of the `branch`-th branch that may be used; 0 for the start and end
+/// postures.
 int branchOf(const VisitChoice& choice, int visit, int branch) {
   return visit < 0 ? 0 : choice.branches[static_cast<std::size_t>(visit)][static_cast<std::size_t>(branch)];
 }
@@ -31,14 +32,14 @@ std::vector<Stop> stopsOf(const VisitOrder& order, const VisitChoice& choice, co
   return stops;
 }
 
-/// Result of planning the moves of an order.
+/// Result of planning all moves of an order; `learnt` is true if a move has extra time that was not known before.
 struct Priced {
   bool learnt = false, is_parted = false;
-  Clearance between;  ///< obstacle of the first move between disconnected parts
+  Clearance between;  ///< obstacle in the way of the first move between disconnected parts
   double time = 0;    ///< total time [s]; a move without a path counts kForbiddenTime
 };
 
-/// Plans the moves of an order and records their extra times in the table.
+/// Plans the moves of an order and records their extra times in `penalties`.
 Priced priceOrder(const PlanContext& context, const std::vector<Stop>& stops, TravelNetwork& network,
                   EdgePenalties& penalties) {
   Priced priced;
@@ -69,8 +70,8 @@ void addExtraTimes(const EdgePenalties& penalties, const VisitChoice& choice, Ro
     route.with_extra.push_back(penalties.touches(visit));
 }
 
-/// Returns the order of one round, from the cache if present. If an order that starts from another work list's order
-/// cannot avoid a forbidden move, the search is repeated without that start.
+/// Returns the order of one round, from the cache if it is there. If a search that starts from the order of an earlier
+/// work list cannot avoid a forbidden move, it is repeated without that start.
 VisitOrder orderOfRound(const PlanContext& context, const Route& route, const std::vector<int>& zones,
                         std::size_t round, VisitOrderOptions& ordering) {
   auto& known = context.cache.orders;
@@ -92,8 +93,7 @@ std::string inTheWay(const MotionPlan& plan) {
 
 bool isFree(TravelNetwork& network, Stop a, Stop b) { return network.between(a, b).status == MotionPlanStatus::kFree; }
 
-/// Returns the runs of consecutive stops with a travel from each stop to the next; a new run begins where there is
-/// none.
+/// Splits the stops into runs in which every stop has a free travel to the next.
 std::vector<std::vector<Stop>> travelledRuns(const std::vector<Stop>& stops, TravelNetwork& network) {
   std::vector<std::vector<Stop>> runs;
   for (const Stop& stop : stops) {
@@ -161,7 +161,7 @@ std::string apartReason(const Clearance& between, bool has_start) {
   return reason;
 }
 
-/// Returns the number of the part with the most tubes; -1 if there is none.
+/// Returns the number of the part of the free space that the branches of the most tubes lie in; -1 if there is none.
 int largestPart(const std::vector<std::vector<int>>& parts) {
   std::map<int, int> tubes;
   for (const auto& of_visit : parts) {

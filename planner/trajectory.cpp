@@ -6,7 +6,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-/// A point of a move's profile: its time, the rate of the progress s there, and the acceleration of s from there on.
+/// A point of a move's profile: its time, the speed of the progress s there, and the acceleration of s after it.
 struct MovePlace {
   double time, speed, acceleration;
 };
@@ -55,7 +55,7 @@ std::vector<TrajectoryPoint> trajectoryOf(const VisitPlan& plan, const JointSpee
   }
   if (plan.segments.empty()) return points;
   const Eigen::VectorXd end = plan.segments.back().waypoints.back(), none = Eigen::VectorXd::Zero(end.size());
-  // The end of the path matters more than a point just before it, which is dropped.
+  // The end of the path must be kept, so a point less than `least_step` before it is dropped.
   if (!points.empty() && start < points.back().time + least_step) points.pop_back();
   add({start, end, none, none});
   return points;

@@ -13,8 +13,8 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr int kRoadmapPostures = 2400;  ///< largest number of the roadmap's postures at holes
-constexpr int kRoughShaping = 25;       // attempts at shaping a detour for an estimate
+constexpr int kRoadmapPostures = 2400;  ///< largest number of roadmap postures that are standoffs of tubes
+constexpr int kRoughShaping = 25;       // number of attempts to shape a detour when its time is only estimated
 
 /// Returns the number of tubes, spread over the sheet, whose standoffs become postures of the roadmap.
 std::size_t roadmapTubes(const deflection::Arm& arm, const deflection::InverseKinematicsOptions& options) {
@@ -26,8 +26,8 @@ MotionPlan reversed(MotionPlan plan) {
   return plan;
 }
 
-/// Returns a seed for each pair of tubes, so that the result depends neither on the order of requests nor on the rest
-/// of the work list.
+/// Returns a seed for the travel between two tubes, so that its path depends neither on the order of requests nor on
+/// the rest of the work list.
 std::uint64_t pairSeed(std::uint64_t seed, TubePosture a, TubePosture b) {
   for (int part : {a.tube, a.branch, b.tube, b.branch})
     seed = (seed ^ static_cast<std::uint64_t>(part + 1)) * 0x9E3779B97F4A7C15ULL;

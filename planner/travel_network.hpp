@@ -9,13 +9,13 @@
 
 namespace tubeplan::planner {
 
-/// A visit and its branch as an end of a travel; or the start or end posture, with branch 0.
+/// One end of a travel: a visit with the index of its branch, or the start or end posture with branch 0.
 struct Stop {
   int visit, branch;
   auto operator<=>(const Stop&) const = default;
 };
 
-/// Returns the motion problem of travels in a cell.
+/// Returns the motion planning problem for travels between standoffs in the cell.
 [[nodiscard]] MotionProblem travelProblemOf(const PlanContext& context);
 
 /// The cell's roadmap, built on first use. Its postures are standoffs of tubes all over the sheet, independent of the
@@ -26,8 +26,8 @@ class TravelRoadmap {
   const Roadmap& get();
 
   /// Searches for connections between the parts of the free space that contain these postures (Roadmap::bridge()).
-  /// Travels that failed for lack of a connection are then planned again, but not cached, so that a resumed plan takes
-  /// the same course.
+  /// Travels that had failed for lack of a connection are then planned again. Their new results are not cached, so that
+  /// a resumed plan repeats the same steps.
   bool bridge(const std::vector<Eigen::VectorXd>& postures);
   [[nodiscard]] bool isBridged() const { return is_bridged_; }
   [[nodiscard]] std::map<MotionEnds, MotionPlan>& rejoined() { return rejoined_; }
@@ -43,7 +43,7 @@ class TravelRoadmap {
 struct TravelEstimate {
   double time = std::numeric_limits<double>::infinity();  ///< time of the travel [s]; infinite if there is no path
   bool is_exact = false;  ///< true if the time is final; false for a detour that is not yet optimised
-  bool apart = false;  ///< true if there is no path for the reason of MotionPlan::apart; the obstacle is in `tightest`
+  bool apart = false;     ///< true if there is no path because the ends are disconnected; `tightest` has the obstacle
   Clearance tightest;
   long checks = 0;  ///< number of postures checked
 };

@@ -9,7 +9,7 @@
 namespace tubeplan::planner {
 
 struct VisitConditions {
-  std::optional<Eigen::VectorXd> start, end;  ///< postures at rest before and after all visits [rad, m]
+  std::optional<Eigen::VectorXd> start, end;  ///< postures in which the arm rests before and after all visits [rad, m]
   /// Tubes (indices in the sheet) of each zone: all tubes of a zone are visited before any tube of the next zone. Tubes
   /// in no zone are visited last.
   std::vector<std::vector<int>> zones;
@@ -19,7 +19,7 @@ struct VisitConditions {
   [[nodiscard]] double dwellAt(int tube) const;
 };
 
-/// Returns the zone of each tube, numbered from 0 without gaps; zones that contain none of the tubes are not counted.
+/// Returns the zone of each tube, numbered from 0 without gaps; zones without any of these tubes are skipped.
 [[nodiscard]] std::vector<int> zonesOf(const std::vector<int>& tubes, const VisitConditions& conditions);
 
 }  // namespace tubeplan::planner

@@ -90,7 +90,8 @@ bool hasAllBranches(const VisitChoice& choice) {
   return true;
 }
 
-/// Computes the bound and the row-by-row time that the travel time is compared with, for the visits in the plan.
+/// Sets the lower bound and the row-by-row time with which the travel time is compared, for the visits that remain in
+/// the plan.
 void compareTimes(const PlanContext& context, const std::vector<Stop>& stops, const VisitChoice& choice,
                   VisitPlan& plan) {
   const VisitConditions& conditions = context.options.conditions;
@@ -107,7 +108,7 @@ void compareTimes(const PlanContext& context, const std::vector<Stop>& stops, co
   const Route route = routeOf(kept, context.speeds, conditions);
   const std::vector<int> zones = zonesOf(kept.tubes(), conditions);
   if (kept.reach.size() < choice.reach.size() || !hasAllBranches(kept)) {
-    // The bound is over all branches, because it is not proved that the branches left out of the choice cannot be
+    // The bound covers all branches, also those excluded from the choice, because it is not proved that they cannot be
     // connected.
     OneTreeOptions bound = context.options.order.bound;
     bound.stop = context.hooks.stop;
@@ -145,9 +146,9 @@ std::string findEndProblem(const PlanContext& context) {
   return problem;
 }
 
-/// Finds the order of visits. If every order has an impossible move, connections between the disconnected parts are
-/// searched for. Tubes that still cannot be connected are removed from the choice, and the remaining tubes are ordered
-/// again.
+/// Finds the order of visits. If no order avoids moves between disconnected parts of the free space, searches for
+/// connections between these parts and orders the visits again. Tubes that still cannot be connected are removed from
+/// `choice`.
 RealOrder orderInOnePart(const PlanContext& context, TravelRoadmap& roadmap, VisitChoice& choice, VisitPlan& plan) {
   std::size_t rounds = 0;
   {

@@ -47,7 +47,7 @@ struct PlanHooks {
   std::function<void(const PlanCache& cache)> keep;
 };
 
-/// Kind of travel between tubes.
+/// How the arm travels between the standoffs of two tubes.
 enum class TravelKind {
   kJoints,  ///< straight in joint space, or a detour around obstacles
   kLine,    ///< the deflected tip stays on the line between the standoffs, if that is possible and free
@@ -63,7 +63,7 @@ struct VisitPlanOptions {
   VisitOrderOptions order;
   MotionPlannerOptions motion;
   VisitConditions conditions;
-  int reprice_rounds = 12;  ///< largest number of rounds of ordering, planning the moves and setting their true times
+  int reprice_rounds = 12;           ///< largest number of rounds; each orders the visits and plans the moves
   double report_accuracy = 2.54e-4;  ///< accuracy of the reported smallest margin [m] (0.010 in)
 };
 
@@ -128,8 +128,9 @@ struct VisitPlan {
 [[nodiscard]] VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes,
                                    const VisitPlanOptions& options = {}, const PlanHooks& hooks = {});
 
-/// Plans with a cache, whose results are not computed again. The cache must belong to the same cell and options and, if
-/// it has orders, to the same work list. A plan resumed after a stop is identical to the plan of an uninterrupted run.
+/// Plans the visits and reuses the results that are already in `cache`. The cache must belong to the same cell and
+/// options and, if it has orders, to the same work list. A plan resumed after a stop is identical to the plan of an
+/// uninterrupted run.
 [[nodiscard]] VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const VisitPlanOptions& options,
                                    const PlanHooks& hooks, PlanCache& cache);
 
@@ -139,7 +140,7 @@ JointSpeeds jointSpeedsOf(const deflection::Arm& arm);
 /// Returns the duration of a segment [s].
 [[nodiscard]] double durationOf(const PathSegment& segment, const JointSpeeds& speeds);
 
-/// Returns the postures of a segment between which the motion is straight in joint space.
+/// Returns postures along a segment, both ends included, between which the motion is straight in joint space.
 [[nodiscard]] std::vector<Eigen::VectorXd> cornersOf(const PathSegment& segment, const JointSpeeds& speeds);
 
 /// A row of the exported path; the straight lines between consecutive rows are the motion that was proved free.

@@ -16,7 +16,7 @@ struct Workcell {
   deflection::Arm arm;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< calibrated or nominal pose of the base in the world
   /// Covariance of the base's pose: translation [m], then rotation vector [rad], in world axes. Zero if the pose is
-  /// taken as known.
+  /// treated as exactly known.
   Eigen::Matrix<double, 6, 6> base_covariance = Eigen::Matrix<double, 6, 6>::Zero();
   /// Standard deviation [m], in any direction, of the position of each row's bodies that the arm's uncertain parameters
   /// cause beyond `base_covariance`: an upper bound over postures, one value for each row. Empty if there is none.
@@ -25,7 +25,7 @@ struct Workcell {
   tubesheets::SteppedTool tool;
   Scene scene;
   double load = 0;       ///< weight that hangs from the tip [N]
-  double insertion = 0;  ///< depth of the tip inside a tube, above the lower face [m]
+  double insertion = 0;  ///< height of the tip above the lower face at a visit, inside the tube [m]
 };
 
 /// Returns the index of the row that carries the tip.
