@@ -1,5 +1,5 @@
-// Nearest pair of bodies in one posture, computed pair by pair without kernels: the reference for NearestPairs, also
-// for scenes of toy arms.
+// Nearest pair of bodies in one posture, computed pair by pair without kernels. It serves as the reference for
+// NearestPairs, and for tests with toy arms.
 #pragma once
 
 #include <algorithm>
@@ -26,11 +26,10 @@ class CollisionWorld {
   explicit CollisionWorld(Scene scene);
 
   /// Returns the pair with the smallest margin for link frames X_WL (one per link of the scene, deflected or not).
-  /// Pairs that may touch are left out.
+  /// Pairs that may touch are ignored.
   [[nodiscard]] Clearance closest(std::span<const Eigen::Isometry3d> X_WL) const;
 
-  /// Returns every pair, nearest first, including pairs that may touch; pairs of bodies that share a joint are left
-  /// out.
+  /// Returns every pair, nearest first, including pairs that may touch but not pairs of bodies that share a joint.
   [[nodiscard]] std::vector<PairClearance> allPairs(std::span<const Eigen::Isometry3d> X_WL) const;
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
@@ -88,8 +87,8 @@ inline CollisionWorld::Placed CollisionWorld::place(std::span<const Eigen::Isome
   return placed;
 }
 
-/// Returns true if the pair is known to be at least `distance` [m] apart, from the capsules around both bodies; for an
-/// obstacle that is not a solid, from isFartherThan().
+/// Returns true if the pair is certainly at least `distance` [m] apart, judged by the capsules around both bodies or,
+/// if the obstacle is not a solid, by isFartherThan().
 inline bool CollisionWorld::isFarther(const Pair& pair, const Placed& placed, double distance) const {
   const Capsule& a = placed.around_W[pair.body];
   if (!pair.solid) return scene_.obstacles[pair.other].shape->isFartherThan(distance, a);

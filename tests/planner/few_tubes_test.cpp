@@ -1,4 +1,4 @@
-// Short lists: no order given by the user is quicker than the order that a plan chooses.
+// Plans for a few tubes: no other order of the tubes is quicker than the order that the plan chooses.
 #include "planner/few_tubes.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 using testing::bytesOf;
 using testing::mockup;
 
-/// Three tubes and an arm with many postures for each; most straight moves between the postures are blocked.
+/// Three tubes, each of which the arm reaches in many postures; most straight moves between these postures are blocked.
 class ThreeTubes : public ::testing::Test {
  protected:
   const Workcell cell_ = mockup("tsm-cobra.yaml");
@@ -47,7 +47,7 @@ TEST_F(ThreeTubes, AreOrderedAsWellAsByALongSearch) {
   const VisitPlan chosen = planVisits(cell_, tubes_, {}, {}, cache);
   cache.orders.clear();
   VisitPlanOptions options;
-  options.order.most_exact_work = 0;  // skips the exact search: improves until no move shortens the order
+  options.order.most_exact_work = 0;  // uses the local search instead of the exact search
   options.reprice_rounds = 1000;
   const VisitPlan searched = planVisits(cell_, tubes_, options, {}, cache);
   EXPECT_LE(chosen.travel_time, 1.01 * searched.travel_time);

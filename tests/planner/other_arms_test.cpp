@@ -1,5 +1,5 @@
-// Plans for arms other than turret arms: the tip is on the hole for any tilt of the base, and tubes are refused for the
-// right reason.
+// Plans for arms other than turret arms: the tip reaches the hole for any tilt of the base, and unreachable tubes are
+// reported with the right reason.
 #include <gtest/gtest.h>
 
 #include "tests/planner/verification/stated_plan.hpp"
@@ -18,7 +18,7 @@ Workcell leaning(Workcell cell, double degrees) {
 
 struct Cell {
   const char* file;
-  int reachable;  ///< smallest number of tubes that must be reachable, of eight
+  int reachable;  ///< smallest number of tubes, out of eight, that must be reachable
 };
 
 class OtherArms : public ::testing::TestWithParam<Cell> {};

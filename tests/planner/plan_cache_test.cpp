@@ -90,7 +90,8 @@ TEST(PlanCache, AChangedListIsPlannedAroundTheChange) {
   const VisitPlan after = planVisits(cell, tubes, {}, {}, cache);
   ASSERT_EQ(after.status, VisitPlanStatus::kPlanned);
   EXPECT_EQ(after.kept.reach, 39);
-  // A few travels are new at the removed and the added tube; the search may also move one or two neighbours.
+  // Only a few travels are new: those at the removed and the added tube, and those at one or two other tubes that the
+  // search may move in the order.
   EXPECT_GE(after.kept.travels, static_cast<int>(after.visits.size()) - 1 - 10);
   EXPECT_LT(after.kept.travels, static_cast<int>(after.visits.size()) - 1);
   std::set<int> visited;

@@ -85,7 +85,7 @@ struct ToyArm {
 inline const ToyArm kTwoJoints{{0.6, 0.5}, 0.02, 0.01};
 inline const ToyArm kFourJoints{{0.4, 0.35, 0.3, 0.25}, 0.02, 0.01};
 
-/// Returns the smallest margin [m] at evenly spaced postures of a straight motion, including its ends.
+/// Returns the smallest margin [m] over evenly spaced postures of a straight motion, including both ends.
 inline double leastSampled(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, const PostureClearance& clearance_of,
                            int samples) {
   double least = std::numeric_limits<double>::infinity();

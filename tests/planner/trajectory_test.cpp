@@ -41,7 +41,8 @@ TEST(Trajectory, RestsAtEveryWaypoint) {
   plan.segments.push_back({SegmentKind::kApproach, 0, {at(1, 2), at(1, 2.1)}, 0, {}});
   const JointSpeeds speeds{Eigen::Vector2d(1, 1), Eigen::Vector2d(2, 2)};
   const auto points = trajectoryOf(plan, speeds);
-  // Moves of 1 and 2 rad at 1 rad/s with ramps of 0.5 s take 1.5 s and 2.5 s; 0.1 rad has no cruise: 2 sqrt(0.1 / 2).
+  // Moves of 1 and 2 rad at 1 rad/s with ramps of 0.5 s take 1.5 s and 2.5 s; the move of 0.1 rad never cruises and
+  // takes 2 sqrt(0.1 / 2) s.
   const double last = 2 * std::sqrt(0.05);
   const std::vector<double> times{0, 0.5, 1, 1.5, 2, 3.5, 4, 4 + last / 2, 4 + last};
   ASSERT_EQ(points.size(), times.size());

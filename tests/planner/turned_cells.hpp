@@ -1,6 +1,6 @@
 // Equivalent forms of one task: a cell's files in other units, the cell rotated about the sheet's normal, or the arm
-// described in another base frame. The plan must not change. Also tasks with a tilted gravity or base, whose plans do
-// change.
+// described in another base frame. The plan must not change. Also tasks with tilted gravity or a tilted base, whose
+// plans do change.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 
 namespace tubeplan::planner::testing {
 
-/// New values for numbers in a YAML text: offset of the old number in the text -> its length in characters and the new
+/// New values for numbers in a YAML text: maps the offset of each old number to its length in characters and its new
 /// value.
 using NewNumbers = std::map<std::size_t, std::pair<std::size_t, double>>;
 

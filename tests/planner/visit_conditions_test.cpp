@@ -12,7 +12,8 @@ namespace {
 using testing::mockup;
 using testing::statedPlan;
 
-/// A plan for seven tubes, from a park posture and back to it: two zones come first, with a dwell time at every hole.
+/// A plan for seven tubes, from a park posture and back to it. It visits two zones before the other tubes, and dwells
+/// at every hole.
 class Conditioned : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -118,7 +119,7 @@ TEST(VisitConditions, AStartThatIsBlockedOrPastALimitIsNamed) {
   const ArmClearance clearance(cell);
   const TubeReach reach = reachTube(clearance, tubes.front());
   options.conditions.start.reset();
-  options.conditions.end = reach.branches.front().q;  // at the hole, where the tip may be during an approach only
+  options.conditions.end = reach.branches.front().q;  // the tip is at the hole, where it may be only during an approach
   plan = planVisits(cell, tubes, options);
   EXPECT_EQ(plan.status, VisitPlanStatus::kNoOrder);
   EXPECT_NE(plan.reason.find("the end posture: tool-tip"), std::string::npos) << plan.reason;

@@ -142,7 +142,7 @@ TEST(DeflectionTravel, BoundsWhatASlideGains) {
 }
 
 /// Two joints and a beam of length `beam`, all compliant. A rotation gained by one element causes rotations of the
-/// others, and so on; the geometric series of these rounds sums to the inverse of the identity minus one round.
+/// others, and so on; the sum of this geometric series is the inverse of the identity minus the matrix of one round.
 struct ThreeElements {
   Vector3d compliance, moment, weight, reach;
   double beam = 0;

@@ -14,7 +14,7 @@ struct MotionTally {
   int free = 0, blocked = 0;
   int refuted = 0;  ///< motions found free although a sampled margin is smaller than the proved margin
 
-  /// Counts a motion; `least_sampled` is computed only for a motion found free.
+  /// Counts a motion; `least_sampled` is called only for a motion found free.
   void add(const MotionCheckResult& result, const std::function<double()>& least_sampled) {
     if (result.status != MotionCheckStatus::kFree) {
       ++blocked;

@@ -163,7 +163,7 @@ TEST(CheckMotion, HalvesForAccuracyDownToTheLeastTravel) {
   EXPECT_EQ(evenlyFree(1, 1, {.least_travel = 1.1, .accuracy = 0.1}).checks, 2);
 }
 
-/// Returns a clearance function for several postures at once; `asked` counts its calls.
+/// Returns a clearance function that also computes several postures at once; `asked` counts the calls for several.
 PostureClearance allAtOnce(const PostureClearance& alone, int& asked) {
   return SideBySideClearance{alone, [alone, &asked](const PostureColumns& q) {
                                ++asked;
@@ -192,7 +192,7 @@ TEST(CheckMotion, AsksForTheMiddlesOfHalvesTooWhereTheyWillBeNeeded) {
     const auto result = checkMotion(posture(0, 0, 0), posture(1, 0, 0), allAtOnce(even, asked), travel);
     EXPECT_EQ(result.status, MotionCheckStatus::kFree);
     EXPECT_EQ(result.checks, is_far ? 9 : 5);
-    EXPECT_EQ(asked, is_far ? 3 : 2);       // both ends; the middle and the quarter points; the eighth points
+    EXPECT_EQ(asked, is_far ? 3 : 2);       // for the ends; the middle and quarter points; the eighth points
     EXPECT_EQ(alone_asked, result.checks);  // no posture is evaluated twice or needlessly
   }
 }

@@ -71,7 +71,7 @@ TEST(Roadmap, AnEndThatIsShutInIsNotAttached) {
   auto problem = timed(kTwoJoints.problem(world));
   RoadmapOptions options = small();
   options.random_postures = 0;
-  const Roadmap roadmap(problem, {Vector2d(0, 0)}, options);  // in collision, so the posture is left out
+  const Roadmap roadmap(problem, {Vector2d(0, 0)}, options);  // this posture collides, so the roadmap omits it
   EXPECT_EQ(roadmap.postures(), 0);
   long checks = 0;
   EXPECT_EQ(roadmap.between(Vector2d(-0.6, 0), Vector2d(0.6, 0), checks).status, RoadmapStatus::kUnattached);

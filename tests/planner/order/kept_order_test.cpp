@@ -38,8 +38,8 @@ TEST(KeptOrder, KeepsWhatStaysInItsOrderAndTakesInTheRest) {
 }
 
 TEST(KeptOrder, OneNewTubeStandsWhereItCostsLeast) {
-  // With one branch per visit the time of an order is the sum of the times of its moves, so every position of the new
-  // tube can be tried.
+  // With one branch per visit the time of an order is the sum of the times of its moves, so the test can try every
+  // position of the new tube.
   std::mt19937_64 random(9);
   for (int trial = 0; trial < 20; ++trial) {
     const Route route = randomRoute(random, 30, 1, false, false);

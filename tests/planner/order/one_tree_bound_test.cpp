@@ -55,7 +55,7 @@ std::vector<char> randomCut(std::mt19937_64& random, const PostureTable& table) 
   return inside;
 }
 
-// Every set of prices gives a valid bound: the bound must hold however badly the prices are chosen.
+// The bound must be valid for any prices, however badly they are chosen.
 TEST(PairGraph, AnyPricesGiveABound) {
   std::mt19937_64 random(21);
   for (int i = 0; i < 20; ++i) {
@@ -114,7 +114,7 @@ TEST(OneTreeBound, IsWithinTwoPercentForOneBranchEach) {
 }
 
 // Some visits have postures of one family, some of a distant second family, and some of both. A tree changes families
-// at no cost at visits with both, but a route cannot: the bound counts that move only with cuts.
+// at no cost at visits with both, but a route cannot: only with cuts does the bound include the time of that move.
 TEST(OneTreeBound, CountsTheMoveBetweenTwoFamiliesOfPostures) {
   std::mt19937_64 random(5);
   for (int trial = 0; trial < 5; ++trial) {

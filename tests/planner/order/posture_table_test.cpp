@@ -35,8 +35,8 @@ void expectTimesOneByOne(const Route& route) {
     }
 }
 
-// Times to all postures of a node equal the single times bit for bit, with equal or different joint ratios and extra
-// times.
+// Times to all postures of a node, computed together, must equal the times computed one by one bit for bit, whether or
+// not all joints have the same ratio of speed to acceleration, and with or without extra times.
 TEST(PostureTable, TimesOfAllPosturesOfANodeAreThoseOfEach) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     std::mt19937_64 random(seed);
@@ -51,7 +51,7 @@ TEST(PostureTable, TimesOfAllPosturesOfANodeAreThoseOfEach) {
   }
 }
 
-// No extra time is requested for a visit declared to have none, and the resulting table is unchanged.
+// No extra times must be requested for visits that are declared to have none, and the times must stay the same.
 TEST(PostureTable, AsksForExtraTimesOnlyWhereTheyMayBe) {
   std::mt19937_64 random(3);
   Route route = randomRoute(random, 10, 5, true, false);

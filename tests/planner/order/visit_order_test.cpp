@@ -67,7 +67,7 @@ void expectValid(const Route& route, const VisitOrder& result) {
   EXPECT_NEAR(result.travel_time, timeOf(route, result.order, result.branches), 1e-9 * (1 + result.travel_time));
 }
 
-/// Returns options for the heuristic search, even for few visits.
+/// Returns options that select the heuristic search even for a few visits.
 VisitOrderOptions quick(std::uint64_t seed) {
   VisitOrderOptions options;
   options.seed = seed;

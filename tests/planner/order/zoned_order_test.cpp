@@ -64,7 +64,7 @@ TEST(OrderByZones, TheBoundHoldsForTheBestOrderOfAll) {
   }
 }
 
-/// With one visit per zone the order is fixed; the branches are then optimised over the whole route.
+/// With one visit per zone, which fixes the order, the branches must be the best for the whole route.
 TEST(OrderByZones, ChoosesBranchesOverAllZones) {
   std::mt19937_64 random(5);
   for (int k = 0; k < 20; ++k) {

@@ -22,7 +22,7 @@ struct BranchCount {
   long missed = 0;     ///< postures of `brute` that the search does not find
   long branches = 0;   ///< usable branches of the flexible arm
   long wrong = 0;      ///< those of `branches` whose tip misses the goal, or that exceed the limits or the tilt
-  int without = 0;     ///< goals that random starts reach within the allowed tilt and the search does not
+  int without = 0;     ///< goals that random starts reach within the allowed tilt but the search does not
   double seconds = 0;  ///< processor time for all branches of all goals of the flexible arm [s]
 
   BranchCount& operator+=(const BranchCount& other) {
@@ -60,8 +60,8 @@ inline std::vector<Eigen::VectorXd> bruteForce(const deflection::Arm& rigid, con
   return found;
 }
 
-/// Returns true if the search finds posture `q`, given the values of `q` for the joints that it samples. The other
-/// joints of its roots are first refined to the goal.
+/// Returns true if the search finds posture `q` when the joints that it samples have the values of `q`. The other
+/// joints of each posture found are first refined to reach the goal.
 inline bool isFound(const deflection::RigidSearch& search, const deflection::Arm& arm, const deflection::ToolGoal& goal,
                     const Eigen::VectorXd& q) {
   using namespace deflection;
@@ -111,7 +111,7 @@ inline BranchCount countBranches(const Workcell& cell, std::span<const Eigen::Ve
   std::vector<ToolGoal> goals;
   for (const auto& place_W : places_W)
     goals.push_back({cell.X_WB.inverse() * place_W, cell.X_WB.linear().transpose() * kHoleAxis_W});
-  (void)solver.solve(goals.front());  // the first call computes what later calls reuse
+  (void)solver.solve(goals.front());  // the first call computes data that later calls reuse
 
   BranchCount count;
   count.goals = static_cast<int>(goals.size());
@@ -165,8 +165,8 @@ inline Workcell drawnArm(int joints, int slide, std::uint64_t seed) {
   return cell;
 }
 
-/// Returns tip positions [m] that a posture within the limits reaches with the tool upright, refined from random
-/// postures.
+/// Returns `count` tip positions [m]. Each is reached, with the tool upright, by a posture within the limits that is
+/// refined from a random one.
 inline std::vector<Eigen::Vector3d> placesOf(const Workcell& cell, int count, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const Eigen::Vector3d gravity_B = deflection::gravityInBase(cell.arm, cell.X_WB);

@@ -1,4 +1,5 @@
-// Reachability of a tube by random starts: one must lead to a free posture below the tube and a free motion up.
+// Reachability of a tube, tested with random starts: one of them must lead to a free posture below the tube and a free
+// motion up.
 #pragma once
 
 #include "planner/motion/side_by_side.hpp"

@@ -76,7 +76,7 @@ TEST(LineTravel, KeepsTheDeflectedTipOnTheLineInTheSameBranch) {
 
 TEST(LineTravel, BetweenOtherBranchesThereIsNone) {
   Workcell cell = mockup();
-  for (auto& row : cell.arm.rows) row.joint.lower = -3.2, row.joint.upper = 3.2;  // allows the elbow up and down
+  for (auto& row : cell.arm.rows) row.joint.lower = -3.2, row.joint.upper = 3.2;  // allows both positions of the elbow
   LineTravels lines(cell, jointSpeedsOf(cell.arm));
   const auto tubes = testing::tubesOf(cell, "R20C10,R20C50");
   int refused = 0;

@@ -128,7 +128,7 @@ TEST(TimePolyline, RestsAtEveryWaypointAndKeepsTheLimits) {
     expectWithinLimits(samples, speeds);
     std::size_t met = 0;
     for (std::size_t k = 0; k < samples.size(); ++k) {
-      if (met < waypoints.size() && samples[k].posture == waypoints[met]) ++met;  // each waypoint exactly and in order
+      if (met < waypoints.size() && samples[k].posture == waypoints[met]) ++met;  // counts exact hits, in order
       if (k == 0) continue;
       EXPECT_GT(samples[k].time, samples[k - 1].time);
       EXPECT_LE(samples[k].time - samples[k - 1].time, 0.02 * (1 + 1e-9));

@@ -150,7 +150,8 @@ Workcell withOtherSolids(Workcell cell) {
   return cell;
 }
 
-/// The smallest margin of boxes and cylinders is exact, not that of the capsules around them, which is smaller.
+/// The smallest margin must be that of the boxes and cylinders themselves, not the smaller one of the capsules around
+/// them.
 TEST_P(ByOtherMeans, TheLeastMarginOfOtherSolidsIsTheCollisionWorlds) {
   const Workcell cell = withOtherSolids(mockup());
   const CollisionWorld world(cell.scene);

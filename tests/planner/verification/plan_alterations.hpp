@@ -321,8 +321,8 @@ inline bool stateMoreTime(Work& work, Generator&) {
   return true;
 }
 
-/// Raises the stated smallest clearance by a tenth of an inch, more than the twentieth of an inch by which a clearance
-/// stated at a row may be too small.
+/// Raises the stated smallest clearance by 0.1 in. The original value may be too small by at most 0.05 in, so that the
+/// new value is too large.
 inline bool stateMoreClearance(Work& work, Generator&) {
   *work.plan.least_clearance += 0.1 * kInch;
   return true;
