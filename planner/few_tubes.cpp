@@ -11,7 +11,7 @@ namespace {
 
 // Largest number of moves whose time is estimated: kEstimates plus kEstimatesPerPair for each pair of nodes.
 constexpr int kEstimates = 20, kEstimatesPerPair = 10;
-constexpr long kMostChecks = 1'000'000;  // largest number of postures checked by estimates
+constexpr long kMostChecks = 1'000'000;  // estimates end once they have checked this many postures
 constexpr double kRounding = 1e-12;      // rounding error of a sum of times in a different order
 // Assumed fraction of the extra time of a rough detour, compared with the straight move, that remains after
 // optimisation: for expected times, optimistic times and lower bounds. Measured for three arms, the fraction is 0.6 to

@@ -1,4 +1,5 @@
-// Plans for a few tubes: no other order of the tubes is quicker than the order that the plan chooses.
+// Plans for a few tubes: no other order of the tubes is quicker, by more than 1 %, than the order that the plan
+// chooses.
 #include "planner/few_tubes.hpp"
 
 #include <gtest/gtest.h>
