@@ -1,5 +1,5 @@
-// Comma-separated text as named columns of fields, with the line number of each row. This module parses text; it does
-// not open files.
+// Parser of comma-separated text into rows of fields under named columns. Each row keeps its line number. This module
+// does not open files.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ struct CsvRow {
   std::vector<std::string> fields;
 };
 
-/// A header, and rows with as many fields as the header. Blank lines and lines that start with # are skipped. Fields
-/// are trimmed, and may be in double quotes, where "" stands for a quote.
+/// A parsed table: a header, and rows with as many fields as the header. Blank lines and lines that start with # are
+/// skipped. Fields are trimmed. A field may be in double quotes; within them, "" stands for one quote.
 struct CsvTable {
   std::vector<std::string> columns;
   int header_line = 0;
@@ -28,8 +28,8 @@ struct CsvTable {
   [[nodiscard]] std::optional<std::size_t> find(std::string_view column) const;
 };
 
-/// Parses comma-separated text. Faults: no header, an empty or repeated column name, a number as a column name, a row
-/// with more or fewer fields than the header, a quote that is not closed, a zero byte.
+/// Parses comma-separated text. Sets `problem` for a missing header, a column name that is empty, repeated or a number,
+/// a row with more or fewer fields than the header, a quote that is not closed, or a zero byte.
 [[nodiscard]] CsvTable parseCsv(std::string_view text);
 
 /// One line of the input, without its line ending.
@@ -53,11 +53,12 @@ struct TextLine {
 /// text.
 [[nodiscard]] std::optional<std::vector<std::string>> splitCsvLine(std::string_view line, char separator);
 
-/// Return the finite number or the integer that the whole field spells; nothing if it spells none.
+/// Parse the whole field as a finite number or as an integer; return nothing if it is not one.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view field);
 [[nodiscard]] std::optional<int> parseInteger(std::string_view field);
 
-/// Returns `text` as a field of CSV, in double quotes if it would else be split, lose outer blanks or begin a comment.
+/// Returns `text` as a CSV field, in double quotes if it would otherwise be split, lose outer blanks or begin a
+/// comment.
 [[nodiscard]] std::string csvField(std::string_view text, char separator = ',');
 
 /// Returns the text in double quotes; each quote inside the text is doubled.

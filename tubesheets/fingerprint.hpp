@@ -11,8 +11,8 @@
 
 namespace tubeplan::tubesheets {
 
-/// FNV-1a hash of 64 bits. The bytes of a number are added from the least significant one, so that the hash does not
-/// depend on the byte order of the machine.
+/// 64-bit FNV-1a hash. Numbers are added byte by byte, the least significant first, so that the hash does not depend on
+/// the byte order of the machine.
 class Fingerprint {
  public:
   void add(std::int64_t number) {

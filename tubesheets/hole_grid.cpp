@@ -8,7 +8,7 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-constexpr double kFarthestCell = 1e12;  // absurd coordinates are placed in the outermost cells instead of overflowing
+constexpr double kFarthestCell = 1e12;  // holes farther away are in the outermost cell, so that indices do not overflow
 
 }  // namespace
 

@@ -13,8 +13,8 @@ class HoleGrid {
  public:
   HoleGrid(const std::vector<Tube>& tubes, double reach);
 
-  /// Returns the indices in `tubes`, ascending, of the holes within `distance` [m] of (x, y) [m]; `distance` must not
-  /// exceed `reach`.
+  /// Returns, in ascending order, the indices in `tubes` of the holes within `distance` [m] of (x, y) [m]; `distance`
+  /// must not exceed `reach`.
   [[nodiscard]] std::vector<int> findWithin(double x, double y, double distance) const;
 
  private:
@@ -30,7 +30,7 @@ class HoleGrid {
   std::vector<Entry> entries_;
 };
 
-/// Returns for each hole the indices, ascending, of the other holes within `reach` [m].
+/// For each hole, returns the indices of the other holes within `reach` [m], in ascending order.
 [[nodiscard]] std::vector<std::vector<int>> neighboursWithin(const std::vector<Tube>& tubes, double reach);
 
 }  // namespace tubeplan::tubesheets

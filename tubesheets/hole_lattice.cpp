@@ -22,7 +22,8 @@ constexpr double kAgrees = 0.1;          // deviation from the lattice from whic
 constexpr std::size_t kEnoughAgree = 4;  // smallest number of neighbours that must agree
 constexpr double kMostAgree = 0.7;       // smallest fraction of the neighbours that must agree
 
-// Distance [pitches] below half of a lattice's shortest step: a remainder shorter than this is the shortest one.
+// A remainder shorter than this [pitches] is certainly the shortest, because it is below half of the shortest lattice
+// step.
 constexpr double kSurelyShortest = 0.4;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -37,7 +38,7 @@ Vector2d placeOf(const Sheet& sheet, int tube) {
 struct Basis {
   Vector2d a, b;
 
-  /// Returns the shortest vector that remains of a difference of positions after whole lattice steps are subtracted. If
+  /// Subtracts whole lattice steps from a difference of positions and returns the shortest vector that can remain. If
   /// the two steps are oblique, rounding may be one step off, so the remainders one step away are tried too.
   [[nodiscard]] Vector2d remainder(const Vector2d& difference) const {
     const double area = cross(a, b);
@@ -52,7 +53,8 @@ struct Basis {
   }
 };
 
-/// Returns the mean of the steps along their most common direction, opposite ones reversed; nothing without steps.
+/// Returns the mean of the steps in the most common direction, with opposite steps reversed; nothing if there are no
+/// steps.
 std::optional<Vector2d> commonStep(const std::vector<Vector2d>& steps) {
   constexpr int kBins = 180;  // bins of one degree over half a turn
   constexpr double kNearBin = 2 * std::numbers::pi / kBins;
@@ -77,7 +79,7 @@ std::optional<Vector2d> commonStep(const std::vector<Vector2d>& steps) {
 }
 
 std::optional<Basis> basisOf(const Sheet& sheet, const std::vector<std::vector<int>>& neighbours) {
-  constexpr double kAcross = 0.7;  // smallest sine of the angle between two steps of a lattice
+  constexpr double kAcross = 0.7;  // smallest sine of the angle between the two steps of a basis
   std::vector<Vector2d> steps;
   for (int tube = 0; tube < static_cast<int>(neighbours.size()); ++tube)
     for (const int other : neighbours[static_cast<std::size_t>(tube)]) {
@@ -112,7 +114,8 @@ std::optional<Vector2d> agreedShift(const Basis& basis, const std::vector<Vector
     Vector2d sum = Vector2d::Zero();
     std::size_t count = 0;
     for (const Vector2d& shift : shifts) {
-      // Shifts are compared modulo lattice steps, because half a step may point to either of two lattice points.
+      // Shifts are compared modulo lattice steps, because a shift of half a step may point to either of two lattice
+      // points.
       const Vector2d beside = basis.remainder(shift - centre);
       if (beside.norm() >= kAgrees) continue;
       sum += centre + beside;

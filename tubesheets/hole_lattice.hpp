@@ -17,7 +17,7 @@ struct HoleOffLattice {
 /// Finds holes that are a tenth of a pitch or more off the lattice on which their neighbours agree, in sheet order;
 /// manufacturing scatter is a hundredth of a pitch. Each hole is compared only with holes within a few pitches, so that
 /// parts of a sheet may be shifted or separated by lanes. A hole with fewer than four agreeing neighbours is not
-/// checked. Empty if the holes form no lattice. The sheet must have no problems.
+/// checked. The result is empty if the holes form no lattice. The sheet must have no problems.
 [[nodiscard]] std::vector<HoleOffLattice> findHolesOffLattice(const Sheet& sheet);
 
 }  // namespace tubeplan::tubesheets

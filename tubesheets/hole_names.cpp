@@ -12,11 +12,12 @@ using Eigen::Vector2d;
 
 namespace {
 
-constexpr double kOff = 0.5;  // distance from its expected position from which a hole counts as misnamed, in pitches
-constexpr std::size_t kMost = 20;       // largest limit on the number of misnamed holes in a map
-constexpr std::size_t kLeast = 2;       // smallest limit on that number, for small sheets
-constexpr double kMostShare = 0.02;     // limit on that number as a fraction of all holes
-constexpr std::size_t kLeastInRow = 4;  // smallest number of holes that determine the offset of a row
+// A hole at least this far [pitches] from its expected position counts as misnamed.
+constexpr double kOff = 0.5;
+constexpr std::size_t kMost = 20;       // limit on the number of misnamed holes, for large sheets
+constexpr std::size_t kLeast = 2;       // the same limit, for small sheets
+constexpr double kMostShare = 0.02;     // the same limit as a fraction of all holes, for other sheets
+constexpr std::size_t kLeastInRow = 4;  // smallest number of holes that determine where a row begins
 
 Vector2d inPlane(const Tube& tube) { return {tube.x, tube.y}; }
 

@@ -14,9 +14,10 @@ struct MisnamedHole {
   int there = -1;       ///< index in Sheet::tubes of the hole at the expected position; -1 if there is none
 };
 
-/// Finds holes that are half a pitch or more from the position that the other holes of their row imply for their
-/// column, in sheet order. Columns are assumed to be a constant step apart; rows may begin anywhere. Empty if more than
-/// a few holes are found, because the map then numbers its columns differently. The sheet must have no problems.
+/// Finds, in sheet order, the holes at least half a pitch from the position that their column number implies, given the
+/// other holes of their row. Columns are assumed to be a constant step apart; rows may begin anywhere. The result is
+/// empty if more than a few holes would be found, because the map then numbers its columns differently. The sheet must
+/// have no problems.
 [[nodiscard]] std::vector<MisnamedHole> findMisnamedHoles(const Sheet& sheet);
 
 }  // namespace tubeplan::tubesheets

@@ -17,7 +17,7 @@ struct Layout {
   /// Distance from the divider plate to the centres of row 1.
   double first_row = std::numeric_limits<double>::quiet_NaN();
   double radius = std::numeric_limits<double>::quiet_NaN();  ///< radius of the circle that contains all hole centres
-  double stay_radius = 0;  ///< radius of the circle without hole centres (stay cylinder)
+  double stay_radius = 0;  ///< radius of the central circle without hole centres (stay cylinder)
   int rows = 0;            ///< largest number of rows; 0: as many as fit
   int columns = 0;         ///< number of columns, centred on x = 0; 0: as many as fit
 };

@@ -1,4 +1,4 @@
-// The table of layout types, one row per type. A new pattern needs a function and a row.
+// The table of layout types, one row per type. To add a pattern, add its function and its row.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace tubeplan::tubesheets {
 
-/// A value that a layout type takes, a length [m] or a count, and the member of Layout that holds it.
+/// A value that a layout type needs or accepts, a length [m] or a count, and the member of Layout that stores it.
 struct LayoutKey {
   std::string_view name;
   std::variant<double Layout::*, int Layout::*> field;
@@ -22,8 +22,8 @@ struct LayoutType {
   std::string_view name;
   std::string_view sentence;
   std::vector<LayoutKey> keys;
-  bool covers_full_sheet = false;  ///< true: the full sheet; false: one leg, mirrored for the cold leg
-  int columns_modulo_two = -1;     ///< required remainder of a stated number of columns modulo two; -1: any
+  bool covers_full_sheet = false;  ///< true: holes of the full sheet; false: of the hot leg, mirrored for the cold leg
+  int columns_modulo_two = -1;     ///< 0: a stated number of columns must be even; 1: odd; -1: either
   std::vector<Tube> (*make_tubes)(const Layout&) = nullptr;
 };
 

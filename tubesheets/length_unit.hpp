@@ -1,4 +1,4 @@
-// The units of length that a column name (x_in, x_mm, x_m) or a zone may have.
+// Units of length, as they occur in column names (x_in, x_mm, x_m) and in zones.
 #pragma once
 
 #include <span>
@@ -27,11 +27,12 @@ inline constexpr LengthUnit kMetre{"m", 1.0};
 [[nodiscard]] const LengthUnit* findLengthWord(std::string_view word);
 
 /// Rounds a length [m] to the grid of 2^-44 m (57 femtometres) on which hole positions are stored. The grid is far
-/// finer than any drawing, and coarse enough that a length printed in another unit is read back to the same bits.
+/// finer than the precision of any drawing, but coarse enough that a length printed in another unit is read back to the
+/// same bits.
 [[nodiscard]] double snapLength(double metres);
 
-/// Returns the shortest decimal number of units that converts back to exactly `metres` after snapping. `metres` must be
-/// snapped and finite.
+/// Returns a length in `unit` as the shortest decimal number that converts back to exactly `metres` after snapping.
+/// `metres` must be snapped and finite.
 [[nodiscard]] std::string formatLength(double metres, const LengthUnit& unit);
 
 }  // namespace tubeplan::tubesheets

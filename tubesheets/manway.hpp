@@ -1,4 +1,4 @@
-// The opening in the bowl through which people and arms enter.
+// The manway: the opening in the bowl below the sheet through which people and arms enter.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// The terms of the selection language, one row for each. The language itself is described in work_list.hpp.
+// The table of terms of the selection language, which work_list.hpp describes; one row for each term.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@ namespace tubeplan::tubesheets {
 /// Result of a term: the candidates that the term selects, or the reason why it cannot be applied.
 struct TermChoice {
   std::vector<int> tubes;  ///< indices in Sheet::tubes, ascending
-  std::string reason;      ///< reason of failure; empty on success
+  std::string reason;      ///< reason why the term cannot be applied; empty on success
 };
 
 enum class TermRole {
-  kSource,   ///< adds tubes, or removes them if preceded by a minus
-  kGuard,    ///< selects no tubes, but refuses the wrong sheet or leg
+  kSource,   ///< adds tubes to the selection, or removes them if preceded by a minus
+  kGuard,    ///< selects no tubes, but refuses a sheet or leg other than the stated one
   kThinner,  ///< keeps a part of the tubes that the other terms select
 };
 
@@ -38,8 +38,8 @@ struct SelectionTerm {
 /// because sheets are round.
 [[nodiscard]] TermChoice chooseRange(const Sheet& sheet, const std::vector<int>& candidates, std::string_view range);
 
-/// Returns a sentence such as "R60C3 is not on this sheet: rows 1 to 49, columns 1 to 114", with the columns of the
-/// tube's row if the row exists.
+/// Returns a sentence such as "R60C3 is not on this sheet: rows 1 to 49, columns 1 to 114", where the columns are those
+/// of the tube's row if the row exists.
 [[nodiscard]] std::string explainMissing(const Sheet& sheet, int row, int column);
 
 }  // namespace tubeplan::tubesheets

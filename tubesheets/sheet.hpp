@@ -27,7 +27,7 @@ namespace tubeplan::tubesheets {
 
 struct HoleMap;
 
-/// Description of a sheet, the input of makeSheet() [m].
+/// Description of a sheet, from which makeSheet() makes its holes; all lengths are in m.
 struct SheetDescription {
   std::string name;
   Layout layout;
@@ -58,12 +58,12 @@ struct Sheet {
   /// Returns the index in `tubes` of the tube at that row and column, or nothing if it is not on this sheet.
   [[nodiscard]] std::optional<int> indexOf(int row, int column) const;
 
-  /// Returns the indices in `tubes` of the other holes within 1.05 pitches of a tube, in sheet order. Every hole is
-  /// checked; findNeighbours() is faster for the whole sheet.
+  /// Returns the indices in `tubes` of the other holes within 1.05 pitches of a tube, in sheet order. Compares the tube
+  /// with every hole; findNeighbours() is faster for the neighbours of all holes.
   [[nodiscard]] std::vector<int> neighbours(int tube) const;
 
-  /// Returns a hash of 16 hexadecimal digits over layout type, leg, pitch, hole diameter, row and column numbers and
-  /// positions (to 1e-9 m), but not over name, states and manway. If two sheets have equal fingerprints, every tube has
+  /// Returns a hash, 16 hexadecimal digits, of layout type, leg, pitch, hole diameter, row and column numbers and
+  /// positions (to 1e-9 m), but not of name, states and manway. If two sheets have equal fingerprints, every tube has
   /// the same name and position on both.
   [[nodiscard]] std::string fingerprint() const;
 };
@@ -84,8 +84,8 @@ struct Sheet {
 [[nodiscard]] std::vector<std::vector<int>> findNeighbours(const Sheet& sheet);
 
 /// Returns the first twenty or so problems that make the sheet unusable: no holes, numbers that are not finite or
-/// absurd, two holes with one name, holes that overlap, a hole diameter not below the pitch, holes beyond the divider
-/// plate, a spacing that contradicts the pitch (a wrong unit), and faults of the manway.
+/// absurd, two holes with the same name, holes that overlap, a hole diameter not below the pitch, holes beyond the
+/// divider plate, a spacing that contradicts the pitch (a wrong unit), and faults of the manway.
 [[nodiscard]] std::vector<Problem> findSheetProblems(const Sheet& sheet);
 
 }  // namespace tubeplan::tubesheets

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostProblems = 20;
 constexpr double kFarthestHole = 100;  // largest coordinate of a hole [m]
-// accepted range of the spacing, in pitches; mistaken units give a factor of 2.54 or more
+// Accepted range of the spacing, in pitches. A mistaken unit changes the spacing by a factor of 2.54 or more.
 constexpr double kLeastSpacing = 0.6, kMostSpacing = 2.2;
 
 std::string nameOf(const Tube& tube) { return tubeName(tube.row, tube.column); }
@@ -122,12 +122,12 @@ std::vector<double> nearestWithin(const Sheet& sheet, double reach) {
   return distances;
 }
 
-// Checks the pitch against the distances between nearest holes. Neighbours are found by the pitch, so that with a wrong
-// one all holes would count as outermost.
+// Checks the pitch against the distances from each hole to the nearest one. With a wrong pitch no hole would have
+// neighbours one pitch away, and all holes would count as outermost.
 void findPitchProblems(const Sheet& sheet, std::vector<double> distances, std::vector<Problem>& problems) {
-  constexpr double kAsDrawn = 0.02;  // largest deviation as a fraction of the pitch
+  constexpr double kAsDrawn = 0.02;  // largest deviation of the median distance from the pitch, as a fraction
   std::erase_if(distances, [&](double distance) { return distance < sheet.hole_diameter; });  // holes that overlap
-  // too few holes have another hole nearby, as in a list of isolated holes
+  // nothing to check if most holes are isolated
   if (distances.size() < 2 || 2 * distances.size() < sheet.tubes.size()) return;
   const double distance = medianOf(distances);
   if (std::abs(distance - sheet.pitch) <= kAsDrawn * sheet.pitch) return;
@@ -137,9 +137,10 @@ void findPitchProblems(const Sheet& sheet, std::vector<double> distances, std::v
                                      "", "correct the pitch, or the unit in the column's name"});
 }
 
-// Reports holes far apart whose distances show that they are in millimetres but were read as inches.
+// Reports coordinates that are probably in millimetres but were read as inches: the typical distance between nearest
+// holes is a whole multiple of 25.4 pitches, but not of the pitch.
 void findUnitProblems(const Sheet& sheet, std::vector<Problem>& problems) {
-  constexpr double kExact = 1e-3, kFar = 300;  // tolerance as a fraction of a distance; largest distance in pitches
+  constexpr double kExact = 1e-3, kFar = 300;  // relative tolerance of a multiple; largest distance in pitches
   constexpr std::size_t kMostLooked = 500;
   if (sheet.tubes.size() < 4) return;
   std::vector<double> distances;

@@ -11,10 +11,10 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-constexpr double kTail = 9;  // range of integration in standard deviations; the probability beyond is 1e-19
+constexpr double kTail = 9;  // half the range of integration in standard deviations; the probability beyond is 1e-19
 // width, as a fraction of the radius, below which distributions are treated as a line or a point
 constexpr double kNoWidth = 1e-14;
-// Fraction of the larger variance by which rounding may make a zero variance negative.
+// A variance that should be zero may be negative by this fraction of the larger variance, because of rounding.
 constexpr double kRoundOff = 1e-12;
 constexpr double kQuadrature = 1e-12;  // largest absolute error of the integral over each piece
 constexpr int kDeepest = 14;           // largest number of times that a piece is bisected

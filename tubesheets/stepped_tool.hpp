@@ -31,14 +31,14 @@ struct SteppedTool {
 /// Returns a phrase for each number of entered steps from 0 up: "no step enters", ..., "all three steps enter".
 [[nodiscard]] std::vector<std::string> stepWords(const SteppedTool& tool);
 
-/// Returns the number of steps of an upright tool that enter at that centring error [m]: the steps before the first
-/// whose tolerance is less than the error. 0 for NaN.
+/// Returns the number of steps of an upright tool that enter a hole if the tool's axis is `centring_error` [m] from the
+/// hole's axis: the steps before the first one whose tolerance is less than the error. Returns 0 for NaN.
 [[nodiscard]] int stepsInserted(const SteppedTool& tool, double centring_error);
 
-/// Returns the number of steps of a tilted tool that enter. The tip is `offset` [m] from the hole's axis, and the
-/// tool's axis moves sideways by `lean` per unit length upwards. The tip rises vertically, so that a section at `a` [m]
-/// below the tip enters at offset - a * lean. A step enters if both of its ends are within its tolerance. If the tool
-/// has no lengths, all steps are at the tip.
+/// Returns the number of steps of a tilted tool that enter a hole. The tip is `offset` [m] from the hole's axis, and
+/// the tool's axis moves sideways by `lean` per unit length upwards. The tip rises vertically, so that a section at `a`
+/// [m] below the tip enters at offset - a * lean. A step enters if both of its ends are within its tolerance. If the
+/// tool has no lengths, all steps are at the tip.
 [[nodiscard]] int stepsInserted(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean);
 
 /// Returns the largest tilt [rad] at which the first step still enters with a centred tip: the step's far end is then
@@ -47,15 +47,15 @@ struct SteppedTool {
 
 /// Returns the smallest clearance [m] of any part of the tool in a tube that its tip has entered by `depth` [m], with
 /// `offset` and `lean` as for stepsInserted(). The clearance of a part is the tolerance of its step minus the distance
-/// of the part from the hole's axis. Behind the last length the tool is as thick as its last step; without lengths, as
-/// its first step. Negative if the tool would touch the tube; infinite at zero depth (below 1 um).
+/// of the part from the hole's axis. Beyond its last step the tool is as thick as that step; without lengths, all of it
+/// is as thick as the first step. Negative if the tool would touch the tube; infinite at zero depth (below 1 um).
 [[nodiscard]] double playInTube(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean,
                                 double depth);
 
-/// Returns the probabilities that exactly 0, 1, ..., n steps enter. The offset of the tip from the hole's axis is
-/// normal with that mean [m] and covariance [m^2], which may be singular (a line or a point), and the tool has the tilt
-/// `lean`. Accurate to 1e-10, or to 1e-6 for a tilted tool. All NaN if the mean or covariance is not finite or the
-/// covariance has a negative variance.
+/// Returns the probabilities that exactly 0, 1, ..., n of the n steps enter. The offset of the tip from the hole's axis
+/// is normal with that mean [m] and covariance [m^2], which may be singular (a line or a point), and the tool has the
+/// tilt `lean`. Accurate to 1e-10, or to 1e-6 for a tilted tool. All probabilities are NaN if the mean or covariance is
+/// not finite or the covariance has a negative variance.
 [[nodiscard]] std::vector<double> probabilityBySteps(const SteppedTool& tool, const Eigen::Vector2d& mean_offset,
                                                      const Eigen::Matrix2d& covariance,
                                                      const Eigen::Vector2d& lean = Eigen::Vector2d::Zero());

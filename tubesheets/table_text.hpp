@@ -10,7 +10,7 @@
 
 namespace tubeplan::tubesheets {
 
-/// New content of a column.
+/// A column to be added to a table or changed in it.
 struct ColumnText {
   std::string name;
   std::optional<std::size_t> place;  ///< index of the existing column; if empty, a new column is added at the end

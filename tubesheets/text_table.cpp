@@ -142,8 +142,9 @@ class TableParser {
     return rows;
   }
 
-  // Returns the heading with the best rank among the given lines.
+  // Methods for a table with a known heading.
 
+  /// Returns the heading with the best rank among the given lines.
   FoundHeading bestHeading(const std::vector<TextLine>& lines) const {
     FoundHeading best;
     for (const TextLine& line : lines) {
@@ -198,7 +199,7 @@ class TableParser {
             lines_.front().number});
   }
 
-  // Methods for a table without a known heading, which is recognised by its numbers.
+  // Methods for a table without a known heading, which is found by its rows of numbers.
 
   /// Returns the most common number of fields in a line, and the number of lines that have it.
   [[nodiscard]] std::pair<std::size_t, std::size_t> usualWidth(char separator) const {

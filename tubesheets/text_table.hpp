@@ -15,11 +15,11 @@ namespace tubeplan::tubesheets {
 /// Confidence that a row of fields is the heading of a table.
 enum class HeadingRank { kNone, kPartial, kWhole };
 
-/// Names and units that a reader recognises in its tables.
+/// Functions by which a reader recognises the headings and units of its tables.
 struct TableWords {
   bool (*isUnit)(std::string_view) = nullptr;  ///< returns true for a unit in the row of units below the heading
-  /// Ranks a row as a heading. The heading is the first row of rank kWhole, else the first of rank kPartial. If this
-  /// function is not set, the heading is the line above the first row with a number.
+  /// Ranks how likely a row is the heading. The heading is the first row of rank kWhole, else the first of rank
+  /// kPartial. If this function is not set, the heading is the line above the first row with a number.
   std::function<HeadingRank(const std::vector<std::string>&)> rankHeading = nullptr;
   /// Returns true for a line that states units and is neither a row nor a heading.
   bool (*statesUnits)(std::string_view) = nullptr;
@@ -40,13 +40,13 @@ struct TextTable {
   std::optional<Problem> problem;  ///< first fault; if there is one, the other members must not be used
 };
 
-/// Reads a table whose fields are separated by tab, semicolon, comma or |, or by blanks if its rows are recognised by
-/// their numbers. The decimal sign is a point or, if commas do not separate fields, a comma. A table with a heading
-/// known to the reader begins below the heading and may have only one column. Any other table begins with the first
-/// line from which all lines have the same number of fields; its heading is the line before, if that line has the same
-/// number of fields and no numbers. A table may have a row of units below its heading, or its heading in a comment.
-/// Empty lines and lines that begin with #, // or % are not rows. Faults: no table, a row with more or fewer fields
-/// than other rows, a quote that is not closed, a zero byte, numbers that may have thousands separators.
+/// Reads a table whose fields are separated by tab, semicolon, comma or |, or by blanks if `words.rankHeading` is not
+/// set. The decimal sign is a point or, if commas do not separate fields, a comma. A table with a heading known to the
+/// reader begins below the heading and may have only one column. Any other table begins with the first line from which
+/// all lines have the same number of fields; its heading is the line before, if that line has the same number of fields
+/// and no numbers. A table may have a row of units below its heading, or its heading in a comment. Empty lines and
+/// lines that begin with #, // or % are not rows. Sets `problem` if there is no table, or for a row with more or fewer
+/// fields than other rows, a quote that is not closed, a zero byte, or numbers that may have thousands separators.
 [[nodiscard]] TextTable parseTextTable(std::string_view text, const TableWords& words);
 
 /// Name and unit of a column heading: "Joint 1 [deg]" gives "joint1" and "deg".

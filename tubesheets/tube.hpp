@@ -55,13 +55,13 @@ struct RowAndColumn {
 /// Returns all tube states, in the order of TubeState.
 [[nodiscard]] std::vector<TubeState> tubeStates();
 
-/// Find a value by name; nothing if the name is unknown. A leg may also be written HL, CL or "Hot leg", in upper or
-/// lower case.
+/// Return the value with the given name; nothing if the name is unknown. A leg may also be written HL, CL or "Hot leg",
+/// in upper or lower case.
 [[nodiscard]] std::optional<Leg> findLeg(std::string_view name);
 [[nodiscard]] std::optional<ViewedFrom> findViewedFrom(std::string_view name);
 [[nodiscard]] std::optional<TubeState> findTubeState(std::string_view name);
 
-/// Return all names, separated by commas, for messages.
+/// Return the names of all legs, sides or states, separated by commas, for messages.
 [[nodiscard]] std::string legNames();
 [[nodiscard]] std::string viewedFromNames();
 [[nodiscard]] std::string tubeStateNames();

@@ -36,7 +36,7 @@ enum class TubeColumn {
 /// Returns the column's name for messages, such as "row" or "dwell_s".
 [[nodiscard]] std::string_view nameOf(TubeColumn column);
 
-/// Returns true if a word is a unit that a column of a tube table can have: a unit of length, or seconds.
+/// Returns true if a word is a unit in which a column of a tube table can be: a unit of length, or seconds.
 [[nodiscard]] bool isTubeUnit(std::string_view word);
 
 /// Meaning of a column heading. A unit that does not fit makes the column unknown: "row (mm)" is not a row column.
@@ -46,15 +46,16 @@ struct TubeHeading {
 };
 [[nodiscard]] TubeHeading readTubeHeading(const std::string& heading);
 
-/// Returns the known column whose name differs by one letter at its end from a heading such as "legg" or "stat". The
-/// heading is then probably misspelt, and its column must not be skipped silently.
+/// Returns the known column whose name has one letter more or less at its end than the heading, as for "legg" or
+/// "stat". Such a heading is probably misspelt, so its column must not be skipped silently.
 [[nodiscard]] std::optional<TubeColumn> tubeColumnMeantBy(const std::string& heading);
 
 /// Ranks fields as a heading: kWhole if they name a tube, or a row and a column; kPartial if they name only one of row
 /// and column; else kNone.
 [[nodiscard]] HeadingRank rankTubeHeading(const std::vector<std::string>& fields);
 
-/// A quantity that a user can assign to a column. Quantities are in the order of the table of columns.
+/// A quantity that a user can assign to a column. tubeQuantities() returns all of them, in the order of the table in
+/// tube_columns.cpp.
 struct TubeQuantity {
   TubeColumn column;
   std::string_view name;                ///< name of the quantity, such as "row" or "dwell"

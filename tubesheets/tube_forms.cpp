@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 7> kColumnWords{"c", "col", "column", "l"
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// A number in a tube's name, with the letters before it, and the other characters before those letters.
+/// A number in a tube's name, with the letters before it, and the other characters in front of those letters.
 struct Part {
   std::string mark;  ///< characters other than letters, without blanks
   std::string word;

@@ -178,7 +178,7 @@ NamedTube tubeOf(const TubeTable& table, const CsvRow& row) {
   const std::string tube = table.field(row, TubeColumn::kTube);
   std::optional<RowAndColumn> named = tube.empty() ? std::nullopt : readTubeForm(tube);
   const std::optional<int> of_row = readRowNumber(table.field(row, TubeColumn::kRow));
-  // Tables of once-through generators number the tubes within each row, in columns Row and Tube.
+  // In tables of once-through generators, the columns Row and Tube state the row and the number of the tube within it.
   const bool counts_tubes = table.has(TubeColumn::kRow) && !table.has(TubeColumn::kColumn) && !named;
   const std::optional<int> of_column =
       readColumnNumber(table.field(row, counts_tubes ? TubeColumn::kTube : TubeColumn::kColumn));

@@ -37,12 +37,12 @@ struct TubeTable {
   [[nodiscard]] const std::string& nameOf(TubeColumn column) const { return text.columns[places.at(column)]; }
   /// Returns a row's field in a column; empty if there is no such column or if the field is a dash.
   [[nodiscard]] std::string field(const CsvRow& row, TubeColumn column) const;
-  /// Returns a sentence that lists the columns left out of planning; empty if every column is known.
+  /// Returns a sentence that lists the columns that planning ignores; empty if every column is known.
   [[nodiscard]] std::string unreadText() const;
 };
 
-/// Reads the columns of a tube table. Faults: faults of the text, no column for the tube, two columns with the same
-/// meaning, x and y in different units, a heading one letter longer or shorter than a known name.
+/// Reads the columns of a tube table. Sets `problem` for faults of the text, no column for the tube, two columns with
+/// the same meaning, x and y in different units, or a heading one letter longer or shorter than a known name.
 [[nodiscard]] TubeTable parseTubeTable(std::string_view text);
 
 /// The meaning that a user assigns to a column, independent of the column's heading.
@@ -56,17 +56,18 @@ struct ChosenTubeColumn {
 /// number, else below the first line.
 [[nodiscard]] TextTable parseTubeText(std::string_view text);
 
-/// Returns a tube table with only the chosen columns. Faults: no column for the tube, one quantity in two columns, x
-/// and y in different units.
+/// Returns a tube table with only the chosen columns. Sets `problem` for no column for the tube, one quantity in two
+/// columns, or x and y in different units.
 [[nodiscard]] TubeTable tubeTableOf(TextTable text, const std::vector<ChosenTubeColumn>& chosen);
 
 enum class TubeTextStatus { kNotRun, kRead, kRefused };
 
-/// Common part of hole maps and work lists as read; derived types add the content of the rows.
+/// Base of hole maps and work lists that are read from text; derived types add the content of the rows.
 struct TubeText {
   TubeTextStatus status = TubeTextStatus::kNotRun;
   std::optional<Problem> problem;  ///< first fault; nothing unless the text is refused
-  std::vector<std::string> notes;  ///< one sentence for each kind of content that was left out or taken only once
+  std::vector<std::string> notes;  ///< one sentence for each kind of content that was ignored, or repeated and used
+                                   ///< only once
   std::string text;                ///< text that the table was read from
   TubeTable table;
 
@@ -75,7 +76,7 @@ struct TubeText {
   /// Calls `readRow` for each row up to the first fault. Refuses a text without rows; `what` names the expected rows in
   /// the message.
   void readRows(std::string_view what, const std::function<void(const CsvRow&)>& readRow);
-  /// Adds a note on the columns left out, and all notes of `more` that are not empty, unless the text is refused.
+  /// Unless the text is refused, adds a note on the columns that are ignored, and all nonempty notes of `more`.
   void addNotes(const std::vector<std::string>& more);
 };
 
@@ -93,7 +94,7 @@ struct ReadLength {
 };
 [[nodiscard]] ReadLength lengthOf(const TubeTable& table, const CsvRow& row, TubeColumn axis);
 
-/// Combined meaning of all codes of a row.
+/// Combined meaning of all states and codes in a row.
 struct ReadCodes {
   std::optional<TubeState> state;
   bool is_done = false;

@@ -148,7 +148,7 @@ Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
   return selection;
 }
 
-// Returns a phrase on the tubes that an empty selection has left out; empty if there are none.
+// Returns a phrase for messages about an empty selection that counts the tubes in `left_out`; empty if there are none.
 std::string besides(const Selection& selection) {
   const std::string left_out = leftOutText(selection);
   return left_out.empty()

@@ -3,10 +3,10 @@
 // A request is a comma-separated list of items; blanks around items are allowed. The sheet must have no problems
 // (sheet.hpp).
 //   - all, R10C20, R1-10C5-9, R10, C20, outer:2, zone:-10:10:20:40in, plugged (a tube state): adds these tubes.
-//   - The same items with a minus (-plugged, -R3C4, -outer:1): removes tubes; if no item adds tubes, from all tubes.
+//   - The same items with a minus (-plugged, -R3C4): removes these tubes; from all tubes if no item adds any.
 //   - every:K, spread:N: keeps part of the tubes that the other items select; applied in the order written.
-//   - leg:hot, sheet:FINGERPRINT: refuses another leg or sheet.
-// Plugged and stabilised tubes take no tool, inaccessible tubes could not be reached before, and the identity of
+//   - leg:hot, sheet:FINGERPRINT: refuses a sheet of another leg or with another fingerprint.
+// Plugged and stabilised tubes cannot take a tool, inaccessible tubes could not be reached before, and the identity of
 // unresolved tubes is in doubt. All these tubes are left out, and counted, unless they are requested by their state
 // (`plugged`, such as in `all,plugged`) or by their own name (R10C20).
 #pragma once
@@ -58,22 +58,24 @@ struct Selection {
   std::vector<int> tube_indices;  ///< indices of the selected tubes in Sheet::tubes, ascending, each once
   /// Dwell times [s] keyed by index in Sheet::tubes, for tubes where a list states a dwell time.
   std::map<int, double> dwell;
-  std::vector<LeftOut> left_out;  ///< tubes left out because of their state or finished work
+  std::vector<LeftOut> left_out;  ///< requested tubes that are excluded because of their state or because their work is
+                                  ///< done
   /// Inaccessible or unresolved tubes that are selected because they were named, with their state according to the list
   /// or else to the sheet, keyed by index in Sheet::tubes.
   std::map<int, TubeState> doubtful;
   std::optional<WorkList> list;  ///< work list that the tubes come from; nothing for a request
 };
 
-/// Returns a phrase such as "12 plugged, 3 stabilised, 2 done according to the list"; empty if no tube is left out.
+/// Returns a phrase that counts the tubes in `left_out`, such as "12 plugged, 3 stabilised, 2 done according to the
+/// list"; empty if there are none.
 [[nodiscard]] std::string leftOutText(const Selection& selection);
 
-/// Returns a sentence such as "2 inaccessible, 1 unresolved among the tubes asked for (R3C4, ...): taken as asked";
-/// empty if there are none.
+/// Returns a sentence on the tubes in `doubtful`, such as "2 inaccessible, 1 unresolved among the tubes asked for
+/// (R3C4, ...): taken as asked"; empty if there are none.
 [[nodiscard]] std::string doubtfulText(const Sheet& sheet, const Selection& selection);
 
-/// Selects tubes by a request in the language described above. Refused: malformed items, tubes that are not on the
-/// sheet, another leg or sheet, an empty result.
+/// Selects tubes by a request in the language described above. Refuses malformed items, tubes that are not on the
+/// sheet, another leg or sheet, and an empty result.
 [[nodiscard]] Selection selectTubes(const Sheet& sheet, const std::string& request);
 
 /// Returns true for plugged, stabilised, inaccessible and unresolved: tubes in these states are visited only if the
@@ -89,18 +91,18 @@ struct Selection {
 /// time in seconds, from 0 to a day; empty: not stated), state or status (a state or a code of tube_codes.hpp; empty:
 /// the state on the sheet), code or ind (a state, a code or any remark), x and y with a unit (position of the hole) and
 /// sg (the steam generator). A note lists all other columns. A tube may be named several times, for example once per
-/// indication. Refused: two legs, sheets or steam generators in one list, two states or two dwell times for one tube,
-/// malformed fields, no tubes.
+/// indication. Refuses two legs, sheets or steam generators in one list, two states or two dwell times for one tube,
+/// malformed fields, and a list without tubes.
 [[nodiscard]] WorkList parseWorkListCsv(std::string_view text);
 
 /// Reads a work list from a table whose columns the user chose, with the rules of parseWorkListCsv().
 [[nodiscard]] WorkList readWorkListTable(std::string_view text, TubeTable table);
 
-/// Selects the tubes of a list, each once. Left out are tubes whose work is done, and tubes that are plugged or
+/// Selects the tubes of a list, each once. Leaves out tubes whose work is done, and tubes that are plugged or
 /// stabilised according to the list or, where the list states nothing, according to the sheet. Inaccessible and
-/// unresolved tubes are selected, since the list names them. Refused: a list that was refused, another leg or sheet,
-/// tubes that are not on the sheet (all are counted) or whose position in the list differs from the sheet's, an empty
-/// result.
+/// unresolved tubes are selected, since the list names them. Refuses a list that could not be read, another leg or
+/// sheet, tubes that are not on the sheet (all are counted) or whose position in the list differs from the sheet's, and
+/// an empty result.
 [[nodiscard]] Selection selectTubes(const Sheet& sheet, WorkList list);
 
 }  // namespace tubeplan::tubesheets
