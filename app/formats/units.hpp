@@ -27,7 +27,7 @@ struct Unit {
   double offset = 0;
 };
 
-/// Returns the table of all units, with one row for each unit.
+/// Returns all units that files may state.
 [[nodiscard]] std::span<const Unit> unitTable();
 
 /// Returns the unit of the given kind and name; null if there is none.
@@ -81,7 +81,7 @@ class Units {
   /// keeps its decimals.
   [[nodiscard]] double toFile(double value, Dimension dimension) const;
 
-  /// Converts values that may be absolute temperatures, or that may have a unit outside the `units` block, such as
+  /// Convert values that may be absolute temperatures, or that may have a unit outside the `units` block, such as
   /// percent.
   [[nodiscard]] double toInternal(double value, const deflection::ValueUnit& unit) const;
   [[nodiscard]] double toFile(double value, const deflection::ValueUnit& unit) const;

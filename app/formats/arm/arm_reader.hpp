@@ -1,5 +1,5 @@
-// Reader of arm files: rows of links with Denavit-Hartenberg parameters or origins, with joints, stiffnesses, beams and
-// weights, and the tool.
+// Reader of arm files. They describe the links (Denavit-Hartenberg parameters or origins, joints, stiffnesses, beams,
+// weights) and the tool.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ namespace tubeplan::app {
 struct ArmSource {
   deflection::Arm arm;
   Units units;
-  bool names_tool_axis = false;  ///< true: the file states the tool axis; false: default axis, which a cell may replace
+  bool names_tool_axis = false;  ///< false: the tool axis is the default one, which a cell may replace
   std::string pair;  ///< identifier shared with the cell that was written together with this arm; empty if none
 };
 
@@ -23,7 +23,8 @@ struct ArmSource {
 /// the file, for unknown, missing or ill-typed values, and for problems found by deflection::findProblems.
 [[nodiscard]] ArmSource readArm(const YamlNode& node);
 
-/// Returns the key for the value of a condition at which the arm has its drawn shape, such as `reference_temperature`.
+/// Returns the key under which an arm file states the reference value of a condition, at which the arm has its drawn
+/// shape: `reference_temperature`.
 [[nodiscard]] std::string referenceKey(const deflection::ConditionKind& kind);
 
 /// Returns the YAML node of the parameter with a dotted name ("tool.joint_stiffness.z", "tool.tip.x"), or the nearest

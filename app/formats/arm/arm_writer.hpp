@@ -8,7 +8,7 @@
 
 namespace tubeplan::app {
 
-/// Choice of writing the tool axis, or leaving it out because the arm's file states none, so that the cell can state
+/// Whether armYaml() writes the tool axis. It is left out if the arm's own file states none, so that the cell can state
 /// it.
 enum class ToolAxis { kStated, kLeftOut };
 

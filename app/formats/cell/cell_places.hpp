@@ -8,14 +8,14 @@
 
 namespace tubeplan::app {
 
-/// Returns true if a file is a cell, even one with errors: it has a key `arm`.
+/// Returns true if a file has a key `arm`, which marks it as a cell even if it has errors.
 [[nodiscard]] bool isCellFile(const std::filesystem::path& file);
 
 /// Returns the path for the arm file of a new cell: in the cell's folder, with the cell's name and "-arm".
 [[nodiscard]] std::filesystem::path armBeside(const std::filesystem::path& cell);
 
-/// Throws InputError if a new cell would overwrite a file that is not a cell, or if its arm would overwrite an arm file
-/// that the replaced cell does not name, which other cells may use.
+/// Throws InputError if a new cell would overwrite a file that is not a cell. Also throws InputError if its arm would
+/// overwrite an arm file that the replaced cell does not name, because other cells may use that file.
 void requireReplaceable(const std::filesystem::path& cell, bool has_arm_file, const std::string& option);
 
 /// Throws InputError unless `out` can be written (checkWritableFile()) and is a new file or a cell; the input `cell`

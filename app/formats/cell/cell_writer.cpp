@@ -91,7 +91,7 @@ std::string moved(const std::string& text, const Cell& cell, std::string_view ke
   return withYamlValue(text, key, '"' + name + '"');
 }
 
-/// Returns the parameters that the fit, in any of its stages, changed from those of the arm's file.
+/// Returns the parameters that any stage of the fit changed, compared with the arm's file.
 std::vector<std::pair<std::string, double>> foundNumbers(const Cell& cell, const calibration::Identification& result) {
   std::vector<std::pair<std::string, double>> numbers;
   for (const auto& parameter : deflection::parametersOf(result.fitted.arm)) {
@@ -117,7 +117,7 @@ std::string identifyList(const std::vector<std::string>& names) {
   return fmt::format("[{}]", fmt::join(quoted, ", "));
 }
 
-/// Returns the text without the names in `identify` of stiffnesses that the fit gave up.
+/// Returns the text with the stiffnesses in `given_up` removed from the list `identify`.
 std::string withoutIdentifying(const std::string& text, const Cell& cell, const std::vector<std::string>& given_up) {
   const auto is_given_up = [&](const std::string& name) {
     return std::find(given_up.begin(), given_up.end(), name) != given_up.end();

@@ -17,7 +17,7 @@ struct BaseChange {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   std::optional<Matrix6d> covariance;  ///< as Cell::base_covariance; nothing: the covariance in the file is kept
   bool known = true;
-  std::optional<ModelError> model_error = {};  ///< nothing: the error in the file is kept, unless from earlier touches
+  std::optional<ModelError> model_error = {};  ///< nothing: keeps the error in the file, unless earlier touches gave it
   std::vector<calibration::Measurement> touches = {};
   const deflection::Arm* arm = nullptr;  ///< arm with the parameters fitted to the touches; null without touches
 };
@@ -53,16 +53,16 @@ struct CellFiles {
 /// Writes the name of the arm's file into the cell's text, and the same pair identifier into both texts.
 void makePair(std::string& cell, TextFile& arm);
 
-/// Returns the names of those parameters of an effect that a fit may free: all except times of steps, with respect to
-/// which the model has no derivative.
+/// Returns the names of the parameters of an effect that a fit may estimate: all except times of steps, because the
+/// model has no derivative with respect to these.
 [[nodiscard]] std::vector<std::string> freedNames(const deflection::Arm& arm, const deflection::Effect& effect);
 
 /// Returns the cell's text with the effects of `arm`, and with the names in `freed` appended to `identify`.
 [[nodiscard]] std::string cellTextWithEffects(const Cell& cell, const deflection::Arm& arm,
                                               const std::vector<std::string>& freed, const std::filesystem::path& out);
 
-/// Returns the files of an improved cell: the original with the added effects and freed names, and the fitted
-/// parameters.
+/// Returns the files of an improved cell: the original with the added effects, their names under `identify`, and the
+/// fitted parameters.
 [[nodiscard]] CellFiles improvedCell(const Cell& original, const CellModel& improved,
                                      const calibration::Identification& result,
                                      const std::vector<calibration::Measurement>& readings,

@@ -152,7 +152,7 @@ deflection::FormulaUnits formulaUnitsOf(const Units& units) {
 
 std::vector<Effect> readEffects(const YamlNode& node, const deflection::Arm& arm, const Units& units) {
   std::vector<Effect> effects;
-  deflection::Arm with = arm;  // parameters of formulas without a place are numbered on from those of earlier effects
+  deflection::Arm with = arm;  // formulas without a place continue the numbering of parameters of earlier effects
   for (const YamlNode& item : node.list()) {
     with.effects = effects;
     Effect effect = readEffect(item, with, units);

@@ -1,4 +1,4 @@
-// Effects of a cell's arm that the arm file does not contain: added after a diagnosis, or hidden for practice.
+// Effects of a cell's arm that the arm file does not contain: added after a diagnosis, or hidden in simulated readings.
 //
 //   effects:
 //     - {effect: backlash, at: tool.z, gap: 0.12}
@@ -42,8 +42,8 @@ namespace tubeplan::app {
 [[nodiscard]] std::string formulaUnitsText(const deflection::Arm& arm, const deflection::Effect& formula,
                                            const Units& units);
 
-/// Returns the error for an effect `name` that could not be placed at `at`, with the result `made`; the message lists
-/// the possible places. `where` names the key or the argument.
+/// Returns the error for an effect `name` that cannot be at the place `at`; `made` is the result of the attempt. The
+/// message lists the possible places. `where` names the key or the argument.
 [[nodiscard]] InputError placeError(const std::string& where, const deflection::MadeEffect& made,
                                     const std::string& name, const std::string& at);
 

@@ -50,7 +50,7 @@ class Mirror {
     if (findNode(root_, path)) text_ = withoutYamlValue(text_, path);
   }
 
-  /// Mirrors the shapes of all obstacles, field by field of their rows in the table of shapes.
+  /// Mirrors the shapes of all obstacles: each field according to its quantity in the planner's table of shapes.
   void changeScene() {
     const YamlNode* scene = root_.find("scene");
     if (!scene) return;

@@ -233,7 +233,7 @@ SceneSource readScene(const YamlNode& cell, const deflection::Arm& arm, const Un
 
 namespace {
 
-/// Returns descriptions of moving members of the arm that no body covers, so that their contacts are not checked.
+/// Returns descriptions of the moving parts of the arm that no body covers; contacts with these parts are not checked.
 std::vector<std::string> bareMembers(const planner::Scene& scene, const deflection::Arm& written,
                                      const Eigen::Isometry3d& X_WB) {
   constexpr double kLong = 0.08;  // fraction of the arm's reach; shorter members lie within their neighbours' shapes

@@ -1,4 +1,5 @@
-// Reader of a cell's scene: obstacles in the world frame and bodies on the links, with shapes of the planner's table.
+// Reader of a cell's scene: obstacles in the world frame and bodies on the links, each with a shape that the planner
+// supports.
 #pragma once
 
 #include <filesystem>
@@ -35,8 +36,8 @@ struct SceneSource {
 [[nodiscard]] SceneSource readScene(const YamlNode& cell, const deflection::Arm& arm, const Units& units,
                                     const std::filesystem::path& folder);
 
-/// Returns warnings about the scene: bodies that are too close to each other in every posture, members of the arm
-/// without a body, meshes that are not closed, and meshes that the arm cannot reach from its base.
+/// Returns warnings about the scene: bodies that are too close to each other in every posture, parts of the arm without
+/// a body, meshes that are not closed, and meshes that the arm cannot reach from its base.
 [[nodiscard]] std::vector<std::string> sceneWarnings(const planner::Scene& scene, const std::vector<SceneMesh>& meshes,
                                                      const deflection::Arm& arm, const Eigen::Isometry3d& X_WB);
 

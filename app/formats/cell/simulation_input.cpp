@@ -146,8 +146,8 @@ calibration::CampaignTruth makeTruth(const SimulationRequest& request, const Cel
   return drawn;
 }
 
-/// Replaces the centring error in readings by the number of inserted steps; removes readings without an inserted step,
-/// which carry no information.
+/// Sets the number of inserted steps in readings from their centring error; removes readings in which no step enters,
+/// because they carry no information.
 void countSteps(const tubesheets::SteppedTool& tool, std::vector<calibration::Measurement>& readings) {
   for (auto& reading : readings) reading.own[0] = tubesheets::stepsInserted(tool, reading.own[1]);
   std::erase_if(readings, [](const auto& reading) { return reading.own[0] == 0; });

@@ -1,4 +1,4 @@
-// Simulated measurements of a cell: conversion of a request to readings, with the true arm that produced them.
+// Simulated measurements of a cell: converts a request to readings, and keeps the true arm that produced them.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +37,8 @@ struct SimulationTask {
   calibration::CampaignTruth truth;
 };
 
-/// Returns the inputs of a simulation. Throws InputError for a design that cannot be measured and for effects that
-/// cannot be hidden.
+/// Converts a request to the inputs of a simulation. Throws InputError for a design that cannot be measured and for
+/// effects that cannot be hidden.
 [[nodiscard]] SimulationTask prepareSimulation(const Cell& cell, const SimulationRequest& request);
 
 /// Simulates the measurement campaign. At every reading the true arm is clear of the cell's scene.

@@ -13,7 +13,8 @@
 
 namespace tubeplan::app {
 
-inline constexpr int kLeastShareOfWriting = 20;  ///< minimum pause between writes, relative to the duration of a write
+/// Minimum pause between two writes, as a multiple of the duration of a write.
+inline constexpr int kLeastShareOfWriting = 20;
 
 /// Name of a checkpoint format, and wording of the message for a damaged file.
 struct CheckpointFormat {
@@ -36,8 +37,8 @@ struct CheckpointFile {
 /// checksums.
 [[nodiscard]] CheckpointFile readCheckpoint(const CheckpointFormat& format, const std::filesystem::path& path);
 
-/// Calls `read` with the file's results. Throws InputError for a damaged file if the results are not JSON, or not as
-/// `read` expects.
+/// Calls `read` with the file's results. Throws InputError for a damaged file if the results are not JSON, or not in
+/// the form that `read` expects.
 void readPayload(const CheckpointFormat& format, const std::filesystem::path& path, const CheckpointFile& file,
                  const std::function<void(const nlohmann::json&)>& read);
 

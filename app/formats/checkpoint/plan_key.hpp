@@ -17,7 +17,7 @@ namespace tubeplan::app {
 /// a word or a fingerprint.
 using PlanKey = std::vector<std::pair<std::string, std::string>>;
 
-/// Name of the part on which motions from the start posture and to the end posture depend.
+/// Name of the part with the start and end postures; only the motions from and to these postures depend on it.
 inline constexpr const char* kEndsPart = "start and end";
 
 struct PlanKeyInputs {
@@ -40,8 +40,8 @@ struct PlanKeyInputs {
 /// Returns the program's version and the fingerprint of its executable, because another build may round differently.
 [[nodiscard]] std::string programText();
 
-/// Returns the fingerprint of a cell's values that describe arm and scene. Not included are the name, base, sheet, tool
-/// and park posture, the parameters to be identified and their uncertainty.
+/// Returns the fingerprint of a cell's values that describe arm and scene. It excludes the name, base, sheet, tool and
+/// park posture, the parameters to be identified and their uncertainty.
 [[nodiscard]] std::string modelFingerprint(const Cell& cell);
 
 /// Returns the fingerprint of a matrix's elements, exact to the last bit.
@@ -51,7 +51,7 @@ struct PlanKeyInputs {
 /// equal.
 [[nodiscard]] std::vector<std::string> findDifferences(const PlanKey& before, const PlanKey& now);
 
-/// Returns the differences only in those parts on which proved motions and postures depend.
+/// Returns only the differences in parts on which proved motions and postures depend.
 [[nodiscard]] std::vector<std::string> findModelDifferences(const PlanKey& before, const PlanKey& now);
 
 /// Returns the value of the part with the given name; empty if there is none.

@@ -1,4 +1,4 @@
-// Angles in columns of a foreign table, which may be in sixtieths (degrees or hours, minutes, seconds).
+// Angles in columns of a foreign table. They may be in sixtieths: degrees or hours, minutes and seconds.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,8 @@ namespace tubeplan::app {
 /// degrees, or if there is none.
 [[nodiscard]] const Unit* unitOfForm(const std::optional<SixtiethForm>& form);
 
-/// Throws InputError for a column with angles in several notations, or in sixtieths that may be of hours or of degrees.
-/// `is_stated` is true if the column's heading or the user states the unit.
+/// Throws InputError for a column with angles in several notations, or in sixtieths of an unknown unit (hours or
+/// degrees). `is_stated` is true if the column's heading or the user states the unit.
 void requireOneForm(const ForeignTable& table, std::size_t column, bool is_stated);
 
 /// Returns true if a column stated in degrees may in fact be in hours: its heading names an hour angle or a right

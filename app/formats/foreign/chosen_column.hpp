@@ -12,7 +12,7 @@ struct ChosenColumn {
   std::size_t target = 0;  ///< index of the quantity in columnTargets()
   std::size_t table = 0, column = 0;
   const Unit* unit = nullptr;  ///< unit of the column's numbers; null if the name states none
-  double factor = 1;           ///< factor of the column's numbers, given after the column as * FACTOR or / DIVISOR
+  double factor = 1;           ///< factor for the column's numbers, from * FACTOR or / DIVISOR after the column
 };
 
 /// Parses an assignment of a column. Throws InputError for an unknown quantity and for a column that is missing or

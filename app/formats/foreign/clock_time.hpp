@@ -29,10 +29,11 @@ enum class DateOrder { kDayFirst, kMonthFirst };
 /// Times of consecutive rows of a table.
 struct ClockTimes {
   std::vector<std::optional<double>> seconds;  ///< time of each row [s], with days added after midnight; or nothing
-  std::vector<std::size_t> midnights;          ///< indices of rows from which one more day is added
+  std::vector<std::size_t> midnights;          ///< indices of the first rows after a midnight
 };
 
-/// Returns the times of rows. A time without a date that is half a day or more before the previous is past midnight.
+/// Returns the times of rows. A time without a date that is earlier than the previous one by half a day or more is on
+/// the next day.
 [[nodiscard]] ClockTimes clockTimes(const std::vector<std::string>& rows, DateOrder order = DateOrder::kMonthFirst);
 
 }  // namespace tubeplan::app

@@ -65,7 +65,8 @@ class ColumnTaker {
     parts_.push_back(column);
   }
 
-  /// Adds the forms of orientations or positions for whose numbers the user chose columns, all from a single table.
+  /// Adds the orientations and positions whose numbers the user chose column by column; all columns of a form must be
+  /// in one table.
   void takeChosenForms() {
     while (!parts_.empty()) {
       const WrittenForm& form = *targets_[parts_.front().target].form;
@@ -212,8 +213,8 @@ class ColumnTaker {
         fmt::format("write --units {0}, or --column {1}_{0}={2}", exampleOf(kind), quantity, theirs));
   }
 
-  /// Throws InputError for joint readings that are integers of many turns in the assumed unit, because they are
-  /// probably encoder pulses.
+  /// Throws InputError for joint readings that are integers and would be many turns in the assumed unit, because they
+  /// are probably encoder pulses.
   void refusePulses(const ColumnTarget& joint, std::size_t table, std::size_t column, const Unit& unit) const {
     constexpr double kMostTurns = 20;
     double most = 0;

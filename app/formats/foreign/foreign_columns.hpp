@@ -21,11 +21,11 @@ inline constexpr std::array kJointWords{"j", "joint", "axis", "a", "q", "theta",
 /// Quantity of a measurement table, with its names in other programs.
 struct ColumnTarget {
   std::string quantity;          ///< name of the quantity: "x", "theta1", "id"
-  std::optional<UnitKind> unit;  ///< kind of UNIT in the column quantity_UNIT; nothing for a column without a unit
+  std::optional<UnitKind> unit;  ///< kind of unit in the column's name, as in "x_mm"; nothing if it has none
   bool is_number = true;
   bool is_joint = false;
   std::vector<std::string> aliases = {};  ///< alternative names, in the notation of parseHeading()
-  const WrittenForm* form = nullptr;      ///< form of which this is a number ("euler-zyx.z"); null for other quantities
+  const WrittenForm* form = nullptr;      ///< form that has this number ("euler-zyx.z"); null for other quantities
   std::size_t part = 0;                   ///< index of the number in the form
 };
 
@@ -47,8 +47,8 @@ struct TakenColumn {
   std::size_t target = 0;  ///< index of the column's quantity in columnTargets()
   std::size_t table = 0;
   std::size_t column = 0;
-  double factor = 1;                                  ///< factor of the column's numbers
-  std::shared_ptr<const FormColumns> form = nullptr;  ///< form that states the quantity; null for a column of its own
+  double factor = 1;                                  ///< factor for the column's numbers
+  std::shared_ptr<const FormColumns> form = nullptr;  ///< form that gives the quantity; null if a column states it
   std::size_t part = 0;                               ///< index of the computed component in columnsOf()
   const Unit* unit = nullptr;                         ///< unit of the column's fields; null if dimensionless
 };

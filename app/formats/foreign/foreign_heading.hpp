@@ -12,7 +12,7 @@ namespace tubeplan::app {
 struct ForeignHeading {
   std::string name;  ///< name in lower-case letters and digits, without the unit: "joint1" for "Joint 1 [deg]"
   const Unit* unit = nullptr;  ///< unit that the heading states; null if there is none
-  bool is_count = false;       ///< true for encoder pulses, whose size in a unit is unknown
+  bool is_count = false;       ///< true for encoder pulses, which cannot be converted to a unit
 };
 
 /// Returns the unit that a word or sign denotes: "mm", "Millimeters", "inches", "°", "gon" (which Tubeplan's own files
@@ -23,7 +23,7 @@ struct ForeignHeading {
 /// Returns `unit` if it is of the given kind, otherwise null. For angles, `h` means hours of angle instead of time.
 [[nodiscard]] const Unit* unitOfKind(const Unit* unit, UnitKind kind);
 
-/// Returns the unit of angles in sixtieths of hours ("hms") or of degrees ("dms"), which parseSexagesimal() parses.
+/// Return the units "hms" and "dms" of angles in sixtieths of hours and of degrees, which parseSexagesimal() parses.
 [[nodiscard]] const Unit* sixtiethsOfHours();
 [[nodiscard]] const Unit* sixtiethsOfDegrees();
 

@@ -132,7 +132,7 @@ class ForeignReader {
                        factor);
   }
 
-  /// Notes columns that look like an orientation but are not used, if the readings have no orientation.
+  /// If the readings have no orientation, records as left out those unused columns that look like one.
   void sayTurnLeftOut(std::size_t t, const std::set<std::size_t>& used) {
     if (isTaken(columnsOf(Stated::kTurn).columns.front())) return;
     const auto headings = columnNames(request_.tables, targets_);

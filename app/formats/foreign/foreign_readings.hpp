@@ -21,12 +21,12 @@ struct ForeignReadings {
   std::vector<std::string> origins;   ///< source of each reading: "log.csv:9", or "log.csv:9 and points.txt:4"
 };
 
-/// Returns readings from the rows of the table with the joints and the matching rows of all other tables. Rows match by
-/// name if both tables have names, otherwise by order if both have the same number of rows. Groups before a tracker's
-/// names (A::Group::P1) are ignored. The ids of readings are the table's ids, otherwise the point names if they are
-/// unique, otherwise running numbers. Rows without any coordinate are lost points and are left out, unless a column
-/// states their kind. Throws InputError in the cases of takeColumns(), for tables that do not match, and for fields
-/// that should be numbers but are not. The readings themselves are checked by parseMeasurementTable().
+/// Returns readings, each from a row of the table that has the joints and from the matching rows of all other tables.
+/// Rows match by name if both tables have names, otherwise by order if both have the same number of rows. Groups before
+/// a tracker's names (A::Group::P1) are ignored. The ids of readings are the table's ids, otherwise the point names if
+/// they are unique, otherwise running numbers. Rows without any coordinate are lost points and are left out, unless a
+/// column states their kind. Throws InputError in the cases of takeColumns(), for tables that do not match, and for
+/// fields that should be numbers but are not. The readings themselves are checked by parseMeasurementTable().
 [[nodiscard]] ForeignReadings readForeign(const ForeignRequest& request, const deflection::Arm& arm);
 
 }  // namespace tubeplan::app

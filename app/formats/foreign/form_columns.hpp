@@ -13,10 +13,10 @@
 
 namespace tubeplan::app {
 
-/// Flags of columns that are still unassigned: one list for each table, with one flag for each column.
+/// For each table, one flag per column: true if the column is not yet assigned to a quantity.
 using FreeColumns = std::vector<std::vector<bool>>;
 
-/// Inputs of a search for forms: tables with their free columns, and joints that have no column yet.
+/// Inputs of a search for forms: tables with their unassigned columns, and the joints that have no column yet.
 struct FormSearch {
   const std::vector<ForeignTable>& tables;
   const std::vector<std::vector<ForeignHeading>>& headings;
@@ -25,10 +25,10 @@ struct FormSearch {
   std::vector<const ColumnTarget*> joints;
 };
 
-/// Returns true if the heading of a free column matches a name of the target.
+/// Returns true if the heading of an unassigned column matches a name of the target.
 [[nodiscard]] bool hasFreeColumn(const FormSearch& search, const ColumnTarget& target);
 
-/// Returns the kind `asked` or, if it is empty, the kinds stated in the rows.
+/// Returns the kinds of the readings: only `asked` or, if it is empty, all kinds stated in the rows.
 [[nodiscard]] std::set<std::string> kindsOf(const FormSearch& search, const std::string& asked);
 
 /// Returns the quantities (orientation, position) for which a form is needed: those measured by readings of the given
@@ -36,13 +36,14 @@ struct FormSearch {
 /// chosen form, or to an empty name.
 [[nodiscard]] std::map<Stated, std::string> neededForms(const std::set<std::string>& kinds, const ColumnChoice& choice);
 
-/// Returns every form whose headings occur in one table; if `name` is not empty, only the form of this name. The last
-/// possible column for a joint is reserved for the joint: q1 to q4 are joints if no other columns can be.
+/// Returns every form whose headings all occur in the same table; if `name` is not empty, only the form of this name. A
+/// column that is the only candidate for a joint is reserved for the joint: q1 to q4 are joints, not a quaternion, if
+/// no other columns can be.
 [[nodiscard]] std::vector<FormColumns> formsByHeadings(const FormSearch& search, Stated stated,
                                                        const std::string& name);
 
-/// Returns the forms that remain after three exclusions: forms contradicted by a further column, forms in which rows
-/// are implausible, and forms with the same results as an earlier form.
+/// Returns the forms that remain after three exclusions: forms contradicted by a further column, forms for which the
+/// numbers are implausible, and forms with the same results as an earlier form.
 [[nodiscard]] std::vector<FormColumns> decideForms(std::vector<FormColumns> forms,
                                                    const std::vector<ForeignTable>& tables);
 

@@ -111,7 +111,7 @@ class RowJoiner {
     return partners;
   }
 
-  /// Notes how a table is matched with the first one; two tables may be matched in different ways.
+  /// Records how a table is matched with the leading table; different tables may be matched in different ways.
   void match(const std::string& how) {
     if (out_.how.find(how) == std::string::npos) out_.how += (out_.how.empty() ? "" : " and ") + how;
   }

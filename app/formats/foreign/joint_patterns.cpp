@@ -69,7 +69,7 @@ std::vector<NameWords> withoutShared(std::vector<NameWords> names) {
 
 bool isPlainNumber(const NameWords& words) { return words.size() == 1 && isDigit(words.front().front()); }
 
-/// Returns the possible namings of the joints, each as a list with one name for each joint.
+/// Returns the ways in which headings may name the joints, each as a list with one name for each joint.
 std::vector<std::vector<NameWords>> waysToCall(const std::vector<const ColumnTarget*>& joints) {
   std::vector<NameWords> own, from_one, from_zero;
   for (std::size_t k = 0; k < joints.size(); ++k) {

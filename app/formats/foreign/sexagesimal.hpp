@@ -24,7 +24,7 @@ struct Sexagesimal {
 /// Returns true for a possible number of minutes or seconds; 60 is allowed because it may be a rounded 59.99.
 [[nodiscard]] constexpr bool isSixtieth(double number) { return number >= 0 && number <= 60; }
 
-/// Returns the signed sum of unsigned numbers, each of which counts in sixtieths of the previous number.
+/// Returns the signed sum of unsigned numbers, each of which counts sixtieths of the previous number's unit.
 [[nodiscard]] double sumOfSixtieths(bool is_negative, std::span<const double> parts);
 
 /// Parses an angle of two or three numbers with at most one sign in front; the last number may have decimals, with a

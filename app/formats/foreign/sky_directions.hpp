@@ -20,8 +20,8 @@ inline double nearestTurn(double angle) {
   return turn == -180 ? 180 : turn;
 }
 
-/// Returns the direction with an hour angle (from the meridian towards west) and a declination, at a site of the given
-/// latitude; all angles in deg.
+/// Converts an hour angle (from the meridian towards west) and a declination to a direction in the sky over a site of
+/// the given latitude; all angles in deg.
 inline SkyDirection fromHourAngle(double hour_angle, double declination, double latitude) {
   constexpr double kDegreeOfSky = std::numbers::pi / 180;
   const double h = hour_angle * kDegreeOfSky, d = declination * kDegreeOfSky, phi = latitude * kDegreeOfSky;

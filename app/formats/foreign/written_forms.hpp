@@ -27,7 +27,7 @@ struct StatedColumns {
 /// Numbers of a form in one row, in internal units; only quaternions use the fourth number.
 using FormNumbers = std::array<double, 4>;
 
-/// Plausibility of a row's numbers in a form.
+/// Plausibility of a row's numbers if they are read in a certain form.
 enum class FormFit { kUsual, kUnusual, kImpossible };
 
 struct FormNumber {

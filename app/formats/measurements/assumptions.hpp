@@ -1,4 +1,4 @@
-// Assumptions of the user about errors in readings (--assume), and correction of the readings in memory.
+// Assumptions of the user about mistakes in readings (--assume), which correct the readings in memory.
 #pragma once
 
 #include <string>

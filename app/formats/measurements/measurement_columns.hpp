@@ -35,8 +35,8 @@ struct MeasurementColumns {
   std::map<std::string, NumberColumn> own;  ///< columns of quantities of particular kinds of readings, keyed by name
 };
 
-/// Prefix of a joint's name in columns of expected joint readings. They occur in proposed readings that measure the
-/// joints.
+/// Prefix of a joint's name in run-sheet columns of expected joint readings, for readings in which the joints are
+/// measured.
 inline constexpr const char* kNearPrefix = "near_";
 
 /// Advice in messages for a table from another program.
@@ -48,7 +48,7 @@ inline constexpr const char* kReadForeign = "let `tubeplan readings` make a meas
 /// Returns the kind of units of a joint's readings: length for a prismatic joint, otherwise angle.
 [[nodiscard]] UnitKind unitKindOf(const deflection::Joint<double>& joint);
 
-/// Returns the name of a condition's column with its unit, from the file (`temperature_degF`) or fixed
+/// Returns the name of a condition's column with its unit, which is the file's (`temperature_degF`) or fixed
 /// (`humidity_percent`).
 [[nodiscard]] std::string conditionColumn(const deflection::ConditionKind& kind, const Units& units);
 

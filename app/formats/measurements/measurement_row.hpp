@@ -14,7 +14,7 @@
 
 namespace tubeplan::app {
 
-/// Row of a table, with functions that read fields and throw errors with the position in the file.
+/// Row of a table. Its functions read fields, and throw errors that state the position in the file.
 class RowReader {
  public:
   RowReader(const tubesheets::CsvTable& table, const tubesheets::CsvRow& row, const std::string& file)

@@ -12,9 +12,9 @@
 namespace tubeplan::app {
 
 /// Reads the measurements in a file, in file order. Required columns are id, kind and `<joint>_UNIT` for every joint of
-/// the arm. Optional are, among others of findColumns(), point, setup, load_UNIT, x_UNIT, y_UNIT, z_UNIT,
-/// distance_UNIT, sigma_UNIT, `<joint>_dir`, CONDITION_UNIT and split (fit, held-out). A touch without coordinates has
-/// those of a hole of the sheet if its point is the hole's name (R10C20).
+/// the arm. Optional columns include point, setup, load_UNIT, x_UNIT, y_UNIT, z_UNIT, distance_UNIT, sigma_UNIT,
+/// `<joint>_dir`, CONDITION_UNIT and split (fit, held-out); findColumns() knows all of them. A touch without
+/// coordinates has those of a hole of the sheet if its point is the hole's name (R10C20).
 ///
 /// Throws InputError with line and column. Causes in the table are an unknown, duplicate or missing column, an unknown
 /// unit, a number that is invalid or not finite, an unknown kind, and a duplicate id. Causes in the readings are empty

@@ -12,8 +12,8 @@
 
 namespace tubeplan::app {
 
-/// Sets the sigma of every reading that states none to `sigma` (in the cell's length unit; 0: not given), otherwise,
-/// for a touch, to the sigma of the cell's calibration tool. Throws InputError if neither is known.
+/// Sets the sigma of every reading that states none: to `sigma` (in the cell's length unit) if it is above zero,
+/// otherwise, for a touch, to the sigma of the cell's calibration tool. Throws InputError if neither is known.
 void stateSigma(std::vector<calibration::Measurement>& readings, const Cell& cell, const std::string& file,
                 double sigma);
 
@@ -73,8 +73,8 @@ using ReadingFiles = std::vector<std::string>;
 [[nodiscard]] InputError inputErrorOf(const calibration::ReadingProblem& problem,
                                       const std::vector<calibration::Measurement>& readings, const std::string& file);
 
-/// Returns warnings about a fit, one sentence each: on set-ups that no reading names, on touches that may have shrunk
-/// the arm, and on held-out readings that are not judged.
+/// Returns warnings about a fit, one sentence each: on set-ups that no reading names, on a fitted arm that touches may
+/// have made too small, and on held-out readings that have nothing to be compared with.
 [[nodiscard]] std::vector<std::string> fitWarnings(const calibration::Identification& result,
                                                    const std::vector<calibration::Measurement>& readings);
 

@@ -8,7 +8,7 @@
 
 namespace tubeplan::app {
 
-/// Tube of a row in path.csv.
+/// The tube that a row of path.csv states.
 struct TubeEcho {
   std::string leg;
   int row = 0, column = 0;
@@ -24,7 +24,8 @@ struct PlanFiles {
   double load = 0;            ///< suspended load [N]
   double insertion = 0;       ///< insertion depth past the sheet's face [m]
   std::vector<std::string> tube_legs;  ///< leg of each tube in plan.tubes; empty if the plan states no legs
-  std::vector<TubeEcho> path_echoes;   ///< tube of each row in plan.path; empty if path.csv has no columns for tubes
+  std::vector<TubeEcho> path_echoes;   ///< tube stated in each row of plan.path; empty if path.csv has no columns for
+                                       ///< tubes
   std::string path_fingerprint;        ///< fingerprint of the numbers in path.csv as read
   std::string stated_path;             ///< fingerprint of the path as stated in plan.json; empty if plan.json has none
 };

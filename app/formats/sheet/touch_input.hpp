@@ -25,7 +25,7 @@ namespace tubeplan::app {
 void settleSteps(std::vector<calibration::Measurement>& readings, const tubesheets::SteppedTool& tool,
                  const std::string& file);
 
-/// Returns the planned touches. Throws InputError if no holes could be chosen.
+/// Returns the touches that `touches` contains. Throws InputError if no holes could be chosen.
 [[nodiscard]] std::vector<calibration::TouchPlan> requireTouches(BestTouches touches);
 
 /// Returns simulated touches of the true arm for `--touches auto`, at the three holes that determine the base most

@@ -9,7 +9,7 @@ namespace tubeplan::app {
 
 /// Reads `touched: {readings: |, numbers: [...], values: [...]}`: a measurement table of the touches, and those
 /// parameters of the arm whose fitted values differ from the arm's file. Sets the fitted values in the cell's arm;
-/// `placed_by` keeps the arm as filed. Requires that the cell already has its arm, effects and sheet. Throws InputError
+/// `cell.placed_by` keeps the arm of the file. The cell must already have its arm, effects and sheet. Throws InputError
 /// for any other value.
 void readTouched(const YamlNode& node, Cell& cell);
 

@@ -80,7 +80,7 @@ std::vector<std::string> namesInRobot(const tinyxml2::XMLDocument& document, con
   return names;
 }
 
-/// Walk over all tags of the text, which records the tags of the robot's own joints.
+/// Visits all tags of the text and records the tags of the robot's own joints.
 class JointTagWalk {
  public:
   JointTagWalk(std::string_view text, std::vector<std::string> names) : text_(text), names_(std::move(names)) {}

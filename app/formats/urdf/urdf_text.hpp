@@ -50,11 +50,11 @@ inline constexpr double kAsWritten = 5e-11;
 /// Returns true if two numbers are equal to the precision of an arm file; infinities must be equal.
 [[nodiscard]] bool isAsWritten(double a, double b);
 
-/// Return numbers to twelve decimals, finer than any instrument resolves, without trailing zeros.
+/// Return numbers as text with twelve decimals, finer than any instrument resolves, without trailing zeros.
 [[nodiscard]] std::string decimalOf(double value);
 [[nodiscard]] std::string decimalsOf(const Eigen::Vector3d& v);
 
-/// Returns `written`, the text of three numbers, with new decimals for those that differ between `was` and `is`.
+/// Returns `written`, the text of the three numbers `was`, with those numbers replaced that differ in `is`.
 [[nodiscard]] std::string withNumbers(std::string_view written, const Eigen::Vector3d& was, const Eigen::Vector3d& is);
 
 /// Replacements of non-overlapping pieces of the text. Every piece must be a view of the text.

@@ -23,7 +23,7 @@ struct UrdfTree {
     std::string joint;
     double multiplier = 1, offset = 0;
   };
-  /// Text in the file for a joint's controller, which kinematics does not use; empty if there is none.
+  /// What the file states for a joint's controller, which kinematics does not use; empty if it states nothing.
   struct ControllerWords {
     std::string soft_limits, reference_marks, transmission;
   };
