@@ -58,7 +58,7 @@ TEST_P(HoleLattice, AHoleHalfAPitchOffIsNamedWithItsDistanceAndItsPlace) {
     ASSERT_EQ(off.size(), 1u);
     EXPECT_EQ(off[0].tube, tube);
     EXPECT_NEAR(off[0].distance, share * sheet_.pitch, 0.03 * sheet_.pitch);
-    // At half a pitch, the lattice points on both sides are equally near, so either may be the reported position.
+    // If the hole is half a pitch off, the lattice points on both sides are equally near, and either may be reported.
     const double back = std::hypot(off[0].x - hole.x + share * sheet_.pitch, off[0].y - hole.y);
     if (share < 0.5) {
       EXPECT_NEAR(back, 0, 0.03 * sheet_.pitch);

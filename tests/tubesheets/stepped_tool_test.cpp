@@ -52,7 +52,7 @@ TEST(PlayInTube, IsAStepsToleranceLessHowFarItIsOff) {
   EXPECT_EQ(playInTube(tool, off, upright, 0), std::numeric_limits<double>::infinity());
   EXPECT_NEAR(playInTube(tool, off, upright, 0.3 * kMetresInAnInch), 0.084 * kMetresInAnInch, 1e-15);
   EXPECT_NEAR(playInTube(tool, off, upright, 0.5 * kMetresInAnInch + 1e-9), 0.084 * kMetresInAnInch,
-              1e-15);  // the next step has not entered
+              1e-15);  // 1 nm past the first step, the next step does not count as entered
   EXPECT_NEAR(playInTube(tool, off, upright, 0.6 * kMetresInAnInch), 0.053 * kMetresInAnInch, 1e-15);
   EXPECT_NEAR(playInTube(tool, off, upright, 9 * kMetresInAnInch), 0.005 * kMetresInAnInch,
               1e-15);  // beyond its length the tool is as thick as its last step

@@ -1,4 +1,4 @@
-// Tests of the selection language, term by term, and of every refusal.
+// Tests of the selection language: every term, and every reason for refusal.
 #include "tubesheets/work_list.hpp"
 
 #include <gtest/gtest.h>
