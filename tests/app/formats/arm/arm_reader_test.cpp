@@ -104,7 +104,8 @@ TEST(ArmReader, refusesImpossibleArmsWithTheLine) {
   expectSays(refusal("gravity: [0, 0, -1]", "gravity: [0, 0, 0]"), "length zero");
 }
 
-// If a parameter is changed in the text under its dotted name, it alone must be read back changed.
+// If one parameter is changed in the text by its dotted name, only this parameter must differ when the text is read
+// again.
 TEST(ArmReader, writesEveryParameterBack) {
   const std::string text = changed(cobraText(), "weight: {distributed: 0.126, end: 10.4}",
                                    "weight: {lumps: [{weight: 1, at: [0, 0, 1]}, {weight: 2, at: [1, 0, 0]}]}");

@@ -83,7 +83,8 @@ TEST(RobotKinematics, ofAnArmAreThoseThatItWasGivenWhicheverWayItsBaseStands) {
   }
 }
 
-/// An identified arm must keep its joint offsets, tilts and passive rows in the origins, so that the tip is the same.
+/// The origins of an identified arm must include its joint offsets, tilts and passive rows, so that the tip does not
+/// move.
 TEST(RobotKinematics, ofAnIdentifiedArmHoldItsOffsetsLeansAndPassiveRows) {
   const std::string text =
       changed(changed(changed(kArm, "{name: q2, type: revolute}", "{name: q2, type: revolute, offset: 3}"),
@@ -92,7 +93,7 @@ TEST(RobotKinematics, ofAnIdentifiedArmHoldItsOffsetsLeansAndPassiveRows) {
   const deflection::Arm arm = readArm(parseYaml(text, "arm.yaml")).arm;
   deflection::Arm plain = readArm(parseYaml(kArm, "arm.yaml")).arm;
   RobotKinematics kinematics = robotKinematicsOf(arm, "arm.yaml");
-  kinematics.origins[0].position.head<2>() *= -1;  // the half turn of the base
+  kinematics.origins[0].position.head<2>() *= -1;  // restores the half turn of the base
   kinematics.origins[0].rpy.z() += std::numbers::pi;
   for (std::size_t k = 0; k < 6; ++k) plain.rows[k].placement = kinematics.origins[k];
   const Eigen::VectorXd q = Eigen::VectorXd::LinSpaced(6, -1, 2);

@@ -72,7 +72,7 @@ TEST_F(CellReader, readsAnInlineArmAndAHoleMap) {
   EXPECT_EQ(cell.sheet->find(1, 2)->state, tubesheets::TubeState::kPlugged);
 }
 
-/// An arm of one joint below a sheet whose holes come from a map.
+/// A cell of an arm with one joint, below a sheet that is read from a hole map.
 class CellOverMap : public CellReader {
  protected:
   [[nodiscard]] Cell cellOverMap(const std::string& map) const {

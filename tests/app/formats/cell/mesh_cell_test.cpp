@@ -19,7 +19,7 @@ constexpr const char* kMeshRow = "{name: nozzle-dam, mesh: {file: dam.stl, posit
 
 class MeshCell : public ProgramTest {
  protected:
-  /// Writes the mock-up with `row` in place of the row of its nozzle dam; returns the path.
+  /// Writes the mock-up's cell with `row` in place of the obstacle `nozzle-dam`; returns the path.
   std::string writeCell(const std::string& name, const std::string& row) const {
     std::string text = contentOf(shippedCells() / "mockup.yaml");
     text = changed(text, "arm: cobra-arm.yaml", "arm: " + (shippedCells() / "cobra-arm.yaml").string());
@@ -108,7 +108,8 @@ TEST_F(MeshCell, WrittenElsewhereTheFileIsStillFound) {
   const Cell cell = readCell(writeCell("cell.yaml", kMeshRow));
   const Cell again = readCell(write("deep/er/cell.yaml", cellTextAt(cell, folder / "deep/er/cell.yaml")));
   EXPECT_EQ(std::filesystem::canonical(again.meshes[0].path), std::filesystem::canonical(folder / "dam.stl"));
-  // A cell in another folder has the same inputs of a plan, until the content of the mesh file changes.
+  // A copy of the cell in another folder must give the same inputs of a plan, until the content of the mesh file
+  // changes.
   const auto question = [](const Cell& c) {
     return partOf(planKeyOf({c, workcellOf(c, "ask"), planner::VisitConditions(), "via-point", 0, 0, 1, ""}, {1, 2}),
                   "arm and scene");

@@ -140,7 +140,7 @@ TEST_F(ForeignReadingsTest, takesATrackersPointsBesideALogByName) {
   EXPECT_EQ(readings.text,
             "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_mm,y_mm,z_mm\n"
             "P1,position,P1,10,45,-35,12,1,2,3\nP2,position,P2,20,45,-35,12,4,5,6\n");
-  EXPECT_EQ(readings.left_out.size(), 2u);  // P9 of the points, P3 of the log
+  EXPECT_EQ(readings.left_out.size(), 2u);  // P9 of the points and P3 of the log have no match
 }
 
 TEST_F(ForeignReadingsTest, takesTablesWithoutNamesRowByRow) {
@@ -311,7 +311,8 @@ TEST_F(ForeignReadingsTest, ClockTimesAreSecondsFromTheFirst) {
   EXPECT_NE(messageOf([&] { (void)with("10:00:00", "noon"); }).find("noon"), std::string::npos);
 }
 
-// A time half a day or more before the previous one must get one more day, and a remark must say where.
+// A time without a date that is earlier than the previous one by half a day or more must count as the next day; every
+// midnight must give one remark.
 TEST_F(ForeignReadingsTest, ClocksPassMidnight) {
   struct Shift {
     std::vector<std::string> clock;
@@ -321,7 +322,7 @@ TEST_F(ForeignReadingsTest, ClocksPassMidnight) {
   for (const Shift& shift :
        {Shift{{"23:50:00", "23:59:59", "00:00:01", "00:14:00"}, {0, 599, 601, 1440}, 1},
         Shift{{"18:00:00", "06:00:00", "18:00:00", "05:00:00"}, {0, 43200, 86400, 126000}, 2},
-        Shift{{"10:00:00", "09:30:00", "11:00:00"}, {0, -1800, 3600}, 0},  // not in order of time
+        Shift{{"10:00:00", "09:30:00", "11:00:00"}, {0, -1800, 3600}, 0},  // the second row is earlier than the first
         Shift{{"00:10:00", "23:50:00"}, {0, 85200}, 0}, Shift{{"", "23:50:00", "", "00:10:00"}, {NAN, 0, NAN, 1200}, 1},
         Shift{{"2026-11-02 00:00:05", "2026-11-01 00:00:00"}, {0, -86405}, 0}}) {
     std::string log = "J1,J2,J3,J4,x,y,z,Time\n";

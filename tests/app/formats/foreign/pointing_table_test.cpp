@@ -75,7 +75,7 @@ TEST(PointingTable, readsStarsOfAnEquatorialMount) {
   EXPECT_FALSE(says(table, "diurnal"));
 }
 
-/// On the base that the remark names, a mount whose joints are hour angle and declination must point at the star.
+/// A mount with the joints hour angle and declination, on the base that the remark describes, must point at the star.
 TEST(PointingTable, jointsAreThoseOfTheBaseThatIsNamed) {
   using Eigen::AngleAxisd, Eigen::Vector3d;
   for (const double latitude : {52.5, 10.0}) {

@@ -103,7 +103,7 @@ TEST_F(SixtiethColumns, AreHoursOrDegreesAsHeadingOrSignsSay) {
   }
 }
 
-/// A mount whose first joint is the hour angle.
+/// Tests with a mount whose first joint measures the hour angle.
 struct HourAngles : SixtiethColumns {
   deflection::Arm mount = cell.arm;
   HourAngles() {

@@ -58,7 +58,7 @@ class MeasurementsWriter : public ::testing::Test {
     return m;
   }
 
-  /// Relates the reading to the previous reading, through the displacement vector or through its length.
+  /// Makes the reading relative to the previous reading: it measures the displacement vector or its length.
   void relate(Measurement& m) {
     auto before = std::make_shared<Measurement>();
     const int number = std::stoi(m.id.substr(8));

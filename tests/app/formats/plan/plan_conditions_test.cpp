@@ -41,7 +41,8 @@ TEST_F(PlanConditions, AWorkListWithStaysAndAZoneFromParkAndBackIsPlannedAndProv
   const Outcome proof = run("verify " + shipped("mockup.yaml") + " plan");
   EXPECT_EQ(proof.exit_code, 0) << proof.out;
 
-  // A dwell time longer than in the path, and an order that breaks the zones, must be refuted.
+  // The verification must refute a plan that states a longer dwell time than its path has, and one that visits a zone
+  // out of order.
   for (const auto& [key, value] : {std::pair<std::string, json>{"dwell_s", 40}, {"zone", 9}}) {
     json altered = document;
     altered["tubes"][1][key] = value;

@@ -22,7 +22,7 @@ class TouchedBases : public FolderTest {
 
   [[nodiscard]] Cell cellOf(const std::string& text) const { return parseCell(text, (folder / "cell.yaml").string()); }
 
-  /// Returns touches with ids that a table and a quoted line must escape.
+  /// Returns touches, one of which has an id that must be escaped in a table and in a quoted string.
   static std::vector<calibration::Measurement> someTouches(const Cell& cell) {
     std::vector<calibration::Measurement> touches;
     for (int k = 0; k < 3; ++k) {

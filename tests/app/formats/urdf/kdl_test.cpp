@@ -69,7 +69,8 @@ class BesideKdl : public testing::TestWithParam<KdlRobot> {
     return frame;
   }
 
-  /// Expects the same tips as from KDL over the whole joint range; they are rigid, since KDL has no flexibility.
+  /// Expects the same tip positions and tool axes as from KDL over the whole joint range. The arm must be rigid,
+  /// because KDL has no flexibility.
   void expectKdlsTips(const deflection::Arm& of) const {
     std::mt19937_64 random(4);
     for (int k = 0; k < kPostures; ++k) {

@@ -23,7 +23,7 @@ namespace {
 using deflection::Arm;
 using Eigen::Isometry3d, Eigen::Vector3d;
 
-/// Maker of random robots with everything that a URDF may hold beside kinematics, in different styles of writing.
+/// Makes random robots with everything that a URDF may contain besides kinematics, in different notations.
 class RobotMaker {
  public:
   explicit RobotMaker(int seed) : random_(static_cast<unsigned>(seed)) {}
@@ -299,7 +299,7 @@ TEST(UrdfEdit, LimitsAreChangedWhereTheFileHasThem) {
   arm.rows[1].joint.lower = -1;
   arm.rows[1].joint.upper = 1;
   EXPECT_EQ(withArmInUrdf(kTwoJoints, "r.urdf", "", arm).text, edit.text);
-  EXPECT_EQ(withArmInUrdf(kTwoJoints, "r.urdf", "", arm).left_out.size(), 2u);  // lower and upper of a continuous joint
+  EXPECT_EQ(withArmInUrdf(kTwoJoints, "r.urdf", "", arm).left_out.size(), 2u);  // both limits of a continuous joint
 }
 
 TEST(UrdfEdit, WhatUrdfCannotSayIsLeftOutInWords) {

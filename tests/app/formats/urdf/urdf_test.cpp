@@ -218,7 +218,7 @@ TEST(Urdf, SolidsThatStandStillAreLeftOutInWords) {
   expectSays(read.left_out[0], "base, which stands still");
 }
 
-// A link must be read completely or refused, unless a sentence says what is left out.
+// A link must be read completely or be refused, unless a sentence in `left_out` says what is not read.
 TEST(Urdf, NothingOfALinkIsLostUnsaid) {
   for (const std::string& harmless :
        {std::string(kMass) + kBox,
@@ -249,7 +249,7 @@ TEST(Urdf, NothingOfALinkIsLostUnsaid) {
 // Angles that look like rounded multiples of 30 or 45 deg, or like degrees, must get a remark.
 TEST(Urdf, AnglesThatLookWrongAreRemarkedOn) {
   struct Turn {
-    std::string rpy, said;  // an empty `said` expects no remark
+    std::string rpy, said;  // if `said` is empty, no remark is expected
   };
   for (const Turn& turn : {Turn{"0 0 3.141", "180 deg rounded"},
                            Turn{"1.57 0 0", "90 deg rounded"},
