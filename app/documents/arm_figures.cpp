@@ -19,7 +19,7 @@ namespace {
 using deflection::Arm, deflection::JointType;
 using Eigen::Vector3d, Eigen::VectorXd;
 
-/// Sets each coordinate to zero that is only a rounding error compared with `size`.
+/// Sets to zero each coordinate that is only a rounding error relative to the length `size`.
 void clean(Vector3d& p, double size) {
   for (double& x : p)
     if (std::abs(x) < 1e-12 * size) x = 0;

@@ -1,4 +1,4 @@
-// Description of an arm as text and JSON, for checking: rows, joints, compliances and weights.
+// Rows, joints, compliances and weights of an arm, as text and JSON, by which users can check an arm file.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

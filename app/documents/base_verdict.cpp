@@ -21,10 +21,11 @@ using calibration::BaseCalibration;
 // Largest plausible deviation of the base from nominal, in standard deviations of its prior.
 constexpr double kMostSigmas = 3;
 constexpr double kMostPitches = 10;  // largest plausible miscount of rows or columns, in pitches
-// Largest distance from the base's shift to the nearest vector between two holes, in pitches; the distance is larger
-// only for a shift that leads off the sheet.
+// A miscount of holes is suspected only if the base's shift differs from a vector between two holes by less than this,
+// in pitches. Only a shift that leads off the sheet differs by more.
 constexpr double kOnLattice = 0.75;
-constexpr double kTooGood = 1e-6;  // probability of so good a fit by chance, below which a warning is given
+// Touches that fit so well that the probability of such a fit is below this value cause a warning.
+constexpr double kTooGood = 1e-6;
 // Prior probability that all holes of a session are counted from a wrong row or column.
 constexpr double kMiscounted = 0.01;
 // Smallest number of touches with which a wrong touch can be distinguished from a wrong model.
@@ -75,7 +76,8 @@ struct HolesApart {
   Eigen::Vector2d way = Eigen::Vector2d::Zero();  ///< vector between the two holes [m]
 };
 
-/// Returns the displacement closest to `way` from the hole nearest to the middle of the sheet to another hole.
+/// Among the displacements from the hole nearest to the middle of the sheet to other holes, returns the one closest to
+/// `way`.
 HolesApart holesNearest(const tubesheets::Sheet& sheet, const Eigen::Vector2d& way) {
   const auto placeOf = [](const tubesheets::Tube& tube) { return Eigen::Vector2d(tube.x, tube.y); };
   const auto nearestTo = [&](const Eigen::Vector2d& place) {

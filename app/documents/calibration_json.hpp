@@ -13,8 +13,8 @@ namespace tubeplan::app {
 /// calibration, with the nominal base.
 [[nodiscard]] nlohmann::json calibrationJson(const calibration::BaseCalibration& result, const Cell& cell);
 
-/// Returns as text the base with its standard deviations, the residual of each touch, and the verdict; with `in_full`
-/// also the distance checks and the remedies.
+/// Returns a text that states the base with its standard deviations, the residual of each touch, and the verdict; with
+/// `in_full` also the distance checks and the remedies.
 [[nodiscard]] std::string calibrationText(const calibration::BaseCalibration& result, const Cell& cell,
                                           bool in_full = true);
 

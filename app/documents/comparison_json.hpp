@@ -11,7 +11,7 @@
 
 namespace tubeplan::app {
 
-/// Sign convention of errors, written as `errors` in the JSON of a comparison.
+/// Sign convention of all errors; the JSON of a comparison states it under the key `errors`.
 inline constexpr const char* kErrorsAre = "measured less predicted";
 
 /// Returns the result of a comparison in one sentence.
@@ -23,7 +23,7 @@ inline constexpr const char* kErrorsAre = "measured less predicted";
                                             const std::vector<calibration::Measurement>& readings,
                                             std::size_t set_aside, const Units& units);
 
-/// Returns a comparison as text, from its JSON.
+/// Returns the text of a comparison, generated from the JSON of comparisonJson().
 [[nodiscard]] std::string comparisonText(const nlohmann::json& figures);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// Diagnosis as JSON, and this JSON as text.
+// Results of a diagnosis as JSON, and the text generated from this JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

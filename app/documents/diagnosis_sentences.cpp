@@ -48,7 +48,8 @@ std::string foundText(const FoundEffect& effect, const Units& units) {
   return numbers.empty() ? name : fmt::format("{} ({})", name, fmt::join(numbers, ", "));
 }
 
-/// Returns the effects of an explanation, with their parameter values if the result is short enough for a sentence.
+/// Returns a string that lists the effects of an explanation, with their parameter values if it is then short enough
+/// for a sentence.
 std::string shortText(const Explanation& explanation, const Units& units) {
   constexpr std::size_t kShort = 90;
   const std::string text = sizesText(explanation, units);
@@ -124,7 +125,7 @@ std::string modesSentence(const Explanation& explanation) {
 /// Returns a sentence on the decrease of the error. An error far below the noise floor, which occurs for readings that
 /// only bound an error, is stated only as less than the noise floor.
 std::string fallSentence(const Diagnosis& result, const Units& units) {
-  constexpr double kNothing = 0.5;  // as a fraction of the noise floor
+  constexpr double kNothing = 0.5;  // fraction of the noise floor below which an error is not stated
   if (result.heldout_after.rms < kNothing * result.noise_floor)
     return fmt::format("With it the held-out error falls from {} to less than the noise floor of {}.",
                        errorText(result.heldout_before.rms, result, units),

@@ -24,11 +24,12 @@ inline constexpr const char* kProbabilityWords =
 /// interval, such as "x -0.040 to 0.042 in".
 [[nodiscard]] std::string numberText(const calibration::FoundNumber& number, const Units& units);
 
-/// Returns the effects of an explanation with their parameter values: "hysteresis at theta4 (half width 0.0586 ± 0.0010
-/// deg) and ...".
+/// Returns a string that lists the effects of an explanation with their parameter values, such as "hysteresis at theta4
+/// (half width 0.0586 ± 0.0010 deg) and ...".
 [[nodiscard]] std::string sizesText(const calibration::Explanation& explanation, const Units& units);
 
-/// Returns the effects of an explanation without values: "hysteresis at theta4 and link-bending at 4 places".
+/// Returns a string that lists the effects of an explanation without parameter values, such as "hysteresis at theta4
+/// and link-bending at 4 places".
 [[nodiscard]] std::string namesText(const calibration::Explanation& explanation);
 
 /// Returns a clause that names the effects that no reading could distinguish from the given effect; empty if there are

@@ -17,11 +17,12 @@ namespace tubeplan::app {
 [[nodiscard]] nlohmann::json readingJson(const calibration::Measurement& reading, const deflection::Arm& arm,
                                          const Units& units);
 
-/// Adds the values of those columns that only readings of this kind have, keyed by column name, in the cell's units.
+/// Adds to `entry` the values of the columns that are specific to the reading's kind, keyed by column name, in the
+/// cell's units.
 void addOwnNumbers(const calibration::Measurement& reading, const Units& units, nlohmann::json& entry);
 
-/// Returns [{name, rms, heldout_rms}, ...] for the given model, the refitted model, and the model with each explanation
-/// shown. The held-out error is null for a model that was not fitted.
+/// Returns [{name, rms, heldout_rms}, ...] for the given model, the refitted model, and one model for each explanation
+/// that users see. The held-out error is null for a model that was not fitted.
 [[nodiscard]] nlohmann::json modelComparisonJson(const calibration::Diagnosis& result, const Units& units);
 
 /// Adds to the JSON of a diagnosis: `joints`; `ladder`; `readings`, each as in readingJson() with position: [3],

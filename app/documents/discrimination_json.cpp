@@ -31,8 +31,8 @@ bool isAtPoint(const ProposedMeasurement& reading) {
   return calibration::kindOf(reading.kind).names_hole && reading.known_W;
 }
 
-/// Returns the JSON of a chosen reading. Touches of one unknown point share a name such as N1; a hole or known point
-/// keeps its own name.
+/// Returns the JSON of a chosen reading. Touches of the same unknown point share a name such as N1; a hole or known
+/// point has its own name.
 nlohmann::json chosenReadingJson(const DiscriminatingMeasurements& result, const DiscriminatingMeasurement& chosen,
                                  std::size_t number, const ProposedMeasurement& reading, const deflection::Arm& arm,
                                  const Units& units) {

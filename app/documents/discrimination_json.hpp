@@ -11,12 +11,12 @@
 namespace tubeplan::app {
 
 /// Adds two entries to the JSON of a diagnosis: `next_readings`, the proposed readings, and `splitting`, the expected
-/// benefit of these readings and other remedies. Appends the advice to the `sentence` of the diagnosis.
+/// benefit of these readings and of other remedies. Appends the advice to the `sentence` of the diagnosis.
 void addNextReadings(const calibration::DiscriminatingMeasurements& result,
                      const std::vector<calibration::ReadingCandidate>& candidates, const deflection::Arm& arm,
                      const Units& units, nlohmann::json& diagnosis);
 
-/// Returns the advice in one sentence; empty if there is nothing to decide.
+/// Returns the advice in one sentence; empty if there are no explanations to decide between.
 [[nodiscard]] std::string discriminationAdvice(const calibration::DiscriminatingMeasurements& result);
 
 /// Returns the proposed readings, each with an id that no reading in `taken` has; the list is empty if none are

@@ -106,8 +106,8 @@ std::string warningRange(const WarningGroup& group, int digits, ValueOf&& valueO
   return from == to ? from : from + " to " + to;
 }
 
-/// Returns the warning that effects are not needed. Each effect was removed by itself; another effect may then have
-/// taken over its contribution, so only one may be removed at a time.
+/// Returns the warning that effects are not needed. Each effect was tested by removing it alone. Without it, another
+/// effect may have explained its part of the error, so only one may be removed at a time.
 std::string notNeededText(const WarningGroup& group, const Units& units) {
   const EffectWarning& first = *group.front();
   std::string grounds = "p = " + warningRange(group, 2, [](const EffectWarning& w) { return w.p_value; });

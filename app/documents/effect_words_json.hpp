@@ -1,4 +1,4 @@
-// Descriptions of effects, added to documents next to the effects' names so that pages need no texts of their own.
+// Descriptions of effects, added to documents next to the effects' names, so that pages need not contain them.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -15,7 +15,8 @@ namespace tubeplan::app {
 /// Unit of errors: the angle unit if the readings measure only angles, otherwise the length unit.
 struct ErrorUnit {
   std::string name;
-  double factor = 1;  ///< one unit, as ErrorSize expresses an error [m]
+  /// Length of one unit [m]; for an angle unit, the angle [rad] times calibration::kTurnLever.
+  double factor = 1;
 };
 
 [[nodiscard]] ErrorUnit errorUnitOf(bool are_angles, const Units& units);
@@ -23,8 +24,8 @@ struct ErrorUnit {
 /// Returns an error in the given unit; null if it is not finite.
 [[nodiscard]] nlohmann::json errorJson(double error, const ErrorUnit& unit);
 
-/// Returns a string such as "0.0123 in" or "0.0123 deg" with this number of significant digits; "none" if the error is
-/// not finite.
+/// Returns a string such as "0.0123 in" or "0.0123 deg" with `digits` significant digits; "none" if the error is not
+/// finite.
 [[nodiscard]] std::string errorText(double error, const ErrorUnit& unit, int digits = 4);
 
 /// Returns the unit of a reading's error: the angle unit if the reading measures only angles, otherwise the length
@@ -36,7 +37,7 @@ struct ErrorUnit {
 [[nodiscard]] nlohmann::json errorSizeJson(const calibration::Measurement& reading, const Eigen::Vector3d& error_W,
                                            double turn, const Units& units);
 
-/// Returns the error budget: the total error, its parts that a diagnosis or refit explains and leaves unexplained, and
+/// Returns the error budget: the total error, the part that a diagnosis or refit explains, the part that remains, and
 /// the noise.
 [[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Diagnosis& result);
 [[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Comparison& result);

@@ -46,8 +46,8 @@ bool hasReal(const json& value) {
   return value.is_array() ? std::any_of(value.begin(), value.end(), hasReal) : value.is_number_float();
 }
 
-/// Returns the name that distinguishes an entry from the other entries of its list; if it has no name, its number, from
-/// 1.
+/// Returns the name that distinguishes an entry from the other entries of its list; if it has no name, its number,
+/// counted from 1.
 std::string entryName(const json& entry, std::size_t place) {
   if (entry.contains("effect") && entry.contains("at"))
     return fmt::format("{} at {}", cellText(entry["effect"], 1), cellText(entry["at"], 1));

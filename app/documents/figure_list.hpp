@@ -24,7 +24,7 @@ struct Figure {
 /// Returns the values of a document: first its conclusions, then all others in document order.
 [[nodiscard]] std::vector<Figure> figuresOf(const nlohmann::json& document);
 
-/// Returns a value as the text of a table cell, with this number of significant digits; empty if the value is unknown.
+/// Returns a value as the text of a table cell, with `digits` significant digits; empty if the value is unknown.
 [[nodiscard]] std::string cellText(const nlohmann::json& value, int digits);
 
 /// Returns CSV with the columns key,description,value,unit,note and one row for each value.

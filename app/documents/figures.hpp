@@ -19,25 +19,24 @@ namespace tubeplan::app {
 /// Returns a position [m] as three lengths in the file's unit.
 [[nodiscard]] nlohmann::json placeJson(const Eigen::Vector3d& metres, const Units& units);
 
-/// Returns a string such as "0.0123 in" with this number of significant digits; "none" if the length is not finite.
+/// Returns a string such as "0.0123 in" with `digits` significant digits; "none" if the length is not finite.
 [[nodiscard]] std::string lengthText(double metres, const Units& units, int digits = 4);
 
-/// Returns a number as text with this number of significant digits; a number with more digits before the point is
-/// written as an integer if it is below 1e7, not with an exponent.
+/// Returns a number as text with `digits` significant digits. A number below 1e7 with more digits before the decimal
+/// point is written as an integer, without an exponent.
 [[nodiscard]] std::string significantText(double value, int digits);
 
-/// Returns a value with its unit, such as "0.0123 in", with this number of significant digits; "none" if it is not
-/// finite.
+/// Returns a value with its unit, such as "0.0123 in", with `digits` significant digits; "none" if it is not finite.
 [[nodiscard]] std::string figureText(double value, std::string_view unit, int digits);
 
-/// Returns a p-value as text, such as "p = 0.012": the probability of the observation by chance alone.
+/// Returns a p-value as text, such as "p = 0.012".
 [[nodiscard]] std::string chanceText(double p);
 
-/// Returns the number of decimals for table columns of lengths in this unit, sufficient to show 1e-4 in.
+/// Returns the number of decimals with which table columns show lengths in this unit, so that 1e-4 in is visible.
 [[nodiscard]] int lengthDecimals(const Unit& length);
 
-/// Returns the name of a status of a calibration, identification or comparison; the three status enumerations have the
-/// same order.
+/// Returns the name of the status of a calibration, identification or comparison, whose three enumerations list their
+/// values in the same order.
 template <class Status>
 [[nodiscard]] std::string_view statusName(Status status) {
   static constexpr std::array<std::string_view, 5> kNames{"not-run", "done", "refused", "not-converged", "stopped"};

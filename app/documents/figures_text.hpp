@@ -1,5 +1,5 @@
-// Text made from a JSON document by a table of lines, which are filled in with values of the document. The document
-// states the meaning and unit of each value; the lines state wording, digits and order.
+// Text made from a JSON document by a table of lines whose placeholders are replaced by values of the document. The
+// document states the meaning and unit of each value; the lines state wording, digits and order.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -25,14 +25,14 @@ struct TextLine {
   std::string_view of, words;
   std::span<const TextLine> inner = {};  ///< lines that follow, about the same entry
   std::string_view name = {};
-  std::size_t most = 1000000;  ///< largest number of entries shown
+  std::size_t most = 1000000;  ///< maximum number of entries shown
 };
 
-/// Returns the text that the lines give for the document. Throws std::logic_error if a placeholder names a value that
-/// is not in the document.
+/// Returns the lines with their placeholders replaced by values of the document. Throws std::logic_error if a
+/// placeholder names a value that is not in the document.
 [[nodiscard]] std::string textOf(const nlohmann::json& document, std::span<const TextLine> lines);
 
-/// Returns `words` with its placeholders filled in from the document.
+/// Returns `words` with its placeholders replaced by values of the document.
 [[nodiscard]] std::string textOf(const nlohmann::json& document, std::string_view words);
 
 }  // namespace tubeplan::app

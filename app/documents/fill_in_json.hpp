@@ -1,4 +1,4 @@
-// Columns to be filled in for a proposed reading, for pages and reports.
+// Columns that the user must fill in for a proposed reading, for pages and reports.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,7 +9,7 @@
 
 namespace tubeplan::app {
 
-/// Returns the members of FillIn: {columns, least, optional}.
+/// Returns {columns, least, optional}, the members of FillIn.
 [[nodiscard]] nlohmann::json fillInJson(const FillIn& fill);
 
 /// Returns the instruction for a run sheet, such as "fill in x_in, y_in, z_in".

@@ -16,7 +16,7 @@ namespace tubeplan::app {
                                                 const std::vector<calibration::Measurement>& readings,
                                                 std::size_t set_aside, const Units& units);
 
-/// Returns an identification as text, from its JSON.
+/// Returns the text of an identification, generated from the JSON of identificationJson().
 [[nodiscard]] std::string identificationText(const nlohmann::json& figures);
 
 }  // namespace tubeplan::app

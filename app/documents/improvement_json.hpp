@@ -10,7 +10,7 @@
 
 namespace tubeplan::app {
 
-/// Returns the name used in documents: "adequate", "nothing-sure", ...
+/// Returns the name by which documents state the end of the loop: "adequate", "nothing-sure", ...
 [[nodiscard]] const char* nameOf(ImprovementEnd end);
 
 /// Returns, as a clause, the reason why a step added a cause or ended the loop.
@@ -20,7 +20,7 @@ namespace tubeplan::app {
 [[nodiscard]] nlohmann::json improvementJson(const Improvement& result,
                                              const std::vector<calibration::Measurement>& readings, const Units& units);
 
-/// Returns an improvement as text, from its JSON.
+/// Returns the text of an improvement, generated from the JSON of improvementJson().
 [[nodiscard]] std::string improvementText(nlohmann::json figures);
 
 }  // namespace tubeplan::app

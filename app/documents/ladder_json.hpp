@@ -17,10 +17,10 @@ namespace tubeplan::app {
                                         const std::vector<std::string>& set_aside, std::uint64_t seed,
                                         const Units& units);
 
-/// Returns a ladder as text, from its JSON.
+/// Returns the text of the comparison, generated from the JSON of ladderJson().
 [[nodiscard]] std::string ladderText(const nlohmann::json& figures);
 
-/// Returns the models of a ladder in the form that the page draws, from the models in the JSON of a comparison.
+/// Converts the models in the JSON of a comparison to the form from which the page draws them.
 [[nodiscard]] nlohmann::json ladderModels(const nlohmann::json& compared_models);
 
 /// Returns the HTML page of `ladder --report`.

@@ -26,7 +26,7 @@ void addChecks(const calibration::MeasurementChecks& checks, const Units& units,
 /// there is none. Used wherever readings are judged or fitted.
 [[nodiscard]] std::string mistakeText(const calibration::MeasurementChecks& checks, const Units& units);
 
-/// Value of `verdict_words` for readings with a mistake, that is, if mistakeText() is not empty.
+/// Value of the key `verdict_words` if the readings contain a mistake, that is, if mistakeText() is not empty.
 inline constexpr const char* kMistakeWords = "Inconclusive: a mistake in the readings is to be mended first";
 
 /// Returns the sentence "No verdict is possible: REASON."

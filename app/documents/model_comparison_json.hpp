@@ -20,7 +20,8 @@ namespace tubeplan::app {
 [[nodiscard]] std::string modelComparisonSentence(const std::vector<ModelComparisonRow>& comparison,
                                                   const Units& units);
 
-/// Returns the comparison as text, from its JSON: each model's error with a bar, then the step tables if there are any.
+/// Returns the text of a comparison, generated from the JSON of modelComparisonJson(): the error of each model with a
+/// bar, then the step tables if there are any.
 [[nodiscard]] std::string modelComparisonText(nlohmann::json figures);
 
 }  // namespace tubeplan::app

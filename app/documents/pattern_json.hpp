@@ -9,7 +9,8 @@
 
 namespace tubeplan::app {
 
-/// Returns a sentence on how the error depends on the tested variable; empty if the test has no component.
+/// Returns a sentence on how the error depends on the tested variable; empty if the test names no component of the
+/// error.
 [[nodiscard]] std::string patternSentence(const calibration::PatternTest& test, const Units& units);
 
 /// Returns the results of a pattern test; findingJson() adds the trend over the variable and the stronger finding, if

@@ -1,4 +1,5 @@
-// One sentence about a plan: the numbers of tubes and of tool steps, the base, and the proof.
+// One sentence about a plan: how many tubes are visited, how many tool steps enter, and for which base the path is
+// proved.
 #pragma once
 
 #include <string>

@@ -13,8 +13,8 @@ namespace tubeplan::app {
 /// Returns the content of plan.json, but without the fingerprint of the path.
 [[nodiscard]] nlohmann::json planJson(const PlanRequest& request, const PlanOutcome& outcome);
 
-/// Returns the number of tool steps expected to enter at visit `k`: the most probable number or, without probabilities,
-/// the number for the predicted error.
+/// Returns the number of tool steps expected to enter at visit `k`: the most probable number or, if there are no
+/// probabilities, the number that enters with the predicted centring error.
 [[nodiscard]] int expectedSteps(const PlanOutcome& outcome, std::size_t k);
 
 /// Returns planJson() with the fingerprint of the path's numbers added, by which `verify` recognizes the path file.

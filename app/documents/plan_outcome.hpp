@@ -46,10 +46,11 @@ struct PlanOutcome {
   planner::VisitConditions conditions;
   tubesheets::Selection selection;  ///< selection of the requested tubes
   std::string left_out;             ///< tubes excluded from planning, such as "12 plugged, 1 inaccessible"
-  double padding = 0;               ///< largest additional clearance of the tip over the visited holes [m]
+  double padding = 0;               ///< largest additional clearance at the tip among the visited holes [m]
   std::vector<int> zones;           ///< zone of each visit; empty if no tubes have priority
   planner::VisitPlan plan;
-  int tubes_added = 0, tubes_removed = 0;    ///< numbers of tubes visited in this plan alone, and in the earlier alone
+  /// Number of tubes visited only in this plan, and number visited only in the earlier plan from which it starts.
+  int tubes_added = 0, tubes_removed = 0;
   std::vector<planner::Centring> predicted;  ///< centring at each visit as the model predicts it
   std::vector<double> play;  ///< smallest clearance between tool and tube at each visit [m]; empty without insertion
   StepChances chances;       ///< probabilities of 0, 1, ... steps at each visit

@@ -192,7 +192,7 @@ json calibrationData(const PlanOutcome& outcome) {
   return data;
 }
 
-/// Returns as text the mean and the largest centring error of a compensation mode over the scored tubes.
+/// Returns a string that states the mean and the largest centring error of a compensation mode over the scored tubes.
 std::string errorText(const PlanOutcome& outcome, std::size_t mode) {
   double sum = 0, worst = 0;
   int count = 0;
@@ -207,7 +207,8 @@ std::string errorText(const PlanOutcome& outcome, std::size_t mode) {
   return fmt::format("{} mean, {} worst", lengthText(sum / count, units, 3), lengthText(worst, units, 3));
 }
 
-/// Returns as text the expected number of tubes for each number of steps, and the uncertainties considered.
+/// Returns a string that states, for each number of steps, in how many tubes it is expected to enter, and the
+/// uncertainties considered.
 std::string chancesText(const PlanOutcome& outcome) {
   std::string text;
   const auto counts = expectedCounts(outcome.chances);

@@ -1,4 +1,4 @@
-// Plan as text.
+// Summary of a plan as text for the terminal.
 #pragma once
 
 #include <string>

@@ -42,8 +42,8 @@ struct PoseFigures {
 /// "proved" or "steps".
 [[nodiscard]] nlohmann::json standingJson(const BaseStanding& standing);
 
-/// Returns standingJson() for base poses that each run calibrates from `touches` touches, and the number of runs whose
-/// touches do not fit.
+/// Returns standingJson() for runs that each calibrate their own base from `touches` touches, with `misfits`, the
+/// number of runs whose touches do not fit.
 [[nodiscard]] nlohmann::json eachRunJson(int touches, std::uint64_t misfits);
 
 /// Returns a base pose together with standingJson(), which states how it was determined.

@@ -13,7 +13,7 @@ namespace tubeplan::app {
 /// worst}, unit, holes, ...}, or only {reason} if there is no prediction.
 [[nodiscard]] nlohmann::json predictedCentringJson(const PredictedCentring& predicted, const Units& units);
 
-/// Returns the prediction as text, from its JSON.
+/// Returns the text of the prediction, generated from the JSON of predictedCentringJson().
 [[nodiscard]] std::string predictedCentringText(const nlohmann::json& predicted);
 
 }  // namespace tubeplan::app

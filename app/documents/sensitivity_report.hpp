@@ -24,8 +24,8 @@ struct SensitivityReport {
 
 [[nodiscard]] nlohmann::json sensitivityJson(const SensitivityReport& report, const Cell& cell);
 
-/// Returns as text, from the JSON of the analysis, a ranking of the parameters worth changing and one of those that
-/// must be known.
+/// Returns, from the JSON of the analysis, a text with two rankings: the parameters worth changing to reduce the error,
+/// and those that must be known accurately.
 [[nodiscard]] std::string sensitivityText(nlohmann::json figures);
 
 }  // namespace tubeplan::app

@@ -17,7 +17,7 @@ namespace tubeplan::app {
 /// probabilities.
 [[nodiscard]] std::string stepChancesText(const StepChances& chances, const Units& units);
 
-/// Returns {sigma, degrees_of_freedom, from} in file units.
+/// Returns the model error as {sigma, degrees_of_freedom, from} in file units.
 [[nodiscard]] nlohmann::json modelErrorJson(const ModelError& error, const Units& units);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// Step table as JSON.
+// Step table, that is, the numbers of holes in which 0, 1, ... tool steps enter, as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -15,7 +15,8 @@ void requireAccelerations(const deflection::Arm& arm);
 
 /// Returns a trajectory_msgs/JointTrajectory of ROS 2 as YAML: joint_names, and points with positions, velocities,
 /// accelerations and time_from_start. Units are radians (metres for a prismatic joint) and seconds, regardless of the
-/// cell's units. Times increase by at least a microsecond. Throws InputError as requireAccelerations() does.
+/// cell's units. Each time exceeds the previous one by at least a microsecond. Throws InputError as
+/// requireAccelerations() does.
 [[nodiscard]] std::string trajectoryYaml(const PlanOutcome& outcome);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// Probable meanings of the columns of a table that may be a work list, for a dialog.
+// Probable meanings of the columns in a table that may be a work list, for the dialog in which the user confirms them.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -22,10 +22,11 @@ struct TubeOutcome {
   int tube = 0;
   std::string visit;    ///< position in the visiting order, from 1; empty for a tube without a visit
   std::string outcome;  ///< why the tube is not visited; empty for a visited tube
-  std::string dwell;    ///< dwell time [s]; empty for tubes left out
+  std::string dwell;    ///< dwell time [s]; empty for excluded tubes
 };
 
-/// Returns the visited tubes in visiting order, then the tubes out of reach, then the tubes left out by their state.
+/// Returns the visited tubes in visiting order, then the tubes out of reach, then the tubes excluded because of their
+/// state.
 std::vector<TubeOutcome> outcomesOf(const PlanOutcome& outcome) {
   std::vector<TubeOutcome> all;
   const auto stayAt = [&](int tube) {
@@ -54,7 +55,7 @@ std::string ownList(const PlanOutcome& outcome) {
   std::string text =
       fmt::format("leg,sheet,row,column,x_{0},y_{0},visit{1},outcome\n", unit.suffix, has_stays ? ",dwell_s" : "");
   for (const TubeOutcome& of_tube : outcomesOf(outcome)) {
-    if (of_tube.dwell.empty()) continue;  // a tube left out of a selected area
+    if (of_tube.dwell.empty()) continue;  // skips tubes that are excluded because of their state
     const auto& tube = sheet.tubes[static_cast<std::size_t>(of_tube.tube)];
     text += fmt::format("{},{},{},{},{},{},{}{},{}\n", tubesheets::legName(sheet.leg), fingerprint, tube.row,
                         tube.column, tubesheets::formatLength(tube.x, unit), tubesheets::formatLength(tube.y, unit),
@@ -64,7 +65,7 @@ std::string ownList(const PlanOutcome& outcome) {
   return text;
 }
 
-/// The given work list, with added columns on the outcome for each tube.
+/// The given work list, with added columns that state the outcome for each tube.
 class GivenList {
  public:
   explicit GivenList(const PlanOutcome& outcome) : outcome_(outcome), list_(*outcome.selection.list) {

@@ -1,4 +1,4 @@
-// Plan as a work list: a table to print and tick off, which `plan --tubes` also accepts.
+// Plan as a work list: a table of the tubes, to be printed and ticked off, which `plan --tubes` also accepts.
 #pragma once
 
 #include <string>
