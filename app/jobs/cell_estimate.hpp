@@ -1,4 +1,4 @@
-// Current estimate of a cell's model from its readings, for commands that plan further measurements.
+// Estimate of a cell's model from the readings taken so far, for commands that plan further measurements.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace tubeplan::app {
 
-/// Returns the readings of a measurement file, each with a sigma; none if the file name is empty. `sigma` [m] applies
-/// to readings that state none; if it is 0, their sigma is derived from the cell's tool. Throws InputError if there is
-/// no tool either. `assume` is as in MeasurementOptions.
+/// Returns the readings of a measurement file, each with a standard deviation (sigma); none if the file name is empty.
+/// `sigma` [m] applies to readings that state none; if it is 0, their sigma is derived from the cell's tool. Throws
+/// InputError if there is no tool either. `assume` is as in MeasurementOptions.
 [[nodiscard]] ReadingsWithChecks readingsMade(const std::string& file, Cell& cell, double sigma,
                                               const std::vector<std::string>& assume = {});
 

@@ -13,7 +13,7 @@ namespace tubeplan::app {
 namespace {
 
 /// Throws InputError for a refused comparison: `identify` lists a name that is not a parameter, or the readings
-/// determine nothing.
+/// determine no parameter.
 void requireCompared(const calibration::Comparison& result, const CellReadings& input) {
   if (result.status == calibration::ComparisonStatus::kDone) return;
   if (result.verdict != calibration::Adequacy::kNotRun) return;

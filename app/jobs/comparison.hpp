@@ -25,12 +25,14 @@ struct ComparisonOutcome {
   nlohmann::json figures;                          ///< output of `tubeplan compare --json`
 };
 
-/// Refits the model to the readings and, if some are outliers, once more without them. Throws JobStopped.
+/// Refits the model to the readings and, if some are outliers, once more without them. Throws JobStopped if a stop is
+/// requested.
 [[nodiscard]] RefitOfReadings refitReadings(const CellReadings& input, const ComparisonRequest& request,
                                             const WorkHooks& hooks = {});
 
 /// Compares the model with the readings. `made` is the refit, or null to compute it here. Throws InputError if
-/// `identify` lists a name that is not a parameter, or if the readings determine nothing; throws JobStopped.
+/// `identify` lists a name that is not a parameter, or if the readings determine no parameter. Throws JobStopped if a
+/// stop is requested.
 [[nodiscard]] ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request,
                                              const WorkHooks& hooks = {}, const RefitOfReadings* made = nullptr);
 

@@ -30,12 +30,13 @@ struct DiagnosisOutcome {
 };
 
 /// Returns the diagnosis alone, without proposed readings and warnings. Its verdict is kNotRun if the readings
-/// determine nothing.
+/// determine no parameter.
 [[nodiscard]] calibration::Diagnosis diagnoseReadings(const Cell& cell,
                                                       const std::vector<calibration::Measurement>& readings,
                                                       const DiagnosisRequest& request, const WorkHooks& hooks = {});
 
-/// Diagnoses the model. Throws InputError for readings that determine nothing; throws JobStopped.
+/// Diagnoses which effects the model lacks. Throws InputError for readings that determine no parameter, and JobStopped
+/// if a stop is requested.
 [[nodiscard]] DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request,
                                              const WorkHooks& hooks = {});
 

@@ -35,7 +35,8 @@ struct Addition : AddedCauses {
 /// Returns the text of the cell file with the additions, to be written to the path `out`.
 [[nodiscard]] std::string cellTextWith(const Cell& cell, const Addition& addition, const std::filesystem::path& out);
 
-/// Returns as text how far the cell's formulas overlap with effects of the catalogue at these readings.
+/// Returns a text that states to what extent other parameters and effects of the catalogue can reproduce the cell's
+/// formulas at these readings.
 [[nodiscard]] std::string overlapAt(const CellReadings& input);
 
 }  // namespace tubeplan::app

@@ -53,7 +53,7 @@ IdentificationOptions identificationOptions(const IdentificationRequest& request
   return result;
 }
 
-/// Throws InputError for a refused fit: a name is not a parameter, or the readings determine nothing.
+/// Throws InputError for a refused fit: a name is not a parameter, or the readings determine no parameter.
 void requireAccepted(const Identification& result, const IdentificationRequest& request, const CellReadings& input) {
   if (result.status != IdentificationStatus::kRefused) return;
   const Cell& cell = input.cell;
@@ -148,7 +148,7 @@ void fitReadings(const CellReadings& input, const IdentificationRequest& request
 }
 
 /// Returns a clause on residuals that exceed the noise; empty if there are none. Residuals beyond the stated noise, but
-/// not beyond the scatter of repeated readings, are reported too, although the fit is then not inadequate.
+/// not beyond the scatter of repeated readings, are reported too, although they do not make the fit inadequate.
 std::string refutation(const calibration::ModelLackOfFit& lack) {
   const bool is_off = lack.p_value < calibration::kPatternLevel;
   if (lack.adequacy == calibration::Adequacy::kInadequate)
@@ -165,7 +165,8 @@ std::string refutation(const calibration::ModelLackOfFit& lack) {
 }
 
 /// Records whether the residuals exceed the noise, by the criterion of `compare`, for every kind of fit and even if it
-/// did not converge. A robust fit keeps the outliers, which may be all that is wrong, so its base is not refused.
+/// did not converge. The base of a robust fit is not refused, because such a fit keeps the outliers, which alone may
+/// cause the excess.
 void judgeByNoise(const IdentificationRequest& request, IdentificationOutcome& outcome) {
   const auto& fit = outcome.fit;
   const auto lack = calibration::lackOfFitOf(fit, outcome.readings);

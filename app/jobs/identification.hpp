@@ -49,8 +49,8 @@ struct IdentificationOutcome {
   nlohmann::json figures;  ///< output of `tubeplan identify --json`
 };
 
-/// Identifies the model's parameters. Throws InputError if a name is not a parameter, nothing is free or the readings
-/// determine nothing; throws JobStopped.
+/// Identifies the model's parameters. Throws InputError if a name is not a parameter, no parameter is free or the
+/// readings determine none. Throws JobStopped if a stop is requested.
 [[nodiscard]] IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
                                                   const WorkHooks& hooks = {});
 

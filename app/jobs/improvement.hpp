@@ -6,8 +6,9 @@
 
 namespace tubeplan::app {
 
-/// Improves the model. Adds nothing if a mistake in the readings explains the error. Throws InputError for readings to
-/// which the model cannot be fitted; throws JobStopped.
+/// Extends the model with the causes that explain the errors of its readings. Adds nothing if a mistake in the readings
+/// explains them. Throws InputError for readings to which the model cannot be fitted, and JobStopped if a stop is
+/// requested.
 [[nodiscard]] Improvement improveModel(const CellReadings& input, const ImprovementRequest& request,
                                        const WorkHooks& hooks = {});
 

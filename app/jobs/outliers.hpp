@@ -12,7 +12,7 @@ namespace tubeplan::app {
 
 /// Returns the indices of readings whose errors exceed the noise. Returns none if the readings contain a mistake, which
 /// must be corrected first, or if the user accepts all readings as they are. `fit` is the fit of all readings with
-/// `options`, or has status "not run" if nothing is free.
+/// `options`, or has status "not run" if no parameter is free.
 [[nodiscard]] std::vector<int> outliersOf(const CellReadings& input, const calibration::Identification& fit,
                                           const calibration::IdentificationOptions& options);
 
@@ -24,11 +24,11 @@ namespace tubeplan::app {
 struct RefitOfReadings {
   std::vector<calibration::Measurement> readings;  ///< readings fitted: all except the outliers in `set_aside`
   std::vector<std::string> set_aside;              ///< ids of the readings excluded as outliers
-  calibration::Identification fit;                 ///< fit of `readings`; has status "not run" if nothing is free
+  calibration::Identification fit;                 ///< fit of `readings`; has status "not run" if no parameter is free
 };
 
-/// Fits all readings by `fitted`. If this fit is refused, returns it; otherwise fits again without the readings whose
-/// indices `outliers` returns, if any.
+/// Fits all readings with the function `fitted`. Returns this fit if it is refused; otherwise fits again without the
+/// readings whose indices `outliers` returns, if any.
 [[nodiscard]] RefitOfReadings fitWithoutOutliers(
     const std::vector<calibration::Measurement>& readings,
     const std::function<calibration::Identification(const std::vector<calibration::Measurement>&)>& fitted,

@@ -74,7 +74,7 @@ void noteEstimate(const Estimate& estimate, double known, const Units& units, st
     notes.push_back("new readings belong to the last set-up, '" + lastSetup(estimate) + "'");
 }
 
-/// Adds the estimates from the readings to the task, and gives the outcome's cell the estimated arm and base.
+/// Adds the estimates from the readings to the task, and puts the estimated arm and base into the outcome's cell.
 void learn(const TouchRequest& request, const std::vector<Measurement>& readings, const std::string& named_by,
            TouchTask& task, TouchOutcome& outcome) {
   if (wants(request, "parameters")) {
