@@ -21,7 +21,7 @@ struct TextFile {
 /// long work.
 void checkWritableFile(const std::filesystem::path& path, const std::string& option);
 
-/// Writes a temporary file beside the path, flushes it to the disk and renames it, so that no reader sees a partial
+/// Writes a temporary file next to the path, flushes it to the disk and renames it, so that no reader sees a partial
 /// file, not even after a power failure. A device or pipe is written directly and never replaced. Creates missing
 /// folders. Throws InputError naming the option.
 void writeFileAtomically(const std::filesystem::path& path, const std::string& content, const std::string& option);

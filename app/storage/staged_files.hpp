@@ -1,5 +1,5 @@
-// Files that are written beside their final paths, flushed to the disk and renamed together; and folders created for
-// such files, which are removed again if they stay empty.
+// Files that are written next to their final paths, flushed to the disk and renamed together; and folders created for
+// such files, which are removed again if they remain empty.
 #pragma once
 
 #include <filesystem>
