@@ -75,7 +75,7 @@ class Keeper {
   int step_ = 0;
 };
 
-/// Returns as text why the loop ended early, whether a model was written, and how to leave the last step out.
+/// Returns a text that states why the loop ended early, whether a model was written, and how to undo the last step.
 std::string endText(const Improvement& result, const ImproveOptions& options) {
   std::string text;
   if (result.end == ImprovementEnd::kNotFitted)

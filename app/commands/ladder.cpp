@@ -1,4 +1,5 @@
-// `tubeplan ladder`: compares several models by their fitted and held-out errors, beside the noise floor.
+// `tubeplan ladder`: compares the fitted and held-out errors of several models with each other and with the noise
+// floor.
 #include "app/jobs/ladder.hpp"
 
 #include <CLI/CLI.hpp>

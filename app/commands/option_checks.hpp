@@ -11,7 +11,7 @@
 
 namespace tubeplan::app {
 
-/// Returns a check that the value is one of these words.
+/// Returns a check that the value is one of `words`.
 [[nodiscard]] CLI::Validator oneOf(const std::vector<std::string>& words);
 
 /// Returns a check that the value is a number from `least` to `most`.

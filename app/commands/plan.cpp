@@ -1,4 +1,4 @@
-// `tubeplan plan`: plans the tour of the tool through the tubes of a cell, and writes the plan's files.
+// `tubeplan plan`: plans a tour that brings the tool to the tubes of a cell, and writes the plan's files.
 #include "app/jobs/plan.hpp"
 
 #include <fmt/format.h>

@@ -38,7 +38,7 @@ struct ScoreOptions : ScoredRunsOptions {
   std::vector<std::string> columns;
 };
 
-/// Numbers of tubes, spread over the sheet, if none are named: without --runs, and with --runs.
+/// Default numbers of tubes, spread over the sheet: without --runs, and with --runs.
 constexpr std::size_t kTubes = 60, kTubesOfRuns = 80;
 
 struct ScoredTube {

@@ -25,8 +25,7 @@ namespace {
 /// Numbers of holes in the experiment of the thesis (Calkins 1994, section 5.5, table 5.7). The touched holes are the
 /// first of the visited holes.
 constexpr int kTouchedHoles = 3, kVisitedHoles = 10;
-/// Numbers of touched holes and of repetitions for the mean error that remains at the touches after a fit of the base
-/// alone.
+/// Number of touched holes, and number of repetitions, from which meanTouchError() is computed.
 constexpr int kFittedHoles = 14;
 constexpr std::uint64_t kBaseFits = 20;
 
@@ -56,7 +55,7 @@ ScoredRuns scoredBy(const CentringTrials& trials, int runs, const planner::PlanH
   return scored;
 }
 
-/// Returns the mean error that remains at many touches after a fit of the base alone [m].
+/// Returns the mean residual of many touches after a fit of only the base [m].
 double meanTouchError(const CentringTrials& trials) {
   double sum = 0;
   int count = 0;

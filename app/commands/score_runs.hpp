@@ -1,4 +1,5 @@
-// `tubeplan score --runs`: repeats the experiment of the thesis with true arms drawn at random about the given arm.
+// `tubeplan score --runs`: repeats the experiment of the thesis with true arms whose base pose and stiffnesses are
+// drawn at random about those of the given arm.
 #pragma once
 
 #include <cstdint>

@@ -37,14 +37,15 @@ struct SensitivityOptions {
   std::uint64_t seed = 1;
 };
 
-/// Returns the three holes of the sheet whose touches determine the base best.
+/// Returns the three holes of the sheet whose touches determine the base most accurately.
 BestTouches touchedHoles(const Cell& cell, const std::vector<Eigen::VectorXd>& work_postures) {
   planner::Workcell work = workcellOf(cell, "touch holes");
   work.load = 0;
   return bestTouches(work, touchCandidates(work, kTouchable), work_postures, kChosenTouches, doubtBeside(cell));
 }
 
-/// Returns, for a cell without a sheet, the three postures in which touches of a mark determine the base best.
+/// Returns, for a cell without a sheet, the three postures in which touches of a mark determine the base most
+/// accurately.
 BestTouches touchedPostures(const Cell& cell, const std::vector<Eigen::VectorXd>& work_postures, std::uint64_t seed) {
   std::vector<calibration::TouchPlan> marks;
   for (const auto& q : clearPostures(armAndScene(cell), {0}, kTouchable, seed))
@@ -53,8 +54,8 @@ BestTouches touchedPostures(const Cell& cell, const std::vector<Eigen::VectorXd>
   return bestTouches(cell.arm, cell.X_WB, marks, work_postures, {kChosenTouches, usual.touch_sigma, doubtBeside(cell)});
 }
 
-/// Chooses the three touches that determine the base best. If there are none, returns the reason; otherwise an empty
-/// string.
+/// Chooses the three touches that determine the base most accurately. If there are none, returns the reason; otherwise
+/// an empty string.
 std::string chooseBaseTouches(const Cell& cell, std::uint64_t seed, SensitivityReport& report,
                               calibration::SensitivityTask& task) {
   const BestTouches best = cell.sheet ? touchedHoles(cell, task.work) : touchedPostures(cell, task.work, seed);
@@ -121,7 +122,8 @@ int run(const SensitivityOptions& options) {
   else
     task.work = clearPostures(armAndScene(cell), {task.load}, options.postures, options.seed);
   report.work = static_cast<int>(task.work.size());
-  std::string reason;  // why there is no result; a known base without a sheet needs no touches
+  // Why there is no result. Touches are not needed if the cell has no sheet and a known base.
+  std::string reason;
   if (!task.work.empty() && (report.has_sheet || !cell.base_known))
     reason = chooseBaseTouches(cell, options.seed + 1, report, task);
   if (reason.empty()) report.figures = calibration::findSensitivities(cell.arm, cell.X_WB, task);

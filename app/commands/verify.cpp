@@ -35,7 +35,7 @@ struct VerifyOptions {
   FiguresTarget figures;
 };
 
-/// Returns a sentence for each difference between the cell's arm and the plan's arm; parameters are named as in the arm
+/// Returns a sentence for each difference between the cell's arm and the plan's arm, with the parameter names of arm
 /// files.
 std::vector<std::string> armDifferences(const deflection::Arm& cell, const deflection::Arm& plan) {
   const auto now = deflection::parametersOf(cell), then = deflection::parametersOf(plan);

@@ -1,4 +1,4 @@
-// Request and results of a campaign, and the table of campaign kinds.
+// Request and results of a campaign (many simulated runs with random true arms), and the table of campaign kinds.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace tubeplan::app {
 
-/// Request as given on the command line, in the cell's units. Each kind of campaign uses some of the values.
+/// Request as given on the command line, in the cell's units. Each kind of campaign uses only some of the values.
 struct CampaignRequest {
   std::string cell, truth;
   std::uint64_t seed = 1;

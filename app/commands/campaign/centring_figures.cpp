@@ -125,8 +125,8 @@ json waysJson() {
   return ways;
 }
 
-/// Returns the origin of the base poses of all settings: each run calibrates its own base. Touches are stated if all
-/// settings have the same number.
+/// Returns the origin of the base poses of all settings: each run calibrates its own base. The number of touches is
+/// stated only if it is the same in all settings.
 BaseStanding standingOf(const std::vector<CentringSetting>& settings) {
   const int touches = settings.front().touches;
   const bool is_one = std::ranges::all_of(settings, [&](const auto& other) { return other.touches == touches; });

@@ -14,13 +14,13 @@ struct CentringResults {
   CampaignProgress progress;
 };
 
-/// Returns the results as JSON; of the single holes, only the worst are listed.
+/// Returns the results as JSON, with separate entries only for the holes with the largest errors.
 [[nodiscard]] nlohmann::json centringJson(const CentringResults& results);
 
 /// Returns the results as short text, from their JSON.
 [[nodiscard]] std::string centringText(const nlohmann::json& figures);
 
-/// Returns CSV with one line for each setting, method of compensation and visited hole.
+/// Returns CSV with one line for each combination of setting, compensation method and visited hole.
 [[nodiscard]] std::string holesCsv(const CentringResults& results);
 
 /// Returns the campaign's self-contained HTML page.

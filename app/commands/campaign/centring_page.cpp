@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMostMarks = 60'000;  // limit over all maps, which keeps the page to a few megabytes
+constexpr std::size_t kMostMarks = 60'000;  // maximum over all maps, which limits the page to a few megabytes
 
 json holeJson(const CentringResults& results, std::size_t index, const HoleTally& hole) {
   const auto& plan = results.task.holes.visited[index];

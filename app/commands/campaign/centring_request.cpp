@@ -108,7 +108,7 @@ std::vector<CentringSetting> settingsOf(const CampaignRequest& request, const Ce
 /// Number of tubes spread over the sheet if the request names none.
 constexpr std::size_t kTubes = 80;
 
-/// Finds the holes to visit and to touch; tubes whose state excludes the tool are left out.
+/// Finds the holes to visit and to touch; tubes that the tool cannot enter because of their state are excluded.
 void findHoles(const CampaignRequest& request, CentringTask& task) {
   const std::string tubes = tubesOrSpread(request.tubes, task.model.sheet, kTubes);
   requireWorkList(request.columns, {tubes});

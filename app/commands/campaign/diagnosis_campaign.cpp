@@ -22,7 +22,7 @@ using nlohmann::json;
 constexpr std::size_t kOutcomes = kDiagnosisOutcomes.size();
 using OutcomeCounts = std::array<std::uint64_t, kOutcomes>;
 
-/// Counts of trials by hidden effect (none first, then in the order of the catalogue), size class and outcome.
+/// Numbers of trials, by hidden effect (none first, then in the order of the catalogue), magnitude class and outcome.
 class DiagnosisTally {
  public:
   DiagnosisTally() : counts_(deflection::effectKinds().size() + 1) {}
@@ -44,7 +44,7 @@ class DiagnosisTally {
     return reader.isWhole();
   }
 
-  /// Returns the outcome counts for one hidden effect (-1: no hidden effect), for one size class or for all (-1).
+  /// Returns the outcome counts for one hidden effect (-1: no hidden effect), for one magnitude class or for all (-1).
   [[nodiscard]] OutcomeCounts of(int effect, int size_class = -1) const {
     OutcomeCounts sum{};
     const auto& classes = counts_[static_cast<std::size_t>(effect + 1)];

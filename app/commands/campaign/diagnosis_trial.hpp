@@ -1,5 +1,5 @@
-// One run of a diagnosis campaign: simulates readings of an arm with a random hidden effect or none, and diagnoses the
-// readings.
+// One run of a diagnosis campaign: simulates readings of an arm, with a random hidden effect or without one, and
+// diagnoses them.
 #pragma once
 
 #include <array>
@@ -15,12 +15,12 @@ namespace tubeplan::app {
 /// Outcome of a diagnosis, compared with the truth.
 enum class DiagnosisOutcomeKind {
   kNotMade,       ///< the readings could not be simulated or could not be fitted
-  kAdequate,      ///< verdict that nothing is missing
+  kAdequate,      ///< verdict that the model lacks no effect
   kInconclusive,  ///< verdict that the readings leave the cause undecided
   kNamed,         ///< the true effect alone was named
   kAmong,         ///< several effects were named, among them the true effect
   kOther,         ///< one or several effects were named, but not the true effect
-  kUnexplained,   ///< verdict that something is missing which no known effect explains
+  kUnexplained,   ///< verdict that the model lacks something that no known effect explains
 };
 inline constexpr std::array<std::string_view, 7> kDiagnosisOutcomes{"not-made", "adequate", "inconclusive", "named",
                                                                     "among",    "other",    "unexplained"};
@@ -32,14 +32,14 @@ inline constexpr std::array<std::string_view, 7> kOutcomeWords{"not made",
                                                                "another named",
                                                                "refused as unexplained"};
 
-/// Smallest size of a hidden effect, as a fraction of the largest usual size on a machine. The fraction is drawn
-/// between this value and 1, uniformly in its logarithm.
+/// Smallest magnitude of a hidden effect, as a fraction of the largest magnitude usual on a machine. The fraction is
+/// drawn between this value and 1, uniformly in its logarithm.
 inline constexpr double kLeastShare = 0.02;
 inline constexpr std::size_t kSizeClasses = 4;
 
 struct DiagnosisTrial {
   int effect = -1;             ///< index in effectKinds(); -1: no hidden effect
-  std::size_t size_class = 0;  ///< quarter of the logarithmic range of sizes; 0: smallest sizes
+  std::size_t size_class = 0;  ///< quarter of the logarithmic range of magnitudes; 0: smallest
   DiagnosisOutcomeKind outcome = DiagnosisOutcomeKind::kNotMade;
 };
 
