@@ -25,11 +25,11 @@ struct BasePrior {
   double turn = 0.0087;   ///< per axis [rad] (0.5 deg)
 };
 
-/// Stated tip error that the arm's model does not predict: standard deviation of each coordinate, independent in each
-/// posture.
+/// Tip error that the arm's model does not predict, as the cell states it: a standard deviation for each coordinate,
+/// with independent errors in different postures.
 struct ModelError {
   double sigma = 0;            ///< per coordinate of the tip [m]
-  int degrees_of_freedom = 0;  ///< degrees of freedom of the estimate of `sigma`; 0: sigma is taken as known
+  int degrees_of_freedom = 0;  ///< degrees of freedom with which `sigma` was estimated; 0: `sigma` is exact
   std::string from;            ///< source of `sigma`: "identify" or kByTouches; empty: written by hand
 };
 

@@ -7,9 +7,9 @@
 
 namespace tubeplan::app {
 
-/// Returns a function that is true if the deflected true arm, on its true base in a given set-up, is clear of the scene
-/// in a posture. With `touches_holes` the tool may enter the sheet. The function is empty if the scene has no bodies,
-/// and is not thread-safe.
+/// Returns a function that returns true if the deflected true arm, on its true base in a given set-up, is clear of the
+/// scene in a posture. With `touches_holes` the tool may enter the sheet. The function is empty if the scene has no
+/// bodies, and is not thread-safe.
 [[nodiscard]] calibration::CampaignClearance clearanceOf(const CellModel& cell, const calibration::CampaignTruth& truth,
                                                          bool touches_holes);
 

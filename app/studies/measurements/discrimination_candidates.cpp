@@ -181,7 +181,8 @@ std::optional<VectorXd> broughtTo(const planner::Workcell& work, const Measureme
   return is_there && isWithinLimits(work.arm, placed.q) ? std::optional(placed.q) : std::nullopt;
 }
 
-/// Returns one touch for each posture, surface and load; unreachable touches and collisions are left out.
+/// Returns one touch for each posture, surface and load; touches that the arm cannot reach, or only with a collision,
+/// are excluded.
 std::vector<ReadingCandidate> surfaceTouches(planner::Workcell work, const std::vector<VectorXd>& postures,
                                              const std::vector<double>& loads,
                                              const std::vector<Measurement>& surfaces) {

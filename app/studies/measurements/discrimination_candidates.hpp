@@ -12,16 +12,17 @@
 namespace tubeplan::app {
 
 struct DiscriminationCandidateOptions {
-  int postures = 48;  ///< largest number of postures; points to measure at are fewer than twice as many
+  /// Largest number of postures. The number of points to measure at is less than twice as large.
+  int postures = 48;
   int most_loads = 3;
   std::uint64_t seed = 1;
 };
 
 /// Returns candidates that the fitted model reaches from the base of its last set-up. The candidates are postures
 /// within the limits and clear of the scene, or reach the points measured so far and holes of the sheet. Without a
-/// scene, postures must be within the measured room (measured_room.hpp). Conditions are the medians over the readings;
-/// the time is that of the latest reading. Approach directions are drawn at random if the readings state them. Angles
-/// are proposed for the tool or for the rows at which angles were measured.
+/// scene, postures must lie in the region that the measured postures show to be free (measured_room.hpp). Conditions
+/// are the medians over the readings; the time is that of the latest reading. Approach directions are drawn at random
+/// if the readings state them. Angles are proposed for the tool or for the rows at which angles were measured.
 [[nodiscard]] std::vector<calibration::ReadingCandidate> discriminationCandidates(
     const CellModel& cell, const calibration::PlacedArm& fitted, const std::vector<calibration::Measurement>& readings,
     const DiscriminationCandidateOptions& options = {});

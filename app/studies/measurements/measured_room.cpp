@@ -14,7 +14,7 @@ using calibration::Measurement;
 using Eigen::Vector3d;
 
 constexpr double kShortLink = 1e-3;  // shortest link [m]; frames closer than this have no link between them
-constexpr double kSlack = 1e-3;      // distance by which a posture may exceed the measured room [m]
+constexpr double kSlack = 1e-3;      // tolerance for a posture just outside the room [m]
 
 struct Link {
   Vector3d from, to;

@@ -9,17 +9,17 @@
 
 namespace tubeplan::app {
 
-/// Free room of the measured postures. A posture is inside if the arm hangs no lower than in the measured postures (the
-/// floor), and if no two links that are not neighbours come closer to each other than in the measured postures. Links
-/// are lines between frames. Their thickness needs no allowance, because the links were already this close in a
-/// measured posture.
+/// Region that the measured postures show to be free. A posture is inside if the arm hangs no lower than in the
+/// measured postures (the floor), and if no two links that are not neighbours come closer to each other than in the
+/// measured postures. Links are lines between frames. Their thickness needs no allowance, because the links were
+/// already this close in a measured posture.
 class MeasuredRoom {
  public:
   /// `fitted` must have a base pose for each set-up of the readings, of which there must be at least one.
   MeasuredRoom(const calibration::PlacedArm& fitted, const std::vector<calibration::Measurement>& readings);
 
-  /// Returns true if the posture `q` [rad, m] under a load [N] is inside the room. The arm stands on the base of its
-  /// last set-up.
+  /// Returns true if the posture `q` [rad, m] under a load [N] is inside the room, with the arm on the base of its last
+  /// set-up.
   [[nodiscard]] bool holds(const Eigen::VectorXd& q, double load) const;
 
  private:

@@ -21,8 +21,9 @@ using calibration::MeasurementKind, calibration::ProposedMeasurement, calibratio
 using Eigen::VectorXd;
 
 constexpr int kTriesPerPosture = 40;  // random tries per requested posture before the search gives up
-constexpr double kNearLimits = 0.02;  // distance from a joint's limits, as a fraction of the joint's range
-constexpr double kSamePlace = 1e-7;   // largest position error when a point is touched under another load [m]
+// Largest distance from a joint limit that counts as near the limit, as a fraction of the joint's range.
+constexpr double kNearLimits = 0.02;
+constexpr double kSamePlace = 1e-7;  // largest position error when a point is touched under another load [m]
 
 VectorXd drawPosture(const deflection::Arm& arm, PostureChoice choice, boost::random::mt19937_64& random) {
   VectorXd q(arm.jointCount());

@@ -22,7 +22,8 @@ struct ReachedHole {
 };
 
 /// Returns postures that reach the given tubes under the cell's load, without collision during the whole approach. The
-/// postures are in the order of the tubes: all branches of each tube, or the first branch only.
+/// postures are in the order of the tubes: the postures of all branches that reach a tube, or only of the first branch
+/// found.
 [[nodiscard]] std::vector<ReachedHole> reachHoles(const planner::Workcell& cell, const std::vector<int>& tubes,
                                                   bool all_branches);
 
@@ -52,7 +53,8 @@ enum class PostureChoice { kAnywhere, kNearLimits };
                                                                           double sigma);
 
 /// Returns, for each posture, touches of one point under every load (two or more) [N]. The point is where the tip rests
-/// in this posture under the first load. Points that cannot be reached without collision under every load are left out.
+/// in this posture under the first load. Points that the arm cannot reach without collision under every load are
+/// excluded.
 [[nodiscard]] std::vector<calibration::ReadingCandidate> pointTouches(planner::Workcell cell,
                                                                       const std::vector<Eigen::VectorXd>& postures,
                                                                       const std::vector<double>& loads, double sigma);

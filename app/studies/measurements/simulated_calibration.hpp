@@ -22,8 +22,8 @@ namespace tubeplan::app {
 [[nodiscard]] std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell,
                                                                   const std::vector<int>& tubes);
 
-/// Touches that determine the base best, considering the uncertainty of the arm, with ids T1, T2, ... Candidates that
-/// might be out of reach from the true base are used only if there are too few others.
+/// Touches, with ids T1, T2, ..., that minimize the tip's uncertainty, given the uncertainty of the arm. Candidates
+/// that might be out of reach from the true base are used only if there are too few others.
 struct BestTouches {
   std::vector<calibration::TouchPlan> plans;
   std::string reason;  ///< why there are no touches; empty if there are some
@@ -31,36 +31,37 @@ struct BestTouches {
   double mean_sigma = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Returns the `count` touches after which the tip is known best in the postures of the candidates themselves.
+/// Returns the `count` touches that minimize the tip's uncertainty in the postures of the candidates themselves.
 [[nodiscard]] BestTouches bestTouches(const planner::Workcell& cell,
                                       const std::vector<calibration::TouchPlan>& candidates, int count,
                                       const calibration::DoubtBeside& doubt);
 
-/// Returns the `count` touches after which the tip is known best in the postures `work`.
+/// Returns the `count` touches that minimize the tip's uncertainty in the postures `work`.
 [[nodiscard]] BestTouches bestTouches(const planner::Workcell& cell,
                                       const std::vector<calibration::TouchPlan>& candidates,
                                       const std::vector<Eigen::VectorXd>& work, int count,
                                       const calibration::DoubtBeside& doubt);
 
-/// Returns the touches after which the tip is known best in the postures `work`, chosen from candidates that are known
-/// to be reachable.
+/// Returns the touches that minimize the tip's uncertainty in the postures `work`; `touchable` are candidates that the
+/// arm is known to reach.
 [[nodiscard]] BestTouches bestTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                       const std::vector<calibration::TouchPlan>& touchable,
                                       const std::vector<Eigen::VectorXd>& work,
                                       const calibration::TouchChoiceOptions& options);
 
-/// Returns the index, in the sheet, of the tube whose hole the candidate names.
+/// Returns the sheet's index of the tube whose hole the candidate names.
 [[nodiscard]] int tubeOf(const calibration::TouchPlan& candidate, const tubesheets::Sheet& sheet);
 
-/// Base calibrated with the flexible model and, for comparison, with a rigid model whose parameters are taken as exact.
+/// Base calibrated with the flexible model and, for comparison, with a rigid model whose parameters are assumed to be
+/// exact.
 struct BothCalibrations {
   calibration::BaseCalibration flexible, rigid;
 };
 [[nodiscard]] BothCalibrations calibrateBoth(const planner::Workcell& placed, const CellModel& cell,
                                              const std::vector<calibration::Measurement>& touches);
 
-/// Calibrates the base with both given arms; faster if one model is calibrated many times. After a lack of fit, does
-/// not search for the responsible touch.
+/// Calibrates the base with each of the given arms, faster than the function above if one model is calibrated many
+/// times. If touches do not fit, does not search for a wrong joint reading that explains it.
 [[nodiscard]] BothCalibrations calibrateBoth(const deflection::Arm& flexible, const deflection::Arm& rigid,
                                              const calibration::DoubtBeside& doubt, const Eigen::Isometry3d& X_WB_start,
                                              const tubesheets::Sheet& sheet,

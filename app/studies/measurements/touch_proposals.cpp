@@ -55,8 +55,8 @@ class TouchSearch {
   }
 
  private:
-  /// Finds the postures in which the tip must be known: at the holes of the work list, or at random if there is no
-  /// sheet.
+  /// Finds the postures in which the tip's uncertainty matters: at the holes of the work list, or at random if there is
+  /// no sheet.
   void findWork() {
     if (task_.under_sheet) {
       for (const auto& hole : reachHoles(*task_.under_sheet, task_.tubes, false)) work_.postures.push_back(hole.q);
@@ -97,7 +97,7 @@ class TouchSearch {
     return kept;
   }
 
-  /// Returns the best `count` (three or more) of all holes for a first calibration, without earlier readings.
+  /// For a first calibration, without earlier readings, returns the best `count` (three or more) of all holes.
   [[nodiscard]] static calibration::Design exhaustiveChoice(const calibration::DesignProblem& problem, int count) {
     const auto choice = calibration::chooseTouches(problem, count);
     if (choice.status == calibration::TouchChoiceStatus::kDone)

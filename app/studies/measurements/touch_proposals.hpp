@@ -17,7 +17,7 @@ namespace tubeplan::app {
 struct TouchTask {
   CellModel cell;                                ///< cell with the estimated arm and base
   std::optional<planner::Workcell> under_sheet;  ///< workcell under the tube sheet; nothing if the cell has no sheet
-  std::vector<int> tubes;                        ///< indices of the tubes of the work list, where the tip must be known
+  std::vector<int> tubes;                        ///< tubes of the work list, where the tip's uncertainty matters
   /// Estimates of the base and of the parameters from the readings so far; nothing: not requested.
   std::optional<calibration::Estimate> of_base, of_numbers;
   bool is_first = true;              ///< true: there are no readings yet
@@ -41,10 +41,11 @@ struct TouchProposal {
 };
 
 struct TouchProposals {
-  /// Number of postures in which the tip must be known; number of tubes of the work list that are out of reach.
+  /// Number of work postures, in which the tip's uncertainty matters; number of tubes on the work list that are out of
+  /// reach.
   int work = 0, work_lost = 0;
-  /// Number of holes to touch in reach of the nominal base; number of them left out because the true base may not reach
-  /// them.
+  /// Number of touchable holes in reach from the nominal base; number of those excluded because they may be out of
+  /// reach from the true base.
   int holes = 0, holes_unsure = 0;
   std::optional<TouchProposal> base, parameters;
   std::vector<std::string> nearest_holes;  ///< the three touchable holes nearest to the base, for comparison

@@ -13,7 +13,7 @@ namespace tubeplan::app {
 /// must outlive the function.
 [[nodiscard]] calibration::NeighbourQuestion neighboursOn(const tubesheets::Sheet& sheet);
 
-/// Returns the uncertainties to be considered when the cell's base is calibrated from touches: those of the arm's
+/// Returns the uncertainties that a calibration of the cell's base from touches must consider: those of the arm's
 /// parameters, and the model error if it is known. Touches must be chosen and fitted with the same uncertainties.
 [[nodiscard]] calibration::DoubtBeside doubtBeside(const CellModel& cell);
 

@@ -1,4 +1,4 @@
-// Common start of all fits of a cell's model to readings.
+// Starting values that all fits of a cell's model to readings share.
 #pragma once
 
 #include <optional>

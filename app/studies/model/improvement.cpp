@@ -42,8 +42,8 @@ const Explanation* bestCarried(const std::vector<Explanation>& explanations, con
   return best;
 }
 
-/// Decides between equally good explanations: adds the best one if they differ by no more than it gains, or else the
-/// causes common to all if these lower the held-out error.
+/// Decides between equally good explanations: adds the best one if their predictions differ by no more than it lowers
+/// the held-out error, or else the causes common to all if these lower that error.
 Decision amongEquals(const Diagnosis& diagnosis) {
   double widest = 0;
   for (const auto& alternative : diagnosis.alternatives)
@@ -112,7 +112,7 @@ ImprovementStep stepOf(const Diagnosis& diagnosis, const Decision& decision) {
 bool isUsable(const calibration::Identification& fit) { return fit.status == IdentificationStatus::kDone; }
 
 /// Returns true if a fit has freed parameters of the effect and found all within two standard deviations of their
-/// neutral values. A freed shape parameter gives false.
+/// neutral values. Returns false if a shape parameter was freed.
 bool isFoundToBeNone(const calibration::Identification& fit, int effect) {
   constexpr double kNearNone = 2;
   const auto& carried = fit.fitted.arm.effects.at(static_cast<std::size_t>(effect));

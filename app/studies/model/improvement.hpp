@@ -20,7 +20,7 @@ struct ImprovedModel {
   CellModel cell;    ///< the cell with the added causes, before the fit; `fit` has the fitted values
   calibration::Identification fit;
   int step = 0;                ///< number of steps so far that added a cause
-  std::vector<int> set_aside;  ///< indices of readings left out of the fit, as the last diagnosis calls them outliers
+  std::vector<int> set_aside;  ///< indices of the outliers of the last diagnosis, excluded from the fit
 };
 
 struct ImprovementRequest {
@@ -32,9 +32,9 @@ struct ImprovementRequest {
 
 enum class ImprovementEnd {
   kNotRun,
-  kAdequate,          ///< the diagnosis finds nothing missing in the model
+  kAdequate,          ///< the diagnosis finds that the model lacks no effect
   kNothingSure,       ///< an error remains, but only as scatter, or no cause lowers the error of held-out readings
-  kAmbiguous,         ///< alternatives differ over the arm's range by more than the best alternative gains
+  kAmbiguous,         ///< predictions of the alternatives differ by more than the best one lowers the error
   kDoesNotCarryOver,  ///< the cause does not lower the error of held-out readings, or of the farthest poses
   kMistake,           ///< a mistake in the readings explains the error
   kInconclusive,      ///< the readings allow no verdict
@@ -45,11 +45,11 @@ enum class ImprovementEnd {
 /// Reason for adding a cause, or for the end of the loop.
 enum class ImprovementReason {
   kNothingMissing,
-  kScatter,            ///< the residual is no smooth function of the stated variables; `first`: size of the residual
+  kScatter,            ///< the residual is no smooth function of the stated variables; `first`: its magnitude
   kSure,               ///< the cause is certain and predicts the farthest poses
   kSureInAll,          ///< the cause is certain in every alternative
-  kAlternativesClose,  ///< the alternatives differ by `first` over the arm's range, less than the gain `second`
-  kAlternativesApart,  ///< the alternatives differ by `first` over the arm's range, more than the gain `second`
+  kAlternativesClose,  ///< predictions of the alternatives differ by `first`, less than `second`, the error's fall
+  kAlternativesApart,  ///< predictions of the alternatives differ by `first`, more than `second`, the error's fall
   kUnsureButLower,     ///< the cause is uncertain, but lowers the error of held-out readings and of the farthest poses
   kNoneLower,         ///< no cause is certain, and none lowers the error of held-out readings and of the farthest poses
   kFarthestWorse,     ///< with the cause, the error of the farthest poses rises from `second` to `first`
@@ -62,7 +62,7 @@ enum class ImprovementReason {
 struct ImprovementStep {
   calibration::Diagnosis diagnosis;
   ImprovementReason reason = ImprovementReason::kNoVerdict;
-  /// Values of the reason, as explained at ImprovementReason [m]; NaN if the reason has none.
+  /// Values that belong to `reason`, as explained at ImprovementReason [m]; NaN if the reason has none.
   double first = std::numeric_limits<double>::quiet_NaN(), second = first;
   std::vector<std::string> added;       ///< names of the added causes; empty if none was added
   std::vector<std::string> also;        ///< causes that no reading distinguishes from the added causes

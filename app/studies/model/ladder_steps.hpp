@@ -1,4 +1,5 @@
-// Step tables of a ladder of models: for each model, the number of holes that 0, 1, ... steps of the tool would enter.
+// Step tables for a comparison of models (ladder): for each model, the numbers of holes in which 0, 1, ... steps of the
+// tool would enter.
 #pragma once
 
 #include <cstdint>

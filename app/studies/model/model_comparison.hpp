@@ -19,7 +19,7 @@ struct ModelComparisonRow {
   calibration::ErrorSize as_it_stands;  ///< error of the model as in its file, with the base of the file
   calibration::ErrorSize fitted;        ///< error with `identify` fitted, and with the base fitted if it is unknown
   calibration::ErrorSize heldout;
-  double noise_floor = 0;  ///< rms error from the stated noise alone [m]
+  double noise_floor = 0;  ///< rms error that the stated noise alone would cause [m]
   double chi2_per_dof = 0;
   double p_value = std::numeric_limits<double>::quiet_NaN();  ///< p-value of chi-square for the stated noise; NaN: none
   calibration::PlacedArm model;    ///< the fitted model; its arm has no rows if the fit failed
@@ -35,8 +35,8 @@ struct ModelComparisonRow {
 /// Returns the comparison row of a model that is already fitted.
 [[nodiscard]] ModelComparisonRow comparisonRowOf(const std::string& name, const calibration::Identification& fit);
 
-/// Returns the fit for a comparison row. Its status is kNotRun if the cell has no free parameters. Throws JobStopped if
-/// a stop is requested.
+/// Returns the fit of the cell's model to the readings, for a comparison row. Its status is kNotRun if the cell has no
+/// free parameters. Throws JobStopped if a stop is requested.
 [[nodiscard]] calibration::Identification fitForLadder(const CellModel& cell,
                                                        const std::vector<calibration::Measurement>& readings,
                                                        std::uint64_t seed, const WorkHooks& hooks = {});

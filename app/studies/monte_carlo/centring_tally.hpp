@@ -10,7 +10,7 @@
 
 namespace tubeplan::app {
 
-/// Results at one hole with one method of compensation.
+/// Results at one hole with one compensation method.
 struct HoleTally {
   ErrorSketch errors;
   /// Number of visits in which at least k + 1 steps entered, at index k; empty without visits.
@@ -18,7 +18,7 @@ struct HoleTally {
   std::uint64_t missed = 0;  ///< number of visits without a posture
 };
 
-/// Results at all holes with one method of compensation.
+/// Results at all holes with one compensation method.
 struct WayTally {
   std::vector<HoleTally> holes;
   RunSums errors;                 ///< sums of centring errors, in units of ErrorSketch::kUnit

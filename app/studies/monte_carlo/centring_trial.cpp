@@ -138,8 +138,8 @@ TrialHole CentringTrials::trialHole(const Hole& hole, std::uint64_t run) const {
   return {hole.plan, hole.tube, draw.vector(options_.spread.unmodelled_sigma)};
 }
 
-/// Draws `count` holes at random, and again until the first `well_spread` of them lie well off a line. Empty if
-/// kMostDraws draws fail.
+/// Draws `count` holes at random, and repeats the draw until the first `well_spread` holes are far from collinear.
+/// Returns no holes if kMostDraws draws fail.
 std::vector<const CentringTrials::Hole*> CentringTrials::drawnHoles(std::uint64_t key, int count,
                                                                     int well_spread) const {
   Draw draw(key);

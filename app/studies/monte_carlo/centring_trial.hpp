@@ -17,10 +17,10 @@ namespace tubeplan::app {
 
 /// Rule for choosing the touched holes.
 enum class TouchRule {
-  kBest,    ///< holes that determine the base best, the same in every run
+  kBest,    ///< holes that minimize the tip's uncertainty, the same in every run
   kSpread,  ///< holes farthest from one another, the same in every run
-  kRandom,  ///< random holes well off a line, different in every run
-  kTested,  ///< random holes well off a line, taken from the holes visited later, as in the thesis
+  kRandom,  ///< random holes far from collinear, different in every run
+  kTested,  ///< as kRandom, but taken from the holes visited later, as in the thesis
 };
 
 struct TouchRuleRow {
@@ -33,7 +33,7 @@ struct TouchRuleRow {
 struct CentringSetting {
   int touches = 3;
   TouchRule rule = TouchRule::kBest;
-  double touch_sigma = 1.27e-4;  ///< centring noise of each coordinate [m]; at least 1e-6 m is used to weight touches
+  double touch_sigma = 1.27e-4;  ///< centring noise of each coordinate [m]; weights of touches assume at least 1e-6
 };
 
 /// Holes that may be visited, and holes that may be touched under the rule kBest.
@@ -85,7 +85,7 @@ class CentringTrials {
   /// Returns the results of the run with this index, one for each setting. Thread-safe.
   [[nodiscard]] std::vector<Trial> run(std::uint64_t index) const;
 
-  /// Returns the index, in the sheet, of the tube of hole number `hole`.
+  /// Returns the sheet's index of the tube that is visited as hole number `hole`.
   [[nodiscard]] int tubeOfHole(std::size_t hole) const { return holes_[hole].tube; }
 
   /// Returns the names of the holes that a setting touches in every run; empty if they differ between runs.

@@ -1,4 +1,4 @@
-// Interface of a campaign's repeated experiment for workers and checkpoints.
+// Interface through which workers and checkpoints use the experiment that a campaign repeats.
 #pragma once
 
 #include <functional>

@@ -30,7 +30,8 @@ class SplitMix {
   result_type state_;
 };
 
-/// Combines several numbers into one key: a campaign's seed, the index of a run, the drawn quantity, the hole.
+/// Combines several numbers into one key, such as a campaign's seed, the index of a run, the drawn quantity and the
+/// hole.
 inline std::uint64_t keyOf(std::initializer_list<std::uint64_t> numbers) {
   std::uint64_t key = 0;
   for (const std::uint64_t number : numbers) key = SplitMix::mixed(SplitMix(key ^ SplitMix::mixed(number + 1))());

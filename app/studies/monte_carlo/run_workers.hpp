@@ -17,8 +17,8 @@
 
 namespace tubeplan::app {
 
-/// Returns the default number of workers of this process: the cores that it may use, but no more than the machine's
-/// cores divided by the number of processes (`others`) that share it.
+/// Returns the default number of workers of this process: the number of cores that it may use, but no more than the
+/// machine's cores divided by the number of processes (`others`) that share it.
 [[nodiscard]] int usualWorkers(int others = 1);
 
 class RunWorkers {

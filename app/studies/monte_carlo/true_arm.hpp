@@ -17,7 +17,8 @@ struct TruthSpread {
   double stiffness_sigma = 0.02;     ///< relative, of each stiffness of the arm
   /// Error of the true arm that no model predicts, per coordinate [m], independent in each posture. If the truth equals
   /// the model, 0.0197 in leaves a mean error of 0.030 in at 14 touch points after the base is fitted, as in table 5.6
-  /// of the thesis; if the stiffnesses differ, more is left. Each run of `score` prints the resulting error.
+  /// of the thesis; if the stiffnesses differ, the mean error is larger. Each run of `score` prints the resulting
+  /// error.
   double unmodelled_sigma = 5.0e-4;
 };
 

@@ -1,4 +1,4 @@
-// Touches of holes by a drawn true arm. The unmodelled error of the arm belongs to the posture, so that a hole that is
+// Touches of holes by a drawn true arm. The unmodelled error of the arm depends only on the posture, so a hole that is
 // touched and later visited has the same error both times.
 #pragma once
 
@@ -23,9 +23,10 @@ struct TrialHole {
                                                                const std::vector<TrialHole>& holes, int count,
                                                                double sigma, std::uint64_t seed);
 
-inline constexpr int kMostDraws = 1000;  ///< largest number of draws until the touched holes lie well off a line
+inline constexpr int kMostDraws = 1000;  ///< largest number of draws to find holes far from collinear
 
-/// Returns true if the first `count` holes lie well off a line; holes on a line would not determine a base.
+/// Returns true if the first `count` holes are far from collinear; touches of collinear holes would not determine a
+/// base.
 [[nodiscard]] bool areWellSpread(const std::vector<TrialHole>& holes, int count);
 
 }  // namespace tubeplan::app

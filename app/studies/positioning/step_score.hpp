@@ -16,7 +16,7 @@ inline constexpr std::array kCompensations{planner::Compensation::kNone, planner
 /// Keys of the compensation modes in documents.
 inline constexpr std::array<const char*, kCompensations.size()> kModeKeys{"none", "goal_point", "via_point"};
 
-/// Models with which the compensation modes plan, and the truth.
+/// Models with which the compensation modes steer the arm, and the true arm.
 struct ScoringModels {
   planner::Workcell flexible;  ///< flexible arm, on the base calibrated with the flexible model
   planner::Workcell rigid;     ///< rigid arm, on the base calibrated with the rigid model
@@ -28,7 +28,7 @@ struct ScoringModels {
 [[nodiscard]] ScoringModels scoringModels(const planner::Workcell& model, const std::optional<BothCalibrations>& bases,
                                           const planner::Workcell& truth);
 
-/// A tube, and a posture in the branch to be scored.
+/// A tube, and a posture that selects the branch of the postures to be scored.
 struct TubeToScore {
   int tube = -1;
   Eigen::VectorXd q;

@@ -48,9 +48,8 @@ struct StepTable {
   double p95_error = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Computes the step table of a model that steers the real arm with compensated deflection. The model takes over the
-/// tool axis of the real arm; the tip is where the real arm brings it. The result is invalid if `stop` has returned
-/// true.
+/// Computes the step table of a model that steers the real arm with compensated deflection. The model uses the tool
+/// axis of the real arm; the tip position is that of the real arm. The result is invalid if `stop` has returned true.
 [[nodiscard]] StepTable stepTableOf(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const RealArm& real,
                                     const StepHoles& holes, const calibration::StopQuestion& stop = {});
 
