@@ -32,7 +32,7 @@ class Events {
   explicit Events(int most_listeners) : most_listeners_(most_listeners) {}
 
   /// Returns the number of the newest change. A state read after this call contains all changes up to that number. Of
-  /// two answers received over different connections, the answer with the greater number is newer.
+  /// two answers received over different connections, the answer with the larger number is newer.
   [[nodiscard]] std::uint64_t moment() const { return moment_; }
   std::uint64_t nextMoment() { return ++moment_; }
 

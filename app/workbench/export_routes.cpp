@@ -100,7 +100,7 @@ std::string comparisonReport(const Session& s) {
   const auto figures = figuresOf(s, "compare");
   return comparisonPage(inputOfResult(s, "compare"), 1, figures);
 }
-/// Returns the results of the pattern search in a model's errors; empty if there is no comparison of that model.
+/// Returns the results of the pattern tests on a model's errors; an empty array if the model was not compared.
 nlohmann::json testedOf(const Session& s, int model) {
   const auto none = nlohmann::json::array();
   const auto compared = s.results.find("compare");

@@ -52,10 +52,11 @@ Answer signature(Workbench& workbench, const Request& request) {
   return answerOf(signatureJson(cell, request.asked("effect"), request.asked("at"), most_load));
 }
 
-constexpr std::size_t kMostForConfounding =
-    300;  // largest number of readings, evenly spaced: the confounding depends little on their number
+// Largest number of readings used, evenly spaced in the list; with more, the confounding would hardly change.
+constexpr std::size_t kMostForConfounding = 300;
 
-/// Returns the confounding of the causes at the readings in use, given the parameters that are fitted.
+/// Returns, for each possible cause, how far the readings in use can distinguish it from the fitted parameters and from
+/// other causes.
 Answer confounding(Workbench& workbench, const Request&) {
   const Session session = workbench.session();
   if (!session.readings) return refusal(404, withoutReadings());

@@ -23,7 +23,7 @@ constexpr std::size_t kConnectionsAtOnce = 256;  // one thread per connection; f
 constexpr std::size_t kLargestBody = 8u << 20;
 constexpr std::size_t kLongestTarget = 2048;
 constexpr auto kHeartbeat = std::chrono::seconds(10);
-constexpr auto kGlanceAtListener = std::chrono::seconds(1);  // interval of checks for closed listeners
+constexpr auto kGlanceAtListener = std::chrono::seconds(1);  // interval at which closed listeners are detected
 constexpr const char* kPolicy =
     "default-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'; object-src 'none'";
 
@@ -154,8 +154,8 @@ class HttpServer::Implementation : public httplib::Server {
       throw InputError::saying("--port",
                                fmt::format("the server cannot listen on port {} of {}", door_.port, door_.host),
                                "give a free port of this machine; --port 0 chooses any free port");
-    ::listen(svr_sock_,
-             SOMAXCONN);  // enlarges the library's backlog of five: refused clients retry only after a second or more
+    // The library's backlog of five is too small: clients that it refuses retry only after a second or more.
+    ::listen(svr_sock_, SOMAXCONN);
   }
 
   bool process_and_close_socket(socket_t socket) override {

@@ -28,8 +28,8 @@ using ResultWork = std::function<nlohmann::json(const Session& began, JobContext
 [[nodiscard]] Answer beginResultJob(Workbench& workbench, const std::string& kind, const std::string& label,
                                     JobInput input, ResultWork work);
 
-/// Begins the comparison of the current model with the readings. `with_ladder` also computes the ladder over the stack
-/// of models, reusing the fit of the comparison.
+/// Begins the comparison of the current model with the readings. With `with_ladder`, also compares all models on the
+/// stack with each other (the ladder), reusing the fit of the current one.
 [[nodiscard]] Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, bool with_ladder);
 
 /// Begins the diagnosis of the current model.

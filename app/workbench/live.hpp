@@ -19,9 +19,9 @@ nlohmann::json showEncoders(Workbench& workbench, const Eigen::VectorXd& q, doub
 /// Reports an error in received data to all browsers.
 void showLiveProblem(Workbench& workbench, const InputError& error, const std::string& source);
 
-/// Queues readings, given as the text of a measurement file, until joinArrived(). Returns the number of queued
-/// readings. Readings with known ids are skipped if `passes_known`, otherwise refused. Throws InputError for refused
-/// ids and for a faulty file.
+/// Queues readings, given as the text of a measurement file, until joinArrived() adds them. Returns the number of
+/// queued readings. Readings with known ids are skipped if `passes_known`, otherwise refused. Throws InputError for
+/// refused ids and for a faulty file.
 std::size_t takeArrived(Workbench& workbench, const std::string& text, const std::string& name, bool passes_known);
 
 /// Adds the queued readings to the loaded readings unless a job is running, and begins the comparison of all.

@@ -53,8 +53,8 @@ std::vector<NamedCell> stackOf(const Session& session) {
   return stack;
 }
 
-/// Returns the ladder of the models. `set_aside`: ids of known outliers; `top`: existing fit of the last model without
-/// these outliers, or null.
+/// Returns the JSON of a comparison (ladder) of the models. `set_aside`: ids of known outliers; `top`: existing fit of
+/// the last model without these outliers, or null.
 nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Session& began, std::uint64_t seed,
                           const WorkHooks& hooks, std::vector<std::string> set_aside = {},
                           const calibration::Identification* top = nullptr) {
@@ -82,7 +82,8 @@ Answer ladder(Workbench& workbench, const Request& request) {
                         });
 }
 
-/// Computes and stores the ladder of the stack, on the readings used by the comparison of the current model.
+/// Compares all models of stackOf() on the readings that the comparison of the current model used, and stores the
+/// result as the ladder.
 void putLadder(Workbench& workbench, const Session& began, std::uint64_t seed, const RefitOfReadings& refit,
                JobContext& context) {
   const auto climbed = ladderOver(stackOf(began), began, seed, hooksOf(context), refit.set_aside, &refit.fit);
@@ -112,7 +113,7 @@ struct FitJob {
   std::function<std::string(const Cell&)> changed = {};  ///< returns the text of the cell to fit; empty: same cell
 };
 
-/// Begins a fit that puts the fitted model on the stack, with its results and the ladder over the stack.
+/// Begins a fit that puts the fitted model on the stack, stores its results, and compares all models on the stack.
 Answer beginFit(Workbench& workbench, const FitJob& fit) {
   return beginJob(workbench, fit.kind, fit.label, [fit, &workbench](JobContext& context) {
     const Session began = workbench.session();
@@ -218,7 +219,7 @@ Answer improve(Workbench& workbench, const Request& request) {
 SimulationRequest simulationAsked(const nlohmann::json& body) {
   SimulationRequest asked;
   asked.design = textOf(body, "design", "bench");
-  if (!calibration::findCampaignDesign(asked.design)) {  // only a design's name: a request must not open a file
+  if (!calibration::findCampaignDesign(asked.design)) {  // no file name: a request must not open a file
     std::vector<std::string> names;
     for (const auto& design : calibration::campaignDesigns()) names.emplace_back(design.name);
     throw InputError("design", inQuotes(asked.design), alternatives(names), suggestion(asked.design, names));

@@ -14,8 +14,8 @@ namespace tubeplan::app {
 
 inline constexpr std::size_t kMostClearances = 2000;
 
-/// Returns {units, from, samples, clearance} for `count` samples (at most kMostClearances) of the path from index
-/// `from` on. `clearance` is the distance to the nearest object under the contact rule of the sample's segment; null
+/// Returns {units, from, samples, clearance} for `count` samples (at most kMostClearances) of the path, beginning with
+/// index `from`. `clearance` is the distance to the nearest object under the contact rule of the sample's segment; null
 /// without objects. Throws InputError for a `from` beyond the path.
 [[nodiscard]] nlohmann::json clearanceAlong(const PlanOutcome& outcome, std::size_t from, std::size_t count);
 

@@ -165,7 +165,7 @@ Answer plan(Workbench& workbench, const Request& request) {
   });
 }
 
-/// Returns one sentence for each note on a work list: tubes left out, and tubes included although their state is
+/// Returns one sentence for each note on a work list: excluded tubes, and tubes included although their state is
 /// doubtful.
 std::vector<std::string> listWords(const tubesheets::Sheet& sheet, const tubesheets::Selection& selection) {
   std::vector<std::string> words = listNotes(selection);

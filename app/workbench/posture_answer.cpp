@@ -42,7 +42,7 @@ std::vector<Isometry3d> rigidFrames(const deflection::FlexibleKinematics& shape,
 }
 
 /// Returns the point of a shape nearest to the point `p` outside it, found by a step from `p` along the negative
-/// gradient of the distance, as long as the distance.
+/// gradient of the distance; the length of the step is the distance.
 Vector3d nearestOn(const planner::Shape& shape, const Vector3d& p) {
   constexpr double kStep = 1e-5;  // step of the central differences [m]
   Vector3d slope;

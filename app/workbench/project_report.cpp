@@ -126,8 +126,8 @@ void addVerdict(const Session& session, json& report) {
     report["verdict"] = found->document["verdict"];
     report["verdict_words"] = found->document.value("verdict_words", "");
     report["sentence"] = found->document["sentence"];
-    for (const char* key :
-         {"sentences", "splitting", "error_unit", "error_budget"})  // absent in files of earlier versions
+    // Project files of earlier versions lack these keys.
+    for (const char* key : {"sentences", "splitting", "error_unit", "error_budget"})
       if (found->document.contains(key)) report[key] = found->document[key];
     report["rms"] = found->document["rms"];
     report["chi2_per_dof"] = found->document["chi2_per_dof"];

@@ -22,8 +22,8 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr std::size_t kMostLoaded =
-    Arrivals::kMost;  // limited, because each check solves the arm's shape once per reading
+// Largest number of loaded readings; it is limited because each check solves the arm's shape once per reading.
+constexpr std::size_t kMostLoaded = Arrivals::kMost;
 
 Answer noReadings() { return refusal(404, withoutReadings()); }
 

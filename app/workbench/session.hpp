@@ -21,7 +21,7 @@
 
 namespace tubeplan::app {
 
-/// Model on the stack: a cell with the contents of its files, a label and its origin.
+/// A model on the session's stack of models: a cell with the contents of its files, a label and its origin.
 struct Model {
   int id = 0;
   std::string label;
@@ -93,10 +93,11 @@ struct Session {
 /// Returns the stack index of the model with this id; nullopt if there is none.
 [[nodiscard]] std::optional<std::size_t> findModel(const Session& session, int id);
 
-/// Returns the result of the current model, otherwise the newest result of another model; null if there is none.
+/// Returns the result `name` of the current model; if it has none, the newest of another model; null if no model has
+/// one.
 [[nodiscard]] ResultPointer findResult(const Session& session, const std::string& name);
 
-/// Returns the result of the given model only; null if there is none.
+/// Returns the result `name` of the given model; null if it has none.
 [[nodiscard]] ResultPointer findResult(const Session& session, const std::string& name, int model);
 
 /// Puts a model on the stack above the current model, and makes it current. Deletes the models kept for redo, with
