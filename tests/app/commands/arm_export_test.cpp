@@ -1,5 +1,5 @@
-// An arm exported in any convention remains the same arm. A controller's calibration is imported, and a plan with the
-// calibrated arm is proved.
+// An arm that is exported in any convention and read back is unchanged. A controller's calibration is imported, and a
+// plan with the calibrated arm is proved.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

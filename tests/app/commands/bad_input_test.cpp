@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 
 class Program : public ProgramTest {
  protected:
-  /// Expects a refusal as bad input: exit code 2, one line with these words, nothing on standard output, no new file.
+  /// Expects that the command is refused as bad input: exit code 2, one line of error with all of `words`, nothing on
+  /// standard output, and no new file.
   void expectRefused(const std::string& arguments, const std::vector<std::string>& words) const {
     const auto files_before = std::distance(fs::recursive_directory_iterator(folder), {});
     const Outcome outcome = run(arguments);

@@ -277,7 +277,7 @@ TEST_F(CampaignCommand, SeveralProcessesWriteTheSameBytes) {
     ASSERT_EQ(std::system(command.c_str()), 0) << contentOf(folder / "said.txt");
     expectSameFiles("alone", out);
   }
-  // Only one of the processes reports bad input.
+  // If the input is bad, only one of the processes reports it.
   const std::string bad = "cd '" + folder.string() + "' && " + mpirun(2) + mockup("--runs 0") + " >said.txt 2>&1";
   EXPECT_NE(std::system(bad.c_str()), 0);
   const std::string said = contentOf(folder / "said.txt");

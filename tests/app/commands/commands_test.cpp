@@ -18,7 +18,7 @@ class Commands : public ProgramTest {
     return json::parse(outcome.out, nullptr, false);
   }
 
-  /// Plans a few tubes with simulated touches, in folder `name`.
+  /// Plans visits to a few tubes, with simulated touches, and writes the plan to the folder `name`.
   [[nodiscard]] Outcome plan(const std::string& name, const std::string& more = "--tubes spread:6") const {
     return run("plan " + shipped("mockup.yaml") + " --touches auto --truth " + shipped("mockup-true.yaml") +
                " --seed 3 --out " + name + " " + more);
@@ -79,7 +79,7 @@ TEST_F(Commands, planKeepsItsPromisesAndVerifyProvesIt) {
     double sum = 0;
     for (const auto& p : tube["probability_by_steps"]) sum += p.get<double>();
     EXPECT_NEAR(sum, 1, 1e-9);
-    // The score without compensation is null where the rigid model cannot reach the hole.
+    // The score without compensation is null for a hole that the rigid model does not reach.
     const json& none = tube["scored"]["none"];
     if (!none.is_null()) {
       EXPECT_LT(tube["scored"]["via_point"]["error"], none["error"]);
@@ -154,7 +154,7 @@ TEST_F(Commands, verifyRefutesAToolThatLeansMoreThanItsFirstStepAllows) {
   const Outcome outcome = run("verify long.yaml made");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
   expectSays(outcome.out, "the tool leans by");
-  // A plan is also refuted if it states another tilt than the model gives.
+  // A plan is also refuted if the tilt that it states differs from that of the model.
   json made = planJson("made");
   made["tubes"][0]["tilt"] = 0.17;
   writePlanJson("made", made);

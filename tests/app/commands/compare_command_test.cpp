@@ -52,7 +52,7 @@ class CompareCommand : public ProgramTest {
   }
 };
 
-// Long names of readings are cut in the text output and kept whole in the JSON figures.
+// A long name of a reading is cut in the text output, but appears in full in the JSON.
 TEST_F(CompareCommand, aReadingsNameIsCutInTheText) {
   const std::string name(10000, 'n');
   std::string text = readingsWith(0.1);
@@ -154,7 +154,7 @@ std::string withCell(const std::string& table, std::size_t row, std::size_t colu
   return table.substr(0, at) + change(table.substr(at, end - at)) + table.substr(end);
 }
 
-// All commands treat outliers alike: an isolated outlier is set aside, named, and left out of all figures.
+// All commands treat outliers alike: an isolated outlier is set aside, named, and excluded from all results.
 TEST_F(CompareCommand, anOutlierIsSetAsideAsDiagnoseDoes) {
   const auto off = [](const std::string& inches) { return fmt::format("{}", std::stod(inches) + 0.2); };
   (void)write("clean.csv", readingsWith(0));
@@ -176,8 +176,8 @@ TEST_F(CompareCommand, anOutlierIsSetAsideAsDiagnoseDoes) {
   EXPECT_EQ(json::parse(kept.out)["set_aside"], json::array());
 }
 
-// A row that was logged before the controller updated the joints is named as a mistake, and is not taken for a repeat
-// of the previous row.
+// A row that was logged before the controller updated the joints is reported as a mistake, and is not treated as a
+// repeat of the previous row.
 TEST_F(CompareCommand, aStaleRowIsNamedAndExcusesNothing) {
   std::string table = readingsWith(0);
   std::vector<std::string> rows;

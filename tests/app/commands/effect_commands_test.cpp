@@ -1,4 +1,5 @@
-// A hidden effect is found by `diagnose`, and the error falls when the effect is added to the cell and identified.
+// `diagnose` finds a hidden effect, and the error falls when the effect is added to the cell and its parameters are
+// fitted.
 #include <nlohmann/json.hpp>
 
 #include "app/formats/cell/cell_reader.hpp"
@@ -44,7 +45,8 @@ TEST_F(EffectCommands, AModelWithNothingFreeIsDiagnosed) {
   }
 }
 
-/// Readings from a bench get no verdict with another cell, whose base has another position and orientation.
+/// For readings from a bench and another cell, whose base has another position and orientation, the verdict is
+/// inconclusive.
 TEST_F(EffectCommands, ReadingsOfAnotherCellGetNoVerdict) {
   simulate("");
   const auto outcome = run("diagnose " + shipped("mockup.yaml") + " set/measurements.csv --json -");
@@ -66,8 +68,8 @@ TEST_F(EffectCommands, ReadingsOfAnotherCellGetNoVerdict) {
   EXPECT_FALSE(std::filesystem::exists(folder / "found.yaml"));
 }
 
-/// For readings of an arm with other stiffnesses, a fit of the base alone is refused, since it leaves more than noise
-/// explains; a fit with six parameters free is accepted.
+/// For readings of an arm with other stiffnesses, a fit of only the base is refused, since its residuals exceed the
+/// noise; a fit with six free parameters is accepted.
 TEST_F(EffectCommands, ABaseThatLeavesTheReadingsOffIsSaid) {
   ASSERT_EQ(
       run("simulate " + shipped("mockup-true.yaml") + " --design bowl --readings 40 --loads 0,30 --out set").exit_code,
@@ -234,7 +236,7 @@ TEST_F(EffectCommands, AFormulaIsAddedFittedAndSetBesideTheCatalogue) {
   EXPECT_EQ(found["overlap"][0]["formula"], "formula@theta3");
   for (const auto& effect : found["overlap"][0]["effects"]) EXPECT_LT(effect["share"].get<double>(), 0.9) << effect;
 
-  // The fitted cell is read back with its formula and serves other commands as their model.
+  // The fitted cell is read back with its formula, and other commands accept it as their model.
   const Cell cell = readCell(path("fitted.yaml"));
   ASSERT_EQ(cell.arm.effects.size(), 1U);
   EXPECT_NEAR(cell.arm.effects[0].values[0] / cell.units.factor(dimension::kAngle), (*c)["value"].get<double>(), 1e-9);

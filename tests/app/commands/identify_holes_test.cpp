@@ -17,8 +17,8 @@ class IdentifyHoles : public ProgramTest {
  protected:
   IdentifyHoles() : cell(readCell((shippedCells() / "mockup.yaml").string())) {}
 
-  /// Returns touches of holes all over the sheet, without coordinates. The hole with index `wrong` is recorded one
-  /// column off; if `wrong` is -1, none is.
+  /// Returns touches of holes all over the sheet, without coordinates. The hole with index `wrong` is recorded under
+  /// the name of a hole in the next column; if `wrong` is -1, all names are right.
   [[nodiscard]] std::string touches(int wrong) const {
     constexpr std::pair<int, int> kHoles[] = {{5, 25},  {8, 57},  {6, 90},  {20, 40},
                                               {24, 75}, {38, 57}, {15, 15}, {16, 100}};
@@ -40,8 +40,8 @@ class IdentifyHoles : public ProgramTest {
     return text;
   }
 
-  /// Returns the result of `identify`, and expects this exit code: 0 if the touches fit, 1 if the fit of the base alone
-  /// leaves more than noise explains.
+  /// Returns the result of `identify`, and expects this exit code: 0 if the touches fit, 1 if the residuals of a fit of
+  /// only the base exceed the noise.
   [[nodiscard]] json identified(int exit_code = 0) const {
     const Outcome outcome = run("identify " + shipped("mockup.yaml") + " touches.csv --folds 0 --json -");
     EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;

@@ -1,5 +1,5 @@
-// `tubeplan identify` on sets of readings that are kept beside the repository on its developers' machines: simulated
-// sets fit within chance, and models of measured robots predict held-out poses.
+// `tubeplan identify` on sets of readings that are kept beside the repository on its developers' machines: fits to
+// simulated sets pass the chi-square test, and models of measured robots predict held-out poses.
 #include <fmt/format.h>
 
 #include <map>
@@ -83,8 +83,8 @@ class IdentifySets : public ProgramTest {
 #define SKIP_WITHOUT(folder) \
   if (!fs::exists(shared(folder))) GTEST_SKIP() << "skipped: no sets at ../shared/" folder
 
-// Simulated readings without a hidden effect fit within chance. With a correct model, the p-value lies outside 0.001 to
-// 0.999 only once in 500 fits.
+// The fit to simulated readings without a hidden effect passes the chi-square test: with a correct model, the p-value
+// lies outside 0.001 to 0.999 only once in 500 fits.
 TEST_F(IdentifySets, PracticeSetsWithoutAHiddenEffectFitWithinChance) {
   SKIP_WITHOUT("hidden-effects");
   for (const auto& [set, cell] :
@@ -165,8 +165,8 @@ TEST_F(IdentifySets, TwoPayloadsForetellTheThird) {
   EXPECT_LT(predictions, 0.4 * rigid);
 }
 
-// Known distances between sockets determine the scale of the arm. From touches alone, the arm shrinks, and the distance
-// of two sockets is 27 mm off.
+// Known distances between sockets determine the scale of the arm. A fit to touches alone makes the arm too small, and
+// the distance of two sockets is wrong by 27 mm.
 TEST_F(IdentifySets, SocketsAKnownDistanceApartTellTheScale) {
   SKIP_WITHOUT("real/panda-touch");
   for (const char* name : {"arm.yaml", "cell.yaml"}) write(name, contentOf(shared("real/panda-touch") / name));

@@ -82,8 +82,9 @@ TEST_F(IdentifyStages, AMountingThatIsRigidInOneSetUpLeavesTheOthersTheirs) {
   expectSays(typo.out, "did you mean 'bench'?");
 }
 
-// The second stage's variance is its own plus that passed on from the first stage, since the set-ups share no noise.
-// The derivative d second / d first is found by moving the first parameter by a tenth of its sigma.
+// The variance in the second stage is the sum of its own and that passed on from the first stage, since the set-ups
+// have independent noise. The derivative d second / d first is found by moving the first parameter by a tenth of its
+// sigma.
 TEST_F(IdentifyStages, theSecondStageCarriesWhatTheFirstLeftOpen) {
   const json staged = identified(fmt::format("bench.yaml all.csv --stage {}:A --stage {}:B", kFirst, kSecond));
   ASSERT_EQ(staged["parameters"].size(), 1u);

@@ -40,7 +40,8 @@ class Identify : public ProgramTest {
     return json::parse(outcome.out, nullptr, false);
   }
 
-  /// Expects a refusal as bad input: exit code 2, one line with these words, nothing on standard output, no new file.
+  /// Expects that `identify` is refused as bad input: exit code 2, one line of error with all of `words`, nothing on
+  /// standard output, and no new file.
   void expectRefused(const std::string& arguments, const std::vector<std::string>& words) const {
     const Outcome outcome = run("identify " + arguments + " --json - --out found.yaml");
     EXPECT_EQ(outcome.exit_code, 2) << arguments << "\n" << outcome.out;

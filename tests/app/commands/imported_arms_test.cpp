@@ -1,5 +1,5 @@
-// Arms of five makers are imported from URDF, given a tool and placed below a tube sheet; their plans are proved. After
-// export and import the arms are unchanged.
+// Arms of five makers are imported from URDF, given a tool and placed below a tube sheet; their plans are proved. The
+// arms are unchanged by an export and import.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

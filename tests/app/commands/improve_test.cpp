@@ -1,5 +1,5 @@
 // `tubeplan improve` writes the model that it reports, states why it ended, and writes nothing if the readings allow no
-// verdict. The arguments that a diagnosis gives for `add` add the effect found.
+// verdict. The arguments for `add` that a diagnosis prints add the effect that it found.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>

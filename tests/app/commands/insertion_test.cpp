@@ -34,7 +34,7 @@ TEST_F(InsertionCommand, BringsTheTipIntoTheTubesAlongTheirAxes) {
     EXPECT_NEAR(tube["hole"][2].get<double>(), 0, 1e-12);
     EXPECT_LE(tube["centring_error"].get<double>(), 1e-6);
     EXPECT_GT(tube["play_in_tube"].get<double>(), 0);
-    EXPECT_LE(tube["play_in_tube"].get<double>(), 0.058);  // the second step, which is in the tube, has no more play
+    EXPECT_LE(tube["play_in_tube"].get<double>(), 0.058);  // the play of the second step, which is in the tube
   }
   const Cell cell = readCell((folder / "out/cell.yaml").string());
   const auto work = workcellOf(cell, "look at its tip");
@@ -99,7 +99,7 @@ TEST_F(InsertionCommand, APlanOfAnotherDepthIsNotKept) {
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_NE(again.out.find("the reach of 0 of 6"), std::string::npos) << again.out;
   EXPECT_EQ(run("verify mockup.yaml deeper").exit_code, 0);
-  // If the tool enters the tubes, the reach of a plan for another tool is not kept either.
+  // With an insertion, the reach found by an earlier plan for a tool of another length is not reused either.
   std::string cell = contentOf(folder / "mockup.yaml");
   write("longer.yaml", cell.replace(cell.find("lengths: [0.5"), 13, "lengths: [0.3"));
   const Outcome longer = run("plan longer.yaml --tubes R20C30-35 --insertion 0.5 --from deeper --out longer");

@@ -1,4 +1,4 @@
-// The step table of tubeplan ladder: with a better model, more steps of the tool enter the holes.
+// In the step table of `tubeplan ladder`, more steps of the tool enter the holes with a better model.
 #include <nlohmann/json.hpp>
 #include <numeric>
 

@@ -1,4 +1,4 @@
-// A diagnosis proposes further readings only if it is undecided, and warns of wrong effects in the cell.
+// A diagnosis proposes further readings only if several causes remain possible, and warns of wrong effects in the cell.
 #include <nlohmann/json.hpp>
 
 #include "app/formats/cell/cell_reader.hpp"

@@ -1,4 +1,5 @@
-// Plans, work lists and paths record their sheet, leg and tubes, and are refused or refuted for others.
+// Plans, work lists and paths record their sheet, leg and tubes, and are refused or refuted for any other sheet, leg or
+// tube.
 #include "app/commands/plan_identity.hpp"
 
 #include <fmt/format.h>
@@ -137,8 +138,8 @@ TEST_F(PlanIdentity, APathRowThatGoesElsewhereIsRefuted) {
   EXPECT_EQ(run("verify mockup.yaml made").exit_code, 1);
 }
 
-/// A path with one joint value altered by 1e-9 deg is as good a motion, but is refuted all the same, by comparison with
-/// plan.json.
+/// A path with one joint value altered by 1e-9 deg is refuted because it differs from plan.json, although its motion is
+/// just as safe.
 TEST_F(PlanIdentity, AnAlteredRowOfThePathIsRefutedWhereItDoesNoHarm) {
   ASSERT_EQ(run("verify mockup.yaml made").exit_code, 0);
   const std::string path = contentOf(folder / "made/path.csv");
@@ -163,7 +164,7 @@ TEST_F(PlanIdentity, TheWorkListComesBackAsTheSamePlanAndIsRefusedElsewhere) {
   ASSERT_EQ(run("plan mockup.yaml --tubes made/worklist.csv --out again").exit_code, 0);
   json made = json::parse(contentOf(folder / "made/plan.json")),
        again = json::parse(contentOf(folder / "again/plan.json"));
-  EXPECT_EQ(again["inputs"].size(), made["inputs"].size() + 1);  // the work list is one more input
+  EXPECT_EQ(again["inputs"].size(), made["inputs"].size() + 1);  // the work list is an additional input
   made.erase("inputs");
   again.erase("inputs");
   EXPECT_EQ(again, made);

@@ -47,8 +47,8 @@ TEST(RealData, isReadWhole) {
   }
 }
 
-/// If the last third of the readings is in metres or radians, under headings in millimetres and degrees, the mistake
-/// found names its first and last reading.
+/// If the last third of the readings is in metres or radians, under headings in millimetres and degrees, the reported
+/// mistake names the first and the last reading affected.
 TEST(RealData, aRunInAnotherUnitIsNamedByItsFirstAndLastReading) {
   const fs::path folder = fs::path(TUBEPLAN_SOURCE_DIR) / "../shared/real";
   if (!fs::exists(folder)) GTEST_SKIP() << "skipped: no real sets at ../shared/real";

@@ -1,5 +1,5 @@
-// A plan that was interrupted or killed resumes and ends with the same files; a plan that starts from an earlier one
-// reuses what is still valid.
+// A plan that was interrupted or killed can be resumed and then writes the same files; a plan that starts from an
+// earlier one reuses those results that are still valid.
 #include <fcntl.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// If a diagnosis leaves several explanations, the readings that its run sheet proposes, filled in from the true arm,
-// decide between them together with the earlier readings.
+// If a diagnosis finds several possible explanations, the readings that its run sheet proposes decide between them,
+// once they are filled in from the true arm and added to the earlier readings.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

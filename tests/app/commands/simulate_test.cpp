@@ -1,5 +1,5 @@
-// `tubeplan simulate` writes readings that other commands read back and a file of the truth that predicts them; it
-// refuses what cannot be simulated.
+// `tubeplan simulate` writes readings that other commands can read, and a file with the true cell, which predicts them;
+// it refuses requests that cannot be simulated.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -86,7 +86,7 @@ TEST_F(Simulate, EveryDesignAndKindIsReadBack) {
     }
     int all = 0;
     for (const auto& [point, count] : touches) {
-      EXPECT_GE(count, 2) << point << " of " << readings;  // a single touch of an unknown point determines nothing
+      EXPECT_GE(count, 2) << point << " of " << readings;  // a single touch of an unknown point gives no information
       all += count;
     }
     EXPECT_EQ(all, readings);
@@ -154,7 +154,8 @@ TEST_F(Simulate, TheTruthPredictsTheReadings) {
         deflection::solveFlexibleKinematics(cell.arm, {m.q, m.load, deflection::gravityInBase(cell.arm, X_WB)});
     squares += (X_WB * shape.X_BD.p - *m.p_W).squaredNorm() / 180;
   }
-  // Expected error: 0.002 in of centring, and 0.002 deg in each of four joints at levers of up to 80 in.
+  // The expected error consists of 0.002 in of centring and of 0.002 deg in each of four joints with levers of up to 80
+  // in.
   EXPECT_GT(std::sqrt(squares), 0.002 * kInch);
   EXPECT_LT(std::sqrt(squares), 0.005 * kInch);
 }

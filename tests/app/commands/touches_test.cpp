@@ -72,7 +72,7 @@ TEST_F(LookAhead, touchesPlacesTheBaseOfTheMockUp) {
     EXPECT_EQ(touch["joints"].size(), 4u);
     at.push_back({touch["place"][0], touch["place"][1]});
   }
-  // The touches form a triangle that is far from a line: smallest height relative to the longest side.
+  // The three touches are far from collinear: their triangle is high compared with its longest side.
   const double area =
       std::abs((at[1][0] - at[0][0]) * (at[2][1] - at[0][1]) - (at[2][0] - at[0][0]) * (at[1][1] - at[0][1]));
   double longest = 0;
@@ -307,7 +307,7 @@ TEST_F(LookAhead, readingsSayHowFarEachNumberMayBeOff) {
       const json tip = jsonOf("pose " + shipped("bench.yaml") + " --joints=" + joints + " --load " +
                               std::to_string(load))["flexible"];
       csv += std::to_string(++id) + ",position," + std::to_string(load) + "," + joints;
-      // Adds errors of the size of the stated sigma, since too good a fit would be reported as a mistake.
+      // Adds errors about as large as the stated sigma, because a fit that is too good would be reported as a mistake.
       for (int k = 0; k < 3; ++k)
         csv += "," + std::to_string(tip["position"][k].get<double>() + 0.004 * std::sin(7 * id + 3 * k));
       csv += ",0.003\n";

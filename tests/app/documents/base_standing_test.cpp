@@ -25,7 +25,7 @@ class BaseStandings : public ProgramTest {
   BaseStandings() {
     for (const char* name : {"mockup.yaml", "mockup-true.yaml", "cobra-arm.yaml", "cobra-arm-true.yaml"})
       write(name, contentOf(shippedCells() / name));
-    // A cell that states no uncertainty of its arm: touches of another arm do not fit it.
+    // This cell states that its arm is exact, so touches of another arm do not fit it.
     write("exact.yaml", contentOf(shippedCells() / "mockup.yaml") + "uncertainty: none\n");
     EXPECT_EQ(run("simulate mockup.yaml --design bowl --readings 4 --loads 0 --seed 3 --out fits").exit_code, 0);
     write("wrong.csv", withOneHoleMoved(contentOf(folder / "fits/measurements.csv")));

@@ -38,7 +38,7 @@ class BaseVerdicts : public ProgramTest {
   BaseVerdicts() {
     for (const char* name : {"mockup.yaml", "mockup-true.yaml", "cobra-arm.yaml", "cobra-arm-true.yaml"})
       write(name, contentOf(shippedCells() / name));
-    // A cell that states no uncertainty of its arm: touches that do not fit then show an error of the model.
+    // This cell states that its arm is exact, so touches that do not fit show that the model is wrong.
     write("exact.yaml", contentOf(shippedCells() / "mockup.yaml") + "uncertainty: none\n");
   }
 

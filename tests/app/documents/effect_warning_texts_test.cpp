@@ -1,4 +1,4 @@
-// Warnings of one kind about a cell's effects form one sentence, which names all these effects.
+// Warnings of the same kind about several effects of a cell are stated in one sentence that names all of them.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

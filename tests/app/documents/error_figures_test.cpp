@@ -69,7 +69,8 @@ class ErrorFigures : public ProgramTest {
   }
 };
 
-/// Returns exact readings of one kind by a known arm. If the kind measures angles, one angle is half a degree off.
+/// Returns exact readings of this kind, taken by a known arm. If the kind measures angles, one angle is wrong by half a
+/// degree.
 std::vector<calibration::Measurement> readingsOf(const MeasurementKindRow& kind) {
   calibration::ReadingMaker maker(calibration::cobra(), 5);
   if (kind.is_touch)
@@ -78,7 +79,8 @@ std::vector<calibration::Measurement> readingsOf(const MeasurementKindRow& kind)
     maker.add(kind.kind, 16);
   if (kind.turn_rows == 0) return maker.readings;
   auto& own = maker.readings[3].own;
-  // The last angle is changed: an elevation turns by the whole change, but an azimuth by less.
+  // Changes the last angle: a change of an elevation turns the direction by the same angle, but one of an azimuth by
+  // less.
   const auto from_last = std::make_reverse_iterator(own.end());
   *std::find_if(from_last, std::make_reverse_iterator(own.begin()), [](double a) { return std::isfinite(a); }) +=
       kHalfDegree;

@@ -1,4 +1,4 @@
-// CSV and Markdown list every figure of a document, each number with its unit, and no text breaks a table cell.
+// CSV and Markdown list every value of a document, each number with its unit, and no text can end a table cell early.
 #include "app/documents/figure_list.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Text lines are filled in with figures selected by path, in the stated format and unit, once for each entry of a list,
-// and are left out for missing values.
+// A line of text is printed once for each entry of a list, with the values at the stated paths in the stated format and
+// unit; it is omitted if a value is missing.
 #include "app/documents/figures_text.hpp"
 
 #include <gtest/gtest.h>

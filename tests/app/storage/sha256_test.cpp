@@ -1,4 +1,5 @@
-// Digests equal the examples of FIPS 180-4, and differ for every length around the end of a block.
+// Digests equal the examples of FIPS 180-4, and texts of different lengths, some just filling a block, have different
+// digests.
 #include "app/storage/sha256.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Tests of the rules by which the workbench accepts or refuses HTTP requests.
+// The workbench accepts or refuses an HTTP request according to its headers, the host at which it listens, and its
+// token.
 #include "app/workbench/door.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Tests of the access rules over a real socket: a refused request stays refused, whatever follows on the connection.
+// Over a real socket, a request that the access rules refuse stays refused, whatever bytes follow on the connection.
 #include "tests/app/workbench/raw_connection.hpp"
 #include "tests/app/workbench/running_server.hpp"
 

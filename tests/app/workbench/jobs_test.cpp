@@ -1,4 +1,4 @@
-// Jobs run one after another, report progress, stop on request, and may fail.
+// Jobs run one after another, report progress, stop on request, and report their failure.
 #include "app/workbench/jobs.hpp"
 
 #include <gtest/gtest.h>

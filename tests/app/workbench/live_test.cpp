@@ -1,4 +1,4 @@
-// Tests of data sent by a running arm: postures are answered at once and not stored, and readings join the loaded
+// Postures sent by a running arm are answered at once and not stored, and its readings are added to the loaded
 // readings. Readings can also be held out of fits.
 #include "app/workbench/live.hpp"
 

@@ -12,7 +12,7 @@
 namespace tubeplan::app {
 namespace {
 
-// Backlash lets a joint jump, which reduces the margin: on the page by as much as in a plan.
+// Backlash, within which a joint may move, reduces the clearance margin on the page by as much as in a plan.
 TEST(PostureAnswer, TheMarginIsThatOfAPlan) {
   Cell cell = readCell(TUBEPLAN_SOURCE_DIR "/app/cells/mockup.yaml");
   const double without = clearanceOf(*makeModel(0, "", "given", cell), Eigen::Vector4d(-0.6, 0.8, -0.6, -0.2), 0)

@@ -1,4 +1,4 @@
-// Random requests to the workbench: valid requests, damaged requests, and bytes that are no request.
+// Random requests to the workbench: valid requests, damaged requests, and bytes that form no request.
 #pragma once
 
 #include <unistd.h>

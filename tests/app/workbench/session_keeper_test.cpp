@@ -1,4 +1,4 @@
-// Saved sessions: a session is restored as saved, completely or not at all, and nothing is discarded without a request.
+// A saved session is restored completely or not at all, and no session is discarded unless the user requests it.
 #include "app/storage/atomic_file.hpp"
 #include "app/workbench/project.hpp"
 #include "tests/app/workbench/running_server.hpp"

@@ -1,4 +1,4 @@
-// Results kept in a session: all small documents, and as many of the large documents as fit.
+// A session keeps all small result documents, and as many of the large ones as its limit allows.
 #include "app/workbench/session.hpp"
 
 #include <gtest/gtest.h>

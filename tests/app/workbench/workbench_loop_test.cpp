@@ -1,4 +1,4 @@
-// The loop in the workbench: compare, add, undo, export; the results equal the results of the commands.
+// Comparing, adding an effect, undoing and exporting in the workbench give the same results as the commands.
 #include "app/formats/cell/cell_reader.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/workbench/running_server.hpp"
@@ -178,8 +178,8 @@ TEST_F(WorkbenchLoop, leverageIsTheTipsMotionByAJoint) {
   EXPECT_EQ(get("/api/leverage?at=theta9").status, 422);
 }
 
-// Levers and moments refer to the world. An unknown base is therefore fitted to the readings, and they must nearly
-// equal those on the known base.
+// Levers and moments refer to the world frame, so an unknown base is fitted to the readings; they then nearly equal
+// those on the known base.
 TEST_F(WorkbenchLoop, leverageAndMomentsOfABaseThatIsNotKnownAreTheReadings) {
   serve("bench.yaml");
   simulate();

@@ -1,4 +1,4 @@
-// Answers of the workbench over a real socket: every address with a valid request, and its refusals.
+// Over a real socket, every address of the workbench answers valid requests and refuses invalid ones.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -49,7 +49,7 @@ TEST(WilsonInterval, CoversTheTruthAsOftenAsItSays) {
   }
 }
 
-/// Returns the sums of runs of ten cases; the cases of a run share a random success probability.
+/// Returns the sums over runs of ten cases each; all cases of a run have the same random success probability.
 RunSums clusteredRuns(int runs, double spread, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
   RunSums sums;

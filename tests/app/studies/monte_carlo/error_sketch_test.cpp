@@ -82,7 +82,7 @@ TEST(ErrorSketch, WordsBringItBack) {
 }
 
 TEST(ErrorSketch, EverySizeHasOnePartThatHoldsIt) {
-  // The errors extend from zero to beyond the largest one, with both neighbours of every power of two.
+  // The errors are all powers of two up to half of the largest error, each with both its neighbours.
   for (int power = 0; power < 43; ++power)
     for (const int beside : {-1, 0, 1}) {
       const std::uint64_t units = (std::uint64_t{1} << power) + static_cast<std::uint64_t>(beside);
@@ -90,8 +90,8 @@ TEST(ErrorSketch, EverySizeHasOnePartThatHoldsIt) {
       sketch.add(units);
       const auto points = sketch.distribution();
       ASSERT_EQ(points.size(), 1u);
-      EXPECT_EQ(points[0].error,
-                static_cast<double>(units) * ErrorSketch::kUnit);  // the bin ends at the error itself
+      // The upper end of the bin is limited to the largest error added.
+      EXPECT_EQ(points[0].error, static_cast<double>(units) * ErrorSketch::kUnit);
       EXPECT_EQ(sketch.quantile(0.5), points[0].error);
     }
   EXPECT_EQ(ErrorSketch::unitsOf(1e300), ErrorSketch::unitsOf(ErrorSketch::kLargest));

@@ -61,7 +61,7 @@ TEST_F(PredictedCentring, fallsWithTheRootOfTheReadings) {
   EXPECT_NEAR(few / many, 3, 0.9);
 }
 
-// If the truth is known, the actual error at the holes agrees with the predicted error. One fit in 20 lies outside its
+// The predicted error agrees with the error of the simulated true arm at the holes. One fit in 20 lies outside its
 // predicted band, so the mean over three fits is tested.
 TEST_F(PredictedCentring, isWhatTheTrueArmDoes) {
   double predicted = 0, real = 0;
