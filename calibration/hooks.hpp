@@ -1,4 +1,4 @@
-// Progress reports of long-running work, and the request to stop it.
+// Hooks of long-running work, by which a caller follows its progress and can stop it.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@ namespace tubeplan::calibration {
 /// call it concurrently. An empty function never requests a stop.
 using StopQuestion = std::function<bool()>;
 
-/// Hooks of long-running work; either may be empty, and neither changes a result. The calling thread calls `progress`
-/// with the number of steps done in a stage and their total (0: unknown). If `stop` requests a stop, the result only
-/// states that the work was stopped.
+/// Hooks of long-running work. Either may be empty, and neither changes a computed result. The calling thread calls
+/// `progress` with the number of steps done in a stage and their total (0: unknown). If `stop` returns true, the work
+/// ends early and its result states only that it was stopped.
 struct WorkHooks {
   std::function<void(std::string_view stage, std::size_t done, std::size_t total)> progress;
   StopQuestion stop;
@@ -21,20 +21,21 @@ struct WorkHooks {
 
 [[nodiscard]] inline bool shouldStop(const StopQuestion& stop) { return stop && stop(); }
 
-/// Returns hooks for a nested task, which stops on the same request and reports no progress of its own.
+/// Returns hooks for a nested task: the task stops on the same request, but reports no progress of its own.
 [[nodiscard]] inline WorkHooks withoutProgress(const WorkHooks& hooks) { return {{}, hooks.stop}; }
 
 /// Exception that unwinds stopped work within this library. The function that was given the hooks catches it.
 struct WorkStopped {};
 
-/// Text of `reason` in the result of stopped work.
+/// Value of the member `reason` in the result of work that was stopped.
 inline constexpr const char* kStoppedReason = "stopped on request";
 
 inline void goOn(const StopQuestion& stop) {
   if (shouldStop(stop)) throw WorkStopped{};
 }
 
-/// Returns the result of `work` or, if the work was stopped, a result with the status `stopped` and its reason.
+/// Returns the result of `work`. If `work` throws WorkStopped, returns an otherwise empty result with the status
+/// `stopped`.
 template <class Result, class Status, class Work>
 [[nodiscard]] Result unlessStopped(Status Result::*status, Status stopped, const Work& work) {
   try {

@@ -18,15 +18,17 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr int kPostures = 12;
-constexpr double kNothingNew = 1e-6;  // newness of a column (fraction of its norm outside the span) that counts as zero
-constexpr double kHardlyNew = 0.01;   // newness below which a parameter is deferred until all ranks have been tried
-constexpr double kNearlyAsNew = 0.3;  // the first column with at least this fraction of the largest newness is taken
+constexpr double kNothingNew = 1e-6;  // fraction of a column's norm outside the span ("newness") that counts as zero
+// Newness below which a parameter is deferred until those of all ranks have been tried.
+constexpr double kHardlyNew = 0.01;
+// The first column in file order with at least this fraction of the largest newness is taken.
+constexpr double kNearlyAsNew = 0.3;
 constexpr std::uint64_t kPosturesSeed = 7;
 constexpr int kRanks = 5;
 
 bool isToolTurn(const std::string& name) { return name.starts_with("tool.turn."); }
 
-/// Returns the bare mechanism of the arm: rigid, without effects and without side chains, which only add weight.
+/// Returns the arm as a rigid mechanism without effects and side chains; side chains only add weight.
 Arm mechanismOf(const Arm& arm) {
   Arm mechanism = deflection::rigidCopy(arm);
   mechanism.effects.clear();
@@ -34,8 +36,8 @@ Arm mechanismOf(const Arm& arm) {
   return mechanism;
 }
 
-/// Returns random postures over the full turn of each revolute joint and within a metre of zero for each prismatic
-/// joint. Joint limits are ignored, because they restrict the readings only.
+/// Returns random postures, with revolute joints anywhere within a full turn and prismatic joints within a metre of
+/// zero. Joint limits are ignored, because they do not change which parameters are independent.
 std::vector<deflection::Posture> posturesAllOver(const Arm& mechanism) {
   RandomStream random(kPosturesSeed);
   std::vector<deflection::Posture> postures(kPostures);
@@ -49,8 +51,8 @@ std::vector<deflection::Posture> posturesAllOver(const Arm& mechanism) {
   return postures;
 }
 
-/// Returns the derivatives of the tool pose with respect to each parameter, in every posture: 6 rows per posture,
-/// lengths divided by the arm's reach. The columns of the parameters come first, then those of the six base steps.
+/// Returns the derivatives of the tool pose at random postures: 6 rows per posture, with lengths divided by the arm's
+/// reach. The columns are those of the parameters, then those of the six components of a base step.
 MatrixXd motionsBy(const Arm& mechanism, const std::vector<Parameter>& numbers) {
   std::vector<deflection::Variable> variables;
   for (const Parameter& number : numbers) variables.push_back(deflection::Variable::number(number.path));
@@ -70,12 +72,12 @@ MatrixXd motionsBy(const Arm& mechanism, const std::vector<Parameter>& numbers) 
   return motions;
 }
 
-/// Components of all columns outside the span of the columns taken so far.
+/// Tracks the components of all columns that lie outside the span of the columns taken so far.
 class Span {
  public:
   explicit Span(const MatrixXd& motions) : rest_(motions), lengths_(motions.colwise().norm()) {}
 
-  /// Returns the fraction of a column's norm outside the span: 1 at first, 0 for a column that moves nothing.
+  /// Returns the fraction of a column's norm that lies outside the span: 1 at first, 0 for a column of zeros.
   [[nodiscard]] double newnessOf(Index column) const {
     return lengths_[column] > 0 ? rest_.col(column).norm() / lengths_[column] : 0;
   }
@@ -90,7 +92,8 @@ class Span {
   VectorXd lengths_;
 };
 
-/// Returns the rank of a parameter in the order of trial, 0 first; empty if it is not geometry of the bare mechanism.
+/// Returns the rank of a parameter, of which those with rank 0 are tried first; empty if it is not a geometric
+/// parameter of the main chain.
 std::optional<int> rankOf(const Parameter& number, const PlacedArm& placed) {
   if (number.path.side_chain >= 0 || number.path.effect >= 0 || !isGeometry(number.name)) return std::nullopt;
   if (number.path.row < 0) return 1;
@@ -99,7 +102,7 @@ std::optional<int> rankOf(const Parameter& number, const PlacedArm& placed) {
   return moves(placed.arm.rows[static_cast<std::size_t>(number.path.row)].joint) ? 2 : 3;
 }
 
-/// Takes parameters of one rank while any of them has at least the fraction `least` of its norm outside the span.
+/// Takes the parameters of one rank, one after another, until the newness of all that remain is below `least`.
 void takeAll(std::vector<Index> columns, double least, Span& span, std::vector<Index>& taken) {
   while (!columns.empty()) {
     double newest = 0;
@@ -119,8 +122,8 @@ double priorOf(const Parameter& number, const Priors& priors) {
   return number.quantity == deflection::Quantity::kAngle ? priors.angle : priors.length;
 }
 
-/// Returns the variance of each taken parameter caused by errors of those that are held fixed. Each held column is a
-/// combination of the taken columns and of those of `beside`, whose parameters have priors of their own.
+/// Returns the variance that each taken parameter absorbs from errors of the parameters held fixed: each column in
+/// `held` (with its standard deviation) is a combination of the columns `taken` and `beside`.
 VectorXd leftByOthers(const MatrixXd& motions, const std::vector<Index>& taken, std::vector<Index> beside,
                       const std::vector<std::pair<Index, double>>& held) {
   beside.insert(beside.begin(), taken.begin(), taken.end());
@@ -141,8 +144,8 @@ VectorXd leftByOthers(const MatrixXd& motions, const std::vector<Index>& taken, 
   return variances;
 }
 
-/// Returns true if the fit determines every base pose. If a base is known, the parameters up to the first joint remain
-/// to be found.
+/// Returns true if the fit determines every base pose. Otherwise a base is known, and the parameters up to the first
+/// joint must be fitted instead.
 bool placesEveryBase(const PlacedArm& placed, const std::vector<Unknown>& free) {
   return std::ranges::none_of(placed.base_poses, &BasePose::is_known) &&
          std::ranges::any_of(free, [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; });

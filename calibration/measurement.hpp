@@ -1,4 +1,4 @@
-// One measurement, or reading, of any kind.
+// A measurement, also called a reading: what was measured, at which joint readings and under which load.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ namespace tubeplan::calibration {
 
 using deflection::Condition;
 
-/// Placeholder for a value that is neither stated nor computed.
+/// Value of a number that is neither stated nor computed: NaN.
 inline constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 /// Kinds of measurement, in the order of the table in measurements/measurement_kinds.hpp.
@@ -29,7 +29,7 @@ enum class MeasurementKind {
   kPose,         ///< position and orientation in one reading: the values of kPosition and kOrientation
   kOffset,       ///< p_W is a hole or mark, own its centre relative to the tip, in the tool frame [m]
   kTilt,         ///< own holds the angles above the horizontal of the axes of the tool frame or of a row's frame [rad]
-  kSteps,     ///< p_W is a hole; own is the number of tool steps that entered and the limits of the centring error [m]
+  kSteps,  ///< p_W is a hole; own is the number of tool steps that entered it, and the limits of the centring error [m]
   kRelative,  ///< p_W is the displacement of the tip from its position at `reference`, or own[0] its length [m]
   kPlane,     ///< the tip touches the plane named `point`, whose position is unknown
   kSphere,    ///< the tip touches the sphere named `point`, of unknown centre; own[0] is its radius [m], NaN if unknown
@@ -37,7 +37,7 @@ enum class MeasurementKind {
   kDirection,  ///< own is azimuth and altitude [rad] of the x axis of the tool frame or of a row's frame
 };
 
-/// Plane or sphere of unknown position, fitted to the readings that touched it.
+/// A touched plane or sphere of unknown position, as fitted to the readings that touched it.
 struct Surface {
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();           ///< point of a plane, or centre of a sphere [m]
   Eigen::Vector3d direction_W = Eigen::Vector3d::UnitZ();  ///< unit normal of a plane
@@ -71,7 +71,8 @@ struct Measurement {
   /// Touched plane or sphere as fitted (surfaces.hpp); empty before the fit and for kinds that touch no surface.
   std::optional<Surface> surface;
   std::optional<int> row;  ///< row of the arm whose deflected frame is measured; empty: the tool frame
-  /// Values of the columns specific to the kind, in the order of those columns; NaN = not stated.
+  /// Values of the file columns that only this kind of measurement has, in the order of those columns; NaN = not
+  /// stated.
   Eigen::Vector3d own = Eigen::Vector3d::Constant(kNotKnown);
   double turn_sigma = kNotKnown;           ///< standard deviation of a measured angle [rad]; NaN = not stated
   double sigma = kNotKnown;                ///< standard deviation of each measured coordinate [m]; NaN = not stated
@@ -81,11 +82,11 @@ struct Measurement {
   /// Sign of each joint's last motion: -1, +1 or 0 (not known); empty if not stated.
   std::vector<int> approach_directions;
   deflection::ConditionValues conditions;  ///< conditions stated for the reading, such as temperature and time
-  bool is_held_out = false;                ///< true: left out of the fit, to validate the fit
+  bool is_held_out = false;                ///< true: not used in the fit, but to validate it
   int line = 0;                            ///< line number in the measurement file, from 1
 };
 
-/// Returns the items at the given indices, in the order of the indices.
+/// Returns the items of `all` at the indices `places`, in the order of `places`.
 template <class Item>
 [[nodiscard]] std::vector<Item> picked(const std::vector<Item>& all, const std::vector<int>& places) {
   std::vector<Item> some;
@@ -93,7 +94,7 @@ template <class Item>
   return some;
 }
 
-/// Returns `readings` without the items at the given indices, which must ascend.
+/// Returns `readings` without those at the indices `places`, which must be in ascending order.
 [[nodiscard]] inline std::vector<Measurement> withoutReadings(std::vector<Measurement> readings,
                                                               const std::vector<int>& places) {
   int place = 0;

@@ -16,21 +16,21 @@ namespace {
 using deflection::isStiffness, deflection::Parameter, deflection::Quantity;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kStiffest = 1e4;  // largest factor by which a fit may stiffen an axis relative to its start
+constexpr double kStiffest = 1e4;  // largest stiffness of an axis in a fit, as a multiple of its stiffness at the start
 constexpr double kSoftest = 100;   // largest compliance of an axis in a fit, as a multiple of its typical compliance
-// Rotation, at the start of a fit, of an axis that was rigid before, under the arm's whole weight at full reach [rad].
+// Rotation that a rigid axis is given at the start of a fit, under the arm's whole weight at full reach [rad].
 constexpr double kNearlyRigid = 1e-5;
 constexpr double kMayGive = 0.02;  // typical rotation of an axis under the arm's whole weight at full reach [rad]
 
-/// Returns the arm's weight [N]; 100 N if no weight is stated.
+/// Returns the arm's weight [N], or 100 N if the arm's file states no weight.
 double usualWeightOf(const deflection::Arm& arm) {
   const double weight = deflection::weightOf(arm);
   return weight > 0 ? weight : 100;
 }
 
 /// Returns the likely error of a parameter: 0.5 % of the reach for lengths, about a degree for angles, a tenth of the
-/// arm's weight for forces, the plausible size for effects, and a tenth of the value for the rest. For stiffnesses, 1,
-/// which typicalCompliance() replaces.
+/// arm's weight for forces, the plausible magnitude for effects, and a tenth of the value for others. Returns 1 for
+/// stiffnesses, for which typicalCompliance() is used instead.
 double typicalOf(const Parameter& parameter, const deflection::Arm& arm) {
   if (parameter.path.effect >= 0) {
     const auto& effect = arm.effects.at(static_cast<std::size_t>(parameter.path.effect));
@@ -50,8 +50,8 @@ double typicalOf(const Parameter& parameter, const deflection::Arm& arm) {
   }
 }
 
-/// Returns the factor that converts a stiffness parameter to an angular stiffness: 1 for a joint, otherwise the
-/// remaining factors of a member's E I / L or G J / L.
+/// Returns the factor by which a stiffness parameter is multiplied to give an angular stiffness: 1 for a joint, and for
+/// a beam the other factors of E I / L or G J / L.
 double angleStiffnessOf(const Parameter& parameter, const deflection::Arm& arm) {
   if (parameter.quantity == Quantity::kTorquePerAngle) return 1;
   const auto& beam = *arm.rows.at(static_cast<std::size_t>(parameter.path.row)).beam;
@@ -61,9 +61,9 @@ double angleStiffnessOf(const Parameter& parameter, const deflection::Arm& arm) 
   return (is_torsion ? beam.G : beam.E) / length;
 }
 
-/// Returns the larger of two compliances: the nominal one, and the one that causes the likely deflection under the
-/// arm's weight. The nominal compliance alone does not suffice: the start may be far too stiff, and results must not
-/// depend on it.
+/// Returns the larger of two compliances: the nominal one, and the one that would deflect the axis by the typical angle
+/// kMayGive under the arm's weight. The nominal compliance alone does not suffice, because the start may be far too
+/// stiff.
 double typicalCompliance(const Parameter& parameter, const deflection::Arm& arm) {
   const double moment = usualWeightOf(arm) * deflection::reachOf(arm);
   const double of_angle = kMayGive / moment * angleStiffnessOf(parameter, arm);
@@ -89,15 +89,15 @@ Unknown armUnknown(const Parameter& parameter, const deflection::Arm& arm, bool 
   return unknown;
 }
 
-/// Returns true if a row's beta has nearly the same effect as the offset of the preceding joint, so that it is not
-/// freed with the other parameters of its row.
+/// Returns true for a row's beta that has nearly the same effect as the offset of the preceding joint. Such a beta is
+/// not freed together with the other parameters of its row.
 bool isReplaced(const Parameter& parameter, const deflection::Arm& arm) {
   return parameter.name.ends_with(".beta") && parameter.path.side_chain < 0 && parameter.value == 0 &&
          !deflection::isNearlyParallel(arm.rows.at(static_cast<std::size_t>(parameter.path.row)));
 }
 
-/// Returns true for a size of an effect in the catalogue, whose likely value is known. That of a user's formula, or of
-/// a shape parameter of a law, is not.
+/// Returns true for the magnitude of an effect in the catalogue, whose likely value is known, unlike that of a user's
+/// formula or of a shape parameter.
 bool isSizeOfCatalogue(const Unknown& unknown, const deflection::Arm& arm) {
   if (unknown.path.effect < 0) return false;
   const auto& effect = arm.effects.at(static_cast<std::size_t>(unknown.path.effect));
@@ -141,8 +141,8 @@ void addBase(const PlacedArm& placed, std::vector<Unknown>& list) {
   }
 }
 
-/// Makes a rigid joint axis finite, with hardly any deflection under the arm's weight, so that its stiffness becomes a
-/// parameter. Returns false if `name` is no rigid joint axis.
+/// Gives a rigid joint axis a finite stiffness, so large that the axis hardly deflects under the arm's weight, so that
+/// the stiffness becomes a parameter. Returns false if `name` does not name a rigid joint axis.
 bool soften(deflection::Arm& arm, const std::string& name) {
   const std::size_t dot = name.find(".joint_stiffness.");
   if (dot == std::string::npos || name.size() != dot + 18) return false;
@@ -173,7 +173,7 @@ const Eigen::Isometry3d& basePoseAt(const PlacedArm& placed, const Measurement& 
 
 std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::string& name) {
   const bool is_part = name.find('.') != std::string::npos;
-  // The shift of the first axis is left out unless the file states it: if the base is not known, its pose has the same
+  // The shift of the first axis is excluded unless the file states it, because an unknown base pose has the same
   // effect.
   const auto isPartOf = [&](const Parameter& parameter) {
     return is_part && parameter.name.starts_with(name + ".") &&
@@ -188,8 +188,8 @@ std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::stri
 
 namespace {
 
-/// Adds the geometric parameters that are independent of those already free. The prior of each includes the errors of
-/// the parameters that it replaces.
+/// Adds the geometric parameters that are independent of those already free. The prior of each also covers the errors
+/// of the fixed parameters that it absorbs.
 void addGeometry(const PlacedArm& placed, std::vector<Unknown>& list) {
   for (const auto& number : independentGeometry(placed, list)) {
     Unknown unknown = armUnknown(*deflection::findParameter(placed.arm, number.name), placed.arm, false);

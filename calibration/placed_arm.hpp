@@ -1,4 +1,4 @@
-// The arm on its base, and the parameters of arm and base that a fit may change.
+// An arm with its base poses, and the parameters of both that a fit may change.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -19,10 +19,10 @@ namespace tubeplan::calibration {
 using BaseStep = Eigen::Matrix<double, 6, 1>;
 [[nodiscard]] Eigen::Isometry3d moved(const Eigen::Isometry3d& X_WB, const BaseStep& step);
 
-/// Returns "base.shift.x", ..., "base.turn.z": the names of a base step's components.
+/// Returns the names of the components of a base step: "base.shift.x", ..., "base.turn.z".
 [[nodiscard]] const std::array<std::string, 6>& baseStepNames();
 
-/// Pose of the base in one set-up of a session.
+/// Pose of the base in one set-up, that is, while the base is not moved.
 struct BasePose {
   std::string setup;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
@@ -42,53 +42,52 @@ struct Unknown {
   int base_pose = -1, component = -1;
   enum class Scale { kLinear, kCompliance };
   Scale scale = Scale::kLinear;
-  bool is_geometry = false;  ///< true: freed through the name `geometry`
-  double typical = 1;        ///< likely distance of the variable from its start, by which solvers scale the variable
+  bool is_geometry = false;  ///< true: freed because the choice of parameters names `geometry`
+  double typical = 1;        ///< likely difference of the variable from its start; solvers divide the variable by it
   double prior_sigma = 10;   ///< standard deviation of the variable's normal prior; infinite: no prior
-  /// Mean of the variable's prior: the value in the file (0 unless the unknown was rebased), or the neutral value of an
-  /// effect's size.
+  /// Mean of the variable's prior. It stands for the value in the arm's file (0 unless the unknown was rebased) or, for
+  /// the magnitude of an effect, for the value at which the effect vanishes.
   double prior_mean = 0;
-  double start = 0;             ///< start value of the parameter
+  double start = 0;             ///< value of the parameter at the start
   double lower = 0, upper = 0;  ///< bounds of the variable, which is 0 at the start
 };
 
-/// Sets the prior of an effect's size: its mean is the neutral value, its standard deviation the largest size on real
-/// machines.
+/// Sets the prior of a parameter that is an effect's magnitude. The mean is the value at which the effect vanishes; the
+/// standard deviation is the largest magnitude that real machines have.
 void takeSizePrior(const deflection::EffectParameter& parameter, Unknown& unknown);
 
-/// Returns the variables at their start: zeros, one per unknown.
+/// Returns the start values of the variables: a vector of zeros, one per unknown.
 [[nodiscard]] inline Eigen::VectorXd zerosOf(const std::vector<Unknown>& unknowns) {
   return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns.size()));
 }
 
-/// Returns Unknown::typical of every unknown.
+/// Returns the typical size of each unknown (Unknown::typical).
 [[nodiscard]] inline Eigen::VectorXd typicalsOf(const std::vector<Unknown>& unknowns) {
   Eigen::VectorXd typicals = zerosOf(unknowns);
   for (std::size_t k = 0; k < unknowns.size(); ++k) typicals[static_cast<Eigen::Index>(k)] = unknowns[k].typical;
   return typicals;
 }
 
-/// Prior standard deviations of the parameters about their values in the arm's file. Lengths and angles of frames,
-/// joint offsets, the tip and the tool's rotation each have one. The prior of an effect's size has the neutral value as
-/// mean and the largest size on real machines as standard deviation. All other parameters have a weak prior, whose
-/// standard deviation is a multiple of Unknown::typical; a few readings outweigh it.
+/// Prior standard deviations of the parameters about their values in the arm's file. Geometric parameters have those of
+/// the first four members, and effects' magnitudes the prior of takeSizePrior(). All other parameters have a weak
+/// prior, whose standard deviation is a multiple of Unknown::typical, so that a few readings outweigh it.
 struct Priors {
   double length = 0.005;  ///< lengths of frames, and offsets of prismatic joints [m]
   double angle = 0.02;    ///< angles of frames, and offsets of revolute joints [rad]
   double tip = 0.05;      ///< coordinates of the tool's tip, which is mounted and measured by hand [m]
   double turn = 0.1;      ///< rotation of the tool frame, which is mounted by hand too [rad]
   double weak = 10;       ///< all other parameters, as a multiple of Unknown::typical
-  /// Standard deviations of individual parameters, keyed by name, in internal units; of a stiffness, that of its
-  /// compliance.
+  /// Standard deviations of individual parameters, keyed by name, in internal units; for a stiffness, the standard
+  /// deviation of its compliance. They replace the values above.
   std::map<std::string, double> named;
 };
 
 struct PlacedArm {
   deflection::Arm arm;
   std::vector<BasePose> base_poses;
-  Priors priors = {};  ///< priors of the latest choice of unknowns, also used for parameters freed later
-  /// True: some reading depends on the tool's rotation. False: the parameters of that rotation do not count as
-  /// geometry.
+  Priors priors = {};  ///< priors given to chooseUnknowns() last; they also hold for parameters freed later
+  /// True: some reading depends on the rotation of the tool frame. False: none does, and the parameters of that
+  /// rotation do not count as geometry.
   bool shows_tool_turn = false;
 };
 
@@ -98,7 +97,7 @@ struct PlacedArm {
 /// Returns the base pose X_WB at which a reading was taken.
 [[nodiscard]] const Eigen::Isometry3d& basePoseAt(const PlacedArm& placed, const Measurement& reading);
 
-/// Reason why a name cannot be freed.
+/// Reason why a parameter name in a FreeChoice cannot be freed.
 struct FreeProblem {
   std::string name;
   std::string what;         ///< the reason, as a sentence
@@ -112,16 +111,18 @@ struct FreeChoice {
   Priors priors = {};
 };
 
-/// The unknowns of a choice: base poses first, then named parameters in the order of the names, then `geometry`.
-/// chooseUnknowns() makes named rigid axes finite in `placed`. Every variable is 0 at the start.
+/// Unknowns that result from a FreeChoice: base poses first, then named parameters in the order of the names, then
+/// those of `geometry`. In `placed`, chooseUnknowns() gives each named rigid joint axis a finite stiffness. Every
+/// variable is 0 at the start.
 struct Unknowns {
   std::vector<FreeProblem> problems;
   std::vector<Unknown> list;
 };
 [[nodiscard]] Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice);
 
-/// Returns the parameter names that `name` stands for: itself, everything below it ("tool.tip", "forearm.origin.rpy",
-/// "forearm.dh"), or every geometric parameter ("geometry", of which independentGeometry() selects those to free).
+/// Returns the parameter names that `name` stands for: those with the prefix `name` ("tool.tip", "forearm.origin.rpy",
+/// "forearm.dh"); for "geometry", all geometric parameters, from which independentGeometry() selects those to free;
+/// otherwise `name` itself.
 [[nodiscard]] std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::string& name);
 
 /// Returns every name that may be freed: "geometry", the arm's parameters, and the names of groups of parameters.
@@ -133,19 +134,19 @@ struct Unknowns {
 /// Applies the variables `x` to `placed`, a copy of `start` that differs from `start` only in these unknowns.
 void apply(const PlacedArm& start, const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x, PlacedArm& placed);
 
-/// Returns the unknown with its variable shifted to be 0 at this parameter value; an unknown of a base is returned
-/// unchanged.
+/// Returns the unknown with its variable shifted such that the variable is 0 at the parameter value `value`. An unknown
+/// of a base is returned unchanged.
 [[nodiscard]] Unknown rebased(Unknown unknown, double value);
 
-/// Return the parameter value at the variable `x`, and the derivative of the value with respect to `x`.
+/// Return the parameter value that belongs to the variable `x`, and the derivative of this value with respect to `x`.
 [[nodiscard]] double valueAt(const Unknown& unknown, double x);
 [[nodiscard]] double slopeAt(const Unknown& unknown, double x);
 
-/// Returns the variable at a parameter value: the inverse of valueAt().
+/// Returns the variable that belongs to a parameter value: the inverse of valueAt().
 [[nodiscard]] double variableAt(const Unknown& unknown, double value);
 
-/// Returns the smallest and the largest parameter value between two values of the variable. If the compliance may be
-/// zero, the largest stiffness is infinite.
+/// Returns the smallest and the largest parameter value while the variable goes from `lower` to `upper`. If the range
+/// reaches the lower bound of a compliance, the largest stiffness is infinite.
 [[nodiscard]] std::pair<double, double> valuesBetween(const Unknown& unknown, double lower, double upper);
 
 }  // namespace tubeplan::calibration

@@ -1,5 +1,4 @@
-// Random numbers that are the same on every machine and with every standard library: values, choices and shuffles from
-// any source of random bits.
+// Random numbers, selections and shuffles that are the same on every machine and with every standard library.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,7 +36,8 @@ class RandomStreamFrom {
     for (std::size_t k = items.size(); k > 1; --k) std::swap(items[k - 1], items[below(k)]);
   }
 
-  /// Puts a random selection, in random order, into the first `count` items; the remaining items are left in any order.
+  /// Reorders `items` so that the first `count` are a random selection in random order; the order of the others is
+  /// arbitrary.
   template <class T>
   void choose(std::vector<T>& items, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) std::swap(items[k], items[k + below(items.size() - k)]);

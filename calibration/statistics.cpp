@@ -14,7 +14,7 @@ namespace policies = boost::math::policies;
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Policy that computes in double precision: long double, Boost's default, takes several times as long.
+/// Policy to compute in double precision, several times faster than long double, which is Boost's default.
 using Policy = policies::policy<policies::promote_double<false>>;
 using ChiSquare = boost::math::chi_squared_distribution<double, Policy>;
 using FisherF = boost::math::fisher_f_distribution<double, Policy>;
