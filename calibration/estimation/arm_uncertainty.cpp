@@ -21,7 +21,7 @@ bool isPlacement(const Parameter& parameter) {
   return parameter.name.find(".dh.") != std::string::npos || parameter.name.find(".origin.") != std::string::npos;
 }
 
-/// Returns the standard deviation of a parameter's value according to its kind [internal units].
+/// Returns the standard deviation of a parameter's value [internal units], which depends on the kind of parameter.
 double priorSigma(const Parameter& parameter, const deflection::Arm& arm, const ArmUncertainty& by) {
   const double size = std::abs(parameter.value);
   if (parameter.path.effect >= 0) return by.stiffness * size;
@@ -44,9 +44,10 @@ double priorSigma(const Parameter& parameter, const deflection::Arm& arm, const 
   }
 }
 
-/// Returns a square root of a covariance, without columns of zero variance.
+/// Returns a square root of a covariance matrix: R with R R^T = covariance, without columns that are zero.
 MatrixXd rootOf(const MatrixXd& covariance) {
-  // Eigenvalues below this fraction of the largest count as zero; each parameter is in units of its standard deviation.
+  // Eigenvalues below this fraction of the largest count as zero, after each parameter is scaled by its standard
+  // deviation.
   constexpr double kLeast = 1e-14;
   const VectorXd sigma = covariance.diagonal().cwiseMax(0).cwiseSqrt();
   const VectorXd scale = sigma.unaryExpr([](double s) { return s > 0 ? 1 / s : 0; });
@@ -63,7 +64,7 @@ MatrixXd rootOf(const MatrixXd& covariance) {
 UncertainNumbers uncertainNumbers(const deflection::Arm& arm, const ArmUncertainty& uncertainty) {
   FreeChoice choice{{}, false, {}};
   std::vector<double> sigmas;
-  std::vector<Index> of_covariance;  // indices, in the covariance, of the determined parameters of this arm
+  std::vector<Index> of_covariance;  // rows of the covariance that belong to parameters of this arm
   const auto& determined = uncertainty.determined;
   for (std::size_t k = 0; k < determined.size(); ++k)
     if (deflection::findParameter(arm, determined[k])) {
@@ -84,7 +85,7 @@ UncertainNumbers uncertainNumbers(const deflection::Arm& arm, const ArmUncertain
   numbers.root = MatrixXd::Zero(together + alone, root.cols() + alone);
   numbers.root.topLeftCorner(root.rows(), root.cols()) = root;
   numbers.root.bottomRightCorner(alone, alone) = VectorXd::Map(sigmas.data(), alone).asDiagonal();
-  // `root` is converted from values to variables: to first order, a division by the slope.
+  // `root` still refers to parameter values; dividing by the slope converts it to variables, to first order.
   for (Index k = 0; k < numbers.root.rows(); ++k)
     numbers.root.row(k) /= slopeAt(numbers.unknowns[static_cast<std::size_t>(k)], 0);
   return numbers;

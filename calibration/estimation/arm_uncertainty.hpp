@@ -1,4 +1,5 @@
-// Uncertainty of an arm's parameters that a fit does not determine: from the drawing, or from measurements.
+// Uncertainty of the arm's parameters that a fit does not determine, as known from the drawing or from earlier
+// measurements.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,10 +13,10 @@ namespace tubeplan::calibration {
 /// Standard deviations of an arm's parameters about the values in the arm's file. The defaults are those of an arm that
 /// is built to a drawing and checked by hand.
 struct ArmUncertainty {
-  double stiffness = 0.1;  ///< relative standard deviation of each stiffness and of the size of each effect
+  double stiffness = 0.1;  ///< relative standard deviation of each stiffness and of each effect's magnitude
   double weight = 0.02;    ///< relative standard deviation of each weight
   double zero = 7e-4;      ///< standard deviation of the zeros of revolute joints [rad] (0.04 deg)
-  double axis = 3.5e-4;    ///< standard deviation of the directions of axes [rad] (0.02 deg)
+  double axis = 3.5e-4;    ///< standard deviation of the angles between axes [rad] (0.02 deg)
   /// Standard deviation of distances between axes and of the zeros of prismatic joints [m] (0.015 in).
   double length = 3.81e-4;
   double tip = 5.08e-4;  ///< standard deviation of each coordinate of the tool's tip [m] (0.020 in)
@@ -23,19 +24,19 @@ struct ArmUncertainty {
   std::vector<std::string> determined;  ///< names of parameters that measurements determined jointly
   Eigen::MatrixXd covariance;           ///< covariance of the parameters `determined` [internal units]
 
-  /// Returns the uncertainty of an arm whose parameters are exact.
+  /// Returns the uncertainty of an arm whose parameters are known exactly: zero.
   [[nodiscard]] static ArmUncertainty none() { return {0, 0, 0, 0, 0, 0, {}, {}}; }
 };
 
-/// Jointly normally distributed parameters of an arm, as variables that are zero at the arm's values.
+/// Uncertain parameters of an arm with a joint normal distribution, as variables that are zero at the arm's own values.
 struct UncertainNumbers {
   std::vector<Unknown> unknowns;  ///< n uncertain parameters
   Eigen::MatrixXd root;  ///< n x k matrix: the variables are `root` times k independent standard normal variables
 };
 
-/// Returns the parameters with a standard deviation above zero. Parameters that place the rows up to the first joint's
-/// axis only move the whole arm; they count as part of the base and are left out. Of a beam's E and I, only I is
-/// included and stands for both.
+/// Returns the arm's parameters whose standard deviation is above zero. Excludes parameters that place the rows up to
+/// the first joint's axis: they only move the whole arm, as the base does. Of a beam's E and I, only I is included,
+/// because readings depend on their product.
 [[nodiscard]] UncertainNumbers uncertainNumbers(const deflection::Arm& arm, const ArmUncertainty& uncertainty);
 
 }  // namespace tubeplan::calibration

@@ -1,4 +1,4 @@
-// alignBases(): base poses by closed-form alignment, before any fit.
+// Implementation of alignBases(): a first estimate of base poses in closed form, before any fit.
 #include "calibration/estimation/fit.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
@@ -11,7 +11,7 @@ using Eigen::Index, Eigen::Vector3d;
 namespace {
 
 constexpr int kMostAlignments = 12;
-constexpr double kAligned = 1e-9;  // change of a base pose [m, rad] below which the alignment ends
+constexpr double kAligned = 1e-9;  // norm of the change of a base pose below which the alignment has converged
 
 }  // namespace
 
@@ -35,7 +35,7 @@ void alignBases(PlacedArm& placed, const std::vector<Measurement>& readings) {
       const Eigen::Map<const Eigen::Matrix3Xd> from(tips.front().data(), 3, n), to(places.front().data(), 3, n);
       const Eigen::Matrix3Xd centred = from.colwise() - from.rowwise().mean();
       const auto spread = centred.jacobiSvd().singularValues();
-      if (spread[1] < 1e-6 * spread[0]) break;  // all points on one line: the rotation about the line is not determined
+      if (spread[1] < 1e-6 * spread[0]) break;  // all points are on one line, so the rotation about it is undetermined
       const Eigen::Isometry3d before = base_pose.X_WB;
       base_pose.X_WB = Eigen::Isometry3d(Eigen::umeyama(from, to, false));
       if ((base_pose.X_WB.matrix() - before.matrix()).norm() < kAligned) break;

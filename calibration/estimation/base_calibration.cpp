@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Isometry3d, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d;
 
-constexpr std::size_t kMostNamed = 3;  // largest number of possibly mistaken holes named in the reason
+constexpr std::size_t kMostNamed = 3;  // the reason lists at most this many holes that may be mistaken
 
 BaseStep stepBetween(const Isometry3d& from, const Isometry3d& to) {
   const Eigen::AngleAxisd turn(Matrix3d(to.linear() * from.linear().transpose()));
@@ -36,8 +36,8 @@ void recordResiduals(const TouchFit& fit, const std::vector<Measurement>& touche
   result.rms = fit.error_W.norm() / std::sqrt(static_cast<double>(touches.size()));
 }
 
-/// Tip of the arm as described by its file, with the derivatives (3 x k) with respect to the k independent standard
-/// normal variables that stand for the uncertain parameters.
+/// Tip position that the arm's file predicts, with its derivatives (3 x k) with respect to the k independent standard
+/// normal variables of the uncertain parameters.
 struct FiledTip {
   bool ok = false;
   Vector3d p_W = Vector3d::Zero();
@@ -55,8 +55,8 @@ FiledTip filedTip(ReadingPredictor& predictor, const UncertainNumbers& numbers, 
   return {true, tip.value, numbers.unknowns.empty() ? MatrixXd::Zero(3, 1) : MatrixXd(tip.by_numbers * numbers.root)};
 }
 
-/// Records, for every two touches of different holes, the distance between the tips as predicted by the arm of the
-/// file, and the distance between the holes.
+/// Records, for every pair of touches of different holes, the distance between the two tip positions as the arm's file
+/// predicts them, and the distance between the holes.
 void recordDistances(const TouchesToExplain& asked, const TouchFit& fit, BaseCalibration& result) {
   const auto& touches = asked.touches;
   ReadingPredictor predictor(asked.arm);
@@ -83,8 +83,8 @@ void recordNumbers(const UncertainNumbers& numbers, const TouchFit& fit, BaseCal
   }
 }
 
-/// Refuses the calibration, and returns true, if noise, uncertain parameters and the usual model error do not explain
-/// the lack of fit. The reason then names the holes that may have been mistaken.
+/// Returns true, and sets a reason that names the holes that may be mistaken, if the lack of fit is too large for
+/// noise, uncertain parameters and the usual model error together.
 bool isMistaken(const TouchesToExplain& asked, BaseCalibration& result) {
   const double least = asked.options.mistaken_hole_p_value;
   if (!(result.p_value < least)) return false;

@@ -1,5 +1,5 @@
-// The base pose from three or more touched holes (Calkins 1994, section 5.4; more than three as section 6.2 suggests),
-// with an update of the arm's parameters.
+// Calibration of the base pose from three or more touched holes (Calkins 1994, section 5.4; more than three as section
+// 6.2 suggests), which also updates the arm's uncertain parameters.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace tubeplan::calibration {
 
-/// A hole that may have been touched in place of the named one.
+/// A hole near a touched one, which the operator may have touched by mistake.
 struct NeighbourHole {
   std::string name;
   Eigen::Vector3d p_WH = Eigen::Vector3d::Zero();  ///< centre of the hole in the world frame [m]
@@ -19,17 +19,18 @@ struct NeighbourHole {
 using NeighbourQuestion = std::function<std::vector<NeighbourHole>(const Measurement& touch)>;
 
 struct BaseCalibrationOptions {
-  ArmUncertainty arm;  ///< uncertainty of the parameters in the arm's file, which are fitted with the base
+  ArmUncertainty arm;  ///< uncertainty of the arm's parameters, which are fitted together with the base
   /// Usual model error per coordinate [m] (0.030 in, the mean touch error in Calkins 1994).
   double model_sigma = 7.62e-4;
-  /// Smallest spread of the holes across their best-fit line, relative to that along it.
+  /// Smallest accepted spread of the holes perpendicular to their best-fit line, relative to their spread along the
+  /// line.
   double collinear_ratio = 0.05;
-  double mistaken_hole_p_value = 1e-4;  ///< p-value below which a mistaken hole is searched for; 0: never
-  /// Function that returns the neighbours of a touched hole, to search for a mistaken hole.
+  double mistaken_hole_p_value = 1e-4;  ///< p-value of the fit below which mistaken holes are searched for; 0: never
+  /// Function that returns the holes around a touched one, for the search for mistaken holes; empty: no search.
   NeighbourQuestion neighbours;
   double model_error = 0;         ///< model error known beforehand, per coordinate [m]
-  bool finds_model_error = true;  ///< true: a lack of fit increases the model error as far as needed
-  bool finds_suspects = true;     ///< true: after a lack of fit, the responsible touch or joint reading is searched for
+  bool finds_model_error = true;  ///< true: after a lack of fit, the model error is increased until the touches fit
+  bool finds_suspects = true;  ///< true: after a lack of fit, the touch or joint reading that causes it is searched for
   LeastSquaresMethod method = LeastSquaresMethod::kHybrid;
 };
 
@@ -43,16 +44,16 @@ struct TouchResidual {
   Eigen::Vector3d sigma_W = Eigen::Vector3d::Zero();
 };
 
-/// Distance between two touched holes: as the arm of the file predicts it, and as known from the sheet. Neither depends
-/// on the base.
+/// Distance between two touched holes, as predicted by the arm described in the file and as known from the tube sheet.
+/// Neither depends on the base.
 struct DistanceCheck {
   std::string from, to;
-  double by_arm = 0, on_sheet = 0;  ///< distance predicted by the arm, and known from the sheet [m]
+  double by_arm = 0, on_sheet = 0;  ///< distance predicted by the arm, and known from the tube sheet [m]
   /// Standard deviation of the difference, due to touch noise and the arm's uncertain parameters [m].
   double sigma = 0;
 };
 
-/// A parameter of the arm that was fitted with the base.
+/// A parameter of the arm that was fitted together with the base.
 struct TouchedNumber {
   std::string name;
   deflection::Quantity quantity = deflection::Quantity::kNone;
@@ -60,29 +61,30 @@ struct TouchedNumber {
   double prior = 0, posterior = 0;  ///< standard deviation before and after the touches
 };
 
-/// A joint reading of one touch, with the error that would explain a lack of fit.
+/// A joint reading of one touch, with an error in it that would explain the lack of fit.
 struct SuspectReading {
   std::string touch;
   Eigen::Index joint = -1;
   double off = 0;      ///< reading minus the value required by the other touches [rad or m]
-  double p_value = 0;  ///< p-value of the fit to all touches after this correction
+  double p_value = 0;  ///< p-value of the fit to all touches after this reading is corrected for `off`
 };
 
 struct BaseCalibration : TouchedBase {
   CalibrationStatus status = CalibrationStatus::kNotRun;
-  std::string reason;                  ///< reason if the status is not kDone
-  std::vector<std::string> suspects;   ///< possibly mistaken holes, such as "touch T2 named R10C20 fits hole R10C21"
+  std::string reason;                  ///< reason why no base was found, if the status is not kDone
+  std::vector<std::string> suspects;   ///< holes that may be mistaken, such as "touch T2 named R10C20 fits hole R10C21"
   std::vector<TouchedNumber> numbers;  ///< uncertain parameters of the arm, which were fitted with the base
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Constant(kNotKnown);
-  /// Index of the only touch, of four or more, whose removal makes the others fit; -1: none or several.
+  /// Index of the touch whose removal makes the others fit, if it is the only one with this property among at least
+  /// four touches; otherwise -1.
   int odd_touch = -1;
-  double rms_of_others = kNotKnown;              ///< rms of the other touches without the odd touch [m]
+  double rms_of_others = kNotKnown;              ///< rms error of the other touches in a fit without the odd touch [m]
   std::vector<SuspectReading> suspect_readings;  ///< joint readings that may explain a lack of fit, likeliest first
   std::vector<TouchResidual> residuals;
   std::vector<DistanceCheck> distances;
   double rms = kNotKnown;  ///< root mean square of the residuals' lengths [m]
-  /// Step to the found base from the start of the search, where the base was expected: shift [m], then rotation vector
-  /// [rad], in world axes.
+  /// Difference between the base found and the expected base, from which the search started: shift [m], then rotation
+  /// vector [rad], in world axes.
   BaseStep from_start = BaseStep::Constant(kNotKnown);
 };
 
@@ -91,14 +93,14 @@ struct BaseCalibration : TouchedBase {
 [[nodiscard]] bool isFitRefused(const BaseCalibration& calibration);
 
 /// Finds the base by fitTouches(), from any start. All touches must have known positions, a stated sigma and the same
-/// set-up. If chi-square rejects the fit, the result still has the residuals, and names touches and joint readings that
-/// may be wrong.
+/// set-up. If chi-square rejects the fit, the result still contains the residuals, and also the touches and joint
+/// readings that may be wrong.
 [[nodiscard]] BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Measurement>& touches,
                                             const Eigen::Isometry3d& X_WB_start,
                                             const BaseCalibrationOptions& options = {});
 
-/// Returns why these touches cannot determine a base (fewer than three holes, the same hole twice under the same load,
-/// holes almost on a line); empty if they can.
+/// Returns the reason why these touches cannot determine a base (fewer than three holes, a hole touched twice under the
+/// same load, holes almost on a line), or an empty string if they can.
 std::string findTouchProblem(const std::vector<Measurement>& touches, const BaseCalibrationOptions& options = {});
 
 }  // namespace tubeplan::calibration

@@ -14,10 +14,10 @@ using Eigen::Index, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::Ve
 
 namespace {
 
-/// Subtracts from whitened columns, in place, the components that the estimates of unknown places absorb.
+/// Subtracts from whitened columns the components that the estimated positions of unknown points and surfaces absorb.
 void takePointsOff(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
   for (const auto& point : weights.points) {
-    // Number of rows of each of the point's readings.
+    // All readings of a point have the same number of rows.
     const Index rows = point.Q.rows() / static_cast<Index>(point.readings.size());
     const auto rowsOfTouch = [&](int reading) {
       return columns.middleRows(weights.first_row[static_cast<std::size_t>(reading)], rows);
@@ -31,7 +31,7 @@ void takePointsOff(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) 
   }
 }
 
-/// Subtracts from the errors the part that the estimates of unknown places explain.
+/// Subtracts from the errors the part that the estimated positions of unknown points and surfaces explain.
 void takeEstimatesOff(const ReadingWeights& weights, VectorXd& error) {
   for (const auto& point : weights.points) {
     const Index rows = point.Q.rows() / static_cast<Index>(point.readings.size());
@@ -119,7 +119,7 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   if (!linearize(x, jacobian != nullptr)) return false;
   r.resize(weights_.rows + prior_slopes_.size());
   if (jacobian) jacobian->setZero(r.size(), x.size());
-  if (x.size() == 0) jacobian = nullptr;  // a Jacobian without columns needs no weights and has no storage
+  if (x.size() == 0) jacobian = nullptr;  // a Jacobian without columns has no storage, so it must not be accessed below
   applyWeights(r, jacobian);
   if (error) *error = last_.error;
   takeSharedOff(weights_, r);
@@ -131,7 +131,7 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   return true;
 }
 
-/// Computes the errors at x, and their Jacobian if requested; reuses the last ones if x is unchanged.
+/// Computes the errors at x, and their Jacobian if requested, unless they are already known from the last evaluation.
 bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
   const bool is_there = last_.ok && last_.x.size() == x.size() && last_.x == x && last_.error.size() == weights_.rows;
   if (is_there && (!with_jacobian || last_.jacobian.cols() == x.size())) return true;
@@ -141,7 +141,7 @@ bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
   last_.jacobian.setZero(with_jacobian ? weights_.rows : 0, with_jacobian ? x.size() : 0);
   if (!settled_.empty() && !settleSurfaces(placed_, settled_)) return false;
   if (!fill(with_jacobian)) {
-    goOn(stop_);  // a stop leaves rows uncomputed; it must not count as a failure of the model
+    goOn(stop_);  // if `fill` failed because of a stop, throw instead of reporting a failure of the model
     return false;
   }
   last_.x = x;
@@ -150,7 +150,8 @@ bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
 
 namespace {
 
-/// Computes whitener * from, with matrices of fixed size for readings of three rows, which are the most common.
+/// Computes `to` = `whitener` * `from`; uses fixed-size matrices for readings with three rows, which are the most
+/// common.
 void whiten(const MatrixXd& whitener, const Eigen::Ref<const MatrixXd>& from, Eigen::Ref<MatrixXd> to) {
   if (whitener.rows() == 3)
     to.noalias() = Matrix3d(whitener).lazyProduct(from);
@@ -169,8 +170,8 @@ void CampaignResidual::applyWeights(VectorXd& r, MatrixXd* jacobian) const {
   }
 }
 
-/// Fills `last_` with the errors of all readings and, if requested, their Jacobian. Returns false if a shape does not
-/// converge.
+/// Fills `last_` with the errors of all readings and, if requested, their Jacobian. Returns false if the arm's
+/// deflected shape does not converge or a stop is requested.
 bool CampaignResidual::fill(bool with_jacobian) {
   static const PredictionRequest kValues;
   const auto& readings = taken();

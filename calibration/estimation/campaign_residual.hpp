@@ -1,5 +1,5 @@
-// The whitened residual of readings at successive states, as a fit evaluates them. Parts that do not depend on the
-// variables are computed once. At an unchanged state, only the weights are applied again.
+// Whitened residual of readings for repeated evaluation in a fit. Parts that do not depend on the variables are
+// computed once. If only the weights have changed since the last evaluation, the model is not evaluated again.
 #pragma once
 
 #include "calibration/estimation/whitened_residual.hpp"
@@ -8,15 +8,17 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the index in `placed.base_poses` of each reading's base pose.
+/// Returns, for each reading, the index of its base pose in `placed.base_poses`.
 [[nodiscard]] std::vector<int> basePosesOf(const PlacedArm& placed, const std::vector<Measurement>& readings);
 
 class CampaignResidual {
  public:
-  /// Selects whether the residuals of the readings are followed by those of the priors, one per unknown.
+  /// Whether the residual vector contains only the readings' rows, or also the priors' residuals after them, one per
+  /// unknown.
   enum class Priors { kNone, kAppended };
 
-  /// All arguments must outlive this object. An evaluation during which a stop is requested throws WorkStopped.
+  /// The arguments passed by reference must outlive this object. If a stop is requested during an evaluation, the
+  /// evaluation throws WorkStopped.
   CampaignResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                    const std::vector<Measurement>& readings, const ReadingWeights& weights,
                    Priors priors = Priors::kNone, StopQuestion stop = {});
@@ -33,7 +35,8 @@ class CampaignResidual {
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian, Eigen::VectorXd* error);
 
  private:
-  /// Errors in metres and their Jacobian at one state, without weights; the Jacobian is empty if not requested.
+  /// Errors before weighting [m] and their Jacobian at the variables `x`; the Jacobian is empty if it was not
+  /// requested.
   struct Unweighted {
     Eigen::VectorXd x;
     Eigen::VectorXd error;
@@ -47,22 +50,25 @@ class CampaignResidual {
   bool fill(bool with_jacobian);
   void scatter(int base_pose, const Prediction& prediction, Eigen::Index row);
 
-  /// Returns the readings, with touched surfaces fitted to the arm at the last variables.
+  /// Returns the readings; any touched surfaces in them are fitted to the arm at the last variables.
   [[nodiscard]] const std::vector<Measurement>& taken() const { return settled_.empty() ? readings_ : settled_; }
 
   const PlacedArm& start_;
   const std::vector<Unknown>& unknowns_;
   const std::vector<Measurement>& readings_;
   const ReadingWeights& weights_;
-  Eigen::VectorXd prior_slopes_;  ///< derivatives of the priors' residuals; empty if no priors are appended
+  /// Derivatives of the prior residuals with respect to the variables; empty if no priors are appended.
+  Eigen::VectorXd prior_slopes_;
   StopQuestion stop_;
-  std::vector<Measurement> settled_;   ///< readings with fitted surfaces; empty if no surface is touched
-  std::vector<int> base_pose_of_;      ///< index of each reading's base pose
-  PredictionRequest slopes_asked_;     ///< requested derivatives: the parameters, and the base if one is free
+  /// Readings with their touched surfaces as fitted; empty if no reading touches a surface.
+  std::vector<Measurement> settled_;
+  std::vector<int> base_pose_of_;   ///< index of each reading's base pose
+  PredictionRequest slopes_asked_;  ///< derivatives to compute: by the free parameters, and by the base if one is free
   std::vector<Eigen::Index> numbers_;  ///< Jacobian column of each parameter
-  std::vector<std::vector<Eigen::Index>> bases_;  ///< Jacobian columns of a base step, -1 if fixed; empty: known base
-  PlacedArm placed_;                              ///< placed arm at the last variables
-  std::vector<double> slopes_;                    ///< derivative of each parameter with respect to its variable
+  /// For each base, Jacobian columns of its step, -1 for a fixed component; empty: known base.
+  std::vector<std::vector<Eigen::Index>> bases_;
+  PlacedArm placed_;            ///< placed arm at the last variables
+  std::vector<double> slopes_;  ///< derivative of each parameter with respect to its variable
   /// Matrices that map the rate of the rotation vector to the angular velocity, one per base.
   std::vector<Eigen::Matrix3d> turns_;
   std::optional<deflection::Kinematics> prepared_;  ///< kinematics of the arm, if no variable changes the arm

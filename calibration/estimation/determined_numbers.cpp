@@ -29,8 +29,8 @@ UncertainNumbers heldNumbers(const Identification& fit, const std::vector<Unknow
   return held;
 }
 
-/// Returns true for parameters that the result includes. The base step is included only if there is a single base pose:
-/// of several, each belongs to its own set-up.
+/// Returns true for unknowns that the result includes. A base step is included only if there is a single base pose,
+/// because each of several base poses holds for its own set-up only.
 bool isKept(const Unknown& unknown, const Identification& fit) {
   return unknown.owner == Unknown::Owner::kArm || fit.fitted.base_poses.size() == 1;
 }
@@ -52,7 +52,8 @@ std::optional<ArmUncertainty> determinedNumbers(const Identification& fit, const
   if (!weights) return std::nullopt;
   const auto at = whitenedResidual(fit.fitted, all, readings, *weights, zerosOf(all), true);
   if (!at.ok) return std::nullopt;
-  // The variables are the fitted parameters, then independent standard normal variables for the held parameters.
+  // Variables: those of the fitted parameters, then independent standard normal variables for the parameters held
+  // fixed.
   const auto own = static_cast<Index>(fitted.size()), n = static_cast<Index>(all.size());
   MatrixXd to_numbers = MatrixXd::Zero(n, own + held.root.cols());
   to_numbers.topLeftCorner(own, own).setIdentity();
@@ -62,7 +63,7 @@ std::optional<ArmUncertainty> determinedNumbers(const Identification& fit, const
   prior.head(own) = priorSlopes(fitted).cwiseAbs2();
   gradient.head(own) += priorSlopes(fitted).cwiseProduct(priorResiduals(fitted, zerosOf(fitted)));
   const MatrixXd inverse = inverseOfInformation(jacobian.transpose() * jacobian + MatrixXd(prior.asDiagonal()));
-  const VectorXd shift = inverse * gradient;  // difference between the stated and the most probable values
+  const VectorXd shift = inverse * gradient;  // step from the present to the most probable values of the variables
   const MatrixXd covariance = to_numbers * (inverse + shift * shift.transpose()) * to_numbers.transpose();
   ArmUncertainty determined = held_numbers;
   determined.determined.clear();

@@ -1,4 +1,4 @@
-// Uncertainty of all parameters of an arm after an identification, both the fitted ones and those held fixed.
+// Uncertainty of all parameters of an arm after an identification, including those that the fit held fixed.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,10 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the covariance of every parameter about its value in the fitted arm, and of the base if there is a single
-/// one. Parameters that were held fixed are included, with `held` as their prior; if the readings prefer another value
-/// of a held parameter, its uncertainty is increased by the difference. `readings` are the fitted readings. Empty if
-/// the model cannot be linearised at these readings.
+/// Returns the covariance of all parameters about their values in the fitted arm, and of the base if there is only one.
+/// Parameters that the fit held fixed are included, with `held` as their prior; if the readings prefer another value of
+/// such a parameter, the difference increases its uncertainty. `readings` are the fitted readings. Empty if the model
+/// cannot be evaluated at these readings.
 [[nodiscard]] std::optional<ArmUncertainty> determinedNumbers(const Identification& fit,
                                                               const std::vector<Measurement>& readings,
                                                               const ArmUncertainty& held);

@@ -1,8 +1,8 @@
-// Division of a model's error into an explained part, an unexplained remainder and noise. Documents state a model's
-// error in this form only.
+// Division of a model's error into an explained part, an unexplained remainder and noise. All documents state model
+// errors in this form.
 //
-// The error is the root mean square, over the readings in use, of the length of measured minus predicted (ErrorSize).
-// Held-out errors come from fits without the judged readings, fitted errors from fits with them. Readings that are set
+// The error is the root mean square of the distances between measured and predicted values (ErrorSize). A held-out
+// error is that of readings which the fit has not used, a fitted error that of readings which it has used. Readings set
 // aside as outliers are not counted.
 #pragma once
 
@@ -12,24 +12,23 @@
 
 namespace tubeplan::calibration {
 
-/// Parts of an error [m]. Their squares add up, with the sign of each part: total^2 = explained |explained| +
-/// remainder^2 + noise^2.
+/// Parts of a model's error [m], such that total^2 = explained |explained| + remainder^2 + noise^2.
 struct ErrorBudget {
-  double total = kNotKnown;      ///< error before the explanation is applied
-  double explained = kNotKnown;  ///< part removed by the explanation; negative where the error rose
-  double remainder = kNotKnown;  ///< residual error beyond the noise
-  double noise = kNotKnown;      ///< noise floor, at most the error after the explanation
+  double total = kNotKnown;      ///< error of the model without the explanation
+  double explained = kNotKnown;  ///< part that the explanation removes; negative if it increases the error
+  double remainder = kNotKnown;  ///< remaining error that noise does not account for
+  double noise = kNotKnown;      ///< noise floor, but no more than the error with the explanation
   int readings = 0;
   bool is_held_out = false;
   bool are_angles = false;  ///< true: all readings measure only angles
 };
 
-/// Errors of a model without and with an explanation, on the same readings.
+/// Errors of a model on the same readings, before and after an explanation (such as a fitted effect) is added.
 struct ErrorsBeforeAndAfter {
   ErrorSize before, after;
 };
 
-/// Returns the budget of the held-out errors if both are known, otherwise that of the fitted errors.
+/// Returns the error budget from the held-out errors if both of them are known, otherwise from the fitted errors.
 [[nodiscard]] ErrorBudget errorBudget(const ErrorsBeforeAndAfter& held_out, const ErrorsBeforeAndAfter& fitted,
                                       double noise_floor);
 

@@ -27,7 +27,7 @@ void takeFit(const Identification& fit, Estimate& estimate) {
   estimate.model_error = std::max(fit.model_error, estimate.model_error);
 }
 
-/// Returns J^T J, the information of the readings; zero if the model cannot be evaluated.
+/// Returns the information matrix of the readings, J^T J; zero if the model cannot be evaluated.
 MatrixXd informationOf(const Estimate& estimate, const std::vector<Measurement>& readings) {
   const auto weights = weighReadings(placedAsEstimated(estimate), readings, {}, estimate.model_error);
   const auto by_variables = weights ? sensitivityOf(estimate, readings, *weights) : std::nullopt;
@@ -35,8 +35,8 @@ MatrixXd informationOf(const Estimate& estimate, const std::vector<Measurement>&
   return by_variables->transpose() * *by_variables;
 }
 
-/// Returns the prior information: each variable is known to within its typical size, or better if its own prior is
-/// tighter; each normal variable of `beside` has variance 1.
+/// Returns the diagonal of the prior information matrix. The prior sigma of a free variable is its typical size, or
+/// that of its own prior if smaller; each standard normal variable of `beside` has variance 1.
 VectorXd informationBeforehand(const Estimate& estimate) {
   const VectorXd of_free = priorInformation(estimate.unknowns);
   VectorXd information = VectorXd::Ones(of_free.size() + estimate.beside.root.cols());
@@ -44,7 +44,7 @@ VectorXd informationBeforehand(const Estimate& estimate) {
   return information;
 }
 
-/// Returns true if only a base pose is to be found, and all readings are touches that calibrateBase() accepts.
+/// Returns true if the only unknown is one base pose, and if all readings are touches that calibrateBase() accepts.
 bool placesByTouches(const Estimate& estimate, const std::vector<Measurement>& readings) {
   const bool is_base_alone = std::ranges::all_of(
       estimate.unknowns, [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; });
@@ -53,7 +53,7 @@ bool placesByTouches(const Estimate& estimate, const std::vector<Measurement>& r
          findTouchProblem(readings).empty();
 }
 
-/// Fits the base together with the uncertain parameters; returns false if the search fails.
+/// Fits the base together with the arm's uncertain parameters; returns false if the fit does not converge.
 bool fitBaseByTouches(const std::vector<Measurement>& touches, Estimate& estimate) {
   BasePose& base = estimate.start.base_poses.front();
   const TouchFit fit =
@@ -68,7 +68,7 @@ bool fitBaseByTouches(const std::vector<Measurement>& touches, Estimate& estimat
   return true;
 }
 
-/// Fits the free parameters, with all others taken as exact; returns false if the readings do not allow a fit.
+/// Fits the free parameters and takes all others as exact; returns false if the fit fails.
 bool fitFreeNumbers(const PlacedArm& placed, const std::vector<Measurement>& readings, const FreeChoice& free,
                     Estimate& estimate) {
   IdentificationOptions options;
@@ -129,7 +129,7 @@ std::optional<MatrixXd> sensitivityOf(const Estimate& estimate, const std::vecto
 
 std::vector<MatrixXd> tipSensitivities(const Estimate& estimate, const std::vector<VectorXd>& postures, double load) {
   std::vector<Measurement> tips;
-  ReadingWeights weights;  // identity matrices: coordinates are not weighted
+  ReadingWeights weights;  // only with identity matrices as whiteners, so that the Jacobian stays in metres
   for (const auto& q : postures) {
     Measurement tip;
     tip.q = q;

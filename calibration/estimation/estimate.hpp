@@ -1,4 +1,4 @@
-// Information on the free parameters that the readings made so far give, and to which further readings add.
+// Estimate of the free parameters from the readings made so far, as the start for choosing further readings.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,31 +11,33 @@
 
 namespace tubeplan::calibration {
 
-/// Uncertainty beyond the free parameters and the readings' own noise.
+/// Sources of uncertainty in addition to the free parameters and the noise of the readings.
 struct DoubtBeside {
   ArmUncertainty arm = ArmUncertainty::none();  ///< uncertainty of the arm's parameters that are not free
   double model_error = 0;  ///< standard deviation of the model error per coordinate, known beforehand [m]
 };
 
-/// Present knowledge of the model: values and uncertainty of the free parameters. Every parameter has a prior with a
-/// sigma of its typical size (Unknown::typical) at most, so that undetermined parameters have a sigma too.
+/// Values and uncertainty of the free parameters, given the readings made so far. The prior sigma of every parameter is
+/// at most its typical size (Unknown::typical), so that the sigma is finite even if the readings do not determine it.
 struct Estimate {
-  std::vector<FreeProblem> problems;  ///< reasons why names cannot be freed; if any, the other members are invalid
-  std::string note;  ///< reason why the readings could not be fitted; parameters then keep the values of the arm's file
+  /// Reasons why names cannot be freed; if there are any, the other members are invalid.
+  std::vector<FreeProblem> problems;
+  /// Reason why the readings could not be fitted; the parameters then keep their values from the arm's file.
+  std::string note;
   PlacedArm start;
   std::vector<Unknown> unknowns;
   Eigen::VectorXd x;  ///< fitted values of the unknowns' variables, relative to `start`
   /// Standard deviation of the model error of each coordinate, in addition to the readings' noise [m].
   double model_error = 0;
   UncertainNumbers beside;  ///< uncertain parameters of the arm that are not free
-  /// Information matrix of the variables divided by their typical sizes, then of the standard normal variables of
-  /// `beside`.
+  /// Information matrix. Its variables are those of `unknowns`, each divided by its typical size, then the standard
+  /// normal variables of `beside`.
   Eigen::MatrixXd information;
 };
 
-/// Fits the readings (there may be none; held-out readings are not used) and sums up their information. If only a base
-/// is free and the readings are touches of known holes, the base is fitted as by calibrateBase(), together with the
-/// uncertain parameters of `doubt`. In all other cases, these parameters count as exact.
+/// Fits the readings, except held-out ones, and adds up their information; there may be no readings. If only a base is
+/// free and the readings are touches of known holes, the base is fitted as by calibrateBase(), together with the
+/// uncertain parameters of `doubt`. In all other cases, the fit takes these parameters as exact.
 [[nodiscard]] Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                                     const std::vector<Measurement>& readings, const FreeChoice& free,
                                     const DoubtBeside& doubt = {});
@@ -43,14 +45,15 @@ struct Estimate {
 /// Returns the placed arm with the estimated parameter values.
 [[nodiscard]] PlacedArm placedAsEstimated(const Estimate& estimate);
 
-/// Returns the whitened Jacobian of the readings with respect to the variables of Estimate::information; empty if a
-/// shape does not converge.
+/// Returns the whitened Jacobian of the readings with respect to the variables of Estimate::information; empty if the
+/// arm's deflected shape does not converge at a reading.
 [[nodiscard]] std::optional<Eigen::MatrixXd> sensitivityOf(const Estimate& estimate,
                                                            const std::vector<Measurement>& readings,
                                                            const ReadingWeights& weights);
 
-/// Returns the Jacobian of the tip in the world frame [m] with respect to the variables of Estimate::information: a 3 x
-/// n matrix per posture, for the arm at its latest base pose. Every posture's shape must converge.
+/// Returns, for each posture, the 3 x n Jacobian of the tip position in the world frame [m] with respect to the n
+/// variables of Estimate::information, for the last base pose. The arm's deflected shape must converge at every
+/// posture.
 [[nodiscard]] std::vector<Eigen::MatrixXd> tipSensitivities(const Estimate& estimate,
                                                             const std::vector<Eigen::VectorXd>& postures, double load);
 

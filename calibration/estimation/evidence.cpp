@@ -14,8 +14,9 @@ namespace {
 
 constexpr int kLeastPostures = 4;
 constexpr int kLeastFreedom = 6;
-constexpr double kTooGood = 1e-6;  // lower tail probability of chi-square below which a fit is too good
-// Ratio of residuals to stated noise below which rounding of the stated sigma does not explain a good fit.
+constexpr double kTooGood = 1e-6;  // a fit is too good if chi-square is this small with at most this probability
+// A fit is reported as too good only if residuals are below this fraction of the stated noise; a ratio nearer to 1 may
+// be due to a rounded sigma.
 constexpr double kFarTooGood = 0.5;
 
 std::string plural(int count, const char* noun) { return std::to_string(count) + " " + noun + (count == 1 ? "" : "s"); }

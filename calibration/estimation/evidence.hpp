@@ -1,4 +1,4 @@
-// Checks that readings suffice for a verdict on a model.
+// Checks whether the readings suffice to accept or reject a model.
 #pragma once
 
 #include <optional>
@@ -9,18 +9,18 @@
 
 namespace tubeplan::calibration {
 
-/// Reason why readings allow no verdict, and what would be needed for one.
+/// Reason why the readings can neither confirm nor refute a model (`what`), and what would be needed to do so.
 struct EvidenceProblem {
   std::string what, needed;
 };
 
 /// Returns a problem if there are too few postures for the number of parameters that the readings determine, or too few
-/// degrees of freedom to test the model; otherwise empty.
+/// degrees of freedom to test the model; empty otherwise.
 [[nodiscard]] std::optional<EvidenceProblem> findLackOfFreedom(const std::vector<Measurement>& readings,
                                                                int degrees_of_freedom, int numbers_determined);
 
-/// Returns a problem if the fit is far better than the stated noise allows (lower tail of chi-square): the stated noise
-/// is then too large and hides every other error. Otherwise empty.
+/// Returns a problem if the residuals are far smaller than the stated noise (lower tail of chi-square). The stated
+/// noise is then too large, and would hide errors of the model. Empty otherwise.
 [[nodiscard]] std::optional<EvidenceProblem> findOverstatedNoise(double chi2, int degrees_of_freedom);
 
 }  // namespace tubeplan::calibration

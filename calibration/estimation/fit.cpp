@@ -19,10 +19,12 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 namespace {
 
 constexpr int kMaxRounds = 3;
-constexpr double kWeightsRest = 1e-3;  // relative change of chi-square by new weights above which the fit is repeated
-constexpr double kNearMinimum = 0.01;  // expected decrease of chi-square below which a slow fit counts as converged
+// The fit is repeated if new weights change chi-square by more than this fraction.
+constexpr double kWeightsRest = 1e-3;
+// A fit at its iteration limit counts as converged if chi-square would decrease by less.
+constexpr double kNearMinimum = 0.01;
 constexpr int kMaxModelErrorRounds = 8;
-// Relative change of the model error below which the fit is not repeated.
+// The fit is repeated until the model error changes by no more than this fraction.
 constexpr double kModelErrorConverged = 0.01;
 
 LeastSquaresProblem problemOf(const std::shared_ptr<CampaignResidual>& residual, const std::vector<Unknown>& unknowns,
@@ -62,7 +64,7 @@ LeastSquaresResult minimizeOrUnwind(const LeastSquaresProblem& problem, const Le
 
 namespace {
 
-/// A fit in progress.
+/// State of a fit while its weights and model error are iterated.
 class Fitting {
  public:
   Fitting(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& readings,
@@ -120,7 +122,7 @@ class Fitting {
     return fit_.solution.status != LeastSquaresStatus::kFailed;
   }
 
-  /// Returns the residual of the readings without priors, at the solution and with the present weights.
+  /// Returns the residual of the readings at the solution, with the present weights but without the priors.
   WhitenedResidual residual(bool with_jacobian) {
     WhitenedResidual at;
     at.ok = with_priors_->evaluate(fit_.solution.x, at.r, with_jacobian ? &at.jacobian : nullptr, &at.error);
@@ -130,7 +132,7 @@ class Fitting {
     return at;
   }
 
-  /// Returns the chi-square of the readings with their stated noise alone.
+  /// Returns the chi-square of the readings relative to their stated noise, without the model error.
   [[nodiscard]] double statedChi2() const {
     if (fit_.weights.model_error == 0) return comparableChi2(readings_, fit_.weights, fit_.residual.r, options_.loss);
     const ReadingWeights stated = reweighted(fit_.weights, readings_, 0, fit_.factors);
@@ -139,8 +141,8 @@ class Fitting {
     return comparableChi2(readings_, stated, by_stated.r, options_.loss);
   }
 
-  /// Repeats the fit until the weights converge. They change with the solution: the effect of encoder noise depends on
-  /// the derivatives there, and a robust weight depends on the residual.
+  /// Repeats the fit until the weights converge. They depend on the solution: encoder noise acts through the
+  /// derivatives there, and a robust weight factor depends on the residual.
   bool untilWeightsRest() {
     const bool is_robust = options_.loss != RobustLoss::kNone;
     const int rounds = is_robust ? 5 * kMaxRounds : kMaxRounds;
@@ -161,7 +163,7 @@ class Fitting {
       fit_.factors = factors;
       if (rest) break;
     }
-    return weigh(false);  // results are reported with the weights at the solution
+    return weigh(false);  // results must refer to the weights at the solution
   }
 
   /// Computes residual, covariance and chi-square at the solution.
@@ -181,8 +183,8 @@ class Fitting {
     return true;
   }
 
-  /// Returns the expected further decrease of chi-square, to second order: gradient^T covariance gradient. A value of 1
-  /// corresponds to a step of one standard deviation.
+  /// Returns, to second order, by how much chi-square would still decrease to its minimum: gradient^T covariance
+  /// gradient. A value of 1 corresponds to a distance of one standard deviation.
   [[nodiscard]] double distanceToMinimum() const {
     const VectorXd gradient = fit_.residual.jacobian.transpose() * fit_.residual.r +
                               priorSlopes(unknowns_).cwiseProduct(priorResiduals(unknowns_, fit_.solution.x));
@@ -194,7 +196,7 @@ class Fitting {
   const std::vector<Measurement>& readings_;
   const FitOptions& options_;
   Fit fit_;
-  std::shared_ptr<CampaignResidual> with_priors_;  ///< residual including priors, with the present weights of `fit_`
+  std::shared_ptr<CampaignResidual> with_priors_;  ///< residual including the priors; refers to the weights in `fit_`
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// A fit in the form needed by comparison, which examines the residual, and by diagnosis, which adds further causes.
+// A completed fit with its residual and derivatives, from which models are compared and further causes of error are
+// tested.
 #pragma once
 
 #include <vector>
@@ -8,17 +9,17 @@
 
 namespace tubeplan::calibration {
 
-/// The readings and the optimum of a fit, with derivatives.
+/// Readings of a fit, its optimum, and the residual and derivatives at the optimum.
 struct FittedBasis {
   std::vector<Measurement> readings;  ///< fitted readings
   PlacedArm fitted;                   ///< placed arm at the optimum of the baseline fit
   std::vector<Unknown> unknowns;      ///< unknowns of the baseline fit, 0 at the optimum
   ReadingWeights weights;             ///< weights from the stated noise alone
   WhitenedResidual residual;          ///< residual at the optimum, with the Jacobian with respect to `unknowns`
-  StopQuestion stop = {};             ///< called within fits, which throw WorkStopped once it returns true
+  StopQuestion stop = {};  ///< polled during fits from this basis, which throw WorkStopped once it returns true
 };
 
-/// Returns the basis of a baseline fit, with the variables shifted so that 0 is the optimum.
+/// Returns the basis that belongs to the fit `baseline`, with its variables shifted so that they are 0 at the optimum.
 [[nodiscard]] FittedBasis basisOf(const Identification& baseline, const std::vector<Measurement>& readings,
                                   const StopQuestion& stop = {});
 

@@ -18,11 +18,12 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kLeastLeft = 6;  // smallest number of a set-up's groups that must remain to determine its base
-// Largest joint difference between readings at one posture, due to noise or load [rad, m].
+constexpr std::size_t kLeastLeft = 6;  // number of groups of a set-up that must remain, so that they determine its base
+// Readings whose joints differ by less than this [rad, m] count as taken at the same posture.
 constexpr double kSamePosture = 0.01;
 
-/// Assigns postures to numbered groups: a posture close to the first posture of a group belongs to that group.
+/// Groups readings by posture: a reading belongs to a group if its posture is close to that of the group's first
+/// reading.
 class PostureGroups {
  public:
   /// Returns the index of the first reading in the group of `reading`; `reading` itself if the group is new.
@@ -38,7 +39,7 @@ class PostureGroups {
   }
 
  private:
-  // Indices of the groups' first readings, keyed by set-up and by cell of the first joint's value.
+  // Indices of the groups' first readings, keyed by set-up and by the first joint's reading, rounded to a cell.
   std::map<std::pair<std::string, long>, std::vector<int>> leaders_;
 };
 
@@ -58,8 +59,8 @@ std::vector<int> groupByPose(const std::vector<Measurement>& readings) {
   std::map<std::string, int> index;
   std::vector<int> groups;
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    // Only touches are grouped by `point`: for a measured tip position, it may name the reflector, which is the same at
-    // every posture.
+    // Only touches are grouped by `point`. In a measured tip position, `point` may name the reflector on the tool,
+    // which is the same at every posture.
     const bool is_touch = touchesKnownPoint(readings[k]) || touchesUnknownPoint(readings[k]);
     const std::string key = is_touch && !readings[k].point.empty()
                                 ? "point " + readings[k].point
@@ -71,7 +72,7 @@ std::vector<int> groupByPose(const std::vector<Measurement>& readings) {
 
 namespace {
 
-/// Returns the groups of each set-up; a group in several set-ups counts for the first only.
+/// Returns the groups of each set-up. A group with readings in several set-ups is listed only in the first one.
 std::map<std::string, std::vector<int>> groupsBySetup(const std::vector<Measurement>& readings,
                                                       const std::vector<int>& groups) {
   std::map<std::string, std::vector<int>> by_setup;
@@ -81,9 +82,9 @@ std::map<std::string, std::vector<int>> groupsBySetup(const std::vector<Measurem
   return by_setup;
 }
 
-/// Returns the fold of each group. Groups are assigned in the order of `rank`, set-up by set-up, so that no fold
-/// contains most of one set-up. A set-up that would keep too few groups to determine its base is never held out (-1),
-/// provided that another set-up is large enough.
+/// Returns the fold of each group. Groups are assigned to folds in turn, set-up by set-up and in the order of `rank`,
+/// so that each set-up is spread over all folds. A set-up that would keep too few groups to determine its base is never
+/// held out (-1), provided that another set-up is large enough.
 std::vector<int> dealt(std::map<std::string, std::vector<int>> by_setup, const std::vector<int>& rank, int folds) {
   const auto leavesFew = [&](const std::vector<int>& groups) {
     const auto parts = static_cast<std::size_t>(folds);
@@ -118,7 +119,7 @@ std::vector<int> foldsOf(const std::vector<Measurement>& readings, int folds, st
 std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Measurement>& readings) {
   ReadingPredictor predictor(placed.arm);
   const std::vector<int> groups = groupByPose(readings);
-  // Largest distance of the tip from the base in each group of readings [m], keyed by set-up and group.
+  // Largest distance between tip and base in each group [m], keyed by set-up, then by group.
   std::map<std::string, std::map<int, double>> reach;
   for (std::size_t k = 0; k < readings.size(); ++k) {
     Measurement tip = readings[k];
@@ -128,7 +129,7 @@ std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Meas
     double& farthest = reach[readings[k].setup].emplace(groups[k], 0).first->second;
     if (predicted.ok) farthest = std::max(farthest, predicted.value.norm());
   }
-  std::map<std::string, double> least;  // smallest distance in the farthest quarter of the groups [m], keyed by set-up
+  std::map<std::string, double> least;  // by set-up: distance [m] from which a group is in the farthest quarter
   for (const auto& [setup, poses] : reach) {
     if (reach.size() > 1 && 3 * poses.size() / 4 < kLeastLeft) {
       least[setup] = std::numeric_limits<double>::infinity();
@@ -150,7 +151,7 @@ std::vector<Measurement> judgeable(const PlacedArm& placed, const std::vector<Me
                                    const std::vector<Measurement>& held_out) {
   std::set<std::string> setups;
   for (const auto& reading : fitted) setups.insert(reading.setup);
-  std::map<std::string, int> touches;  // number of held-out readings of each unknown place
+  std::map<std::string, int> touches;  // number of held-out touches of each unknown point or surface
   for (const auto& reading : held_out) touches[placeOf(reading)] += hasUnknownPlace(reading) ? 1 : 0;
   std::vector<Measurement> kept = held_out;
   std::erase_if(kept, [&](const Measurement& reading) {
@@ -205,7 +206,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Returns the rows of the readings outside the fold.
+/// Returns the row indices of all readings that are not in the fold.
 std::vector<Index> rowsOutside(int fold, const std::vector<int>& folds, const std::vector<Measurement>& readings,
                                const ReadingWeights& weights) {
   std::vector<Index> rows;
@@ -214,7 +215,7 @@ std::vector<Index> rowsOutside(int fold, const std::vector<int>& folds, const st
   return rows;
 }
 
-/// Returns the step, to first order, from the variables of the whole fit to those of a fit to these rows alone; empty
+/// Returns the Gauss-Newton step from the solution of the fit `whole` to that of a fit to the given rows alone; empty
 /// if the step is too long or leaves the bounds.
 std::optional<VectorXd> stepTo(const std::vector<Index>& rows, const Fit& whole, const std::vector<Unknown>& unknowns) {
   const VectorXd& x = whole.solution.x;
@@ -231,7 +232,7 @@ std::optional<VectorXd> stepTo(const std::vector<Index>& rows, const Fit& whole,
   return step;
 }
 
-/// Updates the errors of a fold's readings, to first order, by the step to the fold's own fit.
+/// Updates the errors of the readings in a fold, to first order, for the step to the fit without this fold.
 void moveErrors(int fold, const std::vector<int>& folds, const Fit& whole, const VectorXd& step, VectorXd& error) {
   const ReadingWeights& weights = whole.weights;
   for (std::size_t k = 0; k < folds.size(); ++k) {
@@ -243,8 +244,8 @@ void moveErrors(int fold, const std::vector<int>& folds, const Fit& whole, const
   }
 }
 
-/// Cross-validates without predicting the readings again. The readings must touch no unknown points, whose positions
-/// every fold would estimate from its own readings.
+/// Cross-validates without evaluating the model again. Not valid for touches of unknown points, because each fold would
+/// estimate the points' positions from its own readings.
 std::optional<ErrorSize> crossValidateToFirstOrder(const std::vector<Unknown>& unknowns,
                                                    const std::vector<Measurement>& readings, const Fit& whole,
                                                    const std::vector<int>& folds, const WorkHooks& hooks) {
@@ -267,7 +268,7 @@ std::optional<ErrorSize> crossValidateBySteps(const PlacedArm& start, const std:
                                               const std::vector<Measurement>& readings, const Fit& whole,
                                               const std::vector<int>& folds, const WorkHooks& hooks) {
   const bool is_judged_whole = std::ranges::all_of(folds, [](int fold) { return fold >= 0; });
-  if (!whole.weights.shared.empty()) return std::nullopt;  // rows with shared noise mix the readings of several folds
+  if (!whole.weights.shared.empty()) return std::nullopt;  // whitening shared noise mixes rows of different folds
   if (whole.weights.points.empty() && whole.residual.error.size() == whole.weights.rows && is_judged_whole)
     return crossValidateToFirstOrder(unknowns, readings, whole, folds, hooks);
   int fold = 0;

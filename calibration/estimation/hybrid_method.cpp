@@ -1,6 +1,6 @@
-// Hybrid method: Levenberg-Marquardt first, which is quickest for well-posed fits. If it does not converge soon, as in
-// a long curved valley, Ipopt starts from the same point. If Ipopt ends at a higher point, Levenberg-Marquardt
-// continues from its own end point.
+// Hybrid method. Levenberg-Marquardt runs first, because it is fastest for well-posed fits. If it does not converge
+// soon, as in a long curved valley, Ipopt runs from the same start. If Ipopt's result has a larger chi-square,
+// Levenberg-Marquardt continues from where it stopped.
 #include <algorithm>
 #include <cmath>
 
@@ -10,9 +10,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr int kSoon = 30;  // iterations within which Levenberg-Marquardt should converge
+constexpr int kSoon = 30;  // iterations of Levenberg-Marquardt before Ipopt is tried
 
-/// Returns the result `found` with the iterations and evaluations of both methods counted.
+/// Returns the result `found`, to whose counts of iterations and evaluations those of `other` are added.
 LeastSquaresResult withWorkOf(LeastSquaresResult found, const LeastSquaresResult& other) {
   countWork(other, found);
   return found;

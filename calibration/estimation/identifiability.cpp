@@ -9,16 +9,16 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// Largest sigma of an identifiable parameter, as a fraction of its prior uncertainty.
+// A parameter is identifiable only if its sigma is at most this fraction of its prior uncertainty.
 constexpr double kSharpened = 0.5;
-constexpr double kCorrelated = 0.3;  // correlation above which a parameter is named as a partner
-constexpr double kOneWithIt = 0.95;  // correlation above which a parameter is known no better than its partner
+constexpr double kCorrelated = 0.3;  // correlation above which another parameter is reported as a partner
+constexpr double kOneWithIt = 0.95;  // correlation above which a parameter is identifiable only if its partner is
 constexpr std::size_t kMostPartners = 4;
-// Smallest distance of an identifiable compliance from zero, in sigmas; closer to zero, the stiffness has no upper
-// limit.
+// A compliance is identifiable only if it differs from zero by more than this many sigmas; otherwise the stiffness
+// would have no upper limit.
 constexpr double kSeen = 2;
 
-/// Returns the prior uncertainty of a parameter: its typical size or its prior sigma, whichever is smaller.
+/// Returns the prior uncertainty of a parameter, which is the smaller of its typical size and its prior sigma.
 double yardstickOf(const Unknown& unknown) { return std::min(unknown.typical, unknown.prior_sigma); }
 
 bool isSharp(const Unknown& unknown, double sigma, double x) {
@@ -55,7 +55,7 @@ std::vector<NumberIdentifiability> judgeIdentifiability(const MatrixXd& jacobian
     numbers[n].with = partnersOf(k, covariance);
     if (!numbers[n].with.empty()) numbers[n].verdict = Identifiability::kInCombination;
   }
-  // A parameter is as uncertain as any other that the readings cannot distinguish from it.
+  // A parameter that looks identifiable is not if the readings cannot distinguish it from one that is not.
   for (std::size_t n = 0; n < unknowns.size(); ++n) {
     if (numbers[n].verdict != Identifiability::kYes) continue;
     const auto k = static_cast<Index>(n);

@@ -1,9 +1,9 @@
-// Information of the readings on each free parameter, compared with its prior.
+// Verdict for each free parameter on whether the readings determine it, or only its prior does.
 //
 // Let C be the posterior covariance of the variables and J the whitened Jacobian of the readings. A parameter's sigma
 // is sqrt(C_kk) if all others are free, and 1 / sqrt(|J_k|^2 + 1 / s_k^2) if all others are known, where s_k is the
-// sigma of its prior. A parameter is identifiable if the first sigma is well below that of its prior. If only the
-// second is, the readings determine the parameter in combination with those that its error is correlated with.
+// sigma of its prior. A parameter is identifiable if the first sigma is well below s_k. If only the second is, the
+// readings determine the parameter only in combination with those parameters whose errors are correlated with its own.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +17,7 @@ enum class Identifiability { kYes, kInCombination, kNo };
 
 struct NumberIdentifiability {
   Identifiability verdict = Identifiability::kNo;
-  /// Indices of the unknowns in combination with which the readings determine this one, strongest correlation first.
+  /// For kInCombination: indices of the unknowns with which the errors of this one are correlated, strongest first.
   std::vector<int> with;
 };
 

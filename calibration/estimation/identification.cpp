@@ -23,7 +23,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr double kStrongCorrelation = 0.9;
-// From this number of readings on, the fit of each fold is replaced by one step from the fit to all readings.
+// With at least this many readings, each fold's fit is approximated by one step from the fit to all readings.
 constexpr std::size_t kManyReadings = 1000;
 
 std::vector<int> placesOf(const std::vector<Measurement>& all, bool held_out) {
@@ -62,7 +62,7 @@ void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& all,
     return;
   }
   if (model.options.folds < 2) return;
-  if (model.unknowns.empty()) {  // nothing is fitted: leaving readings out changes no error
+  if (model.unknowns.empty()) {  // nothing is fitted, so held-out errors equal the others
     result.heldout = result.heldout_before = result.after_base;
     return;
   }
@@ -77,12 +77,13 @@ void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& all,
   result.heldout = by_steps ? *by_steps
                             : crossValidate(model.start, model.unknowns, model.fitted, model.fit.solution.x, folds,
                                             options, model.options.hooks);
-  const bool is_fixed = bases.empty() && result.heldout.readings > 0;  // no base is fitted: the same
+  // No base is fitted, so held-out errors equal the others.
+  const bool is_fixed = bases.empty() && result.heldout.readings > 0;
   result.heldout_before =
       is_fixed ? result.after_base : crossValidate(model.start, bases, model.fitted, zerosOf(bases), folds, options);
 }
 
-/// Returns the singular values of the readings' Jacobian, with each column scaled by the parameter's typical size.
+/// Returns the singular values of the readings' Jacobian with respect to the variables divided by their typical sizes.
 VectorXd singularValues(MatrixXd jacobian, const std::vector<Unknown>& unknowns) {
   if (unknowns.empty()) return {};
   jacobian.array().rowwise() *= typicalsOf(unknowns).transpose().array();
@@ -90,8 +91,8 @@ VectorXd singularValues(MatrixXd jacobian, const std::vector<Unknown>& unknowns)
   return square.selfadjointView<Eigen::Lower>().eigenvalues().cwiseMax(0).cwiseSqrt().reverse();
 }
 
-/// Returns the errors at the solution [m]. Errors of touches are relative to the points estimated with noise weights
-/// only, without the weights of a robust loss.
+/// Returns the errors at the solution [m]. Positions of unknown touched points are estimated without the weight factors
+/// of the robust loss.
 VectorXd errorsOf(const FittedModel& model) {
   if (model.fit.factors.size() == 0) return model.fit.residual.error;
   const ReadingWeights plain = reweighted(model.fit.weights, model.fitted, model.fit.weights.model_error);
@@ -119,7 +120,7 @@ void summarize(const FittedModel& model, Identification& result) {
   for (auto& outlier : result.outliers) outlier.reading = result.used[static_cast<std::size_t>(outlier.reading)];
 }
 
-/// Fits the unknown bases with nothing else free, so that the full fit starts near its solution.
+/// Fits only the unknown base poses, so that the fit of all unknowns then starts near its solution.
 void fitBases(FittedModel& model, Identification& result) {
   const auto bases = basesOf(model.unknowns);
   if (bases.empty()) return;
@@ -142,7 +143,7 @@ VectorXd drawStart(const std::vector<Unknown>& unknowns, std::uint64_t seed, int
 
 bool isUsable(const Fit& fit) { return fit.solution.status != LeastSquaresStatus::kFailed && fit.residual.ok; }
 
-/// Keeps the fit with the lowest chi-square among several starts; returns false if no fit succeeds.
+/// Fits from one or several starts and keeps the fit with the smallest chi-square; returns false if none succeeds.
 bool fitFromStarts(FittedModel& model, Identification& result) {
   std::vector<double> ends;
   const int starts = std::max(1, model.options.starts);
@@ -164,8 +165,8 @@ bool fitFromStarts(FittedModel& model, Identification& result) {
   return isUsable(model.fit);
 }
 
-/// Computes the error of the model as placed, and returns the readings' weights; empty if the model cannot be
-/// evaluated.
+/// Stores the errors of the model before the fit in `size`, and returns the readings' weights; empty if the model
+/// cannot be evaluated.
 std::optional<ReadingWeights> measureStart(const PlacedArm& placed, const std::vector<Measurement>& fitted,
                                            ErrorSize& size) {
   auto weights = weighReadings(placed, fitted);
@@ -185,20 +186,20 @@ void noteReadingProblem(const std::vector<Measurement>& fitted, const std::vecto
   if (problem.reading >= 0) problem.reading = result.used[static_cast<std::size_t>(problem.reading)];
 }
 
-/// Drops a parameter: a stiffness becomes rigid; any other parameter keeps its start value.
+/// Removes a parameter from the model: a stiffness becomes rigid, any other parameter returns to its start value.
 void giveUp(const IdentifiedNumber& number, PlacedArm& start) {
   const bool is_stiffness = number.unknown.scale != Unknown::Scale::kLinear;
   deflection::locate(start.arm, number.unknown.path) = is_stiffness ? deflection::kRigid : number.unknown.start;
 }
 
-/// Returns how far a parameter is from the value that it would have if dropped, in sigmas.
+/// Returns the difference between a parameter and the value that it would have if dropped, in sigmas.
 double needOf(const IdentifiedNumber& number) {
-  // A stiffness has the same ratio to its sigma as its compliance has.
+  // A dropped stiffness has zero compliance; value / sigma is the same for the compliance as for the stiffness.
   if (number.unknown.scale != Unknown::Scale::kLinear) return number.value / number.sigma;
   return std::abs(number.value - number.unknown.start) / number.sigma;
 }
 
-/// Returns the index of the parameter that the readings require least, if its p-value exceeds the level; -1 otherwise.
+/// Returns the index of the least significant parameter if its p-value exceeds `level`; otherwise -1.
 int leastNeeded(const Identification& result, double level) {
   int least = -1;
   double need = std::numeric_limits<double>::infinity();
@@ -213,8 +214,7 @@ int leastNeeded(const Identification& result, double level) {
 Identification identifyOnce(const PlacedArm& start, const std::vector<Measurement>& readings,
                             const IdentificationOptions& options);
 
-/// Identifies once or, if dropping is requested, repeatedly, each time without the parameter that the readings require
-/// least.
+/// Identifies once or, if `drop_level` is above 0, repeatedly, each time without the least significant parameter.
 Identification identifyNeeded(const PlacedArm& start, const std::vector<Measurement>& readings,
                               const IdentificationOptions& options) {
   PlacedArm from = start;

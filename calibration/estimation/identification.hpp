@@ -51,18 +51,19 @@ struct IdentificationOptions {
   FreeChoice free;
   LeastSquaresOptions solver;
   RobustLoss loss = RobustLoss::kNone;
-  int starts = 1;          ///< number of starts: the first as given, the others drawn at random around it
-  std::uint64_t seed = 1;  ///< seed of the drawn starts and the folds
-  int folds = 5;  ///< number of folds of the cross-validation by pose, if no reading is marked held-out; 0: none
-  double outlier_level = 0.01;  ///< probability that any reading is named an outlier if there is none
-  /// Above 0: parameters that the readings do not require at this significance level are dropped.
+  int starts = 1;          ///< number of starting points: the given one, and others drawn at random around it
+  std::uint64_t seed = 1;  ///< seed of the random starts and of the assignment to folds
+  /// Number of folds of the cross-validation, which is done if no reading is marked as held out; 0: none.
+  int folds = 5;
+  double outlier_level = 0.01;  ///< probability that some reading is reported as an outlier although there is none
+  /// If above 0, parameters that are not significant at this level are dropped from the fit, one at a time.
   double drop_level = 0;
   bool intervals_by_profile = true;
-  bool may_hold_all = false;  ///< true: a model without free parameters is judged as it stands; false: it is refused
+  bool may_hold_all = false;  ///< true: a model without free parameters is evaluated as it is; false: it is refused
   /// Uncertainty of the parameters that are held fixed; empty: Identification::uncertainty is not computed.
   std::optional<ArmUncertainty> uncertainty;
-  WorkHooks hooks;  ///< progress report and stop request; `stop` also stops the solver
-  /// Called at every iteration of a fit to all readings, from every start, but not of refits to some of the readings.
+  WorkHooks hooks;  ///< progress report and stop request, which also stops the solver
+  /// Called at every iteration of a fit to all readings, from each start, but not in fits to a part of the readings.
   IterationObserver observe = {};
 };
 
@@ -70,17 +71,18 @@ enum class IdentificationStatus { kNotRun, kDone, kRefused, kNotConverged, kStop
 
 struct IdentifiedNumber {
   Unknown unknown;
-  double value = 0;  ///< value of the parameter; for a base component, of its step
+  double value = 0;  ///< value of the parameter; for a component of a base pose, its step
   double sigma = kNotKnown;
   double lower = kNotKnown;  ///< lower end of the 95 % interval
   double upper = kNotKnown;
-  bool is_profile = false;  ///< true: the interval was found by likelihood profile; false: it follows from `sigma`
+  bool is_profile = false;  ///< true: the interval is a likelihood-profile interval; false: it follows from `sigma`
   Identifiability identifiable = Identifiability::kNo;
-  std::vector<std::string> with;  ///< names of the unknowns in combination with which the readings determine this one
-  double prior_deviation = 0;     ///< deviation from the arm's file, in standard deviations of the prior
+  /// Names of the unknowns with which the errors of this one are correlated, for kInCombination.
+  std::vector<std::string> with;
+  double prior_deviation = 0;  ///< difference from the value in the arm's file, in standard deviations of the prior
   bool is_at_bound = false;
-  /// Values of an effect's size that explain the readings equally well, most probable first; empty if only `value`
-  /// does. The interval covers all of them.
+  /// For the magnitude of an effect: values that explain the readings equally well, most probable first; empty if only
+  /// `value` does. The interval covers all of them.
   std::vector<double> modes;
   std::string note;  ///< note for the user, as a sentence; may be empty
 };
@@ -96,9 +98,8 @@ struct StrongCorrelation {
   double value = 0;
 };
 
-/// Errors of a set of readings: root mean square, mean and maximum of their lengths [m]. The length of an error
-/// combines all rows of a reading: for a measured position, the distance to the predicted position; for an angle, the
-/// angle times kTurnLever.
+/// Root mean square, mean and maximum of the errors of a set of readings [m]. The error of a measured position is its
+/// distance from the predicted position; that of an angle is the difference times kTurnLever.
 struct ErrorSize {
   double rms = kNotKnown;
   double mean = kNotKnown;
@@ -110,41 +111,41 @@ struct ErrorSize {
 struct Identification {
   IdentificationStatus status = IdentificationStatus::kNotRun;
   std::string reason;
-  std::vector<FreeProblem> problems;  ///< names that cannot be freed, if the status is kRefused
+  std::vector<FreeProblem> problems;  ///< reasons why names cannot be freed, if the status is kRefused
   /// Reason why the readings do not determine enough, if the status is kRefused.
   std::optional<ReadingProblem> reading_problem;
-  std::vector<std::string> dropped;  ///< dropped parameters, which the readings do not require, as "NAME: why"
-  PlacedArm start, fitted;           ///< model with only the bases placed, and with everything fitted
+  std::vector<std::string> dropped;  ///< parameters dropped because the readings do not require them, as "NAME: why"
+  PlacedArm start, fitted;           ///< model before the fit, but with its bases placed, and model after the fit
   std::vector<IdentifiedNumber> numbers;
   /// Covariance of the variables of `numbers`, in the same order (compliances for stiffnesses).
   Eigen::MatrixXd covariance;
   std::vector<StrongCorrelation> correlations;
-  /// Errors of the fitted readings: with the model as it stands, with only the bases fitted, and with everything
-  /// fitted.
+  /// Errors of the fitted readings relative to the model before any fit, with only the bases fitted, and with all
+  /// unknowns fitted.
   ErrorSize before, after_base, after;
-  /// Errors of held-out readings, with only the bases fitted and with everything fitted.
+  /// Errors of held-out readings relative to the model with only the bases fitted, and with all unknowns fitted.
   ErrorSize heldout_before, heldout;
-  int not_judged = 0;              ///< number of held-out readings that the fit cannot predict (judgeable())
+  int not_judged = 0;              ///< number of held-out readings that the fit cannot predict; see judgeable()
   double noise_floor = kNotKnown;  ///< rms error due to noise alone [m]
   double chi2 = kNotKnown;
   /// Number of rows less the number of parameters and unknown places that they determine; may be zero or negative.
   int degrees_of_freedom = 0;
   double p_value = kNotKnown;
-  /// Standard deviation of the model error of each coordinate, included in the covariance [m]; above 0 if chi-square
-  /// rejects the stated noise.
+  /// Standard deviation of the model error of each coordinate [m], which the covariance takes into account; above 0 if
+  /// the residuals are too large for the stated noise.
   double model_error = 0;
-  /// Uncertainty of all parameters of the arm after the readings, if requested.
+  /// Uncertainty of all parameters of the arm, given the readings; empty if not requested.
   std::optional<ArmUncertainty> uncertainty;
   std::vector<Outlier> outliers;
   Eigen::VectorXd errors;  ///< length of each fitted reading's error [m], in the order of `used`
   std::vector<int> used;   ///< indices of the fitted readings
-  /// Singular values of the readings' Jacobian, with each column scaled by the parameter's typical size.
+  /// Singular values of the readings' Jacobian with respect to the parameters divided by their typical sizes.
   Eigen::VectorXd singular_values;
   int iterations = 0, evaluations = 0, jacobian_evaluations = 0;
   int starts_agreeing = 1;
 };
 
-/// Returns the identified parameters, in the order of the covariance, as variables that are 0 at the fit.
+/// Returns the identified parameters in the order of `result.covariance`, as unknowns whose variables are 0 at the fit.
 [[nodiscard]] std::vector<Unknown> fittedUnknowns(const Identification& result);
 
 /// Identifies the free parameters and the unknown base poses. Readings marked held-out are not fitted, but used to
@@ -152,22 +153,22 @@ struct Identification {
 [[nodiscard]] Identification identify(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                                       const std::vector<Measurement>& readings, const IdentificationOptions& options);
 
-/// A stage of an identification: the parameters that the stage frees, and the set-up whose readings it uses (empty:
-/// all).
+/// One stage of an identification: names of the parameters that it frees, and the set-up whose readings it uses (empty:
+/// all readings).
 struct IdentificationStage {
   std::vector<std::string> names;
   std::string setup;
 };
 
-/// Identifies in stages, as in Calkins 1994; each stage frees its own parameters. Parameters of earlier stages are held
-/// at their values, and their covariance is carried over. Returns one result per stage, up to a stage that is refused
-/// or stopped. The sigmas of each stage include the uncertainty of the parameters held.
+/// Identifies parameters in stages, as in Calkins 1994; each stage frees its own parameters. Those found in earlier
+/// stages are held at their values, and their uncertainty contributes to the sigmas of later stages. Returns one result
+/// per stage, up to the first stage that is refused or stopped.
 [[nodiscard]] std::vector<Identification> identifyInStages(const PlacedArm& start,
                                                            const std::vector<Measurement>& readings,
                                                            const std::vector<IdentificationStage>& stages,
                                                            const IdentificationOptions& options);
 
-/// Identifies from a start with a base pose for every set-up.
+/// Identifies like identify() above, but starts from an arm that already has a base pose for every set-up.
 [[nodiscard]] Identification identify(const PlacedArm& start, const std::vector<Measurement>& readings,
                                       const IdentificationOptions& options);
 

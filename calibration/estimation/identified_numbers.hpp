@@ -1,4 +1,4 @@
-// Results of a fit for each parameter: value, interval, how far the readings determine the value, and a note if one is
+// Results of a fit for each parameter: value, interval, verdict on whether the readings determine it, and a note if
 // needed.
 #pragma once
 
@@ -6,21 +6,21 @@
 
 namespace tubeplan::calibration {
 
-/// A fit within an identification, and the input of the fit.
+/// A fit made during an identification, together with its input.
 struct FittedModel {
   const std::vector<Measurement>& fitted;
   const IdentificationOptions& options;
-  PlacedArm start;  ///< state with the unknowns' variables at 0
+  PlacedArm start;  ///< state of the arm at which the variables of `unknowns` are 0
   std::vector<Unknown> unknowns;
   Fit fit;
   std::optional<ReadingWeights> start_weights;  ///< weights at `start`; empty if the model cannot be evaluated there
 };
 
-/// Fills `result.numbers`, one for each unknown in the same order.
+/// Fills `result.numbers` with one entry per unknown, in the order of `model.unknowns`.
 void describeNumbers(const FittedModel& model, Identification& result);
 
-/// Widens the intervals of effects' sizes to include all sizes that explain the readings equally well (size_modes.hpp),
-/// and states so in the notes.
+/// Widens the interval of each effect's magnitude to include all magnitudes that explain the readings equally well
+/// (size_modes.hpp), and adds a note on them.
 void widenSizes(const FittedModel& model, Identification& result);
 
 }  // namespace tubeplan::calibration

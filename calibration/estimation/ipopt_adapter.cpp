@@ -1,4 +1,4 @@
-// Interior-point method: the only file that uses Ipopt.
+// Interior-point method by Ipopt. No other file uses Ipopt.
 #include <IpIpoptApplication.hpp>
 #include <IpSolveStatistics.hpp>
 #include <IpTNLP.hpp>
@@ -14,11 +14,11 @@ namespace {
 using Eigen::MatrixXd, Eigen::VectorXd;
 using Ipopt::Number;
 constexpr double kUnbounded = 2e19;      // Ipopt's value for infinity
-constexpr double kRestingShare = 1e-13;  // change of chi2 that counts as rounding, as a fraction of chi2
-constexpr double kNearBound = 1e-2;      // distance from a bound that counts as near, in units of the variable's scale
+constexpr double kRestingShare = 1e-13;  // relative change of chi2 that counts as rounding
+constexpr double kNearBound = 1e-2;      // a variable is near a bound if closer than this, in units of its scale
 
-/// Half the squared residual, in Ipopt's interface. Trial points are evaluated without a Jacobian. The Jacobian of an
-/// accepted point serves both gradient and Hessian.
+/// The problem in Ipopt's interface; its objective is half the squared residual. Trial points are evaluated without a
+/// Jacobian. The Jacobian at an accepted point gives both the gradient and the (Gauss-Newton) Hessian.
 class NonlinearProgram : public Ipopt::TNLP {
  public:
   NonlinearProgram(ScaledProblem& problem, const IterationObserver& observe)
@@ -79,9 +79,9 @@ class NonlinearProgram : public Ipopt::TNLP {
     return true;
   }
 
-  /// Stops the iteration at the minimum. Ipopt's own test is absolute in the gradient: with a large lack of fit,
-  /// rounding prevents it from ever being met. The minimum counts as reached if a Gauss-Newton step predicts no
-  /// decrease beyond rounding, or if two steps in a row brought none.
+  /// Ends the iteration at the minimum. Ipopt's own test compares the gradient with an absolute tolerance, which
+  /// rounding makes unattainable if the residuals are large. Here, the minimum counts as reached if a Gauss-Newton step
+  /// predicts no decrease beyond rounding, or if two steps in a row have brought none.
   bool intermediate_callback(Ipopt::AlgorithmMode, Ipopt::Index iteration, Number value, Number, Number, Number,
                              Number step, Number damping, Number, Number, Ipopt::Index, const Ipopt::IpoptData*,
                              Ipopt::IpoptCalculatedQuantities*) override {
@@ -95,12 +95,12 @@ class NonlinearProgram : public Ipopt::TNLP {
                          Ipopt::Index, const Number*, const Number*, Number, const Ipopt::IpoptData*,
                          Ipopt::IpoptCalculatedQuantities*) override {
     solution = Eigen::Map<const VectorXd>(x, n);
-    chi2 = chi2At(x);  // Ipopt's own value is invalid after a failed evaluation
+    chi2 = chi2At(x);  // the value that Ipopt passes is invalid if an evaluation has failed
   }
 
  private:
-  /// Returns true if a Gauss-Newton step predicts no further decrease. The prediction is valid only away from all
-  /// bounds, because Ipopt's steps also depend on the barrier terms of nearby bounds.
+  /// Returns true if a Gauss-Newton step predicts no further decrease. Near a bound, returns false, because Ipopt's
+  /// steps also depend on the barrier terms there.
   [[nodiscard]] bool isAtBottom(Number value) const {
     const double now = 2 * value;
     if (!linearized_ || !(std::abs(r_.squaredNorm() - now) <= kRestingShare * now)) return false;
@@ -133,9 +133,9 @@ class NonlinearProgram : public Ipopt::TNLP {
   ScaledProblem& problem_;
   const IterationObserver& observe_;
   Eigen::Index n_;
-  VectorXd x_;  // point at which chi2_ was computed
+  VectorXd x_;  // point to which chi2_ belongs
   double chi2_ = std::numeric_limits<double>::quiet_NaN();
-  VectorXd linearized_x_, r_;  // point at which r_ and J_ were computed, and the residual there
+  VectorXd linearized_x_, r_;  // point to which r_ and J_ belong, and the residual there
   MatrixXd J_;
   bool linearized_ = false;
   double last_value_ = std::numeric_limits<double>::quiet_NaN();
@@ -152,8 +152,8 @@ Ipopt::SmartPtr<Ipopt::IpoptApplication> makeSolver() {
   settings->SetStringValue("nlp_scaling_method", "none");
   settings->SetNumericValue("bound_relax_factor", 0);
   settings->SetStringValue("mu_strategy", "adaptive");
-  // Each linear solution by MUMPS costs far more in overhead than in arithmetic. So there is one solution per step
-  // instead of three, and refinement only if the solution is inaccurate.
+  // Overhead dominates the cost of each linear solution by MUMPS. These settings reduce the number of solutions per
+  // step from three to one, and allow refinement only if a solution is inaccurate.
   settings->SetStringValue("mu_oracle", "loqo");
   settings->SetIntegerValue("min_refinement_steps", 0);
   if (solver->Initialize("") != Ipopt::Solve_Succeeded) return nullptr;
@@ -192,8 +192,9 @@ Meaning meaningOf(Ipopt::ApplicationReturnStatus status) {
 
 LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
                                            const IterationObserver& observe) {
-  // Calls run one at a time, because MUMPS, the linear solver of Debian's Ipopt, keeps its instances in a table of the
-  // process without a lock. One Ipopt instance serves all calls, because its set-up takes longer than many a solution.
+  // Calls are serialised, because MUMPS, the linear solver of Debian's Ipopt, keeps its instances in a process-wide
+  // table without a lock. All calls share one Ipopt instance, because creating one takes longer than solving many a
+  // problem.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   static const Ipopt::SmartPtr<Ipopt::IpoptApplication> solver = makeSolver();

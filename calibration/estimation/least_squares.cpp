@@ -1,4 +1,4 @@
-// The table of least-squares methods, and the cases that need no solver.
+// The table of least-squares methods, and the treatment of problems that need no solver.
 #include "calibration/estimation/least_squares.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ LeastSquaresResult evaluateFixed(const LeastSquaresProblem& problem) {
                              : scaled.failureAtStart();
 }
 
-/// Minimises with an `evaluate` that fails once a stop has been requested, so that every method soon ends.
+/// Minimises with an `evaluate` that fails as soon as a stop is requested, so that any method soon gives up.
 LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, const LeastSquaresProblem& problem,
                                         const LeastSquaresStop& rest, const LeastSquaresOptions& options) {
   bool is_stopped = false;
@@ -35,7 +35,7 @@ LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, cons
     is_stopped = is_stopped || options.stop();
     try {
       return !is_stopped && problem.evaluate(x, r, jacobian);
-    } catch (const WorkStopped&) {  // exceptions must not unwind through a solver
+    } catch (const WorkStopped&) {  // an exception must not pass through a third-party solver
       is_stopped = true;
       return false;
     }

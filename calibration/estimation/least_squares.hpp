@@ -1,5 +1,4 @@
-// Nonlinear least squares with bounds: the interface between all calibrations and the solvers, and the table of
-// solvers.
+// Interface to the solvers of bounded nonlinear least-squares problems, and the table of the solvers.
 #pragma once
 
 #include <Eigen/Dense>
@@ -14,8 +13,9 @@
 
 namespace tubeplan::calibration {
 
-/// Minimisation of half the squared length of r(x) within lower <= x <= upper. Residuals are whitened: 1 is one sigma.
-/// A variable with lower == upper is fixed. A start outside the bounds is moved to the nearest point within them.
+/// Minimisation of half the squared length of r(x) within lower <= x <= upper. Residuals are whitened: each is in units
+/// of its standard deviation. A variable with lower == upper is fixed. A start outside the bounds is moved to the
+/// nearest point within them.
 struct LeastSquaresProblem {
   Eigen::VectorXd start, lower, upper;
   Eigen::VectorXd scale;  ///< typical size of each variable, above zero; the solvers work in x / scale
@@ -26,8 +26,7 @@ struct LeastSquaresProblem {
 
 enum class LeastSquaresMethod { kHybrid, kInteriorPoint, kLevenbergMarquardt };
 
-/// Stopping rule of a method. Each method compares a quantity of its own with the tolerance; see the table in
-/// least_squares.cpp.
+/// Stopping rule of a method. The meaning of the tolerance depends on the method; see the table in least_squares.cpp.
 struct LeastSquaresStop {
   double tolerance;
   int max_iterations;
@@ -45,19 +44,19 @@ struct LeastSquaresIteration {
 
 using IterationObserver = std::function<void(const LeastSquaresIteration&)>;
 
-/// Options of a solver. If tolerance or iteration limit is not stated, the method's default is used.
+/// Options for a minimisation. If the tolerance or the iteration limit is empty, the method's default is used.
 struct LeastSquaresOptions {
   std::optional<double> tolerance = std::nullopt;
   std::optional<int> max_iterations = std::nullopt;
   LeastSquaresMethod method = LeastSquaresMethod::kHybrid;
   StopQuestion stop = {};          ///< called before every evaluation
-  IterationObserver observe = {};  ///< called at every iteration, including the start; must not change the result
+  IterationObserver observe = {};  ///< called at every iteration, including iteration 0
 };
 
 enum class LeastSquaresStatus { kNotRun, kConverged, kIterationLimit, kFailed, kStopped };
 
-/// Result of a solver. `x` is the point where the method stopped, whatever the status. chi2 is NaN if the model could
-/// not be evaluated at all.
+/// Result of a minimisation. `x` is the point where the method stopped, whatever the status. `chi2` is NaN if r(x)
+/// could not be evaluated at any point.
 struct LeastSquaresResult {
   LeastSquaresStatus status = LeastSquaresStatus::kNotRun;
   std::string reason;  ///< reason why the method stopped
@@ -85,15 +84,16 @@ struct LeastSquaresMethodKind {
                                  const IterationObserver& observe);
 };
 
-/// Returns the table of methods. A new method takes one file and one row of the table.
+/// Returns the table of methods. To add a method, write one file and add one row to this table.
 [[nodiscard]] std::span<const LeastSquaresMethodKind> leastSquaresMethods();
 
-/// Solves with the chosen method. Reversed bounds are rejected (kFailed). If every variable is fixed, only chi2 is
-/// computed.
+/// Solves the problem with the chosen method. Fails (kFailed) if a lower bound exceeds its upper bound. If every
+/// variable is fixed, only chi2 is computed.
 [[nodiscard]] LeastSquaresResult minimizeLeastSquares(const LeastSquaresProblem& problem,
                                                       const LeastSquaresOptions& options = {});
 
-// One minimiser per method, each defined in the file of its name; the interior point method in ipopt_adapter.cpp.
+// Minimisers, one per method, each defined in the file named after its method (for the interior point method,
+// ipopt_adapter.cpp).
 LeastSquaresResult minimizeHybrid(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
                                   const IterationObserver& observe);
 LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,

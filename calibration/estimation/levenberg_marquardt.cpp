@@ -1,7 +1,7 @@
 // Levenberg-Marquardt with bounds, as a trust-region method: Gauss-Newton steps in the variables not held by a bound,
-// damped until they are no longer than the radius within which the quadratic model has proved good (Moré 1978, "The
-// Levenberg-Marquardt algorithm: implementation and theory"). The method has little start-up cost, so repeated refits
-// use it.
+// damped until they are no longer than the radius within which the quadratic model has proved accurate (Moré 1978, "The
+// Levenberg-Marquardt algorithm: implementation and theory"). Repeated refits use this method because it starts
+// quickly.
 #include <algorithm>
 #include <cmath>
 
@@ -13,23 +13,25 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-constexpr double kFirstRadius = 1;  // first radius in typical sizes, as the root mean square over the variables
-// Smallest radius in typical sizes, as the root mean square: shorter steps change nothing.
+constexpr double kFirstRadius = 1;  // initial radius: root mean square step of the scaled variables
+// Smallest radius, in the same measure; shorter steps are lost in rounding.
 constexpr double kLeastRadius = 1e-14;
-// Relative increase of each diagonal element of the normal matrix, so that rounding alone moves no variable.
+// Relative increase of each diagonal element of the normal matrix, which prevents rounding errors from moving a
+// variable.
 constexpr double kRest = 1e-13;
-// Increase of all diagonal elements, as a fraction of the largest, so that variables without effect on any residual do
-// not move.
+// Increase of all diagonal elements, as a fraction of the largest, which keeps variables in place that affect no
+// residual.
 constexpr double kUnseen = 1e-30;
-constexpr double kLengthRest = 0.1;  // fraction of the radius by which a damped step may exceed the radius
-constexpr int kDampings = 20;        // maximum number of attempts to fit a step to the radius
-// Maximum number of attempts to make the damped matrix positive definite, doubling each time.
+constexpr double kLengthRest = 0.1;  // a damped step may exceed the radius by this fraction
+constexpr int kDampings = 20;        // maximum number of attempts to adapt the damping to the radius
+// Maximum number of times that the damping is doubled to make the damped matrix positive definite.
 constexpr int kFactorisations = 100;
-constexpr double kNoLackOfFit = 1e-6;  // chi2 below which the tolerance is no longer relative to chi2
-// Decrease of chi2 as a fraction of the predicted one: above kGood, the radius grows; below kPoor, it shrinks.
+constexpr double kNoLackOfFit = 1e-6;  // below this chi2, the tolerance is relative to this value instead of chi2
+// The radius grows if chi2 decreases by more than the fraction kGood of the predicted decrease, and shrinks below
+// kPoor.
 constexpr double kGood = 0.75, kPoor = 0.25;
 
-/// Half of the change of chi2 by a step, to second order: gradient . step + step . normal step / 2.
+/// Quadratic model of half the change of chi2 due to a step: gradient . step + step . normal step / 2.
 struct QuadraticModel {
   VectorXd gradient;
   MatrixXd normal;
@@ -43,8 +45,8 @@ struct QuadraticModel {
   }
 };
 
-/// Returns the indices of the variables that take part in a step: all except fixed ones and those at a bound beyond
-/// which the direction of descent would move them.
+/// Returns the indices of the variables that a step may change: all except fixed ones and those at a bound that
+/// steepest descent would cross.
 std::vector<Index> movable(const ScaledProblem& problem, const VectorXd& x, const VectorXd& gradient) {
   std::vector<Index> free;
   for (Index k = 0; k < x.size(); ++k) {
@@ -55,8 +57,8 @@ std::vector<Index> movable(const ScaledProblem& problem, const VectorXd& x, cons
   return free;
 }
 
-/// Returns -(normal + damping I)^-1 pull. If the length of this solution exceeds `radius`, the damping is increased
-/// until it does not (Newton's method on the inverse length).
+/// Returns -(normal + damping I)^-1 pull. If its length exceeds `radius`, increases `damping` until it no longer does
+/// (by Newton's method on the inverse of the length).
 VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, double& damping) {
   normal.diagonal() *= 1 + kRest;
   normal.diagonal().array() += kUnseen * normal.diagonal().maxCoeff() + damping;
@@ -64,7 +66,7 @@ VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, do
   int indefinite = 0;
   for (int k = 0; k <= kDampings; ++k) {
     factor.compute(normal);
-    if (factor.info() != Eigen::Success) {  // not positive definite by rounding: more damping
+    if (factor.info() != Eigen::Success) {  // not positive definite because of rounding; needs more damping
       if (++indefinite > kFactorisations) break;
       const double more = std::max(damping, kRest * normal.diagonal().maxCoeff());
       normal.diagonal().array() += more;
@@ -82,8 +84,8 @@ VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, do
   return VectorXd::Zero(pull.size());
 }
 
-/// Returns the step of the free variables, damped to a length of `radius` at most. Variables that would leave their
-/// bounds are set to the bound, and the others are solved for again with the same damping.
+/// Returns the step of the variables `free`, damped to a length of at most `radius`. If variables would leave their
+/// bounds, they are set to these, and the step of the others is computed again with the same damping.
 VectorXd boundedStep(const ScaledProblem& problem, const QuadraticModel& model, const VectorXd& x,
                      std::vector<Index> free, double radius, double& damping) {
   VectorXd step = VectorXd::Zero(x.size());
@@ -110,7 +112,7 @@ VectorXd boundedStep(const ScaledProblem& problem, const QuadraticModel& model, 
   return step;
 }
 
-/// State of one minimisation, which moves from point to point.
+/// State of one minimisation: the current point x_ with its residual and Jacobian, and the trust radius.
 class TrustRegionMinimizer {
  public:
   TrustRegionMinimizer(const LeastSquaresProblem& problem, const IterationObserver& observe)
@@ -138,22 +140,22 @@ class TrustRegionMinimizer {
   QuadraticModel model_;
   std::vector<Index> free_;
   double last_fall_ = std::numeric_limits<double>::infinity();
-  bool is_linear_ = true;  ///< true: r_ and jacobian_ belong to x_
+  bool is_linear_ = true;  ///< true: r_ and jacobian_ have been computed at x_
   int iterations_ = 0;
   double length_ = 0, damping_ = 0;  ///< length and damping of the last step taken
 };
 
-/// Adapts the radius to how well the model predicted the last decrease of chi2.
+/// Adapts the radius after a step, given the actual and the predicted decrease of chi2.
 void TrustRegionMinimizer::adaptRadius(double length, double fall, double predicted) {
-  const double share = fall > 0 ? fall / predicted : 0;  // a step limited by bounds may predict a rise
+  const double share = fall > 0 ? fall / predicted : 0;  // `predicted` may be negative if bounds limit the step
   if (share > kGood)
     radius_ = std::max(radius_, 2 * length);
   else if (!(share > kPoor))
     radius_ = kPoor * std::min(radius_, length);
 }
 
-/// Moves x_ to a point if chi2 decreases there. Most first trials succeed, so they compute the Jacobian with the value;
-/// trials after a rejected step compute the value only.
+/// Moves x_ to `next` if chi2 is smaller there, and returns whether it did. A first trial usually succeeds and
+/// therefore computes the Jacobian at once; trials after a rejected step compute only chi2.
 bool TrustRegionMinimizer::moveTo(const VectorXd& next, double predicted, bool is_first) {
   const bool is_linear = predicted > 0 && is_first && scaled_.linearizeAt(next, next_r_, next_jacobian_);
   const double tried = is_linear ? next_r_.squaredNorm() : predicted > 0 ? scaled_.chi2At(next) : chi2_;
@@ -169,14 +171,15 @@ bool TrustRegionMinimizer::moveTo(const VectorXd& next, double predicted, bool i
   return true;
 }
 
-/// Takes a step, shortened until chi2 decreases.
+/// Takes a step; as long as chi2 does not decrease, tries again with a shorter step.
 TrustRegionMinimizer::Step TrustRegionMinimizer::step(double tolerance) {
   for (bool is_first = true;; is_first = false) {
     double damping = 0;
     const VectorXd next = scaled_.withinBounds(x_ + boundedStep(scaled_, model_, x_, free_, radius_, damping));
     const double predicted = model_.predictedReduction(next - x_);
     const double little = tolerance * std::max(chi2_, kNoLackOfFit);
-    // A damped step may gain little only because it is short; at rest, the last step must have gained little too.
+    // A damped step may gain little only because it is short. It shows convergence only if the step before also gained
+    // little.
     if (std::abs(predicted) <= little && (damping == 0 || (is_first && last_fall_ <= little))) return Step::kAtRest;
     if (moveTo(next, predicted, is_first)) {
       damping_ = damping;

@@ -1,4 +1,4 @@
-// modelErrorOf(): the model's own error in addition to the noise.
+// Implementation of modelErrorOf(), which estimates the error of the model itself in addition to the noise.
 #include <algorithm>
 #include <cmath>
 
@@ -12,9 +12,11 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kGrossErrorLevel = 0.01;  // probability that any reading is taken for a gross error if there is none
+// Probability that some reading counts as a gross error although there is none.
+constexpr double kGrossErrorLevel = 0.01;
 
-/// Errors of readings relative to their noise plus an additional variance of every coordinate.
+/// Squared errors of readings relative to the sum of their noise variance and an additional variance of every
+/// coordinate.
 class ErrorVariance {
  public:
   ErrorVariance(const std::vector<Measurement>& readings, const ReadingWeights& weights, const VectorXd& error) {
@@ -26,13 +28,12 @@ class ErrorVariance {
     }
   }
 
-  /// Returns the mean square of a reading's error over its rows, relative to noise plus `variance`.
+  /// Returns the mean over a reading's rows of its squared error divided by the noise variance plus `variance`.
   [[nodiscard]] double meanSquare(std::size_t reading, double variance) const {
     return (squares_[reading].array() / (noise_[reading].array() + variance)).mean();
   }
 
-  /// Returns the variance at which the decreasing function `size(variance)` reaches zero; 0 if it is not positive at
-  /// zero.
+  /// Returns the root of the function `size`, which decreases with the variance; 0 if size(0) is not positive.
   template <class Size>
   [[nodiscard]] double solve(const Size& size) const {
     if (!(size(0.) > 0)) return 0;
@@ -46,7 +47,7 @@ class ErrorVariance {
     return high;
   }
 
-  /// Returns the median of meanSquare() over the readings, relative to its median for normal noise.
+  /// Returns the median of meanSquare() over the readings, divided by the median expected for normal noise.
   [[nodiscard]] double usualSquare(double variance) const {
     std::vector<double> squares;
     for (std::size_t k = 0; k < squares_.size(); ++k)
@@ -64,7 +65,8 @@ double modelErrorOf(const std::vector<Measurement>& readings, const ReadingWeigh
                     int degrees_of_freedom) {
   if (degrees_of_freedom <= 0) return 0;
   const ErrorVariance errors(readings, weights, error);
-  // The typical error of most readings shows which errors are gross; gross errors are not due to the model.
+  // Errors that are far larger than the typical one are gross errors. They are excluded, because the model does not
+  // cause them.
   const double usual = errors.solve([&](double v) { return errors.usualSquare(v) - 1; });
   ChiSquareLimit limitOf(kGrossErrorLevel / static_cast<double>(readings.size()));
   std::vector<std::size_t> kept;

@@ -12,13 +12,13 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Error of a reading relative to the fit without that reading.
+/// Error of a reading relative to a fit without it.
 struct Alone {
   VectorXd error;     // error of the reading [m]
-  double square = 0;  // square of the error relative to its covariance: chi-square with one degree of freedom per row
+  double square = 0;  // error^T covariance^-1 error: chi-square with one degree of freedom per row
 };
 
-/// Returns each reading's rows of the basis Q of its unknown point; empty for readings without an unknown point.
+/// Returns for each reading its rows of the matrix Q of its unknown point; empty for readings without an unknown point.
 std::vector<MatrixXd> pointBlocks(const ReadingWeights& weights, std::size_t readings) {
   std::vector<MatrixXd> blocks(readings);
   for (const auto& point : weights.points)
@@ -29,10 +29,10 @@ std::vector<MatrixXd> pointBlocks(const ReadingWeights& weights, std::size_t rea
   return blocks;
 }
 
-/// Returns the error of a reading relative to the fit without the reading. With H the reading's block of the projection
-/// onto the fitted unknowns, the error is (I - H)^-1 r, with covariance (I - H)^-1, both in units of the reading's
-/// weighted noise. The factor f of a robust fit is undone: the reading's own part of the covariance stays 1, and the
-/// part due to other readings grows by 1 / f.
+/// Returns the error of a reading relative to a fit without it. With H the reading's block of the projection onto the
+/// fitted unknowns, this error is (I - H)^-1 r and its covariance (I - H)^-1, both whitened. The weight factor f of a
+/// robust fit is undone: the reading's own part of the covariance stays I, the part due to other readings is divided by
+/// f.
 Alone judgeAlone(const VectorXd& r, const MatrixXd& H, double factor, const MatrixXd& covariance) {
   const Index n = r.size();
   const auto left = (MatrixXd::Identity(n, n) - H).completeOrthogonalDecomposition();
@@ -57,7 +57,7 @@ std::vector<Alone> judgeAll(const std::vector<Measurement>& readings, const Fit&
   return all;
 }
 
-/// Returns the square of the factor by which the errors of most readings exceed their noise; 1 if they do not.
+/// Returns the square of the factor by which the typical error exceeds the noise, but at least 1.
 double usualSquare(const std::vector<Measurement>& readings, const std::vector<Alone>& all) {
   std::vector<double> sizes;
   for (std::size_t k = 0; k < all.size(); ++k) {

@@ -1,4 +1,4 @@
-// Detection of readings with larger errors than noise explains.
+// Detection of outliers: readings whose errors are too large to be noise.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace tubeplan::calibration {
 
-/// Compares each reading with the fit without that reading, in units of noise. Returns the readings with errors so
-/// large that noise would cause one anywhere in the set with a probability below `level`; worst first, as indices into
-/// `readings`. If most errors exceed the noise, they are compared with the typical error instead. The weights of a
-/// robust fit are removed first.
+/// Compares each reading with its prediction by a fit without that reading. Returns the outliers, worst first. The
+/// limit is chosen such that noise alone produces an outlier anywhere in the set with probability `level`. If most
+/// errors exceed the noise, the limit is relative to the typical error instead. Weight factors of a robust fit are
+/// undone first.
 [[nodiscard]] std::vector<Outlier> findOutliers(const std::vector<Measurement>& readings, const Fit& fit, double level);
 
 }  // namespace tubeplan::calibration

@@ -1,5 +1,5 @@
-// Prior knowledge in a fit and in the resulting uncertainty. Every free parameter has a normal prior
-// (Unknown::prior_sigma), which enters least squares as one more residual, (x - mean) / sigma. The optimum is then the
+// How prior knowledge enters a fit and the resulting uncertainty. Every free parameter has a normal prior
+// (Unknown::prior_sigma), which enters least squares as one more residual, (x - mean) / sigma. The minimum is then the
 // most probable state. Its posterior covariance C is the inverse of J^T J + Lambda, with Lambda = diag(1 / sigma^2). Of
 // the n parameters, the readings determine p = tr(C J^T J), the effective number of parameters (Spiegelhalter et al.
 // 2002, "Bayesian measures of model complexity and fit").
@@ -12,22 +12,23 @@
 
 namespace tubeplan::calibration {
 
-/// Returns one prior residual per unknown; 0 for an unknown without a prior.
+/// Returns the prior residual of each unknown, (x - mean) / sigma; 0 for an unknown without a prior.
 [[nodiscard]] Eigen::VectorXd priorResiduals(const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x);
 
 /// Returns the derivative of each prior residual with respect to its variable: 1 / sigma.
 [[nodiscard]] Eigen::VectorXd priorSlopes(const std::vector<Unknown>& unknowns);
 
-/// Returns the prior information on each variable divided by its typical size: (typical / sigma)^2.
+/// Returns the diagonal of the prior information matrix for the variables divided by their typical sizes: (typical /
+/// sigma)^2.
 [[nodiscard]] Eigen::VectorXd priorInformation(const std::vector<Unknown>& unknowns);
 
-/// Returns the posterior covariance of the variables from the whitened Jacobian of the readings and the priors; zero
-/// for variables that neither determines.
+/// Returns the posterior covariance of the variables, given the whitened Jacobian of the readings. It is zero for a
+/// variable that neither the readings nor its prior determine.
 [[nodiscard]] Eigen::MatrixXd posteriorCovariance(const Eigen::MatrixXd& jacobian,
                                                   const std::vector<Unknown>& unknowns);
 
-/// Returns the inverse of an information matrix that determines every variable; the scales of the variables may differ
-/// widely.
+/// Returns the inverse of an information matrix, which must be positive definite; the scales of its variables may
+/// differ widely.
 [[nodiscard]] Eigen::MatrixXd inverseOfInformation(const Eigen::MatrixXd& information);
 
 /// Returns the effective number of parameters that the readings determine, from 0 to all, given the posterior

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kRise = 3.841458820694124;  // 95 % quantile of chi-square with one degree of freedom
 constexpr int kMaxSteps = 12;
-constexpr double kFarthest = 40;  // distance from the optimum [sigmas] beyond which the interval counts as unbounded
+constexpr double kFarthest = 40;  // an interval that extends farther from the optimum [sigmas] counts as unbounded
 
-/// Returns solver options for fits that start from the last fit.
+/// Returns solver options for refits, which start close to their solution.
 LeastSquaresOptions nearby(const StopQuestion& stop) {
   return {1e-6, 30, LeastSquaresMethod::kLevenbergMarquardt, stop};
 }
@@ -29,8 +29,8 @@ struct Profile {
   double least;  ///< chi-square of readings and priors at the optimum
   LeastSquaresOptions solver;
 
-  /// Returns the square root of the rise of chi-square relative to the allowed rise, less 1, at an offset of the
-  /// variable: -1 at the optimum, 0 at the end of the interval.
+  /// Refits with the variable fixed at `offset` from the optimum, and returns sqrt(rise of chi-square / kRise) - 1: -1
+  /// at the optimum, 0 at an end of the interval.
   [[nodiscard]] double riseAt(double offset, VectorXd& x) const {
     std::vector<Unknown> fixed = unknowns;
     const double value = best.solution.x[variable] + offset;
@@ -42,7 +42,7 @@ struct Profile {
     return std::sqrt(std::max(0., solution.chi2 - least) / kRise) - 1;
   }
 
-  /// Returns the offset in one direction at which the allowed rise is reached; infinite if it is never reached.
+  /// Returns the offset in one direction at which chi-square has risen by kRise; infinite if it never rises that far.
   [[nodiscard]] double end(double direction, double sigma) const {
     const Unknown& unknown = unknowns[static_cast<std::size_t>(variable)];
     const double room =

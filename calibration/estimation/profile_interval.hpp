@@ -1,5 +1,5 @@
-// The 95 % likelihood-profile interval of one variable: the range within which chi-square, with all other variables
-// fitted again, rises by no more than 3.84.
+// The 95 % likelihood-profile interval of one variable: the range over which it can be moved, with all other variables
+// refitted, before chi-square rises by more than 3.84.
 #pragma once
 
 #include "calibration/estimation/fit.hpp"
@@ -7,7 +7,7 @@
 namespace tubeplan::calibration {
 
 struct ProfileInterval {
-  /// Ends of the interval of the variable; infinite where chi-square never rises that far.
+  /// Ends of the interval, as values of the variable; infinite in a direction in which chi-square never rises that far.
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
 };

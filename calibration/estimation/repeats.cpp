@@ -16,8 +16,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kSameJoint = 2e-3;  // largest joint difference of repeated readings [rad, m]
-constexpr double kSameLoad = 1e-6;   // largest load difference of repeated readings [N]
+constexpr double kSameJoint = 2e-3;  // largest difference between joint readings of repeats [rad, m]
+constexpr double kSameLoad = 1e-6;   // largest difference between loads of repeats [N]
 
 bool areClose(const VectorXd& a, const VectorXd& b) { return (a - b).lpNorm<Eigen::Infinity>() <= kSameJoint; }
 
@@ -29,7 +29,7 @@ bool areAlike(const Measurement& a, const Measurement& b) {
          a.wrench == b.wrench && areClose(a.q, b.q) && areClose(a.side_q, b.side_q);
 }
 
-/// Returns the chi-square of the errors of a group of repeated readings about their weighted mean.
+/// Returns the chi-square of the errors in a group of repeated readings relative to the weighted mean of these errors.
 double scatterOf(const std::vector<int>& members, const ReadingWeights& weights, const VectorXd& error, Index rows) {
   const auto n = static_cast<Index>(members.size());
   MatrixXd design(n * rows, rows);
@@ -45,8 +45,8 @@ double scatterOf(const std::vector<int>& members, const ReadingWeights& weights,
 }  // namespace
 
 std::vector<int> groupRepeats(const std::vector<Measurement>& readings) {
-  // Repeats have nearly the same value of the first joint, so only readings in the same or a neighbouring cell of this
-  // value are compared.
+  // To avoid comparing all pairs, each reading is compared only with those whose first joint reading, rounded to a
+  // cell, is in the same or a neighbouring cell.
   std::map<std::tuple<std::string, std::string, long>, std::vector<int>> firsts;
   std::vector<int> groups;
   int count = 0;

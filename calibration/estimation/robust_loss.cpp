@@ -13,13 +13,14 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-/// Returns the weight factor of a reading, given the length of its whitened residual relative to the usual length.
+/// Returns the weight factor of a reading; `length` is the length of its whitened residual divided by the typical
+/// length.
 double robustFactor(double length, RobustLoss loss) {
   if (loss == RobustLoss::kNone) return 1;
   return loss == RobustLoss::kHuber ? (length > 1.6 ? 1.6 / length : 1) : 1 / (1 + length * length / 6);
 }
 
-/// Returns the mean fraction of a reading's squared whitened residual that remains after a robust loss, for normal
+/// Returns the expected fraction of a reading's chi-square that remains after weighting by a robust loss, for normal
 /// noise.
 double shareLeft(int rows, RobustLoss loss) {
   constexpr int kSteps = 400;

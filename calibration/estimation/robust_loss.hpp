@@ -10,15 +10,15 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the weight factor of each reading from the length of its whitened residual, relative to the spread of most
-/// readings: a model with errors everywhere must not make every reading an outlier. `old` holds the factors already
-/// included in `weights`; empty: none.
+/// Returns the weight factor of each reading from the length of its whitened residual. Lengths are relative to their
+/// typical value, so that a model with errors everywhere does not reduce the weight of every reading. `old` holds the
+/// factors already included in `weights`; empty: none.
 [[nodiscard]] Eigen::VectorXd robustFactors(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                             const WhitenedResidual& residual, const Eigen::VectorXd& old,
                                             RobustLoss loss);
 
-/// Returns the chi-square of a residual after reduction by a loss, rescaled to be comparable with its degrees of
-/// freedom.
+/// Returns the chi-square of a residual whose weights include those of a robust loss. It is rescaled so that its
+/// expected value is again the number of degrees of freedom.
 [[nodiscard]] double comparableChi2(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                     const Eigen::VectorXd& r, RobustLoss loss);
 

@@ -9,7 +9,7 @@ ScaledProblem::ScaledProblem(const LeastSquaresProblem& problem)
       lower_(problem.lower.cwiseQuotient(problem.scale)),
       upper_(problem.upper.cwiseQuotient(problem.scale)) {}
 
-/// Returns the unscaled point, clamped because rounding of the product might carry it out of its bounds.
+/// Returns the point in the problem's own units, clamped to the bounds, because rounding may move it beyond them.
 VectorXd ScaledProblem::unscaled(const VectorXd& x) const {
   return x.cwiseProduct(problem_.scale).cwiseMax(problem_.lower).cwiseMin(problem_.upper);
 }

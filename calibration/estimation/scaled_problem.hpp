@@ -1,5 +1,5 @@
-// A least-squares problem as presented to the solvers: variables are in units of their scale and always within bounds,
-// and every evaluation is counted.
+// A least-squares problem in the form that the solvers use: its variables are divided by their scales and kept within
+// their bounds, and its evaluations are counted.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ class ScaledProblem {
   /// `problem` must outlive this object.
   explicit ScaledProblem(const LeastSquaresProblem& problem);
 
-  // Start and bounds, in units of the variables' scale.
+  // Start and bounds of the scaled variables.
   [[nodiscard]] Eigen::VectorXd start() const { return withinBounds(problem_.start.cwiseQuotient(problem_.scale)); }
   [[nodiscard]] const Eigen::VectorXd& lower() const { return lower_; }
   [[nodiscard]] const Eigen::VectorXd& upper() const { return upper_; }
@@ -21,14 +21,14 @@ class ScaledProblem {
     return x.cwiseMax(lower_).cwiseMin(upper_);
   }
 
-  /// Returns r . r at scaled x; infinity if the problem cannot be evaluated or the value is not finite.
+  /// Returns r . r at the scaled variables x; infinity if r cannot be evaluated there or is not finite.
   [[nodiscard]] double chi2At(const Eigen::VectorXd& x);
 
-  /// Computes the residuals at scaled x and their Jacobian with respect to the scaled variables. Returns false if the
-  /// problem cannot be evaluated or a value is not finite.
+  /// Computes the residuals and their Jacobian with respect to the scaled variables, at the scaled variables x. Returns
+  /// false if they cannot be evaluated there or are not finite.
   [[nodiscard]] bool linearizeAt(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd& jacobian);
 
-  /// Returns the result of a solver at scaled x, with the evaluations counted so far.
+  /// Returns the result of a minimisation that ends at the scaled variables x, with the number of evaluations so far.
   [[nodiscard]] LeastSquaresResult resultAt(const Eigen::VectorXd& x, double chi2, LeastSquaresStatus status,
                                             std::string reason, int iterations = 0) const;
   [[nodiscard]] LeastSquaresResult failureAtStart() const;

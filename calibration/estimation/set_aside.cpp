@@ -12,9 +12,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kFewOutliers = 10;  // at most one reading in kFewOutliers may be an outlier
+constexpr std::size_t kFewOutliers = 10;  // at most one reading in this many may be an outlier
 
-/// Returns, for each unknown place, the number of its readings that are neither held out nor set aside.
+/// Returns, for each unknown point or surface, the number of its touches that are neither held out nor set aside.
 std::map<std::string, int> touchesLeft(const std::vector<int>& set_aside, const std::vector<Measurement>& readings) {
   std::map<std::string, int> left;
   for (std::size_t k = 0; k < readings.size(); ++k)
@@ -36,9 +36,8 @@ std::vector<int> outliersOf(const Identification& fit) {
   return places;
 }
 
-/// Returns those readings set aside whose errors, relative to the fit of the other readings, exceed their noise: a
-/// robust fit may also have named readings that are no outliers. Only readings of the tip's position are checked; all
-/// others are returned.
+/// Returns those of the readings set aside that the fit to the others mispredicts, because a robust fit may also have
+/// named readings that are no outliers. Only measured tip positions are checked; all other readings are returned.
 std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set_aside,
                           const std::vector<Measurement>& readings, double level) {
   std::vector<int> missed;
@@ -63,7 +62,8 @@ std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set
   return missed;
 }
 
-/// Returns the outliers, and the touches that they leave alone at a point of unknown position, which determine nothing.
+/// Returns the outliers together with any remaining touches of unknown points that are too few without the outliers to
+/// give any information.
 std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector<Measurement>& readings) {
   const auto isLeft = [&](std::size_t k) {
     return !readings[k].is_held_out && !std::binary_search(outliers.begin(), outliers.end(), static_cast<int>(k));

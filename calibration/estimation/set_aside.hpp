@@ -1,4 +1,5 @@
-// Readings that a fit, a comparison or a diagnosis sets aside as outliers, as ascending indices.
+// Setting aside of outliers before a fit, a comparison or a diagnosis. Lists of readings set aside are ascending
+// indices.
 #pragma once
 
 #include <functional>
@@ -14,7 +15,7 @@ namespace tubeplan::calibration {
                                             const std::vector<int>& set_aside);
 
 /// Returns the number of independent outliers among the readings set aside. If all touches of an unknown point are set
-/// aside, one of the touches counts as good.
+/// aside, one of them is not counted.
 [[nodiscard]] double countOutliers(const std::vector<int>& set_aside, const std::vector<Measurement>& readings);
 
 /// The readings set aside as outliers, and the fit of the remaining readings.
@@ -23,20 +24,20 @@ struct WithoutOutliers {
   Identification fit;
 };
 
-/// Function that fits the present model to some of the readings.
+/// Function that fits the same model as the baseline fit to the given readings, with the given robust loss.
 using BaselineFit = std::function<Identification(const std::vector<Measurement>& readings, RobustLoss loss)>;
 
 /// Finds outliers and fits the remaining readings. The search is repeated on the remaining readings, because a large
-/// outlier hides a smaller one. If chi-square rejects the baseline fit, but the fit names no outlier, those of a robust
-/// fit are taken, because several outliers bias a plain fit. `level` is IdentificationOptions::outlier_level. Empty if
-/// there are no outliers, or if more than one reading in ten is an outlier.
+/// outlier hides a smaller one. If chi-square rejects the baseline fit although it shows no outlier, the outliers of a
+/// robust fit are used, because several outliers together can bias a fit so far that none stands out. `level` is
+/// IdentificationOptions::outlier_level. Empty if there are no outliers, or if more than one reading in ten is an
+/// outlier.
 [[nodiscard]] std::optional<WithoutOutliers> withoutOutliers(const std::vector<Measurement>& readings,
                                                              const Identification& baseline, double level,
                                                              const BaselineFit& fit);
 
-/// Returns the indices of the readings that withoutOutliers() sets aside before a model is fitted or judged; empty if
-/// there are no outliers or too many. `baseline` is the fit to all readings with `options`, possibly without free
-/// parameters.
+/// Returns the indices of the readings that withoutOutliers() sets aside; empty if there are no outliers, or too many.
+/// `baseline` is the fit to all readings with `options`, possibly without free parameters.
 [[nodiscard]] std::vector<int> readingsToSetAside(const PlacedArm& start, const std::vector<Measurement>& readings,
                                                   const Identification& baseline, const IdentificationOptions& options);
 

@@ -17,7 +17,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Set-up and joint readings. Readings at the same station share their encoder errors.
+/// Set-up and joint readings of a measurement. Measurements at the same station share their encoder errors.
 using Station = std::pair<std::string, std::vector<double>>;
 
 Station stationOf(const std::string& setup, const Measurement& reading) {
@@ -26,14 +26,13 @@ Station stationOf(const std::string& setup, const Measurement& reading) {
   return {setup, std::move(joints)};
 }
 
-/// A reading at a station, and the first column of its `by_joints` that belongs to the station.
+/// A reading at a station, and the first of the columns in its matrix `by_joints` that belong to this station.
 struct Share {
   int reading = 0;
   Index first = 0;
 };
 
-/// Returns the indices, among all rows, of the rows of these readings; `first_row_of` gives the first row of each
-/// reading.
+/// Returns the indices of the rows of these readings; `first_row_of` gives the index of each reading's first row.
 template <class FirstRow>
 std::vector<Index> rowsOfThese(const ReadingWeights& weights, const std::vector<int>& readings,
                                const FirstRow& first_row_of) {
@@ -53,8 +52,8 @@ void takeOff(const SharedNoise& shared, const std::vector<Index>& rows, Eigen::R
   columns(rows, Eigen::all) = own - shared.Q * (shared.shrink.asDiagonal() * (shared.Q.transpose() * own));
 }
 
-/// Returns true if these readings may share noise. An unknown place is eliminated from its own touches alone, so these
-/// may share noise only with one another.
+/// Returns true if the noise that these readings share can be taken into account. Each unknown point is eliminated
+/// separately, so its touches may share noise only with one another.
 bool canShare(const std::vector<Share>& shares, const std::vector<Measurement>& readings) {
   const auto at = [&](const Share& share) -> const Measurement& {
     return readings[static_cast<std::size_t>(share.reading)];
@@ -65,11 +64,11 @@ bool canShare(const std::vector<Share>& shares, const std::vector<Measurement>& 
   });
 }
 
-/// Returns true for each station whose shared noise can be computed at an acceptable cost. Long chains of displacements
-/// connect many stations, whose readings would all be mixed.
+/// Returns, for each station, whether its shared noise can be computed at an acceptable cost. Long chains of
+/// displacements connect many stations, so that the matrices Q would have the rows of all their readings.
 std::vector<bool> areAffordable(const std::vector<const std::vector<Share>*>& stations,
                                 const std::vector<Measurement>& readings, Index joints) {
-  constexpr double kMostNumbers = 5e6;  // largest number of entries of all Q of connected readings
+  constexpr double kMostNumbers = 5e6;  // largest total number of entries in the matrices Q of connected stations
   std::vector<int> leader(readings.size());
   std::iota(leader.begin(), leader.end(), 0);
   const auto leaderOf = [&](int k) {
@@ -97,7 +96,7 @@ SharedNoise sharedBy(const std::vector<Share>& shares, const VectorXd& sigmas, s
     auto columns = by_joints[static_cast<std::size_t>(reading)].middleCols(first, sigmas.size());
     const MatrixXd slopes = columns * sigmas.asDiagonal();
     columns.setZero();
-    // A displacement that ends at its reference posture is listed twice in a row; the derivatives add up.
+    // A displacement that ends at its reference posture is listed twice in succession; its derivatives are added up.
     if (!shared.readings.empty() && shared.readings.back() == reading) {
       shared.slopes.back() += slopes;
       continue;
@@ -150,8 +149,8 @@ std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm, const s
 
 namespace {
 
-/// The earlier groups of shared noise that affect the rows of some readings, in order, and all readings that these
-/// groups mix.
+/// The groups of shared noise placed earlier that affect certain readings, in order, and all readings that these groups
+/// mix.
 struct Reach {
   std::vector<std::size_t> before;
   std::vector<int> mixed;
@@ -169,7 +168,8 @@ Reach reachOf(const std::vector<SharedNoise>& shared, const std::vector<int>& re
     open.erase(open.begin());
     reach.before.push_back(next);
     for (const int k : shared[next].mixed)
-      if (mixed.insert(k).second)  // its rows of U are zero before `next`: earlier groups do not change them
+      // The rows of U of this reading are zero before group `next`, so only later groups matter.
+      if (mixed.insert(k).second)
         for (const std::size_t other : placed[static_cast<std::size_t>(k)])
           if (other > next) open.insert(other);
   }
@@ -180,8 +180,8 @@ Reach reachOf(const std::vector<SharedNoise>& shared, const std::vector<int>& re
 }  // namespace
 
 void placeSharedNoise(ReadingWeights& weights) {
-  constexpr double kSeen = 1e-9;  // eigenvalue below which the addition to unit variance is negligible
-  // Indices of the groups that already mix each reading.
+  constexpr double kSeen = 1e-9;  // eigenvalues of U U^T below this are negligible beside the unit variance
+  // For each reading, indices of the groups already placed that mix it.
   std::vector<std::vector<std::size_t>> placed(weights.whitener.size());
   for (std::size_t s = 0; s < weights.shared.size(); ++s) {
     SharedNoise& shared = weights.shared[s];

@@ -17,27 +17,28 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// Largest number of readings used; ambiguities that remain with so many would remain with more.
+// Largest number of readings used in the search; more would hardly resolve an ambiguity that these leave.
 constexpr std::size_t kMostReadings = 400;
-// Increase of chi-square (with priors) up to which sizes explain the readings equally well.
+// Sizes explain the readings equally well if their chi-squares (with priors) differ by no more than this.
 constexpr double kAsGood = 4;
-constexpr double kPromising = 0.5;  // a start is fitted if it attains this fraction of the best decrease of chi-square
-constexpr double kApart = 3;        // smallest difference between two modes, in standard deviations
-// Smallest difference of predictions that distinguishes two modes, in standard deviations of the reading.
+constexpr double kPromising = 0.5;  // a start is fitted if its chi-square falls by this fraction of the best fall
+constexpr double kApart = 3;        // modes closer than this many standard deviations count as one
+// A reading distinguishes two modes if its predictions differ by more than this many of its standard deviations.
 constexpr double kDecides = 4;
 constexpr int kIterations = 20;
-constexpr double kExact = 1e-6;                      // tip error assumed if no encoder noise is stated [m]
-constexpr double kStretch = 0.05, kMostStretch = 3;  // step and largest value of the common factor of all sizes
-// Trial amplitudes, as fractions of the typical size.
+constexpr double kExact = 1e-6;  // standard deviation of the tip assumed if no encoder noise is stated [m]
+// Step and largest value of the factor by which all sizes are multiplied.
+constexpr double kStretch = 0.05, kMostStretch = 3;
+// Amplitudes tried along a direction, as fractions of the typical size.
 constexpr double kAmplitudes[] = {0.0125, 0.025, 0.05, 0.1, 0.2, 0.4, 0.8};
 
-/// One or two sizes that differ from their neutral values, and the sign of each difference.
+/// Direction of search: one or two sizes to change from their neutral values, and the weight and sign of each change.
 struct Direction {
   std::vector<std::size_t> sizes;  ///< indices of the sizes among the unknowns
   VectorXd signs;
 };
 
-/// Search over the sizes of one effect, singly and in pairs, with all other unknowns fitted again.
+/// Search over the sizes of one effect, singly and in pairs, with all other unknowns refitted.
 class SizeSearch {
  public:
   explicit SizeSearch(const SizeModesQuestion& question) : asked_(question) {
@@ -54,7 +55,7 @@ class SizeSearch {
     bare_ = applied(asked_.placed, asked_.unknowns, neutral);
   }
 
-  /// Returns the modes, most probable first.
+  /// Returns all modes found, most probable first.
   [[nodiscard]] std::vector<SizeMode> find() const {
     if (weights_.rows == 0) return {};
     std::vector<SizeMode> modes{asFound()};
@@ -77,7 +78,8 @@ class SizeSearch {
  private:
   [[nodiscard]] bool isSize(std::size_t k) const { return std::ranges::find(asked_.sizes, k) != asked_.sizes.end(); }
 
-  /// Returns all other unknowns, then the sizes of the direction, which are 0 at their neutral values.
+  /// Returns the unknowns that are not sizes of the effect, then the sizes of the direction with variables that are 0
+  /// at their neutral values.
   [[nodiscard]] std::vector<Unknown> unknownsOf(const Direction& direction) const {
     std::vector<Unknown> unknowns = others_;
     for (const std::size_t k : direction.sizes)
@@ -85,8 +87,8 @@ class SizeSearch {
     return unknowns;
   }
 
-  /// Returns the search directions: each size alone with either sign, and the diagonals of each pair of sizes of the
-  /// same quantity.
+  /// Returns the directions of search: each size alone with either sign, and each pair of sizes of the same quantity
+  /// with all combinations of signs.
   [[nodiscard]] std::vector<Direction> directions() const {
     std::vector<Direction> directions;
     for (auto i = asked_.sizes.begin(); i != asked_.sizes.end(); ++i)
@@ -110,7 +112,8 @@ class SizeSearch {
                                                                 : std::numeric_limits<double>::infinity();
   }
 
-  /// Returns the variables at the best of several amplitudes along a direction, with all other unknowns as found.
+  /// Returns the variables at the amplitude along a direction that gives the smallest cost, with all other unknowns as
+  /// in the fit.
   [[nodiscard]] VectorXd bestAlong(const Direction& direction, const std::vector<Unknown>& unknowns) const {
     VectorXd best = zerosOf(unknowns);
     double least = std::numeric_limits<double>::infinity();
@@ -126,8 +129,8 @@ class SizeSearch {
     return best;
   }
 
-  /// Returns the standard deviations of all sizes; 0 for those not in `sizes`, which are the last unknowns of the
-  /// problem.
+  /// Returns the standard deviations of all sizes of the effect, 0 for those not in `sizes`. The variables of `sizes`
+  /// must be the last of the problem.
   [[nodiscard]] VectorXd sigmaAt(const LeastSquaresProblem& problem, const VectorXd& x,
                                  const std::vector<std::size_t>& sizes) const {
     VectorXd sigma = VectorXd::Zero(static_cast<Index>(asked_.sizes.size())), r;
@@ -174,7 +177,7 @@ class SizeSearch {
     return mode;
   }
 
-  /// Returns the state with all sizes of a mode multiplied by a factor: 1 changes nothing, 0 makes the effect neutral.
+  /// Returns the state of a mode with all its sizes multiplied by `by`: 1 changes nothing, 0 makes the effect neutral.
   [[nodiscard]] PlacedArm stretched(const SizeMode& mode, double by) const {
     PlacedArm state = mode.state;
     for (std::size_t k = 0; k < asked_.sizes.size(); ++k) {
@@ -185,8 +188,8 @@ class SizeSearch {
     return state;
   }
 
-  /// Returns the chi-square of the readings. For a step count, only the distance beyond the tolerances counts, relative
-  /// to encoder noise.
+  /// Returns the chi-square of the readings at a state. A step count contributes only the distance by which its limits
+  /// of the centring error are violated, relative to encoder noise.
   [[nodiscard]] double disagreementOf(const PlacedArm& state) const {
     double sum = 0;
     for (std::size_t k = 0; k < readings_.size(); ++k) {
@@ -206,8 +209,8 @@ class SizeSearch {
     return sum;
   }
 
-  /// Sets the limits of each size: the range over which all sizes may be multiplied by a common factor while the
-  /// readings are still explained.
+  /// Sets the limits of each size, by multiplying all sizes by a common factor as long as the readings are still
+  /// explained.
   void findRange(SizeMode& mode) const {
     const double limit = disagreementOf(mode.state) + kAsGood;
     double down = 1, up = 1;
@@ -221,8 +224,8 @@ class SizeSearch {
     mode.upper = least.cwiseMax(most).cwiseMax(mode.values + doubt);
   }
 
-  /// Adds a mode unless a similar one is known. Replaces that one if the new mode's chi-square is lower by more than
-  /// kAsGood.
+  /// Adds a mode to the list unless the list has a similar one. The similar one is replaced if the new mode's
+  /// chi-square is smaller by more than kAsGood.
   static void keep(const SizeMode& mode, std::vector<SizeMode>& modes) {
     if (!std::isfinite(mode.cost)) return;
     for (SizeMode& other : modes) {
@@ -239,14 +242,13 @@ class SizeSearch {
   }
 
   const SizeModesQuestion& asked_;
-  PlacedArm bare_;  ///< state with a neutral effect, and all else as found
+  PlacedArm bare_;  ///< state of the fit, but with the effect's sizes at their neutral values
   std::vector<Unknown> others_;
   std::vector<Measurement> readings_;
   ReadingWeights weights_;
 };
 
-/// Returns the kinds of measurement of which a single reading at the postures of `readings` would distinguish the two
-/// states.
+/// Returns the kinds of measurement of which one reading, at a posture of `readings`, would distinguish the two states.
 std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm& other,
                                            const std::vector<Measurement>& readings) {
   std::vector<MeasurementKind> kinds;
@@ -260,8 +262,8 @@ std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm
       if (kind.names_hole && !asked.p_W) continue;
       const auto here = toolAt(one, asked), there = toolAt(other, asked);
       if (!here || !there) continue;
-      // A touch has no measured value that differs between the states. It decides as well as a measured position does:
-      // by the distance between the predicted tips.
+      // The predicted value of a touch does not differ between the states. As for a measured position, the distance
+      // between the two predicted tips shows whether it decides.
       kind.record(*here, 1, MeasuredValue::Zero(6), asked);
       const double apart = kind.is_touch ? (here->p_W - there->p_W).norm()
                                          : (predictedValue(asked, *there) - predictedValue(asked, *here)).norm();

@@ -8,7 +8,7 @@ using Eigen::MatrixXd;
 
 namespace {
 
-constexpr double kRank = 1e-8;  // smallest norm outside the span that adds to the rank, for columns of unit length
+constexpr double kRank = 1e-8;  // a unit column adds to the rank if its norm outside the span exceeds this
 
 }  // namespace
 

@@ -12,13 +12,13 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Results of the stages so far: variables that are 0 at the present state, and the covariance of the variables.
+/// Unknowns found in the stages so far, with variables that are 0 at the present state, and their covariance.
 struct Found {
   std::vector<Unknown> unknowns;
   MatrixXd covariance;
 };
 
-/// Returns the indices of a stage's readings among all readings.
+/// Returns the indices of the readings of a set-up; of all readings if `setup` is empty.
 std::vector<int> placesOf(const std::vector<Measurement>& all, const std::string& setup) {
   std::vector<int> places;
   for (std::size_t k = 0; k < all.size(); ++k)
@@ -26,8 +26,7 @@ std::vector<int> placesOf(const std::vector<Measurement>& all, const std::string
   return places;
 }
 
-/// Converts the reading indices in a stage's result: from indices among the stage's readings to indices among all
-/// readings.
+/// Converts indices in a stage's result, which refer to the stage's own readings, to indices among all readings.
 void countAmongAll(const std::vector<int>& places, Identification& stage) {
   const auto rename = [&](int& reading) { reading = places[static_cast<std::size_t>(reading)]; };
   for (auto& outlier : stage.outliers) rename(outlier.reading);
@@ -35,7 +34,7 @@ void countAmongAll(const std::vector<int>& places, Identification& stage) {
   if (stage.reading_problem && stage.reading_problem->reading >= 0) rename(stage.reading_problem->reading);
 }
 
-/// Recomputes sigmas and intervals from an increased covariance.
+/// Recomputes sigmas and intervals after the covariance of the stage has been increased.
 void inflateCovariance(Identification& stage) {
   for (std::size_t i = 0; i < stage.numbers.size(); ++i) {
     auto& number = stage.numbers[i];
@@ -47,8 +46,8 @@ void inflateCovariance(Identification& stage) {
   }
 }
 
-/// Adds the uncertainty of held parameters to a stage's covariance. Errors e of these parameters move the stage's
-/// optimum by A e, where A = -C J^T J_held and C is the posterior covariance of the stage.
+/// Adds the effect of held parameters' uncertainty to a stage's covariance. Errors e of these parameters move the
+/// stage's optimum by A e, where A = -C J^T J_held and C is the posterior covariance of the stage.
 void carry(const std::vector<Measurement>& readings, Found& found, Identification& stage) {
   auto own = fittedUnknowns(stage);
   const auto weights = weighReadings(stage.fitted, readings, {}, stage.model_error);
@@ -69,7 +68,7 @@ void carry(const std::vector<Measurement>& readings, Found& found, Identificatio
   found.unknowns = both;
 }
 
-/// Returns true for a parameter that the stage frees again, and therefore does not hold.
+/// Returns true if the stage frees a parameter that an earlier stage found, and therefore does not hold it fixed.
 bool isFreed(const Identification& stage, const Unknown& number) {
   return std::ranges::any_of(stage.numbers,
                              [&](const IdentifiedNumber& own) { return own.unknown.name == number.name; });
@@ -87,7 +86,7 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
   for (const auto& stage : stages) {
     IdentificationOptions now = options;
     now.free.names = stage.names;
-    now.uncertainty.reset();  // the uncertainty from one stage's readings would not be that from all readings
+    now.uncertainty.reset();  // one stage's readings cannot give the uncertainty after all readings
     const auto places = placesOf(readings, stage.setup);
     PlacedArm from{state.arm, {}};
     for (const auto& base_pose : state.base_poses)
@@ -96,7 +95,7 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
     Identification& result = results.back();
     countAmongAll(places, result);
     if (result.status == IdentificationStatus::kRefused || result.fitted.arm.rows.empty()) return results;
-    // Only parameters of the arm are carried over: each stage finds its own base poses.
+    // Only parameters of the arm are carried over, because each stage finds its own base poses.
     Found carried;
     std::vector<Index> arm_numbers;
     for (std::size_t k = 0; k < found.unknowns.size(); ++k)

@@ -15,11 +15,11 @@ using Eigen::Index, Eigen::Isometry3d, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::
 
 namespace {
 
-constexpr double kFarthest = 8;  // largest deviation of a parameter in a fit, in standard deviations
+constexpr double kFarthest = 8;  // bounds of the standard normal variables in a fit
 constexpr int kModelErrorRounds = 24;
 
-/// Least-squares problem of touches with a base and uncertain parameters of the arm. The variables x are the base step,
-/// then the standard normal variables z of the parameters.
+/// Least-squares problem of fitting a base and the arm's uncertain parameters to touches. The variables x are the base
+/// step, then the standard normal variables z of the parameters.
 class TouchProblem {
  public:
   TouchProblem(const deflection::Arm& arm, const UncertainNumbers& numbers, const std::vector<Measurement>& touches,
@@ -41,8 +41,8 @@ class TouchProblem {
     return arm;
   }
 
-  /// Computes the covariance of each touch at x from its own noise and encoder noise, and the whitener L^-1 of that
-  /// covariance with a model error added; returns false if a shape does not converge.
+  /// Computes the covariance of each touch at x due to its own noise and encoder noise, and its whitener L^-1, which
+  /// also includes the model error. Returns false if the arm's deflected shape does not converge.
   bool weigh(const VectorXd& x, double model_error) {
     const deflection::Arm arm = armAt(x);
     const Isometry3d X_WB = baseAt(x);
@@ -61,8 +61,8 @@ class TouchProblem {
     return true;
   }
 
-  /// Computes the whitened errors, followed by the residuals z of the prior, and the derivatives of both with respect
-  /// to x; also the errors in metres if `error` is not null.
+  /// Computes the residuals, which are the whitened errors followed by the prior residuals z, and their Jacobian if
+  /// `jacobian` is not null; also the errors in metres if `error` is not null.
   bool evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobian, Eigen::Matrix3Xd* error = nullptr) const {
     const deflection::Arm arm = armAt(x);
     const Isometry3d X_WB = baseAt(x);
@@ -103,8 +103,8 @@ class TouchProblem {
     return problem;
   }
 
-  /// Returns the covariance of the base step about the fitted pose and of the parameters' variables, given the Jacobian
-  /// at x.
+  /// Returns the joint covariance of the base step, relative to the fitted pose, and of the parameters' variables,
+  /// given the Jacobian at x.
   [[nodiscard]] MatrixXd covarianceAt(const VectorXd& x, const MatrixXd& jacobian) const {
     const Index n = numbers_.root.rows();
     MatrixXd back = MatrixXd::Zero(6 + n, variables());
@@ -125,7 +125,7 @@ class TouchProblem {
   }
 
  private:
-  /// Returns the derivative of each parameter's value with respect to its variable.
+  /// Returns the derivative of each parameter's value with respect to its variable, as a diagonal matrix.
   [[nodiscard]] Eigen::DiagonalMatrix<double, Eigen::Dynamic> numberSlopes(const VectorXd& x) const {
     VectorXd slopes = numbers_.root * x.tail(x.size() - 6);
     for (Index k = 0; k < slopes.size(); ++k)
@@ -144,7 +144,7 @@ class TouchProblem {
 constexpr const char* kTooCompliant =
     "the model cannot be evaluated at the touches: the arm is too compliant for its load";
 
-/// Minimises twice, the second time with weights computed again at the first minimum.
+/// Minimises twice, because the weights depend on x: the second time with the weights at the first minimum.
 bool minimize(TouchProblem& problem, double model_error, LeastSquaresMethod method, VectorXd& x, TouchFit& fit) {
   for (int round = 0; round < 2; ++round) {
     if (!problem.weigh(x, model_error)) {
@@ -166,7 +166,7 @@ bool minimize(TouchProblem& problem, double model_error, LeastSquaresMethod meth
   return true;
 }
 
-/// Finds the model error at which chi-square equals its degrees of freedom.
+/// Searches for the model error at which chi-square equals its degrees of freedom, with a new fit for each trial value.
 bool findModelError(TouchProblem& problem, LeastSquaresMethod method, VectorXd& x, TouchFit& fit) {
   const double refused = fit.chi2;
   double low = fit.model_error, high = low + fit.error_W.norm() / std::sqrt(static_cast<double>(fit.error_W.size()));

@@ -1,4 +1,4 @@
-// Checks for touches that cannot determine a base, made before anything is solved.
+// Detects touches that cannot determine a base, before any fit is attempted.
 #include <algorithm>
 #include <set>
 
@@ -8,7 +8,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Distance below which two holes count as the same, less than that between any two holes of a sheet [m] (0.1 in).
+/// Holes closer than this count as the same one [m] (0.1 in); the holes of a tube sheet are farther apart.
 constexpr double kSameHole = 2.5e-3;
 
 /// Returns the spread of the points perpendicular to their best-fit line, relative to their spread along the line; zero

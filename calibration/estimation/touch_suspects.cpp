@@ -11,11 +11,12 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kFarBetter = 0.25;        // largest fraction of chi-square that may remain if another hole is supposed
-constexpr std::size_t kLeastOthers = 4;    // smallest number of touches, so that three remain without the odd one
-constexpr double kFirstStep = 2e-3;        // first correction of a misread joint in the search [rad or m]
-constexpr double kMostMisread = 0.2;       // largest correction of a misread joint [rad or m]
-constexpr std::size_t kMostSuspected = 3;  // largest number of joint readings named
+constexpr double kFarBetter = 0.25;  // another hole is proposed only if chi-square falls below this fraction
+// An odd touch is sought only among at least this many, so that three remain without it.
+constexpr std::size_t kLeastOthers = 4;
+constexpr double kFirstStep = 2e-3;        // first step of the search for the correction of a joint reading [rad or m]
+constexpr double kMostMisread = 0.2;       // largest correction of a joint reading that is considered [rad or m]
+constexpr std::size_t kMostSuspected = 3;  // largest number of suspect joint readings reported
 
 TouchFit fitOf(const TouchesToExplain& asked, const std::vector<Measurement>& touches, double model_error) {
   return fitTouches(asked.arm, asked.numbers, touches, asked.X_WB, {model_error, false, asked.options.method});
@@ -25,21 +26,21 @@ double rmsOf(const Eigen::Matrix3Xd& error_W) {
   return error_W.norm() / std::sqrt(static_cast<double>(error_W.cols()));
 }
 
-/// The touches with one joint reading of one touch corrected.
+/// Fits the touches with a correction applied to one joint reading of one touch.
 class CorrectedReading {
  public:
   CorrectedReading(const TouchesToExplain& asked, std::size_t touch, Eigen::Index joint)
       : asked_(asked), touches_(asked.touches), touch_(touch), joint_(joint) {}
 
-  /// Returns the chi-square with `added` added to the joint reading; infinite if no base is found.
+  /// Returns the chi-square of a fit with `added` added to the joint reading; infinite if the fit does not converge.
   double chi2At(double added) {
     touches_[touch_].q[joint_] = asked_.touches[touch_].q[joint_] + added;
     const TouchFit fit = fitOf(asked_, touches_, asked_.options.model_error);
     return fit.status == LeastSquaresStatus::kConverged ? fit.chi2 : std::numeric_limits<double>::infinity();
   }
 
-  /// Returns the correction with the smallest chi-square, found by parabolas through three corrections that are ever
-  /// closer together.
+  /// Returns the correction with the smallest chi-square, found by repeated parabolic interpolation with decreasing
+  /// steps.
   double best() {
     constexpr int kRounds = 4;
     double at = 0, step = kFirstStep;

@@ -15,7 +15,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-/// Lists the unknown places, each with the readings that share it.
+/// Adds the unknown points and surfaces to `weights.points`, each with the readings that touch it.
 void groupByPlace(const std::vector<Measurement>& readings, ReadingWeights& weights) {
   std::map<std::string, std::size_t> index;
   for (std::size_t k = 0; k < readings.size(); ++k) {
@@ -50,8 +50,8 @@ void eliminatePoints(const std::vector<Measurement>& readings, ReadingWeights& w
   }
 }
 
-/// Computes the derivatives of each reading with respect to the parameters of its unknown place, at this state of the
-/// arm.
+/// Computes the derivatives of each reading with respect to the parameters of the unknown point or surface that it
+/// touches, at this state of the arm.
 bool placeColumns(const PlacedArm& placed, const std::vector<Measurement>& readings, std::vector<MatrixXd>& columns) {
   columns.resize(readings.size());
   for (std::size_t k = 0; k < readings.size(); ++k) {
@@ -67,7 +67,7 @@ bool placeColumns(const PlacedArm& placed, const std::vector<Measurement>& readi
   return true;
 }
 
-/// Returns the whitener of a reading from its covariance L L^T: L^-1.
+/// Returns the whitener L^-1 of a reading with covariance L L^T.
 template <int Rows>
 MatrixXd whitenerOf(const MatrixXd& covariance) {
   using Square = Eigen::Matrix<double, Rows, Rows>;

@@ -1,5 +1,5 @@
-// The whitened residual of a whole campaign, for every kind of reading and any number of set-ups. Unmeasured touched
-// points are eliminated exactly.
+// Whitened residual of all readings of a measurement campaign, of any kind and in any number of set-ups. Touched points
+// of unknown position are eliminated exactly.
 #pragma once
 
 #include <optional>
@@ -17,9 +17,10 @@ namespace tubeplan::calibration {
 /// Rows of each reading, their weights, and the groups of readings that touched the same unknown point.
 ///
 /// Elimination: touches of an unknown point P have the residuals W_i (p_i - P), where W_i is the whitener and p_i the
-/// predicted tip. Let Q be an orthonormal basis of the stacked W_i. The best P leaves (I - Q Q^T) W p, so the point
-/// costs 3 degrees of freedom and no variable. For a touched surface, the stacked rows are W_i C_i, where C_i is the
-/// reading's derivative with respect to the surface's parameters. Undetermined directions cost no degree of freedom.
+/// predicted tip. Let Q be an orthonormal basis of the stacked W_i. With the best P, the residual is (I - Q Q^T) W p,
+/// so that the point costs 3 degrees of freedom but adds no variable. For a touched surface, the stacked rows are W_i
+/// C_i, where C_i is the reading's derivative with respect to the surface's parameters. Undetermined directions cost no
+/// degree of freedom.
 struct ReadingWeights {
   struct UnknownPoint {
     std::string name;
@@ -34,62 +35,64 @@ struct ReadingWeights {
   std::vector<Eigen::MatrixXd> noise;  ///< covariance of each reading due to its own noise and encoder noise [m^2]
   /// Covariance of each reading without the part shared with other readings [m^2].
   std::vector<Eigen::MatrixXd> own_noise;
-  std::vector<Eigen::MatrixXd> by_place_numbers;  ///< C_i of each reading; empty for readings without an unknown place
+  /// C_i of each reading; empty for readings that touch no unknown point or surface.
+  std::vector<Eigen::MatrixXd> by_place_numbers;
   std::vector<SharedNoise> shared;
   double model_error = 0;  ///< standard deviation of the model error of each coordinate, added to every covariance [m]
   std::vector<UnknownPoint> points;
   int rows = 0;
-  int degrees_of_freedom = 0;  ///< rows less the degrees of freedom that the unknown places cost
+  int degrees_of_freedom = 0;  ///< number of rows minus the degrees of freedom that unknown points and surfaces cost
 
-  /// Returns the covariance of a single reading: its noise and the model error [m^2].
+  /// Returns the covariance of one reading [m^2], which is the sum of its noise and the model error.
   [[nodiscard]] Eigen::MatrixXd covariance(std::size_t reading) const;
 };
 
-/// Returns the weights at a state of the arm, from the covariance of each reading including encoder noise. `factors`,
-/// if not empty, are the weights of a robust fit, one per reading. Empty if the model cannot be evaluated; throws
-/// WorkStopped if stopped.
+/// Returns the weights of the readings from their covariances, which include the effect of encoder noise at the state
+/// `placed`. `factors`, if not empty, are the weight factors of a robust fit, one per reading. Empty if the model
+/// cannot be evaluated; throws WorkStopped if a stop is requested.
 [[nodiscard]] std::optional<ReadingWeights> weighReadings(const PlacedArm& placed,
                                                           const std::vector<Measurement>& readings,
                                                           const Eigen::VectorXd& factors = {}, double model_error = 0,
                                                           const StopQuestion& stop = {});
 
-/// Returns the weights recomputed for another model error and other robust factors.
+/// Returns `weights` recomputed for another model error and other robust weight factors, with the same noise.
 [[nodiscard]] ReadingWeights reweighted(const ReadingWeights& weights, const std::vector<Measurement>& readings,
                                         double model_error, const Eigen::VectorXd& factors = {});
 
 struct WhitenedResidual {
   bool ok = false;
-  Eigen::VectorXd r;         ///< whitened residual, predicted minus measured, with the rows of ReadingWeights
-  Eigen::MatrixXd jacobian;  ///< Jacobian with respect to the unknowns' variables, if requested
-  /// Unwhitened residual, predicted minus measured [m]; for an unknown point, relative to its estimate.
+  Eigen::VectorXd r;         ///< whitened residual, predicted minus measured; its rows are those of ReadingWeights
+  Eigen::MatrixXd jacobian;  ///< Jacobian of r with respect to the variables of the unknowns, if requested
+  /// Residual before whitening, predicted minus measured [m]; for touches of an unknown point, relative to its
+  /// estimate.
   Eigen::VectorXd error;
 };
 
-/// Returns the residual at the variables x of the unknowns, relative to the state `start`; throws WorkStopped if
-/// stopped.
+/// Returns the residual at the values x of the unknowns' variables, which are 0 at `start`; throws WorkStopped if a
+/// stop is requested.
 [[nodiscard]] WhitenedResidual whitenedResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                                 const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                                 const Eigen::VectorXd& x, bool with_jacobian,
                                                 const StopQuestion& stop = {});
 
-/// Removes what several readings share from `columns`, which have the rows of `weights` and are whitened reading by
-/// reading: noise of encoders that were read once, and the components that unknown points absorb.
+/// Completes the whitening of `columns`, whose rows are those of `weights`, already whitened reading by reading:
+/// removes the correlation due to shared encoder noise, and the components that unknown points absorb.
 void takeSharedOff(const ReadingWeights& weights, Eigen::Ref<Eigen::MatrixXd> columns);
 
-/// Removes shared parts as takeSharedOff() does, but from the stacked rows of these readings alone; parts shared with
-/// other readings remain.
+/// Acts like takeSharedOff(), but on a matrix that stacks only the rows of these readings; parts that they share with
+/// other readings are not removed.
 void takeOffWithin(const ReadingWeights& weights, const std::vector<int>& readings, Eigen::MatrixXd& rows);
 
-/// Returns the length of each reading's error [m].
+/// Returns the Euclidean norm of each reading's error over its rows [m].
 [[nodiscard]] Eigen::VectorXd errorLengths(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                            const Eigen::VectorXd& error);
 
-/// Returns the root mean square of the readings' errors if every row had an error of 1: the square root of the mean
-/// number of rows per reading.
+/// Returns the square root of the mean number of rows per reading: the rms of the readings' error lengths if the error
+/// of every row is 1.
 [[nodiscard]] double lengthOfRows(const std::vector<Measurement>& readings);
 
-/// Returns the rms error due to noise alone: the root mean square over the readings of the error's length [m], after
-/// the touched points have been estimated.
+/// Returns the expected rms of the readings' error lengths [m] if noise is the only error, after touched points of
+/// unknown position have been estimated.
 [[nodiscard]] double noiseFloor(const std::vector<Measurement>& readings, const ReadingWeights& weights);
 
 }  // namespace tubeplan::calibration
