@@ -18,7 +18,7 @@ namespace {
 constexpr double kIdentifiable = 0.5;
 
 /// Returns the expected readings of each candidate; empty for a candidate at which the arm's deflected shape does not
-/// converge. Each candidate's touches of an unknown point get a point name of their own.
+/// converge. Unknown points are given names that are unique to each candidate.
 std::vector<std::vector<Measurement>> expectedReadings(const PlacedArm& placed,
                                                        const std::vector<ReadingCandidate>& candidates) {
   std::vector<std::vector<Measurement>> expected(candidates.size());

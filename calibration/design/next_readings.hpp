@@ -11,13 +11,14 @@
 
 namespace tubeplan::calibration {
 
-/// A candidate for proposal: a single reading, or touches of the same unknown point under several loads, each of which
-/// gives no information by itself. Each reading states its set-up and its expected sigma.
+/// A candidate for the next measurement: a single reading, or several touches of the same unknown point under different
+/// loads, because a single touch of such a point gives no information. Each reading states its set-up and its expected
+/// sigma.
 struct ReadingCandidate {
   std::vector<ProposedMeasurement> readings;
 };
 
-/// Work postures, at which the position of the tip must be known.
+/// Work postures of the arm, at which the tip position must be accurate.
 struct Work {
   std::vector<Eigen::VectorXd> postures;
   double load = 0;  ///< load hung from the tip [N]
@@ -25,12 +26,12 @@ struct Work {
 
 struct NextReadingsOptions {
   DesignOptions design;
-  int random_draws = 20;  ///< number of random choices, each of `design.count` readings, for comparison
+  int random_draws = 20;  ///< number of random selections of `design.count` readings, for comparison
   std::uint64_t seed = 1;
 };
 
-/// Standard deviations of one free parameter, in the parameter's unit: now, after the proposed readings, and after the
-/// same number of random readings (median of the draws).
+/// Standard deviations of one free parameter, in its own unit: at present, after the proposed readings, and after the
+/// same number of randomly selected readings (median over the random selections).
 struct NumberForecast {
   Unknown unknown;
   double value = 0;
@@ -46,7 +47,8 @@ enum class NextReadingsStatus { kNotRun, kDone, kTooFewCandidates };
 struct NextReadings {
   NextReadingsStatus status = NextReadingsStatus::kNotRun;
   std::string reason;
-  /// Indices of the candidates at which the arm's shape converges; the indices in `design` refer to this list.
+  /// Indices of the candidates at which the arm's deflected shape converges; candidate indices in `design` are
+  /// positions in this list.
   std::vector<int> candidates;
   Design design;
   std::vector<NumberForecast> numbers;
@@ -55,7 +57,7 @@ struct NextReadings {
   double bits_random = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Design problem of the candidates at which the arm's shape converges; other candidates are left out.
+/// Design problem with only those candidates at which the arm's deflected shape converges.
 struct PosedDesign {
   DesignProblem problem;
   std::vector<int> candidates;  ///< index, among all candidates, of each candidate of the problem
@@ -63,11 +65,13 @@ struct PosedDesign {
 [[nodiscard]] PosedDesign poseDesign(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates,
                                      const Work& work);
 
-/// Returns the effect of the readings chosen in `design`, in comparison with the same number of random readings.
+/// Predicts the standard deviations after the readings chosen in `design`, and after the same number of randomly
+/// selected readings.
 [[nodiscard]] NextReadings forecastReadings(const Estimate& estimate, const PosedDesign& posed, Design design,
                                             const NextReadingsOptions& options = {});
 
-/// Returns the best readings according to the criterion `options.design.optimality`, and their effect.
+/// Selects the best readings by the criterion `options.design.optimality`, and predicts their effect as
+/// forecastReadings() does.
 [[nodiscard]] NextReadings proposeReadings(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates,
                                            const Work& work, const NextReadingsOptions& options = {});
 

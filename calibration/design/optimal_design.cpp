@@ -17,14 +17,14 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kWorthSwapping = 1e-9;  // smallest relative improvement of the score that is worth a swap
+constexpr double kWorthSwapping = 1e-9;  // a swap is made only if it improves the score by more than this fraction
 
 MatrixXd inverseOf(const MatrixXd& information) {
   return information.selfadjointView<Eigen::Lower>().ldlt().solve(
       MatrixXd::Identity(information.rows(), information.cols()));
 }
 
-/// Returns the sum of the variances of the tip's three coordinates at each work posture [m^2].
+/// Returns, for each work posture, the sum of the variances of the three tip coordinates [m^2].
 VectorXd tipVariances(const std::vector<MatrixXd>& work, const MatrixXd& covariance) {
   VectorXd variances(static_cast<Index>(work.size()));
   for (std::size_t w = 0; w < work.size(); ++w)
@@ -37,26 +37,26 @@ TipSigma sigmaOf(const VectorXd& variances) {
   return {std::sqrt(variances.mean() / 3), std::sqrt(variances.maxCoeff() / 3)};
 }
 
-/// Returns ln det(I + H C H^T), where I + H C H^T is the covariance of a whitened measurement with Jacobian H: its
-/// noise plus the effect of the variables' covariance C.
+/// Returns ln det(I + H C H^T). I + H C H^T is the covariance of a whitened reading with Jacobian H: the sum of its
+/// noise and of the effect of the variables' covariance C.
 double logDetOf(const MatrixXd& H, const MatrixXd& covariance) {
   const Eigen::LLT<MatrixXd> S(MatrixXd::Identity(H.rows(), H.rows()) + H * covariance * H.transpose());
   const MatrixXd L = S.matrixL();
   return 2 * L.diagonal().array().log().sum();
 }
 
-/// Returns the mean of J^T J over the work postures. The trace of its product with the covariance is the tip's mean
-/// variance.
+/// Returns the mean of J^T J over the work postures; the trace of its product with the covariance is the mean variance
+/// of the tip.
 MatrixXd meanOfSquares(const std::vector<MatrixXd>& work, Index variables) {
   MatrixXd mean = MatrixXd::Zero(variables, variables);
   for (const auto& J : work) mean += J.transpose() * J / static_cast<double>(work.size());
   return mean;
 }
 
-/// A choice of readings in progress. To add a reading with Jacobian H, only a matrix with as many rows as the reading
-/// is inverted: (M + H^T H)^-1 = C - C H^T S^-1 H C, with C = M^-1 and S = I + H C H^T. The determinant of C falls by
-/// the factor det S. The determinant of the block of C without the nuisance variables b falls by det S / det S_b, where
-/// S_b = I + H_b M_bb^-1 H_b^T is S with all variables other than b known.
+/// A set of chosen readings that is being built up. Adding a reading with Jacobian H to the information M needs only
+/// the inverse of a matrix with the reading's number of rows: (M + H^T H)^-1 = C - C H^T S^-1 H C, with C = M^-1 and S
+/// = I + H C H^T. The determinant of C is divided by det S. That of the block of C without the nuisance variables b is
+/// divided by det S / det S_b, where S_b = I + H_b M_bb^-1 H_b^T is S if all variables other than b are known.
 class Choice {
  public:
   static constexpr int kVacant = -1;
@@ -75,7 +75,7 @@ class Choice {
     put(chosen_.size() - 1, candidate);
   }
 
-  /// Replaces the reading at index `place` by `candidate`; kVacant leaves the index empty.
+  /// Replaces the chosen reading at index `place` by `candidate`; kVacant removes it without replacement.
   void put(std::size_t place, int candidate) {
     if (chosen_[place] != kVacant) is_chosen_[static_cast<std::size_t>(chosen_[place])] = false;
     chosen_[place] = candidate;
@@ -83,15 +83,16 @@ class Choice {
     update();
   }
 
-  /// Returns how much the candidate increases the log determinant of the information matrix after the nuisance
-  /// variables are eliminated.
+  /// Returns by how much the candidate increases the log determinant of the information matrix, from which the nuisance
+  /// variables have been eliminated.
   [[nodiscard]] double gainOf(int candidate) const {
     const MatrixXd& H = problem_.candidates[static_cast<std::size_t>(candidate)];
     const double all = logDetOf(H, covariance_);
     return problem_.beside == 0 ? all : all - logDetOf(H.rightCols(problem_.beside), beside_);
   }
 
-  /// Returns the score with the candidate added: lower is better. For kDeterminant, the score is the negated gain.
+  /// Returns the score of the choice with the candidate added; a lower score is better. For kDeterminant, it is
+  /// -gainOf(candidate).
   [[nodiscard]] double scoreWith(int candidate) const {
     if (optimality_ == Optimality::kDeterminant) return -gainOf(candidate);
     const MatrixXd& H = problem_.candidates[static_cast<std::size_t>(candidate)];
@@ -99,20 +100,20 @@ class Choice {
     const Eigen::LLT<MatrixXd> S(MatrixXd::Identity(H.rows(), H.rows()) + H * CHt);
     if (optimality_ == Optimality::kMeanTip)
       return variances_.mean() - S.solve(CHt.transpose() * (mean_work_ * CHt)).trace();
-    // Each column of `fall` belongs to one tip coordinate at one work posture, whose variance falls by the column's
-    // squared length.
+    // The squared length of each column is the decrease in variance of one tip coordinate at one work posture.
     const MatrixXd fall = S.matrixL().solve((stacked_work_ * CHt).transpose());
     VectorXd variances = variances_;
     for (Index w = 0; w < variances.size(); ++w) variances[w] -= fall.middleCols(3 * w, 3).squaredNorm();
     return variances.maxCoeff();
   }
 
-  /// Returns the score of the present choice by a criterion of the tip's variance (kWorstTip, kMeanTip).
+  /// Returns the score of the present choice for a tip criterion (kWorstTip or kMeanTip).
   [[nodiscard]] double score() const {
     return optimality_ == Optimality::kWorstTip ? variances_.maxCoeff() : variances_.mean();
   }
 
-  /// Best candidate that is not chosen yet, among the indices `among` if given; kVacant if there is none.
+  /// The candidate with the best score that has not been chosen yet, and its score. If `among` is given, only
+  /// candidates in it are considered; kVacant if there is none.
   struct Best {
     int candidate = kVacant;
     double score = std::numeric_limits<double>::infinity();
@@ -150,12 +151,12 @@ class Choice {
   std::vector<int> chosen_;
   std::vector<bool> is_chosen_;
   MatrixXd covariance_, stacked_work_, mean_work_;
-  MatrixXd beside_;  ///< covariance of the nuisance variables, with all others known
+  MatrixXd beside_;  ///< covariance of the nuisance variables if all other variables are known
   VectorXd variances_;
 };
 
-/// Swaps chosen readings for better ones, one at a time, until a whole pass makes no swap or `most_passes` are done.
-/// Returns the number of swaps.
+/// Replaces chosen readings one at a time by better ones, until a pass over all of them changes nothing or
+/// `most_passes` are done. Returns the number of replacements.
 int exchange(Choice& choice, int most_passes) {
   int swaps = 0;
   for (int pass = 0; pass < most_passes; ++pass) {
@@ -174,8 +175,8 @@ int exchange(Choice& choice, int most_passes) {
   return swaps;
 }
 
-/// Returns the best choice by greedy selection and exchange. By the tip criteria, greedy selection may start badly. The
-/// exchange is therefore repeated from the best choice by determinant, and the better result is returned.
+/// Returns the best choice found by greedy selection and exchange. For the tip criteria, a greedy choice may be a poor
+/// start, so the exchange is repeated from the best choice by determinant, and the better result is returned.
 std::vector<int> bestChoice(const DesignProblem& problem, const DesignOptions& options, int& swaps) {
   Choice greedy(problem, options.optimality);
   for (int k = 0; k < options.count; ++k) greedy.add(greedy.best().candidate);
@@ -192,7 +193,7 @@ std::vector<int> bestChoice(const DesignProblem& problem, const DesignOptions& o
   return other.chosen();
 }
 
-/// Adds a reading to the choice, and to the design a step that states the effect of the reading.
+/// Adds a candidate to the choice, and a step that describes its effect to the design.
 void take(Choice& choice, int candidate, const DesignProblem& problem, Design& design) {
   DesignStep& step = design.steps.emplace_back();
   step.candidate = candidate;

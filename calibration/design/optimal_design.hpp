@@ -1,5 +1,5 @@
-// Choice of the further readings that contribute most information to a linear model: greedy selection, then exchange of
-// single readings until no swap helps (Fedorov, Theory of Optimal Experiments, 1972).
+// Selection of the further readings that contribute most information to a linear model: greedy selection, then exchange
+// of single readings until no swap improves the result (Fedorov, Theory of Optimal Experiments, 1972).
 #pragma once
 
 #include <Eigen/Core>
@@ -10,16 +10,16 @@
 
 namespace tubeplan::calibration {
 
-/// Design problem with n variables, each an unknown divided by its typical size. The last `beside` variables are
-/// nuisance variables: the tip depends on them too, but information on them is not an objective.
+/// Design problem with n variables, each an unknown divided by its typical size. The last `beside` of them are nuisance
+/// variables: readings and tip depend on them, but their own accuracy is not an objective.
 struct DesignProblem {
   Eigen::MatrixXd information;              ///< present information matrix, n x n, positive definite
-  std::vector<Eigen::MatrixXd> candidates;  ///< whitened Jacobian of each possible reading, rows of the reading x n
+  std::vector<Eigen::MatrixXd> candidates;  ///< whitened Jacobian of each candidate reading: its number of rows x n
   std::vector<Eigen::MatrixXd> work;        ///< Jacobian of the tip at each work posture, 3 x n [m]
   int beside = 0;
 };
 
-/// Criterion that the chosen readings minimise.
+/// Criterion by which readings are chosen: the quantity that they minimise.
 enum class Optimality {
   kDeterminant,  ///< D: determinant of the covariance, without the nuisance variables
   kWorstTip,     ///< G: variance of the tip at the worst work posture
@@ -32,7 +32,7 @@ struct DesignOptions {
   int most_passes = 10;  ///< maximum number of exchange passes, each over all chosen readings
 };
 
-/// Standard deviation of a tip coordinate caused by the variables' covariance [m]: root mean square over the work
+/// Standard deviation of one tip coordinate due to the uncertainty of the variables [m]: root mean square over the work
 /// postures, and value at the worst work posture.
 struct TipSigma {
   double rms = std::numeric_limits<double>::quiet_NaN();
@@ -42,10 +42,10 @@ struct TipSigma {
 
 struct DesignStep {
   int candidate = -1;
-  /// Information that the candidate adds on the variables, nuisance variables excepted [bit].
+  /// Information on the variables, other than nuisance variables, that the candidate adds [bit].
   double bits = std::numeric_limits<double>::quiet_NaN();
   TipSigma tip;          ///< sigma of the tip after this step
-  int most_helped = -1;  ///< index of the variable whose sigma falls most, among all but the nuisance variables
+  int most_helped = -1;  ///< index of the variable whose sigma decreases most, nuisance variables excluded
   /// Sigma of the variable `most_helped` after the step, divided by its sigma before the step; at most 1.
   double helped_by = std::numeric_limits<double>::quiet_NaN();
 };
@@ -55,20 +55,21 @@ enum class DesignStatus { kNotRun, kDone, kTooFewCandidates };
 struct Design {
   DesignStatus status = DesignStatus::kNotRun;
   std::string reason;
-  std::vector<DesignStep> steps;  ///< chosen readings, each the best of the remaining ones by the criterion
+  std::vector<DesignStep> steps;  ///< chosen readings, ordered such that each is the best of the remaining ones
   Eigen::MatrixXd covariance;     ///< covariance of the variables after all steps
   int swaps = 0;
 };
 
-/// Returns the best readings among the candidates, each at most once. A swap is made only if it improves the choice, so
-/// the result is never worse than the greedy choice. By the tip criteria, it is never worse than the choice by
-/// determinant either.
+/// Returns the best `options.count` candidates; none is chosen twice. Swaps are made only if they improve the
+/// criterion, so the result is never worse than the greedy choice. For the tip criteria, it is never worse than the
+/// choice by determinant either.
 [[nodiscard]] Design chooseReadings(const DesignProblem& problem, const DesignOptions& options = {});
 
-/// Evaluates the given readings, in the given order, as chooseReadings() evaluates the readings that it chooses.
+/// Returns the design that consists of the candidates `chosen`, in this order, evaluated as chooseReadings() evaluates
+/// its own choice.
 [[nodiscard]] Design judgeReadings(const DesignProblem& problem, const std::vector<int>& chosen);
 
-/// Returns `draws` random choices of `count` different indices below `candidates`.
+/// Returns `draws` random selections, each of `count` different indices from 0 to candidates - 1.
 [[nodiscard]] std::vector<std::vector<int>> drawChoices(int candidates, int count, int draws, std::uint64_t seed);
 
 }  // namespace tubeplan::calibration

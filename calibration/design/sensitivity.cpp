@@ -17,7 +17,7 @@ namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr double kNumberStep = 1e-3;  // step of the central difference, as a fraction of the parameter's value
+constexpr double kNumberStep = 1e-3;  // step of central differences, as a fraction of the parameter's value
 
 NumberKind numberKindOf(Quantity quantity) {
   switch (quantity) {
@@ -42,13 +42,13 @@ Measurement tipAt(const VectorXd& q, double load) {
   return tip;
 }
 
-/// Returns the projection onto the error components that count as centring error.
+/// Returns the matrix that projects an error onto the components that count as centring error.
 Matrix3d countedPart(const SensitivityTask& task) {
   if (!task.hole_axis_W) return Matrix3d::Identity();
   return Matrix3d::Identity() - *task.hole_axis_W * task.hole_axis_W->transpose();
 }
 
-/// Positions of the rigid tip and the deflections from there, in world axes.
+/// Positions of the rigid arm's tip, and displacements of the tip by deflection, at several postures, in world axes.
 struct Deflections {
   bool ok = true;
   /// Vectors from the base to the rigid tip, and from the rigid to the deflected tip [m].
@@ -68,7 +68,8 @@ Deflections deflectionsAt(const deflection::Arm& arm, const Eigen::Isometry3d& X
   return result;
 }
 
-/// Returns the Jacobian of a point at `lever` from the base with respect to a small base motion: shift, then rotation.
+/// Returns the 3 x 6 Jacobian of a point with respect to a small base motion (shift, then rotation); `lever` is the
+/// vector from the base to the point.
 Eigen::Matrix<double, 3, 6> motionBy(const Vector3d& lever) {
   Eigen::Matrix<double, 3, 6> motion;
   motion.leftCols<3>().setIdentity();
@@ -82,7 +83,8 @@ double meanLength(const std::vector<Vector3d>& errors, const Matrix3d& counted) 
   return sum / static_cast<double>(errors.size());
 }
 
-/// Predicted tips of several postures, with the requested derivatives; `ok` is false if any shape does not converge.
+/// Predicted tip positions at several postures, with the requested derivatives; `ok` is false if the arm's deflected
+/// shape does not converge at one of them.
 struct Tips {
   bool ok = true;
   std::vector<Prediction> tips;
@@ -99,8 +101,8 @@ Tips tipsAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const std
   return result;
 }
 
-/// Returns the response of a calibration by touches to a unit error of each parameter: the change of the estimated
-/// variables, one column per parameter. Empty if the touches do not determine the base; zero if there are no touches.
+/// Returns by how much a unit error of each parameter changes the variables that a calibration by touches estimates,
+/// one column per parameter. Empty if the touches do not determine the base; zero if there are no touches.
 std::optional<MatrixXd> calibratedResponse(const Estimate& untouched, const SensitivityTask& task, const Tips& touches,
                                            Index numbers) {
   const Index all = untouched.information.rows();
@@ -122,8 +124,8 @@ std::optional<MatrixXd> calibratedResponse(const Estimate& untouched, const Sens
   return -(untouched.information + information).ldlt().solve(right);
 }
 
-/// Sets each parameter's derivative of the mean deflection: the derivative of the deflected tip less that of the rigid
-/// tip, along the deflection, as a mean over the work postures.
+/// Sets the derivative of the mean deflection with respect to each parameter. At each work posture, this is the
+/// component along the deflection of the deflected tip's derivative minus the rigid tip's.
 void addDeflection(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const SensitivityTask& task,
                    const Tips& work, std::vector<NumberSensitivity>& numbers) {
   const deflection::Arm rigid = deflection::rigidCopy(arm);

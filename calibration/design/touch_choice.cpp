@@ -17,8 +17,9 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-/// Matrices of all candidates, three rows each, from which the tip's variance after any set of touches is assembled
-/// (notation of touch_choice.hpp). W is the mean of J^T J over the tip coordinates of all work postures, J = [T U].
+/// Matrices of all candidates, three rows each, from whose blocks the tip's variance after any set of touches is
+/// computed (in the notation of touch_choice.hpp). W is the mean of J^T J over the tip coordinates at all work
+/// postures, with J = [T U].
 struct TouchBlocks {
   explicit TouchBlocks(const DesignProblem& problem) : prior(problem.information.topLeftCorner<6, 6>()) {
     const Index rows = 3 * static_cast<Index>(problem.candidates.size()), all = 6 + problem.beside;
@@ -38,12 +39,12 @@ struct TouchBlocks {
   [[nodiscard]] int count() const { return static_cast<int>(B.rows() / 3); }
 
   Matrix6 prior, base_work;
-  double numbers_variance = 0;  ///< variance of the tip caused by the parameters, before any touch
+  double numbers_variance = 0;  ///< variance of the tip due to the uncertain parameters before any touch
   MatrixXd B, ZZ, ZWZ, ZW;
 };
 
-/// A set of touches to which one more candidate, of index `first` or above, may be added. Holds the blocks of all such
-/// candidates less the part that the set already determines.
+/// A set of touches to which one candidate with an index of at least `first` may be added. Stores the blocks of all
+/// these candidates, minus the part that the set already determines.
 class GrownSet {
  public:
   GrownSet(const TouchBlocks& blocks, const std::vector<int>& touches, int first) : blocks_(blocks), first_(first) {
@@ -65,8 +66,8 @@ class GrownSet {
     by_numbers_ = blocks.numbers_variance - V.solve(ZWZ).trace();
   }
 
-  /// Returns the mean variance of a tip coordinate over the work postures [m^2] if `touch` is added to the set;
-  /// infinite if these touches do not determine the base.
+  /// Returns the mean variance of a tip coordinate over the work postures [m^2] after `touch` is added to the set;
+  /// infinite if the touches do not determine the base.
   [[nodiscard]] double varianceWith(int touch) const {
     using Block = Eigen::Matrix<double, 3, 6>;
     const Index row = 3 * touch, here = row - 3 * first_;
@@ -98,7 +99,7 @@ struct BestSet {
   double variance = kNowhere;
 };
 
-/// Returns `touches` plus the most helpful candidate of index `first` or above.
+/// Returns `touches` and the candidate, with an index of at least `first`, that reduces the tip's variance most.
 BestSet withNext(const TouchBlocks& blocks, const std::vector<int>& touches, int first) {
   const GrownSet grown(blocks, touches, first);
   BestSet best{touches, kNowhere};
@@ -110,7 +111,7 @@ BestSet withNext(const TouchBlocks& blocks, const std::vector<int>& touches, int
   return best;
 }
 
-/// Returns the best set of three touches; empty if no three touches determine the base.
+/// Returns the three touches with the smallest variance of the tip; empty if no three touches determine the base.
 BestSet bestTriple(const TouchBlocks& blocks) {
   std::vector<BestSet> best(static_cast<std::size_t>(blocks.count()));
   tbb::parallel_for(0, blocks.count(), [&](int i) {

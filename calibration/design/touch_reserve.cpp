@@ -8,8 +8,8 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Returns the errors of the base pose to try, three shifts along and three rotations about the axes, as fractions of
-/// the largest error (BaseDoubt): each component alone with either sign, then all six with every combination of signs.
+/// Returns the errors of the base pose to try, as fractions of the largest shift (first three components) and rotation
+/// (last three) in BaseDoubt: unit vectors along each axis with either sign, and along each diagonal.
 std::vector<Vector6> waysOff() {
   std::vector<Vector6> ways;
   for (int axis = 0; axis < 6; ++axis)

@@ -1,4 +1,5 @@
-// Selection of the holes that stay in reach for every likely base pose, before touches have determined the pose.
+// Selection of the holes that the arm can touch from every likely base pose, for use before touches have determined the
+// pose.
 #pragma once
 
 #include <vector>
@@ -7,16 +8,17 @@
 
 namespace tubeplan::calibration {
 
-/// Largest error of the base pose: shift along any direction, and rotation about any axis through the base's origin.
-/// The defaults are three standard deviations of the errors that the commands `campaign` and `score` draw.
+/// Largest expected error of the base pose: shift in any direction, and rotation about any axis through the base's
+/// origin. The defaults are three standard deviations of the base errors that the commands `campaign` and `score`
+/// simulate.
 struct BaseDoubt {
   double shift = 0.0381;  ///< largest shift [m] (1.5 in)
   double turn = 0.0262;   ///< largest rotation [rad] (1.5 deg)
 };
 
-/// Returns the candidates that the arm can touch (joint limits and deflection considered, collisions not) from every
-/// base displaced from X_WB in these ways: by the largest error along or about one axis, and by an error of the same
-/// relative size along and about all axes at once.
+/// Returns the candidates that the arm can touch from every base displaced from X_WB by the largest error along or
+/// about one axis, or by an error of the same relative size spread over all axes. Joint limits and deflection are
+/// considered, collisions are not.
 [[nodiscard]] std::vector<TouchPlan> keepTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                                    const std::vector<TouchPlan>& candidates,
                                                    const BaseDoubt& doubt = {});
