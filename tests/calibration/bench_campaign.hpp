@@ -1,4 +1,4 @@
-// Small simulated campaigns of the Cobra arm on the bench.
+// Small simulated measurement campaigns with the Cobra arm on the bench.
 #pragma once
 
 #include <cmath>
@@ -25,7 +25,7 @@ inline deflection::Arm withEncoders(deflection::Arm arm, double sigma) {
   return arm;
 }
 
-/// Returns the bench's arm with randomly changed stiffnesses, on bases displaced from their nominal poses.
+/// Returns the bench's arm with random changes of its stiffnesses, on bases displaced from their nominal poses.
 inline CampaignTruth benchTruth(int setups = 1, double encoder_sigma = 0) {
   TruthOptions options;
   options.parameters = deflection::parametersOf(benchCell().arm);
@@ -54,7 +54,7 @@ inline SimulatedCampaign simulate(const CampaignTruth& truth, const CampaignDesi
   return simulateCampaign(truth, design, options);
 }
 
-/// Returns the root mean square of the values, about zero.
+/// Returns the root mean square of the values.
 inline double deviation(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value * value;

@@ -1,5 +1,5 @@
-// Simulated readings of the shipped bench cell, for an arm with one hidden effect: random postures under three loads,
-// with stated approach directions.
+// Simulated readings of the shipped bench cell's arm at random postures under three loads, with stated approach
+// directions; one effect, unknown to the fit, may be added to the arm.
 #pragma once
 
 #include <boost/random/mersenne_twister.hpp>
@@ -23,8 +23,8 @@ inline app::Cell shippedBench() {
   return app::readCell((std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells/bench.yaml").string());
 }
 
-/// Returns readings with the noise of the arm's encoders and of 0.003 in at the tip; without a hidden effect if
-/// `effect` is empty.
+/// Returns readings of the arm with the given effect (none if `effect` is empty), with encoder noise and with noise of
+/// 0.003 in at the tip.
 inline std::vector<Measurement> benchReadings(const app::Cell& cell, const std::string& effect, const std::string& at,
                                               const std::vector<double>& values, int count, std::uint64_t seed) {
   auto arm = cell.arm;

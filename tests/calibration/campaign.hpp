@@ -1,4 +1,4 @@
-// Simulated readings of the Cobra arm with noise, and hidden effects to add to the arm.
+// Simulated noisy readings of the Cobra arm, and a function that adds an effect to the arm.
 #pragma once
 
 #include <boost/random/mersenne_twister.hpp>
@@ -25,12 +25,13 @@ inline deflection::Arm withEffect(deflection::Arm arm, const std::string& name, 
 struct CampaignPlan {
   int postures = 36;
   int repeats = 1;
-  double noise = kReadingSigma;  ///< actual noise of each coordinate [m], independent of `stated`
+  /// Standard deviation of the noise added to each coordinate [m]; may differ from `stated`.
+  double noise = kReadingSigma;
   double stated = kReadingSigma;
 };
 
-/// Returns positions under loads of 0, 60 and 120 N in turn, with random approach directions and temperatures, one
-/// reading per minute. Joint readings contain encoder noise.
+/// Returns tip positions measured under loads of 0, 60 and 120 N in turn, with random approach directions and
+/// temperatures, one reading per minute. Joint readings contain encoder noise.
 inline std::vector<Measurement> makeCampaign(const deflection::Arm& truth, std::uint64_t seed,
                                              const CampaignPlan& plan = {}) {
   boost::random::mt19937_64 random(seed);

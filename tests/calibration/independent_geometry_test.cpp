@@ -1,4 +1,5 @@
-// Geometry that a fit frees: complete, not redundant and well distinguishable, for all arms and row conventions.
+// The geometric parameters that a fit frees must be complete, not redundant and well distinguishable, for random arms
+// in all row conventions.
 #include "calibration/independent_geometry.hpp"
 
 #include <gtest/gtest.h>
@@ -12,9 +13,9 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// Returns derivatives of the tool's pose at random postures with respect to the named parameters. Columns of the
-/// tool's own rotation follow if no reading depends on it, then columns of the base if it is free. Each column is
-/// scaled to length 1.
+/// Returns the derivatives of the tool pose at random postures with respect to the named parameters. If no reading
+/// depends on the tool's rotation, its three columns follow; if the base is free, its six columns follow. Each column
+/// is scaled to length 1.
 Eigen::MatrixXd motions(const PlacedArm& placed, const std::vector<std::string>& names) {
   constexpr int kPostures = 30;
   std::vector<deflection::Variable> variables;
@@ -81,8 +82,8 @@ TEST(IndependentGeometry, IsCompleteAndNotRedundantHoweverRowsAreWritten) {
   }
 }
 
-// On a known base, the parameters chosen for rows in either Denavit-Hartenberg convention must cause every change of
-// geometry that origins with six parameters per row can cause.
+// If the base is known, the parameters selected in either Denavit-Hartenberg convention must be independent, and must
+// reproduce every change of geometry that six parameters per row can describe.
 TEST(IndependentGeometry, IsCompleteBesideAKnownBaseByEitherTable) {
   int counted = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -114,7 +115,7 @@ TEST(IndependentGeometry, HoldsAsManyNumbersAsMechanismsHave) {
     for (const auto& joint : placed.arm.joints()) ++(joint.type == deflection::JointType::kPrismatic ? slides : turns);
     if (placed.base_poses[0].is_known) continue;
     ++open;
-    // Everett's count is 4 R + 2 P + 6; parallel prismatic joints reduce the count.
+    // Everett's count is 4 R + 2 P + 6; parallel prismatic joints have fewer independent parameters.
     const Eigen::MatrixXd columns = motions(placed, chosen(placed));
     EXPECT_EQ(rankOf(columns), columns.cols()) << seed;
     EXPECT_LE(columns.cols(), 4 * turns + 2 * slides + 6) << seed;
@@ -125,7 +126,8 @@ TEST(IndependentGeometry, HoldsAsManyNumbersAsMechanismsHave) {
   EXPECT_GT(open, 30);
 }
 
-/// If readings depend on the tool's rotation, the number of parameters must be Everett's complete count.
+/// If readings depend on the tool's rotation, the selection must include its parameters and have Everett's complete
+/// count; otherwise, it must not include them.
 TEST(IndependentGeometry, HoldsTheToolsTurnWhereReadingsShowIt) {
   int whole = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -159,8 +161,7 @@ TEST(IndependentGeometry, TellsNearlyParallelAxesApartByTheirLean) {
   }
 }
 
-/// At a pitch of 90 degrees, roll and yaw rotate about the same axis, so beta must be chosen to provide the third
-/// rotation.
+/// At a pitch of 90 degrees, roll and yaw rotate about the same axis, so beta must be selected as the third rotation.
 TEST(IndependentGeometry, IsCompleteWhereFixedAnglesAreSingular) {
   PlacedArm placed = byOrigins(mechanism(5));
   placed.base_poses[0].is_known = false;

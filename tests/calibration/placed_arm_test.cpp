@@ -1,4 +1,5 @@
-// The parameters that may be freed, the meaning of each variable, and base poses in closed form.
+// Tests of the names of parameters that may be freed, of the variables that stand for them, and of base poses aligned
+// in closed form.
 #include "calibration/placed_arm.hpp"
 
 #include <gtest/gtest.h>

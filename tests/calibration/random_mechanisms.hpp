@@ -1,4 +1,4 @@
-// Rigid arms with random axes, in Denavit-Hartenberg rows and in other conventions.
+// Rigid arms with random joint axes, in Denavit-Hartenberg and in other row conventions.
 #pragma once
 
 #include <numbers>
@@ -12,8 +12,8 @@ namespace tubeplan::calibration {
 
 inline constexpr double kRightAngle = std::numbers::pi / 2;
 
-/// Returns an arm of three to eight joints in Denavit-Hartenberg rows. Each axis is parallel, nearly parallel,
-/// perpendicular or skew to the previous axis; about a sixth of the joints are prismatic.
+/// Returns a random arm of three to eight joints in Denavit-Hartenberg rows. Each axis is parallel, nearly parallel,
+/// perpendicular or at a random angle to the axis before; about a sixth of the joints are prismatic.
 inline PlacedArm mechanism(std::uint64_t seed) {
   RandomStream random(seed);
   PlacedArm placed;
@@ -42,7 +42,7 @@ inline PlacedArm mechanism(std::uint64_t seed) {
   return placed;
 }
 
-/// Returns the same arm with every row placed by an origin, as in URDF.
+/// Returns the same arm with the frame of every row stated as an origin, as in URDF.
 inline PlacedArm byOrigins(PlacedArm placed) {
   for (auto& row : placed.arm.rows) {
     const Eigen::Vector3d p = deflection::offsetInPreviousAxes<double>(row);
@@ -54,7 +54,7 @@ inline PlacedArm byOrigins(PlacedArm placed) {
   return placed;
 }
 
-/// Returns the arm that results if the Denavit-Hartenberg parameters are read as a standard table.
+/// Returns the arm that results if the given arm's Denavit-Hartenberg parameters are taken for standard ones.
 inline PlacedArm byStandardTable(PlacedArm placed) {
   deflection::readAsStandard(placed.arm.rows);
   return placed;

@@ -1,5 +1,5 @@
-// Common faults of measured data, applied to the readings of a campaign. Whatever the fault, all results computed from
-// the readings must agree with one another.
+// Common faults of measured data, applied to simulated readings, for tests that all results computed from the same
+// faulty readings agree with one another.
 #pragma once
 
 #include <algorithm>
@@ -21,14 +21,14 @@ inline void moveAtRandom(Measurement& reading, double by, std::mt19937_64& rando
   for (double& p : *reading.p_W) p += normal(random);
 }
 
-/// A fault that is applied to good readings.
+/// A fault of measured data, and the function that applies it to good readings.
 struct Spoil {
   const char* name;
   int repeats;  ///< number of readings of each posture
   std::function<void(std::vector<Measurement>&, std::mt19937_64&)> apply;
 };
 
-/// Returns all faults; the first two change nothing.
+/// Returns the list of faults; the first two leave the readings unchanged.
 inline const std::vector<Spoil>& spoils() {
   static const std::vector<Spoil> kSpoils{
       {"nothing", 1, [](std::vector<Measurement>&, std::mt19937_64&) {}},
@@ -83,7 +83,7 @@ inline const std::vector<Spoil>& spoils() {
   return kSpoils;
 }
 
-/// Returns a campaign of forty readings of an arm, with one fault applied.
+/// Returns forty simulated readings of an arm, with one fault applied to them.
 inline std::vector<Measurement> spoiltCampaign(const deflection::Arm& arm, std::uint64_t seed, const Spoil& spoil) {
   std::mt19937_64 random(seed);
   CampaignPlan plan;

@@ -1,5 +1,5 @@
-// Long-running work that is stopped at any stage must report so and return no results; hooks must not change the
-// results of work that is not stopped.
+// Work that is stopped at any stage must report that it was stopped, and return no results. If it is not stopped, hooks
+// must not change its results.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -15,8 +15,8 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// Hooks that record the reported stages, count the calls of `stop`, and request a stop from call number `stop_at` on;
-/// -1: never.
+/// Provides hooks that record the reported stages, count the calls of `stop`, and request a stop from call number
+/// `stop_at` on (-1: never).
 class Watch {
  public:
   explicit Watch(int stop_at = -1) : stop_at_(stop_at) {}
@@ -42,10 +42,12 @@ class Watch {
   bool is_ordered_ = true;
 };
 
-/// Returns at which of `all` calls of `stop` to request a stop: early, late and in between.
+/// Returns the numbers of the calls of `stop`, out of `all` calls, at which to request a stop: early, late and in
+/// between.
 std::vector<int> momentsOf(int all) { return {1, 2, all / 7, all / 3, all / 2, (9 * all) / 10, all}; }
 
-constexpr int kAsItEnds = 200;  // calls of `stop` allowed after the stop was requested, until solvers give up
+// Largest number of calls of `stop` after a stop was requested, until all solvers have given up.
+constexpr int kAsItEnds = 200;
 
 class Stopping : public testing::Test {
  protected:
@@ -72,7 +74,8 @@ class Stopping : public testing::Test {
     return options;
   }
 
-  /// Runs the work to its end once, then stops it at several of its calls of `stop`.
+  /// Runs the work to its end once, then again for several moments, and expects each of these runs to report that it
+  /// was stopped.
   template <class Work, class IsStopped>
   void stopEverywhere(Work work, IsStopped isStopped) {
     Watch whole;
@@ -98,14 +101,14 @@ TEST_F(Stopping, IdentificationSaysThatItWasStopped) {
                  });
 }
 
-/// Work on so many readings that they are processed in blocks, with a call of `stop` per block. A stop between two
-/// blocks leaves rows unfilled; no result may be computed from them.
+/// Fixture with so many readings that they are processed in blocks, with one call of `stop` per block. A stop between
+/// two blocks leaves rows unfilled, from which no result may be computed.
 class StoppingBetweenBlocks : public Stopping {
  protected:
   const std::vector<Measurement> many = benchReadings(cell, "hysteresis", "theta4", {0.001}, 1100, 6);
   const PlacedArm placed = benchStart(cell, many);
 
-  /// Stops the work at each of the first `first` calls of `stop`, then at calls ever farther apart.
+  /// Stops the work at each of the first `first` calls of `stop`, then at later calls spaced by the factor `growth`.
   template <class Work, class IsStopped>
   void stopAtAll(Work work, IsStopped isStopped, int first, double growth) {
     Watch whole;
@@ -166,7 +169,7 @@ TEST_F(Stopping, ComparisonSaysThatItWasStopped) {
 TEST_F(Stopping, ProposalsSayThatTheyWereStopped) {
   Diagnosis open = diagnose(start, readings, diagnosis({}));
   ASSERT_FALSE(open.closest.empty());
-  open.verdict = Verdict::kInconclusive;  // leaves explanations to discriminate between
+  open.verdict = Verdict::kInconclusive;  // otherwise there would be no explanations to discriminate between
   const auto candidates = app::discriminationCandidates(cell, open.baseline.fitted, readings);
   stopEverywhere(
       [&](const WorkHooks& hooks) {

@@ -1,4 +1,4 @@
-// Readings of an arm whose parameters are all known, with or without noise.
+// Simulated readings of an arm with known parameters, with or without noise.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -25,20 +25,20 @@ inline Eigen::Isometry3d poseOf(const Eigen::Vector3d& position, const Eigen::Ve
   return X;
 }
 
-/// Returns the Cobra on its mezzanine, with one known base.
+/// Returns the Cobra arm on its mezzanine, with one base pose, which is known.
 inline PlacedArm cobra() {
   return {deflection::cobraArm(), {{"", poseOf({0.1, -0.2, 0.05}, {0.02, -0.03, 0.4}), true}}};
 }
 
-/// Returns the Cobra at two unknown base poses, in set-ups "A" and "B".
+/// Returns the Cobra arm with two base poses that a fit must find, one for each of the set-ups "A" and "B".
 inline PlacedArm cobraTwice() {
   return {deflection::cobraArm(),
           {{"A", poseOf({0.1, -0.2, 0.05}, {0.02, -0.03, 0.4}), false},
            {"B", poseOf({-0.4, 0.3, 0.1}, {-0.01, 0.04, -0.7}), false}}};
 }
 
-/// Makes readings of an arm; equal seeds give equal readings. The readings state the same noise whether or not noise is
-/// added.
+/// Simulates readings of an arm; equal seeds give equal readings. The sigmas stated in the readings do not depend on
+/// whether noise is added.
 class ReadingMaker {
  public:
   enum class Noise { kNone, kStated };
@@ -47,11 +47,12 @@ class ReadingMaker {
       : truth_(std::move(truth)), random_(seed), has_noise_(noise == Noise::kStated), touch_sigma_(touch_sigma) {}
 
   std::vector<Measurement> readings;
-  /// Noise of x, y and z, both stated and added, in readings of kinds that measure them.
+  /// Standard deviations and correlations of x, y and z, for readings of kinds that measure these: stated, and used for
+  /// the noise added.
   std::optional<Eigen::Vector3d> sigma_W, correlation_W;
 
-  /// Adds readings at new postures, of any kind except touches. They measure the frame of row `of_row` if given,
-  /// otherwise the tool frame.
+  /// Adds `count` readings of one kind, which must not be touches, at random postures. They measure the frame of row
+  /// `of_row` if given, otherwise the tool frame.
   void add(MeasurementKind kind, int count, const std::string& setup = "", std::optional<int> of_row = {}) {
     for (int k = 0; k < count; ++k) {
       Measurement m = blank(kind, setup);
@@ -95,7 +96,8 @@ class ReadingMaker {
     }
   }
 
-  /// Adds points, each touched once under every load [N], with the tool at the same tilt.
+  /// Adds touches of new points; each point is touched once under each of the loads [N], with the tool at the same
+  /// tilt.
   void addTouches(int points, const std::vector<double>& loads, bool are_known, const std::string& setup = "") {
     for (int made = 0; made < points;) made += touchPoint(loads, are_known, setup) ? 1 : 0;
   }
@@ -111,8 +113,8 @@ class ReadingMaker {
     return {x, y, z};
   }
 
-  /// Returns a random posture: well within the Cobra's limits with the elbow up, or within half of each joint's range
-  /// for other arms.
+  /// Returns a random posture. For the Cobra, it is well within the joint limits, with the elbow up; for other arms,
+  /// each joint is in the middle half of its range.
   [[nodiscard]] Eigen::VectorXd drawPosture() {
     static constexpr double kFrom[] = {-120, 30, -110, -80}, kTo[] = {120, 110, -20, 20};
     Eigen::VectorXd q(truth_.arm.jointCount());
@@ -124,14 +126,14 @@ class ReadingMaker {
   }
 
  private:
-  /// Surface, with the number of readings of its kind and set-up so far.
+  /// The surface touched last, and the number of readings so far of its kind and in its set-up.
   struct Touched {
     Surface surface;
     int readings = 0;
   };
 
-  /// Moves the tip onto a surface, which ten readings share, and adds the reading; returns false if the tip cannot
-  /// reach the surface.
+  /// Moves the tip onto a surface, which is shared by ten successive readings, and adds the reading; returns false if
+  /// the tip cannot reach the surface.
   bool touchSurface(const MeasurementKindRow& row, Measurement& m) {
     constexpr int kOfSurface = 10;
     constexpr double kFarthest = 1.5;  // farthest motion to the surface, in joint space [rad]
@@ -161,7 +163,8 @@ class ReadingMaker {
     return m;
   }
 
-  /// Returns the tool's pose in the world; for a deflection, its position is the tip's displacement.
+  /// Returns the pose of the measured frame in the world; for a deflection, its position is the displacement by the
+  /// load.
   [[nodiscard]] ToolPose toolOf(const Measurement& m) const {
     const auto& X_WB = truth_.base_poses[static_cast<std::size_t>(basePoseOf(truth_, m))].X_WB;
     ToolPose tool = *frameAt(truth_.arm, X_WB, m);
@@ -183,14 +186,15 @@ class ReadingMaker {
     return noisy;
   }
 
-  /// Returns a random offset [m] of a hole from the tip, which is small if the tip is centred in the hole.
+  /// Returns a random position [m] of a hole relative to the tip, which is close to the tip for kinds that centre it in
+  /// the hole.
   [[nodiscard]] Eigen::Vector3d besideTheTip(const MeasurementKindRow& row) {
     const double far = row.is_centring ? 0.03 * kInch : 0.02, across = row.is_centring ? 0 : 0.05;
     return {far * noiseOf(), far * noiseOf(), across};
   }
   [[nodiscard]] double noiseOf() { return boost::random::normal_distribution<double>(0, 1)(random_); }
 
-  /// Sets the step count of a reading for a tool of three steps; returns false if no step enters.
+  /// Sets the number of steps that enter, for a tool with three steps; returns false if none enters.
   static bool settleSteps(Measurement& m) {
     static constexpr double kTolerances[] = {0.09 * kInch, 0.06 * kInch, 0.03 * kInch};
     const double off = m.own[1];
@@ -241,13 +245,13 @@ class ReadingMaker {
 
   PlacedArm truth_;
   boost::random::mt19937_64 random_;
-  std::map<std::string, Touched> touched_;  ///< latest surface of each kind and set-up
+  std::map<std::string, Touched> touched_;  ///< the surface touched last, by kind and set-up
   bool has_noise_;
   double touch_sigma_;
 };
 
-/// Adds a few readings of every kind except touches of points and surfaces; a few touches of a surface would give no
-/// information (surfaces_test.cpp). Half of the readings measure a point of the tool away from its tip.
+/// Adds `count` readings of every kind except touches; a few touches of a surface would give no information
+/// (surfaces_test.cpp). Every second reading measures a point of the tool away from its tip.
 inline void addUntouched(ReadingMaker& maker, int count, const std::string& setup = "") {
   const std::size_t first = maker.readings.size();
   for (const MeasurementKindRow& row : measurementKinds())
@@ -256,8 +260,8 @@ inline void addUntouched(ReadingMaker& maker, int count, const std::string& setu
     if (!isDisplacement(maker.readings[k])) maker.readings[k].p_TQ = Eigen::Vector3d(0.03, -0.02, 0.05);
 }
 
-/// Adds a few readings of positions, deflections, distances, and touches of known and of unknown points, all in one
-/// set-up.
+/// Adds, in one set-up, `count` positions, deflections and distances, and touches of `count` known and `count` unknown
+/// points.
 inline void addEveryKind(ReadingMaker& maker, int count, const std::string& setup = "") {
   maker.add(MeasurementKind::kPosition, count, setup);
   maker.add(MeasurementKind::kDeflection, count, setup);

@@ -1,4 +1,5 @@
-// A rotated tool frame: fitted, diagnosed, and distinguished from another convention of its axes.
+// A small rotation of the tool frame must be fitted and diagnosed; a different convention of its axes must be
+// recognised as a mistake in the data.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +60,8 @@ TEST(ToolTurn, IsNamedAloneByPoses) {
 }
 
 TEST(ToolTurn, AnotherConventionOfTheAxesIsAMistake) {
-  const Eigen::Matrix3d R_TM = (Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished();  // measured x is tool's y
+  // The measured x axis is the tool's y axis.
+  const Eigen::Matrix3d R_TM = (Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished();
   auto readings = turnedReadings(Eigen::Vector3d::Zero(), MeasurementKind::kPose, 40);
   for (auto& reading : readings)
     reading.own = deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(reading.own) * R_TM);

@@ -1,4 +1,4 @@
-// Proposals for the next readings of the Cobra arm.
+// Proposals for the next readings, tested with the Cobra arm.
 #include "calibration/design/next_readings.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ Work randomWork(int count, std::uint64_t seed) {
   return work;
 }
 
-/// Returns the measurement that the arm would give for a planned one, with noise in position and joint readings.
+/// Simulates the planned measurement with the given arm, with noise in the position and the joint readings.
 Measurement read(const ProposedMeasurement& planned, const deflection::Arm& arm, std::mt19937_64& random) {
   Measurement reading = conditionsOf(planned);
   std::normal_distribution<double> normal(0, 1);
@@ -69,7 +69,7 @@ Estimate fromNothing(const FreeChoice& free, bool base_known = true) {
   return estimateFrom(cobraArm(), Eigen::Isometry3d::Identity(), base_known, {}, free);
 }
 
-/// Returns the predicted value of a reading after the logarithm of one stiffness is changed by `step`.
+/// Returns the predicted value of a reading after the named stiffness is multiplied by exp(`step`).
 VectorXd movedBy(const Measurement& reading, const std::string& name, double step) {
   deflection::Arm arm = cobraArm();
   double& number = deflection::locate(arm, deflection::findParameter(arm, name)->path);
@@ -77,8 +77,8 @@ VectorXd movedBy(const Measurement& reading, const std::string& name, double ste
   return predictReading(arm, Eigen::Isometry3d::Identity(), reading).value;
 }
 
-// The forecast covariance must equal that of generalised least squares, computed from difference quotients and the
-// covariance of all coordinates including encoder noise.
+// The forecast sigmas must equal those of generalised least squares with a Jacobian from difference quotients and the
+// full covariance of the coordinates, including encoder noise.
 TEST(NextReadings, CovarianceIsThatOfGeneralisedLeastSquaresByDifferences) {
   const auto estimate = fromNothing(kStiffnesses);
   const auto candidates = randomCandidates(30, 5);
@@ -111,7 +111,7 @@ TEST(NextReadings, CovarianceIsThatOfGeneralisedLeastSquaresByDifferences) {
   for (int k = 0; k < n; ++k) {
     const auto& number = next.numbers[static_cast<std::size_t>(k)];
     EXPECT_NEAR(number.after, number.value * std::sqrt(covariance(k, k)), 1e-4 * number.after);
-    EXPECT_NEAR(number.now, number.value, 1e-9 * number.value);  // before any reading, the prior sigma equals the value
+    EXPECT_NEAR(number.now, number.value, 1e-9 * number.value);  // before any reading, the sigma is that of the prior
     EXPECT_FALSE(number.is_identifiable_now);
   }
 }
@@ -144,7 +144,7 @@ TEST(NextReadings, PromisesWhatAFitThenReaches) {
       square[k] += std::pow(number.value - number.unknown.start, 2) / kRuns;
     }
   }
-  // Forty runs determine a standard deviation to 11 per cent; the tolerance is three times as large.
+  // Forty runs determine a standard deviation to within 11 %; the tolerance is three times that.
   for (int k = 0; k < 4; ++k)
     EXPECT_NEAR(std::sqrt(square[k]) / next.numbers[static_cast<std::size_t>(k)].after, 1, 0.34) << k;
 }
@@ -231,7 +231,7 @@ TEST(NextReadings, ReadingsThatCannotBeFittedAreCountedWhereTheDrawingStands) {
   EXPECT_GT((estimate.information - MatrixXd::Identity(4, 4)).norm(), 1);
 }
 
-// If the arm has no equilibrium under the load of any candidate, the proposal must be refused.
+// If the candidates' loads are so large that the arm has no equilibrium at any of them, the proposal must be refused.
 TEST(NextReadings, AreRefusedWhereNoCandidateCanBeMade) {
   std::mt19937_64 random(9);
   std::vector<ReadingCandidate> candidates;

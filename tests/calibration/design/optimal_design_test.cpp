@@ -1,4 +1,4 @@
-// Choice of the most informative readings, for random linear problems.
+// Choice of the most informative readings, tested on random linear problems.
 #include "calibration/design/optimal_design.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,8 @@ MatrixXd randomMatrix(int rows, int columns, std::mt19937_64& random) {
   return m;
 }
 
-/// Returns a problem of six variables; each candidate is informative about two of them and hardly about the others.
+/// Returns a random problem with six variables; each candidate gives much information on two of them and little on the
+/// others.
 DesignProblem randomProblem(int candidates, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   DesignProblem problem;
@@ -99,7 +100,8 @@ TEST_P(OptimalDesign, BeatsRandomChoices) {
   }
 }
 
-// Chosen triples must come within 1 % of the best one, which is found by trying all 14 choose 3 = 364 triples.
+// The criterion of the chosen three readings must be within 1 % of the best, which is found by trying all 364 triples
+// of 14.
 TEST_P(OptimalDesign, ExchangeComesWithinAPercentOfTheBestTriple) {
   const auto problem = randomProblem(14, GetParam());
   double best_determinant = 1e300, best_mean = 1e300;

@@ -1,4 +1,4 @@
-// Sensitivity of the Cobra's tip to each parameter of the arm.
+// Sensitivity of the tip to each parameter of the arm, tested with the Cobra arm.
 #include "calibration/design/sensitivity.hpp"
 
 #include <gtest/gtest.h>
@@ -27,14 +27,14 @@ struct Case {
   [[nodiscard]] Sensitivity find() const { return findSensitivities(cell.arm, cell.X_WB_nominal, task); }
 };
 
-/// Returns the tip position of an arm with base pose X_WB.
+/// Returns the tip position of the unloaded arm in the world frame [m].
 Eigen::Vector3d tipOf(const Arm& arm, const Eigen::Isometry3d& X_WB, const Eigen::VectorXd& q) {
   const Prediction tip = predictTip(arm, X_WB, q, 0);
   EXPECT_TRUE(tip.ok);
   return tip.value;
 }
 
-/// Returns noise-free touches at the first three planned postures; each touched point lies at the tip of `arm`.
+/// Returns noise-free touches at the first three planned postures, with the touched point at the tip position of `arm`.
 std::vector<Measurement> touchesBy(const Arm& arm, const Case& c) {
   std::vector<Measurement> touches;
   for (int t = 0; t < 3; ++t) {
@@ -70,7 +70,7 @@ TEST(Sensitivity, DeflectionDerivativeIsTheDifferenceQuotientOfTheMeanSag) {
       const auto sag = [&](double more) {
         return meanDeflection(withMore(c.cell.arm, number.parameter, more), c.cell.X_WB_nominal, c.task);
       };
-      // A weight of zero cannot decrease, so the quotient is one-sided, of second order.
+      // A weight of zero cannot be decreased, so a one-sided difference quotient of second order is used.
       const bool is_at_bound = number.parameter.value - step < number.parameter.lower;
       const double quotient = is_at_bound ? (4 * sag(step) - sag(2 * step) - 3 * sag(0)) / (2 * step)
                                           : (sag(step) - sag(-step)) / (2 * step);
@@ -97,8 +97,8 @@ TEST(Sensitivity, StiffeningLessensSagAndWeightAddsToIt) {
   EXPECT_EQ(weights, 7);
 }
 
-// If all joint stiffnesses and all E increase by the same fraction, the sag must decrease by that fraction, to within 2
-// %; the deflected shape changes the lever arms by about 1 %.
+// If all joint stiffnesses and all beams' stiffnesses increase by the same fraction, the deflection must decrease by
+// that fraction, to within 2 %, because deflection changes the lever arms by about 1 %.
 TEST(Sensitivity, AllStiffnessesTogetherScaleTheSag) {
   const auto result = Case().find();
   double sum = 0;
@@ -108,9 +108,8 @@ TEST(Sensitivity, AllStiffnessesTogetherScaleTheSag) {
   EXPECT_NEAR(sum, -result.mean_deflection, 0.02 * result.mean_deflection);
 }
 
-// The predicted error must equal that of the whole procedure without linearisation. An arm with one parameter off by
-// 0.1 % touches three holes. The nominal model, with exact or uncertain parameters, is calibrated from the touches, and
-// its error at the work postures is measured.
+// The predicted errors must equal those of a simulated calibration: an arm with one parameter changed by 0.1 % touches
+// three holes, the nominal arm is calibrated from the touches, and its errors at the work postures are averaged.
 TEST(Sensitivity, ErrorAfterCalibrationIsWhatACalibrationLeaves) {
   for (const auto& doubt : {ArmUncertainty::none(), ArmUncertainty{}}) {
     Case c;
@@ -151,8 +150,7 @@ TEST(Sensitivity, UncompensatedErrorIsWhatRigidCalibrationLeaves) {
   for (const auto& q : c.task.work)
     left += (tipOf(c.cell.arm, c.cell.X_WB_nominal, q) - tipOf(rigid, base.X_WB, q)).head<2>().norm() /
             static_cast<double>(c.task.work.size());
-  // The prediction is linear in the base's motion of about 1 in on an arm of 60 in, so it may be wrong by about that
-  // fraction.
+  // The prediction is linearised in the base's motion, about 1 in for an arm of 60 in, hence the tolerance.
   EXPECT_NEAR(c.find().mean_uncompensated, left, 0.01 * left);
 }
 

@@ -1,4 +1,4 @@
-// Choice of the holes to touch: the best triple, its predicted accuracy, and further touches.
+// Choice of the holes to touch: the best three, their predicted accuracy, and further touches.
 #include "calibration/design/touch_choice.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Choice and forecast of touches for an arm with uncertain parameters, compared with calibrations from these touches.
+// For an arm with uncertain parameters, the accuracy forecast for touches must agree with that of a calibration from
+// these touches.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -14,7 +15,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// An arm with its base pose, candidate touches and work postures; all postures are random.
+/// An arm with its base pose, and with candidate touches and work postures at random joint positions.
 struct DoubtedCell {
   deflection::Arm arm;
   Eigen::Isometry3d X_WB;
@@ -43,7 +44,7 @@ Estimate nothingTouched(const DoubtedCell& cell, const ArmUncertainty& doubt, do
   return estimateFrom(cell.arm, cell.X_WB, false, {}, {{}, true}, {doubt, model_error});
 }
 
-/// Returns touches of the given candidates with noise of the stated sigma.
+/// Returns touches of the candidates with these indices, with noise of the stated sigma.
 std::vector<Measurement> noisyTouches(const DoubtedCell& cell, const std::vector<int>& candidates, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal(0, 1);
@@ -58,8 +59,8 @@ std::vector<Measurement> noisyTouches(const DoubtedCell& cell, const std::vector
   return touches;
 }
 
-/// Returns the sigma of a tip coordinate [m], as root mean square over the work postures, from the covariance of base
-/// and parameters that a base calibration states.
+/// Returns the standard deviation of a tip coordinate [m], as root mean square over the work postures, that follows
+/// from the joint covariance of base and parameters in `base`.
 double tipSigmaBy(const BaseCalibration& base, const Work& work) {
   const auto& [numbers, covariance] = base.uncertainty;
   PredictionRequest request;
@@ -82,8 +83,8 @@ double tipSigmaBy(const BaseCalibration& base, const Work& work) {
 class TouchDoubt : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Cells, TouchDoubt, ::testing::Values("mockup.yaml", "puma.yaml", "iiwa.yaml", "column.yaml"));
 
-/// Forecast sigmas must equal those that a calibration states: for three and five touches, with an exact arm, the usual
-/// and a larger uncertainty, and a model error.
+/// The forecast sigmas must equal those of a calibration from the same touches, for three and for five touches, whether
+/// the arm is exact, has the usual or a larger uncertainty, or has a model error.
 TEST_P(TouchDoubt, SigmasForetoldAreThoseOfTheCalibration) {
   const auto cell = doubtedCell(GetParam());
   ArmUncertainty more;
@@ -114,7 +115,7 @@ TEST_P(TouchDoubt, SigmasForetoldAreThoseOfTheCalibration) {
     }
 }
 
-/// No triple of touches may be better than the chosen one, as judged by the plain inverse of the complete information
+/// The three touches chosen must be the best of all triples, each evaluated by the plain inverse of its information
 /// matrix.
 TEST_P(TouchDoubt, TheBestTripleIsBestBesideTheDoubt) {
   const auto cell = doubtedCell(GetParam());
@@ -145,8 +146,8 @@ TEST_P(TouchDoubt, MoreDoubtOfStiffnessesLowersNoSigma) {
   }
 }
 
-/// Touch plans must be chosen like the same touches in a design problem: for an arm with exact parameters, with
-/// uncertain parameters, and with a model error as well.
+/// The same touches must be chosen from touch plans as from a design problem, whether the arm is exact, has uncertain
+/// parameters, or has a model error as well.
 TEST_P(TouchDoubt, PlansAreChosenAsTheirReadingsAre) {
   const auto cell = doubtedCell(GetParam());
   std::vector<TouchPlan> plans;
@@ -164,8 +165,8 @@ TEST_P(TouchDoubt, PlansAreChosenAsTheirReadingsAre) {
     }
 }
 
-/// If an arm's parameters deviate within their uncertainty, its touches must hardly ever show a lack of fit, and the
-/// estimate must equal that of a base calibration.
+/// The estimate from touches must equal that of a base calibration. Touches by an arm drawn from its own uncertainty
+/// must hardly ever show a lack of fit.
 TEST_P(TouchDoubt, TouchesMadeCountAsACalibrationCountsThem) {
   const auto cell = doubtedCell(GetParam());
   int lacking = 0;

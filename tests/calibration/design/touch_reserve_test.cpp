@@ -9,7 +9,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// Positions of holes [in]; the first two lie at the ends of the mock-up's first row, almost out of reach.
+/// Positions of holes [in]; the first two, at the ends of the mock-up's first row, are almost out of reach.
 const std::vector<std::pair<double, double>> kHolesAtTheEdge{{-60.03, 2.28}, {60.03, 2.28}, {-40, 10}, {38, 12},
                                                              {10, 45},       {-2, 12},      {-25, 30}, {28, 32}};
 

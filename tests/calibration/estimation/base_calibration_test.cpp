@@ -1,4 +1,4 @@
-// The base pose from touches: recovery of the true base, coverage of the stated regions, and refusals.
+// Base calibration from touches must recover the true base, state regions that contain it, and refuse wrong touches.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ TEST(BaseCalibration, IsTheSameByEitherSolver) {
   const auto cell = touchedCell();
   BaseCalibrationOptions quick;
   quick.method = LeastSquaresMethod::kLevenbergMarquardt;
-  quick.mistaken_hole_p_value = 0;  // never refuse: the rigid arm is wrong by inches
+  quick.mistaken_hole_p_value = 0;  // do not refuse the rigid arm, whose error is inches
   quick.finds_model_error = quick.finds_suspects = false;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     auto touches = touchesOf(cell, 0.005, seed);
@@ -71,7 +71,8 @@ TEST(BaseCalibration, RecoversAHangingBase) {
   EXPECT_LE(stepBetween(found.X_WB, X_WB).head<3>().norm(), 1e-6 * kInch);
 }
 
-/// Counts how often the stated 95 % regions contain the true base, for arms that deviate within their uncertainty.
+/// Counts of calibrations in which the stated 95 % region contains the true base, for arms drawn from their
+/// uncertainty.
 struct Coverage {
   int runs = 0, held = 0, fits = 0, held_where_it_fits = 0;
   double chi2 = 0;
@@ -101,8 +102,8 @@ Coverage coverageOf(const ArmUncertainty& uncertainty, int runs) {
   return coverage;
 }
 
-/// In 95 % of the runs, the stated region must contain the true base: for exact arms, for arms with deviating
-/// stiffnesses, and for arms with deviations of all parameters.
+/// The stated region must contain the true base in 95 % of the runs, whether the arms are exact, deviate in their
+/// stiffnesses, or deviate in all parameters.
 TEST(BaseCalibration, NinetyFivePercentRegionsHoldTheBaseWhateverOfTheArmIsUncertain) {
   constexpr int kRuns = 1000;
   ArmUncertainty stiffnesses = ArmUncertainty::none();
@@ -226,14 +227,14 @@ TEST(BaseCalibration, NamesTheOneTouchThatDoesNotAgreeWithTheOthers) {
   EXPECT_EQ(calibrateBase(cell.arm, touches, cell.X_WB_nominal, options).odd_touch, -1) << "two do not agree";
 }
 
-/// If one joint of one touch is misread by half a degree or by five, the fit must be rejected. Of ten such readings, at
-/// least nine must be named, seven of them first.
+/// If one joint reading of one touch is wrong by half a degree or by five degrees, the fit must be rejected. Of ten
+/// such cases, the wrong reading must be among those named in at least nine, and be named first in at least seven.
 TEST(BaseCalibration, NamesTheJointReadingThatIsOff) {
   const auto cell = touchedCell({{-40, 10}, {38, 12}, {10, 45}, {-5, 20}, {30, 35}});
   for (const double off : {0.5, 5.}) {
     int named = 0, first = 0;
     for (std::size_t touch = 0; touch < cell.plans.size(); ++touch)
-      for (Eigen::Index joint = 0; joint < 2; ++joint) {  // the joints with long levers to the tip
+      for (Eigen::Index joint = 0; joint < 2; ++joint) {  // only joints far from the tip
         auto touches = touchesOf(cell, 0.005, 3 + touch);
         touches[touch].q[joint] += off * kDegree;
         const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal);
@@ -294,7 +295,7 @@ TEST(BaseCalibration, NamesTheMistakenHole) {
   for (std::size_t wrong = 0; wrong < 3; ++wrong)
     for (int way = 0; way < 4; ++way) {
       auto touches = touchesOf(cell, 0.005, 7 + static_cast<std::uint64_t>(way));
-      // The operator touched the neighbouring hole, so the recorded name is one hole off.
+      // The arm touched the recorded hole's neighbour in the direction `aside[way]`.
       *touches[wrong].p_W -= aside[way];
       BaseCalibrationOptions options;
       options.neighbours = [&](const Measurement& touch) {

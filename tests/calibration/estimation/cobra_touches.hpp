@@ -1,4 +1,4 @@
-// The Cobra arm under the mock-up's sheet, and its touches of the holes.
+// The Cobra arm under the mock-up's tube sheet, and simulated touches of its holes.
 #pragma once
 
 #include "app/formats/cell/cell_reader.hpp"
@@ -23,7 +23,7 @@ inline Eigen::Isometry3d pose(double x, double y, double z, double roll, double 
   return X;
 }
 
-/// Returns a cell with touches planned at the given holes [in], with the elbow up.
+/// Returns the mock-up cell with touches planned at the given hole positions [in], at postures with the elbow up.
 inline TouchedCell touchedCell(const std::vector<std::pair<double, double>>& holes = {{-40, 10}, {38, 12}, {10, 45}}) {
   static const app::Cell kCell = app::readCell(TUBEPLAN_SOURCE_DIR "/app/cells/mockup.yaml");
   TouchedCell cell{kCell.arm, kCell.X_WB, pose(0.8, 42.4, -43.5, 0.3, -0.2, -89), {}};
@@ -38,7 +38,7 @@ inline TouchedCell touchedCell(const std::vector<std::pair<double, double>>& hol
   return cell;
 }
 
-/// Returns the arm with parameters drawn at random from their uncertainty.
+/// Returns a copy of the arm whose parameters are drawn at random from their uncertainty.
 inline deflection::Arm drawnArm(const deflection::Arm& arm, const ArmUncertainty& uncertainty, std::uint64_t seed) {
   const UncertainNumbers numbers = uncertainNumbers(arm, uncertainty);
   RandomStream random(seed * 7919 + 1);
@@ -52,7 +52,8 @@ inline deflection::Arm drawnArm(const deflection::Arm& arm, const ArmUncertainty
   return drawn;
 }
 
-/// Returns touches of the true arm with noise `sigma_in` [in]; 0 gives exact touches with a stated noise of 0.005 in.
+/// Returns touches by the arm at its true base pose with noise `sigma_in` [in]; 0 gives exact touches with a stated
+/// sigma of 0.005 in.
 inline std::vector<Measurement> touchesOf(const TouchedCell& cell, double sigma_in, std::uint64_t seed) {
   deflection::Arm truth = cell.arm;
   if (sigma_in == 0)

@@ -1,4 +1,5 @@
-// Coordinates with correlated errors: the weight of such a reading, and the gain of a fit that uses the correlation.
+// Readings with correlated coordinate errors must be weighted by their full covariance, which makes a fit more
+// accurate.
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/identification.hpp"
@@ -50,8 +51,8 @@ TEST(CorrelatedCoordinates, AreThoseOfAPositiveDefiniteCovariance) {
   EXPECT_FALSE(isPossibleCorrelation({0, std::numeric_limits<double>::quiet_NaN(), 0}));
 }
 
-// If the coordinates are rotated, the covariance must be rotated with them: x, y, z of the file are -y, x, z of the
-// world.
+// If the coordinates are rotated into the world's axes (here x, y, z of the file are -y, x, z of the world), the
+// covariance must be rotated with them.
 TEST(CorrelatedCoordinates, TurnWithTheAxesThatTheyAreWrittenIn) {
   const Measurement m = correlated(MeasurementKind::kPosition);
   const Matrix3d to_world = *mistakes::axes::matrixOf("-yxz");
@@ -71,7 +72,7 @@ TEST(CorrelatedCoordinates, GoWithWhatWasMeasuredWhereRowsAreShifted) {
   EXPECT_EQ((*readings[1].correlation_W)[0], 0.2);
 }
 
-/// Counts 95 % intervals and those that contain the truth, and adds up their relative widths.
+/// Number of 95 % intervals, number of those that contain the true value, and sum of their relative widths.
 struct IntervalCoverage {
   int holds = 0, count = 0;
   double width = 0;
@@ -89,13 +90,14 @@ void fit(const PlacedArm& truth, const std::vector<Measurement>& readings, const
     const double value = deflection::findParameter(truth.arm, number.unknown.name)->value;
     ++coverage.count;
     coverage.holds += number.lower <= value && value <= number.upper;
-    coverage.width += (1 / number.lower - 1 / number.upper) * value;  // relative width in the compliance
+    // Width of the compliance interval, relative to the true compliance.
+    coverage.width += (1 / number.lower - 1 / number.upper) * value;
   }
 }
 
-// Intervals must contain the truth in 95 % of the cases, and be less than half as wide as without the correlations. The
-// tracker looks along x, with noise of 0.001 in in range and 0.005 in across, and correlations of 0.9. The encoders are
-// accurate, so that the tracker's noise dominates.
+// If correlations are stated, 95 % intervals must contain the true value in 95 % of the cases, and be less than half as
+// wide as intervals without them. The tracker's noise is 0.001 in along x and 0.005 in across, with correlations of
+// 0.9. The encoder noise is reduced, so that the tracker's noise dominates.
 TEST(CorrelatedCoordinates, IntervalsHoldTheTruthAndAreSharperForIt) {
   const std::vector<std::string> names{"tool.joint_stiffness.z", "forearm.joint_stiffness.z",
                                        "mezzanine-beam.joint_stiffness.z", "mezzanine-platform.joint_stiffness.x"};

@@ -1,4 +1,5 @@
-// Validation by held-out readings: whole poses are held out, with the same folds for the same seed.
+// Validation by held-out readings: readings at one posture or point must be held out together, and equal seeds must
+// give equal folds.
 #include "calibration/estimation/held_out.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,8 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// Returns touches of points under three loads, and positions at postures that repeat up to the encoders' noise.
+/// Returns touches of eight points under three loads each, then positions at thirty postures, each of which is repeated
+/// twice to within encoder noise.
 std::vector<Measurement> campaign(std::uint64_t seed) {
   ReadingMaker maker(cobra(), seed, ReadingMaker::Noise::kStated);
   maker.addTouches(8, {0, 20 * kPound, 40 * kPound}, false);
@@ -75,7 +77,7 @@ TEST(HeldOut, FoldsSplitNoGroupAndAreEven) {
   }
 }
 
-/// Returns positions at distinct postures: `a` in set-up A and `b` in set-up B.
+/// Returns positions at different postures: `a` of them in set-up A and `b` in set-up B.
 std::vector<Measurement> inTwoSetups(int a, int b) {
   ReadingMaker maker(cobraTwice(), 15, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, a, "A");
@@ -140,8 +142,8 @@ TEST(HeldOut, JudgesByTheErrorsOfTheTruth) {
   EXPECT_EQ(judge(cobra(), {}).readings, 0);
 }
 
-// Every reading must be judged once, by a fit without that reading. The error must therefore exceed that of a fit to
-// all readings.
+// Cross-validation must predict every reading once, by a fit to the readings of the other folds. Its error must exceed
+// that of a fit to all readings.
 TEST(HeldOut, CrossValidationJudgesEveryReadingOnceByAFitWithoutIt) {
   PlacedArm placed = cobra();
   ReadingMaker maker(placed, 12, ReadingMaker::Noise::kStated);
@@ -164,8 +166,8 @@ TEST(HeldOut, CrossValidationJudgesEveryReadingOnceByAFitWithoutIt) {
   EXPECT_GT(cross.rms, judge(applied(placed, unknowns, all.solution.x), maker.readings).rms);
 }
 
-// Expects that, with many readings, one step from the fit to all readings predicts a fold as well as a separate fit,
-// and that steps are refused if a fold's fit is many sigmas away.
+// Expects that, for many readings, cross-validation by single steps gives the same error as by separate fits, and that
+// it is refused if a fold's fit is many sigmas away from the fit to all readings.
 void expectStepsLikeFits(bool with_touches) {
   SCOPED_TRACE(with_touches ? "with touched points, whose places each fold estimates" : "errors to first order");
   PlacedArm placed = cobra();

@@ -1,4 +1,5 @@
-// Hybrid method: the second method runs only if the first does not converge soon, and never makes the result worse.
+// In the hybrid method, the second method must run only if the first does not converge soon, and must never make the
+// result worse.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +12,8 @@ namespace {
 using Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
 using Status = LeastSquaresStatus;
 
-/// Returns a problem with a curved valley that is ten thousand times as steep across as along, and scales that are far
-/// too small for the valley's length.
+/// Returns a problem with a curved valley that is ten thousand times steeper across than along, and with scales that
+/// are far smaller than the valley is long.
 LeastSquaresProblem longValley() {
   auto problem = rosenbrock();
   problem.start = Vector2d(-3, 9);
@@ -37,7 +38,8 @@ TEST(HybridMethod, WhatRestsSoonIsLeftToTheFirst) {
   }
 }
 
-/// However many iterations are left to the second method, the result must be no worse than that of either method.
+/// However many iterations remain for the second method, the hybrid result must have no larger chi2 than either method
+/// alone.
 TEST(HybridMethod, EndNoHigherThanEither) {
   constexpr int kFirst = 30;
   const auto problem = longValley();

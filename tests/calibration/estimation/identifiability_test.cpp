@@ -1,4 +1,4 @@
-// Identifiability from readings: exactly confounded parameters, parameters without influence, redundant geometry.
+// Verdicts on identifiability for confounded parameters, parameters without influence, and redundant geometry.
 #include "calibration/estimation/identifiability.hpp"
 
 #include <gtest/gtest.h>
@@ -56,20 +56,21 @@ Eigen::MatrixXd inTypicalSizes(const Seen& seen) {
   return columns;
 }
 
-/// Returns the rank of the Jacobian from its singular values, with columns scaled by the unknowns' typical sizes.
+/// Returns the numerical rank of the Jacobian with respect to the variables divided by their typical sizes.
 int rankOf(const Seen& seen) {
   const Eigen::MatrixXd columns = inTypicalSizes(seen);
   const Eigen::VectorXd values = columns.bdcSvd().singularValues();
   return static_cast<int>((values.array() > 1e-8 * values[0]).count());
 }
 
-/// Makes the arm rigid and its encoders nearly noise-free, so that noise hides no parameter.
+/// Makes the arm rigid and its encoders nearly noise-free, so that every parameter is determined as far as geometry
+/// allows.
 void makePrecise(PlacedArm& placed) {
   placed.arm = deflection::rigidCopy(placed.arm);
   for (auto& row : placed.arm.rows) row.joint.encoder_sigma = 1e-9;
 }
 
-/// Returns an arm of six revolute axes, of which no two neighbours are parallel.
+/// Returns an arm with six revolute joints, in which no two successive axes are parallel.
 PlacedArm sixAxisArm() {
   PlacedArm placed;
   const double alpha[] = {10, -80, 70, -95, 85, -100}, a[] = {0.05, 0.1, 0.5, 0.08, 0.06, 0.03},
@@ -132,7 +133,8 @@ TEST(Identifiability, WhatNoReadingDependsOnStaysAtItsStartAndSaysSo) {
   EXPECT_NEAR(result.fitted.base_poses[0].X_WB.translation().x(), placed.base_poses[0].X_WB.translation().x(), 1e-9);
 }
 
-// With a free base, 27 geometric parameters of a six-axis arm must be identifiable: four per axis and three of the tip.
+// With a free base, `geometry` must free 27 parameters of a six-axis arm (four per axis and three of the tip), all of
+// them identifiable.
 TEST(Identifiability, GeometryOfASixAxisArmIsDetermined) {
   PlacedArm placed = sixAxisArm();
   makePrecise(placed);
@@ -163,7 +165,7 @@ TEST(Identifiability, ParallelAxesHaveALeanInPlaceOfADistanceAlongThem) {
   placed.base_poses[0].is_known = false;
   makePrecise(placed);
   const Seen seen = see(placed, preciseReadings(placed, 60), {{"geometry"}, true});
-  EXPECT_EQ(rankOf(seen), 19);  // four axes: 4 x 4 + 3
+  EXPECT_EQ(rankOf(seen), 19);  // four per axis for four axes, and three of the tip
   EXPECT_NEAR(seen.numbers(), 19, 0.01);
   for (const char* name : {"forearm.dh.beta", "tool.dh.beta"}) EXPECT_EQ(seen.of(name).verdict, kYes);
 }
@@ -189,7 +191,7 @@ TEST(Identifiability, WhatNoiseHidesIsNotIdentifiable) {
   EXPECT_LT(blurred.numbers(), 1);
 }
 
-// Identifiability must not depend on a start that is wrong by a large factor.
+// The verdict must not change if the fit starts with stiffnesses that are wrong by a large factor.
 TEST(Identifiability, AStartFarTooStiffSaysTheSame) {
   auto readings = positions(cobra(), 12);
   for (const double factor : {1 / 3., 1., 3., 1000.}) {
@@ -209,8 +211,8 @@ TEST(Identifiability, AStartFarTooStiffSaysTheSame) {
   }
 }
 
-/// A stiffness must not be called identifiable if the readings determine it so poorly that its interval has no upper
-/// end.
+/// Whatever the noise, a stiffness that is called identifiable must have a finite interval and a sigma smaller than its
+/// value.
 TEST(Identifiability, AnIntervalWithoutAnEndIsNotYes) {
   auto readings = positions(cobra(), 6);
   for (double sigma = 1e-6; sigma < 1; sigma *= 3) {
@@ -240,8 +242,8 @@ TEST(Identifiability, SingularValuesAreThoseOfTheColumnsInTypicalSizes) {
   EXPECT_GE(result.singular_values[0], result.singular_values[1]);
 }
 
-/// Two confounded parameters with prior sigmas 1 and 10 must not be called identifiable: the second has a sigma of 1,
-/// but only through the prior of the first.
+/// Neither of two confounded parameters, with prior sigmas of 1 and 10, must be called identifiable: the posterior
+/// sigma of the second is 1, but only because of the first one's prior.
 TEST(Identifiability, WhatOnlyThePriorOfAConfoundedNumberDeterminesIsNotYes) {
   std::vector<Unknown> unknowns(3);
   for (auto& unknown : unknowns) unknown.typical = unknown.prior_sigma = 10;

@@ -1,4 +1,5 @@
-// Parameters of a known arm are recovered from readings: exactly without noise, and reliably in spite of gross errors.
+// Identification must recover the parameters of a known arm from readings: exactly without noise, and reliably in spite
+// of gross errors.
 #include "calibration/estimation/identification.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ double& stiffnessOf(deflection::Arm& arm, const std::string& name) {
 const std::vector<std::string> kSoft{"tool.joint_stiffness.z", "latch-link.beam.Iz",
                                      "mezzanine-platform.joint_stiffness.x"};
 
-/// Multiplies each stiffness by 3 or 1/3, as the bits of `ways` say.
+/// Multiplies the k-th named stiffness by 3 if bit k of `ways` is set, otherwise by 1/3.
 PlacedArm offByThree(PlacedArm placed, const std::vector<std::string>& names, unsigned ways) {
   for (std::size_t k = 0; k < names.size(); ++k) stiffnessOf(placed.arm, names[k]) *= ways >> k & 1U ? 3 : 1 / 3.;
   return placed;
@@ -95,7 +96,7 @@ TEST(Identification, AnAxisTakenAsRigidIsFoundToGive) {
 }
 
 TEST(Identification, TheNumbersOfANoisyFitAreWithinTheirIntervals) {
-  // More than two of twelve 95 % intervals miss the truth with a probability below 0.02 only.
+  // The probability that more than two of twelve 95 % intervals miss the true value is below 0.02.
   int outside = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     ReadingMaker maker(cobra(), seed, Noise::kStated);
@@ -156,7 +157,8 @@ TEST(Identification, RefusesWithAReason) {
   EXPECT_EQ(once.reading_problem->reading, 2) << "as it was given, held-out readings counted";
 }
 
-/// Returns a rigid arm, quick to evaluate: the treatment of outliers does not depend on flexibility.
+/// Returns the Cobra arm as a rigid arm, which is faster to evaluate; the treatment of outliers does not depend on
+/// flexibility.
 PlacedArm rigidCobra() {
   PlacedArm placed = cobra();
   placed.arm = deflection::rigidCopy(placed.arm);
@@ -166,7 +168,8 @@ PlacedArm rigidCobra() {
 
 const std::vector<std::string> kOffsets{"latch-link.joint.offset", "forearm.joint.offset", "tool.joint.offset"};
 
-/// Returns the readings with gross errors of `size` [m] added to those listed in `which`, in three directions in turn.
+/// Returns the readings with gross errors of length `size` [m] added to those with the indices `which`, in three
+/// directions in turn.
 std::vector<Measurement> spoilt(std::vector<Measurement> readings, const std::vector<std::size_t>& which, double size) {
   const Eigen::Vector3d ways[] = {{1, 0, 0}, {0, 0.6, -0.8}, {-0.6, 0.8, 0}};
   for (std::size_t k = 0; k < which.size(); ++k) *readings[which[k]].p_W += size * ways[k % 3];
@@ -186,7 +189,7 @@ TEST(Outliers, PlantedOnesAreNamedWithTheirSize) {
       std::set<int> named;
       for (const auto& outlier : result.outliers) {
         named.insert(outlier.reading);
-        // The stated size is the gross error plus the reading's noise of a few thousandths of an inch.
+        // The reported size also includes the reading's own noise of a few thousandths of an inch.
         EXPECT_NEAR(outlier.size, 0.1 * kInch, 0.025 * kInch) << seed << " loss " << static_cast<int>(loss);
       }
       EXPECT_EQ(named, (std::set<int>{4, 23})) << seed << " loss " << static_cast<int>(loss);
@@ -208,7 +211,8 @@ TEST(Outliers, CleanReadingsHaveNone) {
   EXPECT_GE(clean, 95);
 }
 
-// If all noise is understated by a factor of eight, all readings fit equally badly, and none may be named an outlier.
+// If the stated noise is too small by a factor of eight everywhere, all readings fit equally badly, and none may be
+// named an outlier.
 TEST(Outliers, AMisfitEverywhereIsNoOutlier) {
   PlacedArm start = rigidCobra();
   for (auto& row : start.arm.rows) row.joint.encoder_sigma /= 8;
@@ -218,13 +222,13 @@ TEST(Outliers, AMisfitEverywhereIsNoOutlier) {
     for (auto& m : maker.readings) m.sigma /= 8;
     const auto result = identify(start, maker.readings, freeing(kOffsets));
     EXPECT_TRUE(result.outliers.empty()) << seed;
-    // The true noise is eight stated sigmas. One is stated; the model error must account for the rest, sqrt(8^2 - 1).
+    // The model error must make up the difference between the true and the stated variance: (8^2 - 1) sigma^2.
     EXPECT_NEAR(result.model_error / maker.readings.front().sigma, 8 * std::sqrt(63) / 8, 2) << seed;
   }
 }
 
-// Even if a robust loss reduces the weights of some touches of unknown points, the reported errors must be relative to
-// points estimated with the weights from noise alone.
+// If a robust loss reduces the weights of some touches of unknown points, the reported errors must still be relative to
+// points estimated without the loss, as judge() estimates them.
 TEST(RobustLoss, ReportsTheErrorThatTheFittedArmHas) {
   ReadingMaker maker(cobra(), 5, Noise::kStated);
   maker.addTouches(15, {0, 30 * kPound}, false);
@@ -236,7 +240,8 @@ TEST(RobustLoss, ReportsTheErrorThatTheFittedArmHas) {
   EXPECT_NEAR(judge(result.fitted, maker.readings).rms, result.after.rms, 1e-3 * result.after.rms);
 }
 
-// A loss that reduces the weight of every reading slightly must not make chi-square too small.
+// With either robust loss, the mean of chi-square per degree of freedom must stay near 1, although the loss reduces the
+// weights of good readings slightly.
 TEST(RobustLoss, LeavesTheLackOfFitComparableWithItsFreedom) {
   for (const auto loss : {RobustLoss::kHuber, RobustLoss::kCauchy}) {
     double each = 0;

@@ -1,4 +1,5 @@
-// Geometry of arms in Denavit-Hartenberg parameters on a known base, where the first axis may have any pose.
+// Fits of the geometry of random arms in Denavit-Hartenberg parameters on a known base, which also include the first
+// axis.
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/identification.hpp"
@@ -12,8 +13,8 @@ namespace {
 
 constexpr double kTrackerSigma = 5e-5;  // [m]
 
-/// Returns the arm with every frame displaced from the drawing in all six directions, with standard deviations of 2 mm
-/// and 4 mrad.
+/// Returns the arm as built: every frame deviates from the drawing in all six directions, with standard deviations of 2
+/// mm and 4 mrad.
 deflection::Arm builtFrom(const PlacedArm& drawn, RandomStream& random) {
   deflection::Arm built = byOrigins(drawn).arm;
   for (auto& row : built.rows) {
@@ -24,7 +25,7 @@ deflection::Arm builtFrom(const PlacedArm& drawn, RandomStream& random) {
   return built;
 }
 
-/// Returns noise-free tip positions over the joints' whole ranges.
+/// Returns noise-free measurements of the tip position at random postures over the joints' whole ranges.
 std::vector<Measurement> exactPositions(const deflection::Arm& arm, RandomStream& random) {
   std::vector<Measurement> readings(120);
   for (Measurement& m : readings) {

@@ -1,4 +1,4 @@
-// Least-squares problems with known solutions, and a record of their evaluations.
+// Least-squares problems with known solutions, and a wrapper that counts their evaluations.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ inline double chi2Of(const LeastSquaresProblem& problem, const Eigen::VectorXd& 
   return r.squaredNorm();
 }
 
-/// Returns a problem with a curved valley and its minimum, zero, at (1, 1).
+/// Returns the Rosenbrock problem: a curved valley, whose minimum is zero at (1, 1).
 inline LeastSquaresProblem rosenbrock() {
   auto problem = problemAt(Eigen::Vector2d(-1.2, 1));
   problem.evaluate = [](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) {
@@ -39,8 +39,8 @@ inline LeastSquaresProblem rosenbrock() {
   return problem;
 }
 
-/// Returns the problem log x0 = 0 and x1 = x0. It is undefined for x0 <= 0, where a full Newton step from the start
-/// ends: there, the evaluation fails if `say_so` is true; otherwise the residual is NaN.
+/// Returns the problem log x0 = 0, x1 = x0. It is undefined for x0 <= 0, where a full Newton step from the start would
+/// end. The evaluation there fails if `say_so` is true; otherwise it yields NaN.
 inline LeastSquaresProblem halfPlane(bool say_so) {
   auto problem = problemAt(Eigen::Vector2d(8, 0));
   problem.evaluate = [say_so](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) {
@@ -52,8 +52,8 @@ inline LeastSquaresProblem halfPlane(bool say_so) {
   return problem;
 }
 
-/// Returns a random problem A x = b with more rows than columns, within bounds that some variables of the unconstrained
-/// solution exceed. The columns are nearly equal if `own`, the weight of their independent parts, is small.
+/// Returns a random overdetermined problem A x = b with bounds, which some variables of the unconstrained solution
+/// exceed. The columns of A are nearly equal if `own`, the weight of their independent parts, is small.
 inline LeastSquaresProblem randomLinear(std::uint64_t seed, double own = 1) {
   constexpr int kRows = 12, kColumns = 5;
   boost::random::mt19937_64 random(seed);
@@ -74,7 +74,7 @@ inline LeastSquaresProblem randomLinear(std::uint64_t seed, double own = 1) {
   return problem;
 }
 
-/// Record of the evaluations of a problem.
+/// Counts of the evaluations of a problem: without and with a Jacobian, and outside the bounds.
 struct Asked {
   int values = 0, jacobians = 0, out_of_bounds = 0;
 };

@@ -1,4 +1,4 @@
-// All least-squares methods of the table, on problems with known solutions.
+// Every least-squares method of the table must solve problems with known solutions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ TEST_P(EveryMethod, FindsTheBottomOfTheValley) {
   EXPECT_DOUBLE_EQ(found.chi2, chi2Of(rosenbrock(), found.x));
 }
 
-// Iterations must be reported from start to end, and the callback must not change the result.
+// A method must report its iterations to the observer from start to end, and the observer must not change the result.
 TEST_P(EveryMethod, TellsItsIterations) {
   std::vector<LeastSquaresIteration> told;
   LeastSquaresOptions options{std::nullopt, 100000, method()};
@@ -78,8 +78,8 @@ TEST_P(EveryMethod, StaysWithinBounds) {
   EXPECT_EQ(asked.out_of_bounds, 0);
 }
 
-/// At the minimum, the gradient must be zero for each variable between its bounds; at a bound, chi2 may decrease only
-/// beyond the bound.
+/// At the solution of a linear problem, the gradient must be zero for each variable between its bounds; for a variable
+/// at a bound, chi2 may decrease only beyond the bound.
 TEST_P(EveryMethod, LinearProblemsEndWhereNoBoundLetsThemFallFurther) {
   int at_bounds = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -103,7 +103,7 @@ TEST_P(EveryMethod, LinearProblemsEndWhereNoBoundLetsThemFallFurther) {
   EXPECT_LT(at_bounds, 80);
 }
 
-/// The same problem in other units must give bitwise equal results if the scales are powers of two.
+/// A problem stated in other units must give bitwise the same result, if the scales are powers of two.
 TEST_P(EveryMethod, WorksInUnitsOfTheScale) {
   const Vector2d scale(0.25, 8);
   auto problem = rosenbrock(), stretched = rosenbrock();
@@ -183,8 +183,8 @@ TEST_P(EveryMethod, TurnsBackWhereTheModelCannotBeEvaluated) {
   }
 }
 
-/// If the model has no derivatives beyond x0 = 0.5, half way along the valley, the method must fail with a reason, at a
-/// point better than the start.
+/// If the Jacobian cannot be evaluated beyond x0 = 0.5, half way along the valley, the method must fail with a reason,
+/// at a point with a smaller chi2 than the start.
 TEST_P(EveryMethod, SaysWhenTheModelCannotBeDifferentiated) {
   auto problem = rosenbrock();
   problem.evaluate = [inner = problem.evaluate](const VectorXd& x, VectorXd& r, MatrixXd* J) {
@@ -246,8 +246,8 @@ TEST_P(EveryMethod, RestsWhereNothingDependsOnTheVariables) {
   EXPECT_DOUBLE_EQ(found.chi2, 25);
 }
 
-/// No evaluation may exceed a bound, even if rounding makes the bound larger when it is divided by the scale and
-/// multiplied again.
+/// No evaluation may exceed a bound, even if dividing the bound by the scale and multiplying it again makes it larger
+/// by rounding.
 TEST_P(EveryMethod, BoundsHoldToTheLastBit) {
   auto problem = rosenbrock();
   problem.scale[0] = 0.3;
@@ -271,7 +271,7 @@ TEST_P(EveryMethod, RefusesBoundsTheWrongWayRound) {
   EXPECT_EQ(found.evaluations + found.jacobian_evaluations, 0);
 }
 
-/// Even if a large residual hides the decrease of chi2 in rounding errors, every method must converge in a reasonable
+/// If chi2 is so large that its decrease is lost in rounding errors, every method must still converge in a reasonable
 /// number of iterations.
 TEST_P(EveryMethod, RestsOnALargeMisfit) {
   auto problem = rosenbrock();

@@ -7,8 +7,8 @@ namespace {
 
 using Status = LeastSquaresStatus;
 
-/// Steps that are clipped at one bound after another may predict an increase; the method must shorten such steps, not
-/// repeat them endlessly.
+/// If the columns of the Jacobian are nearly equal, a step clipped at several bounds may predict an increase of chi2.
+/// The method must then shorten the step, and converge to the same minimum as the interior point method.
 TEST(LevenbergMarquardt, UnknownsAllButAlikeComeToRestAtTheirBounds) {
   int at_bounds = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {

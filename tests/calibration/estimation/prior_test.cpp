@@ -1,4 +1,4 @@
-// Priors in the fit and in its covariance: linear problems with known solutions, and values of the drawing that
+// Effect of priors on a fit and its covariance, in linear problems with known solutions and for parameters that the
 // readings do not determine.
 #include "calibration/estimation/prior.hpp"
 
@@ -61,7 +61,8 @@ TEST(Prior, TheEffectiveNumberIsTheTraceOfTheHatMatrix) {
   EXPECT_LT(trace, 2.5);
 }
 
-// A compliance in rad/(N m) and a force in N have very different scales, which must not affect the sigmas.
+// The sigmas must not change if the variables are expressed in other units, although those of a compliance and of a
+// force then differ by many powers of ten.
 TEST(Prior, CovarianceDoesNotHangOnUnits) {
   ReadingMaker maker(cobra(), 8, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 12);
@@ -113,7 +114,7 @@ TEST(Prior, MovesWithAnUnknownThatIsRebased) {
   EXPECT_NEAR(priorResiduals({moved}, VectorXd::Constant(1, -0.002))[0], 0, 1e-12);
 }
 
-/// Returns tip positions of a rigid arm.
+/// Returns noisy measurements of the tip position.
 std::vector<Measurement> rigidReadings(const PlacedArm& truth, int count) {
   ReadingMaker maker(truth, 31, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, count);
@@ -127,7 +128,8 @@ TEST(Prior, WhatReadingsDetermineOnlyTogetherIsSharedByThePriors) {
   const auto path = deflection::findParameter(truth.arm, "forearm.dh.d")->path;
   deflection::locate(truth.arm, path) += 0.004;
   FreeChoice choice{{"latch-link.dh.d", "forearm.dh.d", "tool.dh.d"}, false};
-  choice.priors.named["tool.dh.d"] = 0.0025;  // a sigma half as large: its correction is a quarter of the others'
+  // With half the sigma of the others, it must get a quarter of their correction.
+  choice.priors.named["tool.dh.d"] = 0.0025;
   auto unknowns = chooseUnknowns(start, choice).list;
   const auto readings = rigidReadings(truth, 20);
   const Fit fit = fitUnknowns(start, unknowns, readings, VectorXd::Zero(3), {});
@@ -139,8 +141,8 @@ TEST(Prior, WhatReadingsDetermineOnlyTogetherIsSharedByThePriors) {
   EXPECT_EQ(fit.degrees_of_freedom, 59);
 }
 
-/// A correct drawing must prevail over readings in a small joint range that state a noise a thousand times smaller than
-/// the model's error.
+/// If readings in a small joint range state a noise a thousand times smaller than the actual errors, the fit must keep
+/// close to the drawing, which is correct.
 TEST(Prior, HoldsAgainstReadingsThatStateFarTooLittleNoise) {
   PlacedArm start = cobra();
   start.arm = deflection::rigidCopy(start.arm);
@@ -180,8 +182,8 @@ TEST(ModelError, IsFoundBesideTheNoise) {
   }
 }
 
-/// A distance reading has a single row, and the median of its squared error is less than half the mean; this must not
-/// bias the model error.
+/// The model error of distance readings must be found without bias, although the median of the squared error of their
+/// single row is less than half its mean.
 TEST(ModelError, IsFoundOfDistancesToo) {
   constexpr double kSize = 1e-3;
   double mean = 0;

@@ -1,4 +1,5 @@
-// Profile intervals: equal to those from sigma if the model is linear, and more accurate otherwise.
+// Profile intervals must equal those from sigma if the model is linear, and must end where chi-square has risen by its
+// 95 % quantile if it is not.
 #include "calibration/estimation/profile_interval.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ struct Fitted {
   [[nodiscard]] ProfileInterval profile(int k) const {
     return profileInterval(start, unknowns, readings, fit, k, sigmaOf(k));
   }
-  /// Returns the minimised sum: chi-square plus the squared prior residuals.
+  /// Returns the minimum of the fit: chi-square of the readings plus the squared prior residuals.
   [[nodiscard]] double leastChi2() const {
     return fit.solution.chi2 + priorResiduals(unknowns, fit.solution.x).squaredNorm();
   }
@@ -60,7 +61,8 @@ TEST(ProfileInterval, OfASingleUnknownNothingElseIsFittedAgain) {
   EXPECT_NEAR(interval.upper - interval.lower, 2 * 1.959964 * f.sigmaOf(0), 0.01 * f.sigmaOf(0));
 }
 
-// At an end of the interval, with all other unknowns fitted again, chi-square must have increased by its 95 % quantile.
+// At each end of the interval, after all other unknowns are refitted, chi-square must have risen by its 95 % quantile,
+// 3.84.
 TEST(ProfileInterval, EndsWhereTheMisfitHasRisenByItsShare) {
   ReadingMaker maker(cobra(), 5, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 8);
@@ -78,7 +80,7 @@ TEST(ProfileInterval, EndsWhereTheMisfitHasRisenByItsShare) {
     const auto solution = minimizeLeastSquares(fitProblem(f.start, fixed, f.readings, f.fit.weights, x), {});
     EXPECT_NEAR(solution.chi2 - f.leastChi2(), 3.841459, 0.02);
   }
-  // The readings limit a stiffness less from above than from below, so the interval must extend farther upwards.
+  // The interval must extend farther upwards, because readings limit a stiffness less from above than from below.
   const auto [least, most] = valuesBetween(f.unknowns[0], interval.lower, interval.upper);
   EXPECT_GT(most - 1 / give, 1 / give - least);
 }

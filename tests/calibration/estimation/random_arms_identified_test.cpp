@@ -1,4 +1,4 @@
-// Stiffnesses of random arms, recovered from readings that determine them.
+// Stiffnesses of random arms must be recovered from exact readings, as far as these determine them.
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/identification.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 using namespace deflection;
 
-/// Returns noise-free tip positions under three loads in turn.
+/// Returns noise-free measurements of the tip position at random postures, under three loads in turn.
 std::vector<Measurement> exactReadings(const Arm& arm, int count) {
   std::vector<Measurement> readings;
   for (int k = 0; k < count; ++k) {

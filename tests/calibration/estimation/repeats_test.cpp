@@ -1,5 +1,5 @@
-// Repeated readings at one posture determine the noise up to the largest plausible factor; a larger scatter excuses no
-// lack of fit.
+// Repeated readings at one posture must correct the stated noise, but only by a plausible factor: a larger scatter must
+// not excuse a lack of fit.
 #include "calibration/estimation/repeats.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,8 @@ TEST(Repeats, ExcuseAModelUpToTheirBoundOnly) {
     }
 }
 
-// If each of two reflectors on the tool is read twice per posture, repeats must be grouped by posture and reflector.
+// If each of two reflectors on the tool is measured twice at each posture, only readings of the same reflector at the
+// same posture must count as repeats.
 TEST(Repeats, AreOfOnePlaceOnTheTool) {
   auto readings = makeCampaign(deflection::cobraArm(), 4);
   readings.resize(3);
@@ -60,8 +61,8 @@ TEST(Repeats, AreOfOnePlaceOnTheTool) {
     for (std::size_t b = 0; b < a; ++b) EXPECT_EQ(groups[a] == groups[b], a / 4 == b / 4 && a % 2 == b % 2);
 }
 
-// If two readings at one posture lie a metre apart, but the model fits all others, the scatter must not count as noise,
-// and the model must be judged inadequate.
+// If one reading has the joint readings of the row before, so that two readings at one posture are far apart, the
+// scatter must not count as noise, and the model must be judged inadequate.
 TEST(Repeats, AStaleRowIsNotNoise) {
   auto readings = makeCampaign(deflection::cobraArm(), 4);
   readings[20].q = readings[19].q;

@@ -1,4 +1,4 @@
-// Readings that a diagnosis sets aside together with an outlier.
+// A diagnosis must set aside readings that give no information without an outlier, together with this outlier.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace tubeplan::calibration {
 namespace {
 
 TEST(Diagnosis, ATouchLeftAloneByAnOutlierIsSetAsideWithIt) {
-  // Each unmeasured point is touched twice. If one touch is an outlier, the other gives no information and must be set
-  // aside too.
+  // Each unknown point is touched twice. If one of its touches is an outlier, the other one gives no information and
+  // must be set aside too.
   for (const std::uint64_t seed : {1, 2, 3}) {
     ReadingMaker maker(cobra(), seed, ReadingMaker::Noise::kStated);
     maker.addTouches(24, {0, 40 * kPound}, false);

@@ -1,4 +1,4 @@
-// Encoder readings shared by several measurements: their noise is common to these measurements.
+// If several measurements share one reading of the encoders, their common noise must be taken into account.
 #include "calibration/estimation/shared_noise.hpp"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Returns six positions, three at a first station, two at a second and one at a third, and the displacements from the
-/// first station to the last four.
+/// Returns positions 0 to 5 (three at a first station, two at a second and one at a third), and the displacements from
+/// the first station to the positions 2 to 5.
 std::vector<Measurement> severalAtAStation() {
   ReadingMaker maker(cobra(), 21, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 6);
@@ -40,7 +40,8 @@ MatrixXd slopesOf(const Measurement& reading) {
   return predictReading(placed.arm, placed.base_poses.front().X_WB, reading, request).by_joints;
 }
 
-/// Returns the covariance by definition: encoder noise is independent between stations and common within each.
+/// Returns the covariance of all readings computed directly: encoder noise is common to readings at one station and
+/// independent between stations.
 MatrixXd covarianceOf(const std::vector<Measurement>& readings) {
   const auto arm = cobra().arm;
   const auto n = static_cast<Index>(readings.size()), joints = arm.jointCount();
@@ -88,17 +89,18 @@ void expectWhite(const std::vector<Measurement>& readings, std::size_t shared) {
 }
 
 TEST(SharedNoise, IsWhitenedAsTheWholeCovarianceHasIt) {
-  expectWhite(severalAtAStation(), 3);  // each station has several readings that share its encoder noise
+  expectWhite(severalAtAStation(), 3);  // three stations whose encoder noise several readings share
 }
 
-/// A chain of displacements must be whitened completely, although each starts where another ends and all are thus
-/// correlated.
+/// A chain of displacements must be whitened completely, although each of them starts where another ends, so that all
+/// are correlated.
 TEST(SharedNoise, OfAChainOfWaysIsWhitenedAsTheWholeCovarianceHasIt) {
   ReadingMaker maker(cobra(), 23, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 12);
   const auto stations = maker.readings;
   std::vector<Measurement> ways;
-  for (const std::size_t k : {3, 0, 7, 10, 1, 5, 2, 8, 4, 9, 6}) {  // from station k to the next, in shuffled order
+  // Displacement from station k to station k + 1, in shuffled order.
+  for (const std::size_t k : {3, 0, 7, 10, 1, 5, 2, 8, 4, 9, 6}) {
     Measurement way = stations[k + 1];
     way.kind = MeasurementKind::kRelative;
     way.reference = std::make_shared<const Measurement>(stations[k]);
@@ -126,8 +128,8 @@ TEST(SharedNoise, OfTouchesStaysWithinTheirPoint) {
   EXPECT_EQ(weighReadings(cobra(), maker.readings)->shared.size(), 1u);
 }
 
-/// If three shots at each of forty postures share one reading of the encoders, their scatter must agree with the stated
-/// noise.
+/// If three measurements at each of forty postures share one reading of the encoders, their scatter must agree with the
+/// stated noise alone.
 TEST(SharedNoise, RepeatedShotsAgreeWithTheStatedNoise) {
   int refused = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -138,8 +140,8 @@ TEST(SharedNoise, RepeatedShotsAgreeWithTheStatedNoise) {
       for (int shot = 0; shot < 3; ++shot) {
         shots.push_back(reading);
         shots.back().id += std::string(1, static_cast<char>('a' + shot));
-        // The noise from the maker is common to the three shots, as encoder errors are; each shot has independent noise
-        // in addition.
+        // The noise that `maker` has already added is common to all three, like an encoder error; here each gets
+        // independent noise.
         *shots.back().p_W += maker.noise3(reading.sigma);
       }
     const auto weights = weighReadings(cobra(), shots);

@@ -1,4 +1,5 @@
-// The whitened residual of a campaign: its derivatives, and touched points with unknown positions.
+// The whitened residual of a campaign must have exact derivatives, and must treat touched points of unknown position
+// like additional unknowns.
 #include "calibration/estimation/whitened_residual.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +14,8 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Returns unknowns of all scales: stiffnesses, among them one of a rigid axis, lengths, angles, a weight, a beam, and
-/// the twelve components of two base steps.
+/// Frees parameters of all kinds: stiffnesses (one of them of a rigid axis and one of a beam), a length, an angle, a
+/// weight, the tip, and every unknown base.
 FreeChoice everyScale() {
   return {{"tool.joint_stiffness.z", "latch-link.beam.Iz", "base-link.joint_stiffness.y", "forearm.dh.a",
            "latch-link.joint.offset", "forearm.weight.end", "tool.tip"},
@@ -33,7 +34,7 @@ VectorXd anyStep(const std::vector<Unknown>& unknowns, ReadingMaker& random) {
   return x;
 }
 
-/// Returns readings of every kind in two set-ups, with touches of unmeasured points.
+/// Returns a maker with readings of every kind in two set-ups, including touches of unknown points.
 ReadingMaker everyKindTwice() {
   ReadingMaker maker(cobraTwice(), 3);
   addEveryKind(maker, 2, "A");
@@ -43,7 +44,7 @@ ReadingMaker everyKindTwice() {
 }
 
 // Without unknowns, the Jacobian must have rows but no columns, even if the same state was evaluated without a Jacobian
-// before. The sanitizers' build checks Eigen's bounds here.
+// before. Builds with sanitizers detect any access outside of it.
 TEST(WhitenedResidual, HasSlopesWithoutColumnsWhereNothingIsUnknown) {
   ReadingMaker maker = everyKindTwice();
   const PlacedArm start = cobraTwice();
@@ -60,7 +61,8 @@ TEST(WhitenedResidual, HasSlopesWithoutColumnsWhereNothingIsUnknown) {
   EXPECT_EQ(jacobian.cols(), 0);
 }
 
-// Results stored for a state must equal those of a new evaluation, for any weights and any order of requests.
+// Whatever the weights and the order of evaluations, a residual that reuses stored results must equal a fresh
+// evaluation.
 TEST(WhitenedResidual, IsTheSameAtAStateThatIsAskedForAgain) {
   ReadingMaker maker = everyKindTwice();
   PlacedArm start = cobraTwice();
@@ -75,7 +77,7 @@ TEST(WhitenedResidual, IsTheSameAtAStateThatIsAskedForAgain) {
     MatrixXd jacobian;
     ASSERT_TRUE(kept.evaluate(at, r, with_jacobian ? &jacobian : nullptr, &error));
     const auto fresh = whitenedResidual(start, unknowns, maker.readings, weights, at, with_jacobian);
-    // With and without a Jacobian different kernels may solve the shapes, so results agree only to rounding.
+    // Different kernels may solve the deflected shapes with and without a Jacobian, so results agree only to rounding.
     EXPECT_TRUE(r.isApprox(fresh.r, 1e-9));
     EXPECT_TRUE(error.isApprox(fresh.error, 1e-9));
     EXPECT_TRUE(jacobian.isApprox(fresh.jacobian, 1e-9));
@@ -114,7 +116,8 @@ TEST(WhitenedResidual, JacobianMatchesDifferencesFarFromTheStart) {
   }
 }
 
-// A reading converted from a displacement to another kind keeps its reference, which must not affect its noise.
+// If a displacement is converted to another kind of reading, it keeps its `reference`, which must no longer affect its
+// noise.
 TEST(WhitenedResidual, AReferenceWeighsOnlyWhereTheKindHasOne) {
   const PlacedArm placed = cobra();
   ReadingMaker maker(placed, 6);
@@ -127,8 +130,8 @@ TEST(WhitenedResidual, AReferenceWeighsOnlyWhereTheKindHasOne) {
   for (std::size_t k = 0; k < alone.size(); ++k) EXPECT_EQ(with->noise[k], without->noise[k]);
 }
 
-// If only some parameters of a base are free, the others must stay fixed, and the free ones must keep their Jacobian
-// columns.
+// If only some components of a base step are free, the residual and their Jacobian columns must be the same as if all
+// were free and the others 0.
 TEST(WhitenedResidual, SomeNumbersOfABaseHaveTheSlopesThatTheyHaveAmongAll) {
   ReadingMaker maker = everyKindTwice();
   PlacedArm start = cobraTwice();
@@ -157,8 +160,8 @@ TEST(WhitenedResidual, SomeNumbersOfABaseHaveTheSlopesThatTheyHaveAmongAll) {
   EXPECT_TRUE(part.jacobian.isApprox(whole.jacobian(Eigen::all, columns), 1e-9));
 }
 
-/// Evaluation in batches and one by one must agree; an effect of zero size rules out the kernels, which evaluate in
-/// batches.
+/// Evaluation in batches and one by one must give the same results. The arm `slow` is evaluated one by one, because an
+/// effect, here of zero size, excludes the batch kernels.
 TEST(WhitenedResidual, IsTheSameSideBySideAndOneByOne) {
   ReadingMaker maker(cobraTwice(), 5, ReadingMaker::Noise::kStated);
   addEveryKind(maker, 3, "A");
@@ -189,7 +192,7 @@ TEST(WhitenedResidual, IsTheSameSideBySideAndOneByOne) {
 }
 
 TEST(WhitenedResidual, DoesNotHangOnHowManyReadingsAreTakenAtOnce) {
-  PlacedArm exact = cobra();  // without encoder noise, which copies of a reading would share
+  PlacedArm exact = cobra();  // no encoder noise, because copies of a reading would share it
   for (auto& row : exact.arm.rows) row.joint.encoder_sigma = 0;
   ReadingMaker maker(cobra(), 7, ReadingMaker::Noise::kStated);
   addEveryKind(maker, 2);
@@ -206,7 +209,8 @@ TEST(WhitenedResidual, DoesNotHangOnHowManyReadingsAreTakenAtOnce) {
     EXPECT_EQ(VectorXd(of_all.segment(row, of_few.size())), of_few);
 }
 
-/// The same campaign with each unknown point as three more variables; the residual is predicted minus point, whitened.
+/// Residual and Jacobian of a campaign in which each unknown point is three additional variables instead of being
+/// eliminated.
 struct ExplicitPoints {
   MatrixXd jacobian;
   VectorXd r;
@@ -219,7 +223,7 @@ ExplicitPoints withExplicitPoints(const PlacedArm& start, const std::vector<Unkn
   plain.points.clear();
   auto measured = readings;
   for (auto& m : measured)
-    if (!m.p_W) m.p_W = Eigen::Vector3d(0.3, 0.2, 0.1);  // start value of the explicit points
+    if (!m.p_W) m.p_W = Eigen::Vector3d(0.3, 0.2, 0.1);  // start position of every unknown point
   const auto residual = whitenedResidual(start, unknowns, measured, plain, x, true);
   ExplicitPoints result{MatrixXd::Zero(residual.r.size(), x.size() + 3 * static_cast<Index>(weights.points.size())),
                         residual.r};
@@ -245,7 +249,7 @@ TEST(WhitenedResidual, EliminatedPointsEqualExplicitOnes) {
   EXPECT_EQ(weights->degrees_of_freedom, weights->rows - 24);
   auto eliminated = whitenedResidual(start, unknowns, maker.readings, *weights, x, true);
   auto whole = withExplicitPoints(start, unknowns, maker.readings, *weights, x);
-  for (Index k = 0; k < x.size(); ++k) {  // scaled, because a compliance and an angle differ by many powers of ten
+  for (Index k = 0; k < x.size(); ++k) {  // scale: a compliance and an angle differ by many powers of ten
     eliminated.jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
     whole.jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
   }
@@ -270,7 +274,7 @@ TEST(WhitenedResidual, AnUnknownPointIsEstimatedFromItsTouches) {
       const auto row = weights->first_row[static_cast<std::size_t>(k)];
       sum += weights->covariance(static_cast<std::size_t>(k)).inverse() * residual.error.segment(row, 3);
     }
-    // The weighted errors about the estimated point must sum to zero.
+    // At the estimated position of the point, the weighted errors of its touches must add up to zero.
     EXPECT_LE(sum.norm(), 1e-6 / maker.readings.front().sigma);
   }
   EXPECT_EQ(weights->points.size(), 3u);
