@@ -79,7 +79,7 @@ struct IdentifiedNumber {
   Identifiability identifiable = Identifiability::kNo;
   /// Names of the unknowns with which the errors of this one are correlated, for kInCombination.
   std::vector<std::string> with;
-  double prior_deviation = 0;  ///< difference from the value in the arm's file, in standard deviations of the prior
+  double prior_deviation = 0;  ///< distance of the variable from its prior's mean, in standard deviations of the prior
   bool is_at_bound = false;
   /// For the magnitude of an effect: values that explain the readings equally well, most probable first; empty if only
   /// `value` does. The interval covers all of them.

@@ -35,7 +35,7 @@ std::string namesOf(const std::vector<std::string>& names) {
   return text;
 }
 
-constexpr double kFarFromDrawing = 3;  // a note is added if the value differs from the file by more prior sigmas
+constexpr double kFarFromDrawing = 3;  // a note is added if the value is farther from its prior's mean, in sigmas
 
 bool isCompliance(const Unknown& unknown) { return unknown.scale == Unknown::Scale::kCompliance; }
 
