@@ -47,6 +47,7 @@ ARROWS = {
     'planner/motion': 'planner/collision planner/timing',
     'planner/reach': 'planner/motion planner/collision planner/timing planner/workcell planner/scene deflection/inverse',
     'planner/order': 'planner/timing',
+    'planner/positions': '',
     'planner': 'planner/order planner/reach planner/motion planner/collision planner/timing planner/workcell '
                'planner/visit_conditions planner/scene',
     'planner/verification': 'planner planner/collision planner/scene planner/workcell',

@@ -5,6 +5,7 @@ namespace tubeplan::app {
 // Each function is defined in the source file of its command.
 Run configureAdd(CLI::App& cli);
 Run configureArm(CLI::App& cli);
+Run configureBases(CLI::App& cli);
 Run configureCalibrate(CLI::App& cli);
 Run configureCampaign(CLI::App& cli);
 Run configureCompare(CLI::App& cli);
@@ -60,6 +61,8 @@ constexpr Command kCommands[] = {
      "tubeplan plan app/cells/mockup.yaml --tubes spread:60 --touches auto --truth app/cells/mockup-true.yaml --seed 1 "
      "--out out/plan",
      configurePlan},
+    {"bases", "chooses base positions: the few from which most tubes are reached, and the fewest that reach all",
+     "tubeplan bases app/cells/mockup.yaml --tubes spread:100 --along x=-20:20:5 --along y=35:50:4 --most 2", configureBases},
     {"verify", "verifies a plan by code independent of the planner", "tubeplan verify app/cells/mockup.yaml out/plan",
      configureVerify},
     {"score", "centring error and inserted steps of the true arm, with and without compensation",

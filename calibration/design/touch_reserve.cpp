@@ -51,7 +51,7 @@ std::vector<TouchPlan> touchedFrom(const deflection::Arm& arm, const Eigen::Isom
 
 std::vector<TouchPlan> keepTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                      const std::vector<TouchPlan>& candidates, const BaseDoubt& doubt) {
-  std::vector<TouchPlan> kept = candidates;
+  std::vector<TouchPlan> kept = touchedFrom(arm, X_WB, candidates);
   for (const Vector6& way : waysOff()) kept = touchedFrom(arm, displaced(X_WB, way, doubt), kept);
   return kept;
 }

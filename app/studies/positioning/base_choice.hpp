@@ -1,0 +1,47 @@
+// Choice of base positions for a list of tubes: which tubes the arm reaches from each candidate, and which candidates
+// together reach most of them.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "calibration/hooks.hpp"
+#include "planner/positions/base_cover.hpp"
+#include "planner/reach/tube_reach.hpp"
+#include "planner/workcell.hpp"
+
+namespace tubeplan::app {
+
+/// A row of positions along one axis of the world, or of turns about the vertical through the base.
+struct BaseAxis {
+  int axis = 0;             ///< 0, 1, 2: x, y, z of the base; 3: turn about z
+  double from = 0, to = 0;  ///< first and last value [m or rad]
+  int count = 1;            ///< number of values, evenly spaced
+};
+
+struct BaseChoiceOptions {
+  std::vector<BaseAxis> axes;       ///< the candidates are all combinations; other coordinates are those of the cell
+  bool with_mirrored = false;       ///< true: the mirror image of each candidate in the plane x = 0 is a candidate too
+  std::vector<std::string> moving;  ///< names of obstacles that move with the base, and are not checked
+  planner::BaseCoverOptions cover;
+  planner::TubeReachOptions reach;
+};
+
+struct BaseChoice {
+  std::vector<Eigen::Isometry3d> bases;    ///< candidates; the cell's own base is the first
+  std::vector<std::vector<bool>> reaches;  ///< reaches[c][t]: candidate c reaches the t-th tube
+  planner::BaseCover cover;
+  bool is_stopped = false;  ///< true: stopped on request, without a choice
+};
+
+/// Returns all candidates, the cell's own base first.
+[[nodiscard]] std::vector<Eigen::Isometry3d> baseCandidates(const Eigen::Isometry3d& X_WB,
+                                                            const BaseChoiceOptions& options);
+
+/// Finds which of the tubes (indices in the sheet) the arm reaches from each candidate, free of collision from standoff
+/// to hole, and chooses among the candidates. Ways between tubes are not considered.
+[[nodiscard]] BaseChoice chooseBases(const planner::Workcell& cell, const std::vector<int>& tubes,
+                                     const BaseChoiceOptions& options, const calibration::WorkHooks& hooks = {});
+
+}  // namespace tubeplan::app
