@@ -146,12 +146,15 @@ Run configurePlan(CLI::App& cli) {
   cli.add_option("--dwell", conditions.dwell,
                  "dwell time at each hole in seconds, unless a work list's dwell_s says otherwise")
       ->capture_default_str();
-  cli.add_option("--padding", request.padding,
-                 "extra clearance, in standard deviations of the position of each body under the uncertainty of base and arm")
+  cli.add_option(
+         "--padding", request.padding,
+         "extra clearance, in standard deviations of the position of each body under the uncertainty of base and arm")
       ->capture_default_str();
   cli.add_option(
       "--standoff", request.standoff,
       "distance below a hole at which its approach begins, in the cell's unit of length (1 in; padding comes on top)");
+  cli.add_flag("--least-standoff", request.has_least_standoff,
+               "at each hole the smallest standoff from which the way is clear, up to that of --standoff");
   cli.add_option("--insertion", request.insertion,
                  "insertion depth of the tip past a hole's face, in the cell's unit of length")
       ->capture_default_str();

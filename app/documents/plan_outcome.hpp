@@ -30,8 +30,9 @@ struct PlanRequest {
   ConditionsRequest conditions;
   /// Dwell time at each tube [s], keyed by tube index; a work list file states its own dwell times.
   std::map<int, double> stays = {};
-  double padding = 0;              ///< additional clearance, in standard deviations of the base pose
-  std::optional<double> standoff;  ///< distance below a hole at which the approach starts, in the cell's length unit
+  double padding = 0;               ///< additional clearance, in standard deviations of the base pose
+  std::optional<double> standoff;   ///< distance below a hole at which the approach starts, in the cell's length unit
+  bool has_least_standoff = false;  ///< true: at each hole the least standoff that is clear, up to `standoff`
   double insertion = 0;  ///< distance past a hole's face at which the approach ends, in the cell's length unit
   std::uint64_t seed = 1;
 };

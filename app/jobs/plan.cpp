@@ -93,6 +93,7 @@ planner::VisitPlanOptions planOptions(const PlanRequest& request, const PlanOutc
   options.seed = request.seed;
   options.reach.compensation.mode = outcome.compensation;
   options.reach.compensation.standoff = standoffOf(request, outcome);
+  if (request.has_least_standoff) options.reach.standoff_shares = {0.3, 0.35, 0.4, 0.5, 0.65, 0.8, 1};
   options.reach.padding = request.padding;
   options.travel = travelOf(request);
   options.conditions = outcome.conditions;
@@ -173,10 +174,10 @@ void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::Pl
   planner::PlanCache forgotten;
   planner::PlanCache& cache = checkpoint ? checkpoint->cache() : forgotten;
   if (checkpoint) {
-    checkpoint->begin(
-        planKeyOf({outcome.cell, outcome.model, outcome.conditions, request.compensation, standoffOf(request, outcome),
-                   request.padding, request.seed, checkpoint->fromFingerprint(), travelOf(request)},
-                  tubes));
+    checkpoint->begin(planKeyOf(
+        {outcome.cell, outcome.model, outcome.conditions, request.compensation, standoffOf(request, outcome),
+         request.has_least_standoff, request.padding, request.seed, checkpoint->fromFingerprint(), travelOf(request)},
+        tubes));
     hooks.keep = [checkpoint](const planner::PlanCache&) { checkpoint->saveNowAndThen(); };
   }
   const std::vector<int> order_before = cache.visiting_order;

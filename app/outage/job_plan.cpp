@@ -38,6 +38,7 @@ PlanRequest requestFor(const std::vector<JobItem>& items, const WorkPackage& pac
   request.load = job.toolOf(package).load / cell.units.factor(dimension::kForce);
   request.conditions.dwell = acquisitionTime(package, job.toolOf(package));
   request.seed = seed;
+  request.has_least_standoff = true;
   return request;
 }
 

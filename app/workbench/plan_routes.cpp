@@ -143,6 +143,7 @@ Answer plan(Workbench& workbench, const Request& request) {
   asked.padding = numberOf(body, "padding", 0);
   asked.insertion = numberOf(body, "insertion", 0);
   if (body.contains("standoff") && !body["standoff"].is_null()) asked.standoff = numberOf(body, "standoff", 0);
+  asked.has_least_standoff = booleanOf(body, "least_standoff", false);
   if (body.contains("first"))
     for (const auto& zone : textsOf(body, "first")) {
       requireNoFile(zone);

@@ -56,10 +56,8 @@ BranchVerdict judge(const ArmClearance& clearance, const Eigen::Vector3d& hole_W
   return {};
 }
 
-}  // namespace
-
-TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOptions& options) {
-  assert(options.compensation.with_approach);
+/// Returns the reach of a tube with one of the standoffs to try.
+TubeReach reachFrom(double share, const ArmClearance& clearance, int tube, const TubeReachOptions& options) {
   TubeReach reach;
   reach.tube = tube;
   reach.status = ReachStatus::kUnreachable;
@@ -69,7 +67,9 @@ TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOpti
   const Eigen::Vector3d hole_W = holeCentre(cell.sheet.tubes.at(tube));
   // `options.compensation.standoff` is measured from the face, the standoff of compensate() from the goal.
   CompensationOptions compensation = options.compensation;
-  compensation.standoff += cell.insertion + clearance.padding().along(kHoleAxis_W, {hole_W, hole_W, 0}, tipRow(cell.arm));
+  compensation.standoff *= share;
+  compensation.standoff +=
+      cell.insertion + clearance.padding().along(kHoleAxis_W, {hole_W, hole_W, 0}, tipRow(cell.arm));
   for (auto& branch : compensate(cell, visitPlace(cell, cell.sheet.tubes.at(tube)), compensation)) {
     const BranchVerdict verdict = judge(clearance, hole_W, branch, options);
     if (verdict.failed == Hurdle::kNone) {
@@ -84,6 +84,18 @@ TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOpti
   keepUpright(cell.arm, reach.branches);
   reach.status = ReachStatus::kReachable;
   reach.reason.clear();
+  return reach;
+}
+
+}  // namespace
+
+TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOptions& options) {
+  assert(options.compensation.with_approach && !options.standoff_shares.empty());
+  TubeReach reach;
+  for (const double share : options.standoff_shares) {
+    reach = reachFrom(share, clearance, tube, options);
+    if (reach.status == ReachStatus::kReachable) break;
+  }
   return reach;
 }
 

@@ -99,6 +99,33 @@ TEST(ReachTube, TheSpareIsKeptInHand) {
   EXPECT_EQ(reachTube(ArmClearance(cell), tube, greedy).status, ReachStatus::kUnreachable);
 }
 
+TEST(ReachTube, TheSmallestClearStandoffOfThoseGivenIsTaken) {
+  const Workcell cell = mockup();
+  const ArmClearance clearance(cell);
+  TubeReachOptions options;
+  options.standoff_shares = {0.05, 0.3, 0.4, 0.6, 1};
+  int shorter = 0;
+  for (const char* name : {"R10C40", "R30C57", "R45C50", "R5C10", "R20C100"}) {
+    const int tube = tubeAt(cell, name);
+    const TubeReach usual = reachTube(clearance, tube), least = reachTube(clearance, tube, options);
+    ASSERT_EQ(usual.status, least.status) << name;
+    if (least.status != ReachStatus::kReachable) continue;
+    const auto depthOf = [&](const TubeBranch& branch) {
+      return holeOf(cell, tube).z() - testing::deflectedTip(cell, branch.approach.front()).z();
+    };
+    const double depth = depthOf(least.branches.front());
+    EXPECT_LE(depth, depthOf(usual.branches.front()) + 1e-6);
+    shorter += depth < 0.7 * depthOf(usual.branches.front());
+    for (const double share : options.standoff_shares) {
+      if (share * options.compensation.standoff > depth - 1e-6) break;
+      TubeReachOptions alone;
+      alone.standoff_shares = {share};
+      EXPECT_NE(reachTube(clearance, tube, alone).status, ReachStatus::kReachable) << name << " " << share;
+    }
+  }
+  EXPECT_GE(shorter, 3);
+}
+
 TEST(ReachTube, EveryModeIsJudgedByTheFlexibleShape) {
   const Workcell cell = mockup();
   const int tube = tubeAt(cell, "R10C40");

@@ -111,8 +111,9 @@ TEST_F(MeshCell, WrittenElsewhereTheFileIsStillFound) {
   // A copy of the cell in another folder must give the same inputs of a plan, until the content of the mesh file
   // changes.
   const auto question = [](const Cell& c) {
-    return partOf(planKeyOf({c, workcellOf(c, "ask"), planner::VisitConditions(), "via-point", 0, 0, 1, ""}, {1, 2}),
-                  "arm and scene");
+    return partOf(
+        planKeyOf({c, workcellOf(c, "ask"), planner::VisitConditions(), "via-point", 0, false, 0, 1, ""}, {1, 2}),
+        "arm and scene");
   };
   EXPECT_EQ(question(cell), question(again));
   write("dam.stl", stlBytes(cylinderMesh(5.9, 3, 96)));
