@@ -125,7 +125,8 @@ struct Unknowns {
 /// otherwise `name` itself.
 [[nodiscard]] std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::string& name);
 
-/// Returns every name that may be freed: "geometry", the arm's parameters, and the names of groups of parameters.
+/// Returns the names of everything that can be a free parameter of a fit: "geometry", the arm's parameters, and groups
+/// of parameters.
 [[nodiscard]] std::vector<std::string> freeableNames(const deflection::Arm& arm);
 
 /// Returns a copy of `start` with the variables `x` applied to the unknowns.

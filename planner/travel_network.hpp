@@ -52,7 +52,7 @@ class TravelNetwork {
  public:
   TravelNetwork(const PlanContext& context, const std::vector<TubeReach>& reach, TravelRoadmap& roadmap);
 
-  /// Returns the travel from one stop to another. A travel is planned when it or its reverse is first requested.
+  /// Returns the motion from one stop to another. A motion is planned the first time it or its reverse is requested.
   const MotionPlan& between(Stop a, Stop b);
 
   /// Returns an estimate of a travel at a fraction of the cost of planning it. The estimate is not cached, and does not

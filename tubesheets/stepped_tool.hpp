@@ -41,8 +41,8 @@ struct SteppedTool {
 /// tool has no lengths, all steps are at the tip.
 [[nodiscard]] int stepsInserted(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean);
 
-/// Returns the largest tilt [rad] at which the first step still enters with a centred tip: the step's far end is then
-/// at its tolerance. Infinite if the tool has no lengths.
+/// Returns the largest tilt [rad] at which the first step still enters when the tip is centred: the far end of that
+/// step then just uses up its clearance. Infinite if the lengths of the steps are not given.
 [[nodiscard]] double toleratedTilt(const SteppedTool& tool);
 
 /// Returns the smallest clearance [m] of any part of the tool in a tube that its tip has entered by `depth` [m], with

@@ -80,7 +80,7 @@ struct TubeText {
   void addNotes(const std::vector<std::string>& more);
 };
 
-/// The tube of a row; a problem if the row has no tube, or if its columns name two different tubes.
+/// The tube that a row names, or the problem found: the row names no tube, or its columns name two different tubes.
 struct NamedTube {
   RowAndColumn tube;
   std::optional<Problem> problem;

@@ -60,8 +60,8 @@ struct Selection {
   std::map<int, double> dwell;
   std::vector<LeftOut> left_out;  ///< requested tubes that are excluded because of their state or because their work is
                                   ///< done
-  /// Inaccessible or unresolved tubes that are selected because they were named, with their state according to the list
-  /// or else to the sheet, keyed by index in Sheet::tubes.
+  /// Inaccessible or unresolved tubes that were selected by name, keyed by index in Sheet::tubes. The state is that of
+  /// the list if it states one, otherwise that of the sheet.
   std::map<int, TubeState> doubtful;
   std::optional<WorkList> list;  ///< work list that the tubes come from; nothing for a request
 };

@@ -1,4 +1,4 @@
-// Recording of Ctrl-C in a flag that long work polls.
+// Records Ctrl-C in a flag that long-running work polls.
 #pragma once
 
 namespace tubeplan::app {

@@ -1,4 +1,4 @@
-// A package of a job as a table, and the log as a table: what other programs read.
+// Export of a job's packages and of its log as tables for other programs.
 #pragma once
 
 #include <string>

@@ -91,7 +91,7 @@ PackagePlan planPackage(JobStore& store, const Cell& cell, const std::vector<Job
   return plan;
 }
 
-/// Returns the open and queued items of one leg, by the order of the packages.
+/// Returns the open and queued items of one leg, one list for each package, in the order of the packages.
 std::vector<std::vector<JobItem>> itemsToPlan(const std::vector<JobItem>& items, const JobSheet& sheet,
                                               const JobFile& job) {
   std::vector<std::vector<JobItem>> by_package;

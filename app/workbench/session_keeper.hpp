@@ -20,7 +20,7 @@ namespace tubeplan::app {
 
 class SessionKeeper {
  public:
-  /// Creates `folder`; if it is empty, no session is kept. Throws InputError if the folder cannot be created.
+  /// Creates `folder`; with an empty path, no session is kept. Throws InputError if the folder cannot be created.
   explicit SessionKeeper(std::filesystem::path folder);
 
   /// Returns the session kept for a cell file, unless another program uses it, and stores to the same session file from

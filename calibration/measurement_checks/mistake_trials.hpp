@@ -53,8 +53,8 @@ class MistakeTrials {
   /// Returns the cell's arm; its base poses count as unknown if the mistake frees the base, and a new set-up is added
   /// if the mistake begins one.
   [[nodiscard]] PlacedArm startOf(const Mend& mend) const;
-  /// Returns the counted readings, corrected for a mistake. At depths other than kOpen, only the subset for quick fits
-  /// is returned.
+  /// Returns the readings that are included in the fit, with the given mistake corrected. At depths other than kOpen,
+  /// only the subset for quick fits is returned.
   [[nodiscard]] std::vector<Measurement> mended(const Mend& mend, TrialDepth depth) const;
   /// Fits the readings as stated to the arm of another drawing, with base and tip free.
   [[nodiscard]] Trial triedBy(PlacedArm drawing) const;

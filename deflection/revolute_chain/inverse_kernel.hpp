@@ -130,8 +130,8 @@ inline void record(Bits lanes, double verdict, const GoalResidual& r, Real singu
   put(out.smallest_singular_value, singular);
 }
 
-/// Computes Newton's step of each lane, limited to half a radian for every joint. `adjugate` and `determinant` are
-/// those of the derivatives multiplied by `share`.
+/// Computes the Newton step for each lane, limited to half a radian per joint. `adjugate` and `determinant` belong to
+/// the Jacobian scaled by `share`.
 inline void stepOf(const GoalResidual& r, const Real (*adjugate)[4], Real determinant, double share, Bits lanes,
                    Real* step) {
   Real next[4];

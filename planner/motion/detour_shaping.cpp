@@ -70,8 +70,8 @@ struct Shaping {
 
   [[nodiscard]] bool isSpent() const { return checks - checks_before > kMostChecks; }
 
-  /// Replaces the best waypoints with `shape` if the motion through it without stops is faster and proved free. Returns
-  /// true if it did.
+  /// Replaces the best waypoints with `shape` if the motion through `shape` without stops is faster and is proved free
+  /// of collision. Returns true if they were replaced.
   bool take(Waypoints shape) {
     if (isSpent()) return false;
     const double now = flowTime(shape, problem);

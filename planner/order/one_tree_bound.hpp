@@ -21,7 +21,8 @@ struct OneTreeOptions {
   int neighbours = 10;  ///< number of nearest neighbours of each visit in the sparse graph
   int complete_up_to = 30;  ///< with at most this many visits, all steps use the complete graph
   int cuts_up_to = 100;     ///< with at most this many visits, cuts are added if visits have several branches
-  /// Largest number of rounds with cuts after the other rounds; these rounds end once the improvement is small.
+  /// Largest number of refinement rounds that add cuts, run after the ordinary rounds. They stop early once the
+  /// improvement is small.
   int cut_rounds = 12;
   /// Travel time of a known route, which controls the step size [s].
   double known_time = std::numeric_limits<double>::quiet_NaN();

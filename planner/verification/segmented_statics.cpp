@@ -15,8 +15,8 @@ using deflection::JointType;
 using Eigen::AngleAxisd, Eigen::Matrix3d, Eigen::Vector3d;
 using Row = deflection::Row<double>;
 
-/// A rigid step outwards along the arm: a rotation, a spring, then a translation with its weight, and the loads at the
-/// end of the step.
+/// One step outwards along the arm: a rotation, a spring, a translation along a rigid segment that has weight, and the
+/// loads at the end of the segment.
 struct Step {
   Matrix3d turn = Matrix3d::Identity();
   /// Compliance of the spring after the rotation, in the axes of the spring [rad/(N m)].

@@ -130,7 +130,7 @@ void posturesSideBySide(benchmark::State& state) {
     benchmark::DoNotOptimize(bench().clearance.together(q, ContactRule::kApproach));
 }
 
-/// Measures the proofs that moves are collision-free, and reports mean and median over the moves.
+/// Times the proofs that moves are collision-free, and reports the mean and the median over all moves.
 void proveMoves(benchmark::State& state, const PostureClearance& clearance_of) {
   const auto& moves = bench().moves;
   std::vector<double> seconds, checks;

@@ -163,8 +163,8 @@ class ReadingMaker {
     return m;
   }
 
-  /// Returns the pose of the measured frame in the world; for a deflection, its position is the displacement by the
-  /// load.
+  /// Returns the pose of the measured frame in the world; for a reading of kind deflection, the position is the
+  /// displacement caused by the load.
   [[nodiscard]] ToolPose toolOf(const Measurement& m) const {
     const auto& X_WB = truth_.base_poses[static_cast<std::size_t>(basePoseOf(truth_, m))].X_WB;
     ToolPose tool = *frameAt(truth_.arm, X_WB, m);

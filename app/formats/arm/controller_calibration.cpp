@@ -122,7 +122,8 @@ std::string withControllerCalibration(const YamlFile& nominal, const ControllerC
   const auto& rows = source.arm.rows;
   if (!deflection::isStandard(rows))
     throw InputError::saying(
-        nominal.path, "the rows do not follow the standard convention, which the numbers of the controller correct",
+        nominal.path,
+        "the rows do not use the standard Denavit-Hartenberg convention, to which the controller's corrections apply",
         "write the maker's standard Denavit-Hartenberg table: `convention: standard`, with `dh` for each link");
   const auto active = deflection::activeRows(source.arm);
   if (active.size() != calibration.theta.size())

@@ -29,8 +29,8 @@ void requireOneForm(const ForeignTable& table, std::size_t column, bool is_state
 /// the quantity assigned to the column.
 void refuseDoubtfulDegrees(const ForeignTable& table, std::size_t column, const std::string& quantity);
 
-/// Returns the number in a field, in the column's unit, also for an angle in sixtieths; nothing if the field is not a
-/// number or contradicts the unit.
+/// Returns the number in a field, converted to the column's unit; sexagesimal angles are accepted. Returns nothing if
+/// the field is not a number or contradicts the unit.
 [[nodiscard]] std::optional<double> numberIn(std::string_view field, const Unit* unit);
 
 }  // namespace tubeplan::app

@@ -22,7 +22,8 @@ using ArmRow = deflection::Row<double>;
 
 std::string triple(const Vector3d& v) { return fmt::format("{:.17g} {:.17g} {:.17g}", v.x(), v.y(), v.z()); }
 
-/// Returns the URDF text of a row's total mass [kg] at the centre of mass in the row's frame; empty without mass.
+/// Returns the URDF element `inertial` of a row: its total mass [kg], placed at the centre of mass in the row's frame.
+/// Empty if the row has no mass.
 std::string inertialText(const deflection::RowWeight& row) {
   if (!(row.weight > 0)) return "";
   return fmt::format(

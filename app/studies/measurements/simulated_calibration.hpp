@@ -60,8 +60,8 @@ struct BothCalibrations {
 [[nodiscard]] BothCalibrations calibrateBoth(const planner::Workcell& placed, const CellModel& cell,
                                              const std::vector<calibration::Measurement>& touches);
 
-/// Calibrates the base with each of the given arms, faster than the function above if one model is calibrated many
-/// times. If touches do not fit, does not search for a wrong joint reading that explains it.
+/// Calibrates the base with each of the given arms. This is faster than the function above if the same model is
+/// calibrated many times, but does not look for a wrong joint reading to explain touches that do not fit.
 [[nodiscard]] BothCalibrations calibrateBoth(const deflection::Arm& flexible, const deflection::Arm& rigid,
                                              const calibration::DoubtBeside& doubt, const Eigen::Isometry3d& X_WB_start,
                                              const tubesheets::Sheet& sheet,

@@ -160,7 +160,7 @@ WeighedDiscrepancy evidenceAt(const AtOptimum& at, const NoiseHypothesis& noise,
   return withSources(evidence, single, noise.options);
 }
 
-/// Sets the most probable errors due to the discrepancy.
+/// Stores in `model` the most probable errors that the discrepancy term attributes to unknown causes.
 void keepRemainder(const NoiseHypothesis& noise, const AtOptimum& at, const std::vector<PriorSize>& sizes,
                    CompetingModel& model) {
   if (model.source.source >= 0) {
