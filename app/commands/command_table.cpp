@@ -28,6 +28,7 @@ Run configureSensitivity(CLI::App& cli);
 Run configureServe(CLI::App& cli);
 Run configureTouches(CLI::App& cli);
 Run configureVerify(CLI::App& cli);
+Run configureWatch(CLI::App& cli);
 
 namespace {
 
@@ -88,6 +89,8 @@ constexpr Command kCommands[] = {
      "mpirun -n 64 tubeplan campaign app/cells/mockup.yaml --runs 10000000 --tubes all --out out/campaign\n"
      "tubeplan campaign app/cells/bench.yaml --kind diagnose --runs 200",
      configureCampaign},
+    {"watch", "watches the readings of a calibrated arm at work: when the model ceased to hold, and what changed",
+     "tubeplan watch calibrated.yaml visits.csv --planned 4674", configureWatch},
     {"report", "writes a report of a workbench project, with all that reproduces its figures",
      "tubeplan report bench.tubeplan --pdf bench.pdf\n"
      "tubeplan report bench.tubeplan --files out/bench",
