@@ -102,7 +102,7 @@ constexpr Command kCommands[] = {
      "tubeplan job create app/cells/outage/job.yaml --out spring.job\n"
      "tubeplan job plan spring.job --out out/spring\n"
      "tubeplan job next spring.job --sg A --leg hot\n"
-     "tubeplan job confirm spring.job A/hot/R12C40 --read-back A/hot/R12C40 --by Ines\n"
+     "tubeplan job confirm spring.job A/hot/R12C40 --read-back A/hot/R12C40 --by Maria\n"
      "tubeplan job mark spring.job A/hot/R12C40 --as done --by Tom\n"
      "tubeplan job status spring.job",
      configureJob},

@@ -14,7 +14,7 @@ namespace tubeplan::app {
 enum class ItemStanding {
   kOpen,      ///< not yet visited
   kQueued,    ///< to be visited again, after the open items
-  kHeld,      ///< not to be visited until somebody decides
+  kHeld,      ///< not to be visited until it is decided what to do
   kDone,      ///< finished
   kExcluded,  ///< taken out of the plan, with a reason
 };

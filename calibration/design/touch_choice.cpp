@@ -151,7 +151,8 @@ TouchChoice chooseTouches(const DesignProblem& problem, int count) {
     if (!std::isfinite(next.variance)) break;
     best = std::move(next);
   }
-  if (static_cast<int>(best.touches.size()) < count || !std::isfinite(best.variance)) {
+  constexpr double kUseless = 1;  // variance of the tip above which the base counts as undetermined [m^2]
+  if (static_cast<int>(best.touches.size()) < count || !(best.variance < kUseless)) {
     result.status = TouchChoiceStatus::kNotDetermined;
     result.reason = "no " + std::to_string(count) + " of the " + std::to_string(n) +
                     " holes determine the base: all of them lie nearly on a line";

@@ -50,7 +50,7 @@ describe("the desk of an outage", () => {
     const {close} = closable(tab, server);
     await tab.waitForSelector(".desk-tube[data-tube='A/hot/R9C18']", LIMIT);
     assert.equal(await tab.isDisabled(".desk-marks button:has-text('done')"), true);
-    await tab.fill(".desk-confirm input[name=by]", "Ines");
+    await tab.fill(".desk-confirm input[name=by]", "Maria");
     await tab.fill(".desk-confirm input[name=read]", "A/hot/R10C18");
     await tab.click(".desk-confirm button");
     await tab.waitForSelector(".desk-found.bad >> text=1 row off", LIMIT);
@@ -71,7 +71,7 @@ describe("the desk of an outage", () => {
   it("loses no mark of two browsers and a command line at once", async () => {
     const record = makeRecord("many", "none");
     const server = await serve(made.folder, "mockup.yaml");
-    const tabs = [await desk(server, record, "Tom"), await desk(server, record, "Ines")];
+    const tabs = [await desk(server, record, "Tom"), await desk(server, record, "Maria")];
     const {close} = closable(tabs[0], server);
     await tabs[0].selectOption("select[aria-label='Leg']", "A/hot");
     await tabs[1].selectOption("select[aria-label='Leg']", "A/cold");

@@ -13,7 +13,7 @@ class WatchCommand : public ProgramTest {
  protected:
   WatchCommand() {
     EXPECT_EQ(run("plan " + shipped("mockup.yaml") + " --tubes R10C40 --touches auto --truth " +
-                  shipped("mockup-true.yaml") + " --out p")
+                  shipped("mockup.yaml") + " --out p")
                   .exit_code,
               0);
   }

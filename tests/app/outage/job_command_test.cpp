@@ -34,9 +34,9 @@ TEST_F(JobCommand, ATubeFromThePlanToItsMark) {
   EXPECT_EQ(run("job mark a.job " + tube + " --as done --by Tom").exit_code, 2);  // not confirmed
   const std::string position = std::to_string(next["x"].get<double>()) + "," + std::to_string(next["y"].get<double>());
   const std::string mirrored = std::to_string(-next["x"].get<double>()) + "," + std::to_string(next["y"].get<double>());
-  EXPECT_EQ(answer("job confirm a.job " + tube + " --by Ines --position=" + mirrored, 1)["same"], false);
+  EXPECT_EQ(answer("job confirm a.job " + tube + " --by Maria --position=" + mirrored, 1)["same"], false);
   EXPECT_EQ(answer("job status a.job")["wrong_tubes"].size(), 1u);
-  EXPECT_EQ(answer("job confirm a.job " + tube + " --by Ines --position=" + position)["same"], true);
+  EXPECT_EQ(answer("job confirm a.job " + tube + " --by Maria --position=" + position)["same"], true);
   const json marked = answer("job mark a.job " + tube + " --as done --by Tom");
   const json status = answer("job status a.job");
   EXPECT_EQ(status["total"]["done"], 1);
@@ -50,13 +50,13 @@ TEST_F(JobCommand, ATubeFromThePlanToItsMark) {
 
 TEST_F(JobCommand, WhatItCannotTakeIsRefusedAndRecordsNothing) {
   const char* refused[] = {"job mark a.job R9C18 --as skipped --by Tom",         // no leg
-                           "job mark a.job A/hot/R9C18 --as skiped --by Tom",    // no such mark
+                           "job mark a.job A/hot/R9C18 --as skippd --by Tom",    // no such mark
                            "job mark a.job A/hot/R9C18 --as skipped",            // nobody
                            "job mark a.job A/hot/R1C57 --as skipped --by Tom",   // in no package
                            "job mark a.job A/hot/R9C18 --as excluded --by Tom",  // no reason
                            "job mark a.job A/hot/R9C18 --as skipped --by Tom --csv x.csv",
                            "job next a.job --sg C",
-                           "job confirm a.job A/hot/R9C18 --by Ines",
+                           "job confirm a.job A/hot/R9C18 --by Maria",
                            "job undo a.job --event 7 --by Tom --reason none",
                            "job export a.job --package rows --csv x.csv",
                            "job status nothere.job",

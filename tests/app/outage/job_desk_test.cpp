@@ -55,7 +55,7 @@ TEST_F(JobDesk, RandomMarksKeepTheBalanceAndUndoRestoresIt) {
     const ItemCounts counts = totalsOf(store).all;
     try {
       marked.push_back(
-          markTube(store, {item.tube, "", std::string(mark.name), {"Ines", "seen again", ""}, std::nullopt}));
+          markTube(store, {item.tube, "", std::string(mark.name), {"Maria", "seen again", ""}, std::nullopt}));
       before.push_back(counts);
     } catch (const InputError&) {
       EXPECT_EQ(totalsOf(store).all.with, counts.with);  // a refused mark leaves nothing behind
@@ -85,10 +85,10 @@ TEST_F(JobDesk, AToolEntersOnlyWhereAnotherPersonReadTheTube) {
   const MarkRequest done{hot(9, 18), "", "done", {"Tom", "", ""}, std::nullopt};
   EXPECT_TRUE(readBy("Tom", "A/hot/R9C18").is_same);
   expectSays(messageOf([&] { (void)markTube(store, done); }), "another person");
-  EXPECT_FALSE(readBy("Ines", "A/hot/R10C18").is_same);
+  EXPECT_FALSE(readBy("Maria", "A/hot/R10C18").is_same);
   expectSays(messageOf([&] { (void)markTube(store, done); }), "A/hot/R10C18");
   EXPECT_EQ(totalsOf(store).wrong_tubes.size(), 1u);
-  EXPECT_TRUE(readBy("Ines", "A/hot/R9C18").is_same);
+  EXPECT_TRUE(readBy("Maria", "A/hot/R9C18").is_same);
   EXPECT_TRUE(totalsOf(store).wrong_tubes.empty());
   const auto event = markTube(store, done);
   (void)undoMark(store, event, {"Tom", "extent too short", ""});
@@ -118,7 +118,7 @@ TEST_F(JobDesk, ALaterEventOfAnotherDeskIsNotOverwritten) {
   const std::string path = made(kFree);
   JobStore one(path), other(path);
   const auto seen = findNext(one, {})->last_event;
-  (void)markTube(other, {hot(9, 18), "", "obstructed", {"Ines", "", ""}, seen});
+  (void)markTube(other, {hot(9, 18), "", "obstructed", {"Maria", "", ""}, seen});
   expectSays(messageOf([&] { (void)markTube(one, {hot(9, 18), "", "done", {"Tom", "", ""}, seen}); }), "changed");
   EXPECT_EQ(one.events().size(), 1u);
 }
@@ -158,7 +158,7 @@ TEST_F(JobDesk, TheLogRefusesToForget) {
   (void)markTube(store, {hot(9, 18), "", "done", {"Tom", "", ""}, std::nullopt});
   Database database(path, Database::Mode::kOpen);
   EXPECT_ANY_THROW(database.execute("DELETE FROM event"));
-  EXPECT_ANY_THROW(database.execute("UPDATE event SET who = 'Ines'"));
+  EXPECT_ANY_THROW(database.execute("UPDATE event SET who = 'Maria'"));
   EXPECT_ANY_THROW(database.execute("DELETE FROM item"));
   EXPECT_EQ(store.events().size(), 1u);
 }

@@ -30,7 +30,7 @@ TEST_F(JobFiles, EveryFaultIsRefusedAtItsPlace) {
       {"from: \"06:00\"", "from: \"6 am\"", "time of day"},
       {"R9-11C18-22", "R90C1", "R90"},
       {"states: states.csv", "states: nothere.csv", "no such file"},
-      {"shifts:", "shfits:", "did you mean 'shifts'"},
+      {"shifts:", "shiftz:", "did you mean 'shifts'"},
   };
   for (const Fault& fault : faults) {
     SCOPED_TRACE(fault.to);

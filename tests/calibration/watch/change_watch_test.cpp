@@ -21,12 +21,14 @@ ArmUncertainty stiffnessesByTenPercent() {
 /// An arm at work: calibrated by six touches, then visiting holes in random order.
 class Outage {
  public:
-  explicit Outage(std::uint64_t seed) : random_(seed), cell_(touchedCell(placesToVisit())), nominal_(cell_.arm) {
+  explicit Outage(std::uint64_t seed) : random_(seed), cell_(touchedCell({})), nominal_(cell_.arm) {
     truth_ = drawnArm(nominal_, stiffnessesByTenPercent(), seed);
+    planTouches();
     BaseCalibrationOptions options;
     options.arm = stiffnessesByTenPercent();
     std::vector<Measurement> touches;
-    for (const int hole : {0, 7, 13, 21, 28, 34}) touches.push_back(touched(hole, truth_, cell_.X_WB_true));
+    const int count = static_cast<int>(cell_.plans.size());
+    for (int k = 0; k < 6; ++k) touches.push_back(touched(k * (count - 1) / 5, truth_, cell_.X_WB_true));
     found_ = calibrateBase(nominal_, touches, cell_.X_WB_nominal, options);
     EXPECT_EQ(found_.status, CalibrationStatus::kDone);
   }
@@ -50,11 +52,20 @@ class Outage {
   RandomStream& random() { return random_; }
 
  private:
-  static std::vector<std::pair<double, double>> placesToVisit() {
-    std::vector<std::pair<double, double>> places;
+  /// Plans touches on a grid of holes, as far as the true arm reaches them.
+  void planTouches() {
+    const Eigen::Vector3d gravity_B = deflection::gravityInBase(nominal_, cell_.X_WB_nominal);
     for (int i = 0; i < 7; ++i)
-      for (int j = 0; j < 5; ++j) places.emplace_back(-36 + 12 * i, 8 + 5 * j);
-    return places;
+      for (int j = 0; j < 5; ++j) {
+        const Eigen::Vector3d hole = Eigen::Vector3d(-36 + 12 * i, 8 + 8 * j, 0) * kInch;
+        const deflection::ToolGoal goal{cell_.X_WB_nominal.inverse() * hole, Eigen::Vector3d::UnitZ()};
+        const auto branches = deflection::solveInverseKinematics(nominal_, goal, 0, gravity_B).branches;
+        if (branches.empty() || branches.front().status != deflection::BranchStatus::kConverged) continue;
+        const TouchPlan plan{"T", "H", hole, branches.front().q};
+        if (simulateTouches(truth_, cell_.X_WB_true, {plan}, {}).status == TouchSimulationStatus::kDone)
+          cell_.plans.push_back(plan);
+      }
+    ASSERT_GE(cell_.plans.size(), 10u);
   }
 
   Measurement touched(int hole, const deflection::Arm& arm, const Eigen::Isometry3d& X_WB) {

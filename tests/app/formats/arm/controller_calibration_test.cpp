@@ -72,7 +72,7 @@ TEST(ControllerCalibration, anArmThatItIsNotOfIsRefused) {
   const struct {
     const char *from, *to, *says;
   } kWrong[] = {
-      {"convention: standard\n", "", "do not follow the standard convention"},
+      {"convention: standard\n", "", "do not use the standard Denavit-Hartenberg convention"},
       {"    joint: {name: q4, type: revolute}\n", "", "found 3 joints"},
       {"joint: {name: q4, type: revolute}", "joint: {name: q4, type: prismatic}",
        "does not have both `dh` and a revolute joint"},
