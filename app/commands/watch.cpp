@@ -39,13 +39,26 @@ void requirePlaced(const Cell& cell) {
                              "calibrate first: `tubeplan calibrate`, or `identify` with touches");
 }
 
+const char* kindName(calibration::ChangeKind kind) {
+  switch (kind) {
+    case calibration::ChangeKind::kUndecided:
+      return "undecided";
+    case calibration::ChangeKind::kBaseStep:
+      return "base-step";
+    case calibration::ChangeKind::kOther:
+      return "other";
+  }
+  return "";
+}
+
 nlohmann::json alarmJson(const calibration::WatchAlarm& alarm, const std::vector<calibration::Measurement>& readings,
                          const Units& units) {
   const auto idOf = [&](int k) { return readings[static_cast<std::size_t>(k)].id; };
   return {{"reading", idOf(alarm.reading)},
           {"since", idOf(alarm.since)},
           {"after_readings", alarm.reading - alarm.since + 1},
-          {"kind", alarm.kind == calibration::ChangeKind::kBaseStep ? "base-step" : "other"},
+          {"kind", kindName(alarm.kind)},
+          {"judged_to", idOf(alarm.judged_to)},
           {"chi2", finiteJson(alarm.chi2)},
           {"degrees_of_freedom", alarm.degrees_of_freedom},
           {"base_step",
@@ -57,8 +70,8 @@ nlohmann::json alarmJson(const calibration::WatchAlarm& alarm, const std::vector
 
 constexpr TextLine kBaseWords[] = {
     {"",
-     "the base has moved by {base_step/shift} {units/length} (sigma {base_step/shift_sigma}) and turned by "
-     "{base_step/turn} "
+     "the base has moved by {base_step/shift:.3r} {units/length} (sigma {base_step/shift_sigma:.3r}) and turned by "
+     "{base_step/turn:.3r} "
      "{units/angle}: stop, touch three holes again and calibrate\n"},
 };
 constexpr TextLine kWatchWords[] = {
@@ -69,6 +82,8 @@ constexpr TextLine kWatchWords[] = {
     {"base_moved", "", kBaseWords},
     {"other_change",
      "a step of the base alone does not explain it: stop, and run `tubeplan diagnose` on the readings since then\n"},
+    {"undecided",
+     "too few readings since then tell what has changed: stop, and touch four holes or more to find out\n"},
 };
 
 int run(const WatchRequest& request) {
@@ -86,11 +101,13 @@ int run(const WatchRequest& request) {
   if (watch.status == calibration::WatchStatus::kStopped) return kStoppedExitCode;
   if (watch.status == calibration::WatchStatus::kNotComputed)
     throw InputError::saying(input.file, watch.reason, "watch touches of holes, positions, offsets or steps");
-  const bool is_base = watch.alarm && watch.alarm->kind == calibration::ChangeKind::kBaseStep;
+  using calibration::ChangeKind;
+  const auto isKind = [&](ChangeKind kind) { return watch.alarm && watch.alarm->kind == kind; };
   nlohmann::json figures = {{"status", watch.alarm ? "alarm" : "quiet"},
                             {"quiet", !watch.alarm},
-                            {"base_moved", is_base},
-                            {"other_change", watch.alarm && !is_base},
+                            {"base_moved", isKind(ChangeKind::kBaseStep)},
+                            {"other_change", isKind(ChangeKind::kOther)},
+                            {"undecided", isKind(ChangeKind::kUndecided)},
                             {"alarm", nullptr},
                             {"tested", watch.tested},
                             {"readings", input.readings.size()},

@@ -151,7 +151,7 @@ TouchChoice chooseTouches(const DesignProblem& problem, int count) {
     if (!std::isfinite(next.variance)) break;
     best = std::move(next);
   }
-  constexpr double kUseless = 1;  // variance of the tip above which the base counts as undetermined [m^2]
+  constexpr double kUseless = 0.01;  // variance of the tip from which on the base counts as undetermined [m^2]
   if (static_cast<int>(best.touches.size()) < count || !(best.variance < kUseless)) {
     result.status = TouchChoiceStatus::kNotDetermined;
     result.reason = "no " + std::to_string(count) + " of the " + std::to_string(n) +

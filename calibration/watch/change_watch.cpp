@@ -17,7 +17,10 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr double kTurnLever = 1;        // length that makes rotations comparable with shifts [m]
 constexpr double kUndetermined = 1e-9;  // information, relative to the largest, below which a direction is undetermined
-constexpr int kAlikeStarts = 4;         // number of latest readings that are all tried as the start of a change
+constexpr double kPartOfDirection = 1e-3;  // component from which on a direction counts as partly along an axis
+constexpr int kLeftToJudge = 9;            // degrees of freedom beyond those of a step that suffice to judge it
+constexpr int kReadingsToJudge = 30;       // largest number of readings after an alarm that judge what has changed
+constexpr int kAlikeStarts = 4;            // number of latest readings that are all tried as the start of a change
 
 /// Returns the earlier readings that are tried as the last one before a change: the latest ones, then ever sparser
 /// ones.
@@ -29,11 +32,13 @@ std::vector<int> startsBefore(int reading) {
   return starts;
 }
 
+/// Returns the unknowns of base and parameters, whose variables are all 0 at the watched arm.
 std::vector<Unknown> unknownsOf(const WatchedArm& watched, PlacedArm& placed) {
   placed = {watched.arm, {{"", watched.X_WB, false}}};
   FreeChoice base_alone{{}, true, {}};
   std::vector<Unknown> unknowns = chooseUnknowns(placed, base_alone).list;
-  unknowns.insert(unknowns.end(), watched.uncertainty.numbers.begin(), watched.uncertainty.numbers.end());
+  for (const Unknown& number : watched.uncertainty.numbers)
+    unknowns.push_back(rebased(number, deflection::locate(placed.arm, number.path)));
   return unknowns;
 }
 
@@ -46,6 +51,16 @@ MatrixXd rootOf(const MatrixXd& P) {
   const Index count = P.rows() - first;
   return scale.asDiagonal() * axes.eigenvectors().rightCols(count) *
          axes.eigenvalues().tail(count).cwiseSqrt().asDiagonal();
+}
+
+/// Whitens each reading by its own covariance. Encoder noise that readings at the same joint values share is then
+/// counted as if it were independent, because a watch must not mix a reading with later ones.
+void whitenOneByOne(ReadingWeights& weights) {
+  weights.shared.clear();
+  for (std::size_t k = 0; k < weights.whitener.size(); ++k) {
+    const MatrixXd covariance = weights.covariance(k);
+    weights.whitener[k] = covariance.llt().matrixL().solve(MatrixXd::Identity(covariance.rows(), covariance.cols()));
+  }
 }
 
 /// Sums over the readings up to one of them; z are the uncertain directions, of unit prior variance, and J the
@@ -101,7 +116,11 @@ class ChangeWatch {
       result.level.push_back(testAfter(k, result.alarm));
       ++result.tested;
     }
-    if (result.alarm) result.status = WatchStatus::kAlarm;
+    if (!result.alarm) return result;
+    result.status = WatchStatus::kAlarm;
+    for (int k = result.alarm->reading + 1; k < std::min(count, result.alarm->reading + kReadingsToJudge); ++k)
+      addReading(k);
+    judge(*result.alarm);
     return result;
   }
 
@@ -131,24 +150,31 @@ class ChangeWatch {
         const double level = statistic->chi2 / limit(statistic->degrees_of_freedom);
         if (level <= largest) continue;
         largest = level;
-        if (level > 1) alarm = alarmOf(k, start + 1, *statistic, of_base, of_all);
+        if (level > 1) alarm = alarmOf(k, start + 1, *statistic);
       }
     }
     return largest;
   }
 
-  /// Returns the alarm for a statistic beyond its limit. A step of the base is stated as the change if it explains the
-  /// readings since then, whichever statistic is beyond its limit.
-  WatchAlarm alarmOf(int reading, int since, const Statistic& beyond, const Statistic& of_base,
-                     const Statistic& of_all) {
-    const bool is_base = of_base.chi2 > limit(std::max(1, of_base.degrees_of_freedom)) && explains(of_base, of_all);
-    return {reading,
-            since,
-            is_base ? ChangeKind::kBaseStep : ChangeKind::kOther,
-            beyond.chi2,
-            beyond.degrees_of_freedom,
-            of_base.step,
-            of_base.sigma};
+  static WatchAlarm alarmOf(int reading, int since, const Statistic& beyond) {
+    WatchAlarm alarm;
+    alarm.reading = reading;
+    alarm.since = since;
+    alarm.chi2 = beyond.chi2;
+    alarm.degrees_of_freedom = beyond.degrees_of_freedom;
+    return alarm;
+  }
+
+  /// Judges by all readings since the change, those after the alarm too, whether a step of the base explains them.
+  void judge(WatchAlarm& alarm) {
+    const Sums &now = sums_.back(), &before = sums_[static_cast<std::size_t>(alarm.since)];
+    const Statistic of_base = baseStep(now, before, all_.solve(now.ze));
+    const Statistic of_all{now.innovations - before.innovations, now.rows - before.rows, {}, {}};
+    alarm.judged_to = static_cast<int>(sums_.size()) - 2;
+    alarm.step = of_base.step;
+    alarm.step_sigma = of_base.sigma;
+    if (of_all.degrees_of_freedom < of_base.degrees_of_freedom + kLeftToJudge) return;
+    alarm.kind = explains(of_base, of_all) ? ChangeKind::kBaseStep : ChangeKind::kOther;
   }
 
   /// Returns true if what the step of the base leaves of the innovations is no larger than noise (p > 0.001).
@@ -170,7 +196,12 @@ class ChangeWatch {
     Statistic statistic;
     for (int a = 0; a < 6; ++a) {
       const double value = axes.eigenvalues()[a];
-      if (value <= kUndetermined * std::max(1., axes.eigenvalues()[5])) continue;
+      if (value <= kUndetermined * std::max(1., axes.eigenvalues()[5])) {
+        for (int c = 0; c < 6; ++c)
+          if (std::abs(axes.eigenvectors()(c, a)) > kPartOfDirection)
+            statistic.sigma[c] = std::numeric_limits<double>::infinity();
+        continue;
+      }
       const double along = axes.eigenvectors().col(a).dot(score);
       statistic.chi2 += along * along / value;
       ++statistic.degrees_of_freedom;
@@ -206,11 +237,12 @@ Watch watchForChange(const WatchedArm& watched, const std::vector<Measurement>& 
   if (readings.empty()) return none;
   PlacedArm placed;
   const std::vector<Unknown> unknowns = unknownsOf(watched, placed);
-  const auto weights = weighReadings(placed, readings, {}, watched.model_error, options.stop);
+  auto weights = weighReadings(placed, readings, {}, watched.model_error, options.stop);
   none.reason = "the model cannot be evaluated at the readings";
   if (!weights) return none;
   none.reason = "readings of points or surfaces of unknown place cannot be watched one by one";
   if (!weights->points.empty()) return none;
+  whitenOneByOne(*weights);
   const auto residual = whitenedResidual(placed, unknowns, readings, *weights, zerosOf(unknowns), true, options.stop);
   none.reason = "the model cannot be evaluated at the readings";
   if (!residual.ok) return none;

@@ -37,15 +37,21 @@ struct WatchedArm {
 };
 
 enum class WatchStatus { kNotRun, kQuiet, kAlarm, kNotComputed, kStopped };
-enum class ChangeKind { kBaseStep, kOther };
+enum class ChangeKind {
+  kUndecided,  ///< too few readings since the change to tell a step of the base from anything else
+  kBaseStep,   ///< a step of the base explains the readings since the change
+  kOther,      ///< a step of the base does not explain them
+};
 
 struct WatchAlarm {
-  int reading = 0;  ///< index of the reading at which the alarm was raised
-  int since = 0;    ///< index of the first reading after the change, as estimated
-  ChangeKind kind = ChangeKind::kOther;
-  double chi2 = 0;  ///< statistic that exceeded its limit
+  int reading = 0;                           ///< index of the reading at which the alarm was raised
+  int since = 0;                             ///< index of the first reading after the change, as estimated
+  ChangeKind kind = ChangeKind::kUndecided;  ///< by the readings up to the last one
+  int judged_to = 0;                         ///< index of the last reading that `kind` and `step` take into account
+  double chi2 = 0;                           ///< statistic that exceeded its limit
   int degrees_of_freedom = 0;
-  /// Step of the base that explains the readings since the change best, with its standard deviations; see BaseStep.
+  /// Step of the base that explains the readings since the change best, with its standard deviations; see BaseStep. A
+  /// component that these readings do not determine has an infinite standard deviation.
   BaseStep step = BaseStep::Zero(), step_sigma = BaseStep::Zero();
 };
 
@@ -58,8 +64,8 @@ struct Watch {
   std::vector<double> level;
 };
 
-/// Watches the readings in their order, up to the first alarm. All readings must belong to one set-up and measure known
-/// points or places.
+/// Watches the readings in their order, up to the first alarm; the readings after it serve to judge what has changed.
+/// All readings must belong to one set-up and measure known points or places.
 [[nodiscard]] Watch watchForChange(const WatchedArm& watched, const std::vector<Measurement>& readings,
                                    const WatchOptions& options = {});
 

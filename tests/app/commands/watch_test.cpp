@@ -1,6 +1,7 @@
 // `tubeplan watch` from outside: quiet on the calibration's own touches, an alarm after the base has moved.
 #include <boost/algorithm/string.hpp>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "tests/app/program.hpp"
 
@@ -19,7 +20,7 @@ class WatchCommand : public ProgramTest {
   }
 
   /// Returns the table of the calibration's touches `times` times, with new ids and with x shifted by `shift` [in].
-  [[nodiscard]] std::string visits(int times, double shift, int& id) const {
+  std::string visits(int times, double shift, int& id) {
     std::vector<std::string> lines, columns;
     boost::split(lines, contentOf(folder / "p/touches.csv"), boost::is_any_of("\n"));
     boost::split(columns, lines.front(), boost::is_any_of(","));
@@ -30,11 +31,16 @@ class WatchCommand : public ProgramTest {
         std::vector<std::string> fields;
         boost::split(fields, lines[line], boost::is_any_of(","));
         fields[0] = "V" + std::to_string(++id);
-        fields[x] = std::to_string(std::stod(fields[x]) + shift);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          fields[x + axis] = std::to_string(std::stod(fields[x + axis]) + noise_(random_) + (axis == 0 ? shift : 0));
         text += boost::join(fields, ",") + "\n";
       }
     return text;
   }
+
+ private:
+  std::mt19937_64 random_{1};
+  std::normal_distribution<double> noise_{0, 0.005};  // [in]
 };
 
 TEST_F(WatchCommand, IsQuietUntilTheBaseMoves) {

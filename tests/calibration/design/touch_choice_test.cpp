@@ -73,7 +73,7 @@ TEST(TouchChoice, HolesThatDoNotDetermineTheBaseAreToldSo) {
   const auto cell = touchedCell(kHolesToTouch);
   const std::vector<TouchPlan> one_hole(4, cell.plans.front());
   const auto choice = chooseTouches(cell.arm, cell.X_WB_nominal, one_hole, workOf(cell));
-  EXPECT_EQ(choice.status, TouchChoiceStatus::kNotDetermined);
+  EXPECT_EQ(choice.status, TouchChoiceStatus::kNotDetermined) << choice.mean_sigma;
   EXPECT_TRUE(choice.chosen.empty());
   EXPECT_FALSE(choice.reason.empty());
 }

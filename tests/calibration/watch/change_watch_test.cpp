@@ -61,7 +61,8 @@ class Outage {
         const deflection::ToolGoal goal{cell_.X_WB_nominal.inverse() * hole, Eigen::Vector3d::UnitZ()};
         const auto branches = deflection::solveInverseKinematics(nominal_, goal, 0, gravity_B).branches;
         if (branches.empty() || branches.front().status != deflection::BranchStatus::kConverged) continue;
-        const TouchPlan plan{"T", "H", hole, branches.front().q};
+        const std::string number = std::to_string(cell_.plans.size() + 1);
+        const TouchPlan plan{"T" + number, "H" + number, hole, branches.front().q};
         if (simulateTouches(truth_, cell_.X_WB_true, {plan}, {}).status == TouchSimulationStatus::kDone)
           cell_.plans.push_back(plan);
       }
@@ -114,7 +115,9 @@ TEST(ChangeWatch, FindsAStepOfTheBaseWithinAFewTouchesAndSaysSo) {
     as_base += watch.alarm->kind == ChangeKind::kBaseStep;
     begin += std::abs(watch.alarm->since - since) <= 2;
     for (int axis = 0; axis < 3; ++axis)
-      EXPECT_NEAR(watch.alarm->step[axis], 0.02 * kInch * way[axis], 5 * watch.alarm->step_sigma[axis]);
+      if (watch.alarm->kind == ChangeKind::kBaseStep) {
+        EXPECT_NEAR(watch.alarm->step[axis], 0.02 * kInch * way[axis], 5 * watch.alarm->step_sigma[axis]);
+      }
   }
   EXPECT_GE(found, 0.95 * kOutages);
   EXPECT_LE(early, 2);
@@ -135,7 +138,7 @@ TEST(ChangeWatch, AChangeOfTheArmIsNotCalledAStepOfTheBase) {
     as_base += watch.alarm && watch.alarm->kind == ChangeKind::kBaseStep;
   }
   EXPECT_GE(found, 19);
-  EXPECT_LE(as_base, 6);
+  EXPECT_LE(as_base, 2);
 }
 
 TEST(ChangeWatch, OfNothingIsNotComputed) {
