@@ -3,7 +3,7 @@ import {useEffect} from "preact/hooks";
 import {Select} from "../drawing/fields";
 import {Panel} from "../drawing/panel";
 import {Waiting} from "../shell/states";
-import {events, next, person, place, record, records, refresh, totals, undo} from "./desk";
+import {type JobEvent, events, next, person, place, record, records, refresh, totals, undo} from "./desk";
 import {NextPanel} from "./next_panel";
 import {TotalsTable} from "./totals_table";
 
@@ -93,7 +93,7 @@ function Log() {
           <span>{event.who}</span>
           <b>{event.tube}</b>
           <span>
-            {event.kind === "mark" ? event.value : `${event.kind} ${event.value}`}
+            {wordsOf(event)}
             {event.reason ? <i class="muted"> {event.reason}</i> : null}
           </span>
           {event.kind === "mark" && !event.undone ? (
@@ -107,6 +107,11 @@ function Log() {
       ))}
     </Panel>
   );
+}
+
+function wordsOf({kind, value}: JobEvent): string {
+  if (kind === "confirm") return value === "same" ? "✓ confirmed" : `✕ found ${value}`;
+  return kind === "mark" ? value : `${kind}: ${value}`;
 }
 
 /** Undoes a mark for a reason that the person gives; does nothing without a reason. */
