@@ -19,7 +19,7 @@ struct Workcell {
   /// treated as exactly known.
   Eigen::Matrix<double, 6, 6> base_covariance = Eigen::Matrix<double, 6, 6>::Zero();
   /// Standard deviation [m], in any direction, of the position of each row's bodies that the arm's uncertain parameters
-  /// cause beyond `base_covariance`: an upper bound over postures, one value for each row. Empty if there is none.
+  /// cause beyond `base_covariance`: a typical value over postures, one for each row. Empty if there is none.
   std::vector<double> row_deviations = {};
   tubesheets::Sheet sheet;
   tubesheets::SteppedTool tool;

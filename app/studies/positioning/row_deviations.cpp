@@ -103,7 +103,8 @@ std::vector<double> rowDeviations(const planner::Workcell& model, const calibrat
     std::vector<double> found(postures.size());
     oneapi::tbb::parallel_for(std::size_t{0}, postures.size(),
                               [&](std::size_t k) { found[k] = deviation.at(postures[k], row, points); });
-    deviations[static_cast<std::size_t>(row)] = *std::ranges::max_element(found);
+    const Eigen::Map<const Eigen::VectorXd> all(found.data(), kPostures);
+    deviations[static_cast<std::size_t>(row)] = std::sqrt(all.squaredNorm() / kPostures);
   }
   return deviations;
 }

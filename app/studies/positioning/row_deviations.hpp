@@ -8,9 +8,10 @@
 
 namespace tubeplan::app {
 
-/// Returns Workcell::row_deviations for base and arm with the given joint uncertainty: for each row, the largest
-/// standard deviation [m] beyond that of the base alone, over 256 random postures within the joint limits and over the
-/// ends of the row's bodies and the tip. Empty if no parameter of the arm is uncertain.
+/// Returns Workcell::row_deviations for base and arm with the given joint uncertainty: for each row, the standard
+/// deviation [m] beyond that of the base alone, in the worst direction and at the worst of the ends of the row's bodies
+/// and the tip. It is the root mean square over 256 random postures within the joint limits. Empty if no parameter of
+/// the arm is uncertain.
 [[nodiscard]] std::vector<double> rowDeviations(const planner::Workcell& model,
                                                 const calibration::JointUncertainty& uncertainty);
 

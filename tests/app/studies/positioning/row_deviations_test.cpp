@@ -51,26 +51,22 @@ class RowDeviations : public ::testing::Test {
   planner::Workcell model_;
 };
 
-TEST_F(RowDeviations, BoundTheTipsDeviationBeyondTheBaseInOtherPostures) {
+TEST_F(RowDeviations, AreThoseOfTheTipBeyondTheBaseInOtherPostures) {
   const auto uncertainty = calibrated();
   ASSERT_FALSE(uncertainty.numbers.empty());
   const auto deviations = rowDeviations(model_, uncertainty);
   ASSERT_EQ(deviations.size(), model_.arm.rows.size());
-  const double at_tip = deviations.back();
   calibration::RandomStream random(99);
-  int within = 0, drawn = 0;
-  double largest = 0;
-  for (; drawn < 300; ++drawn) {
+  constexpr int kDrawn = 300;
+  double sum = 0;
+  for (int k = 0; k < kDrawn; ++k) {
     Eigen::VectorXd q(model_.arm.jointCount());
-    for (Eigen::Index k = 0; k < q.size(); ++k)
-      q[k] = random.uniform(model_.arm.joint(static_cast<int>(k)).lower, model_.arm.joint(static_cast<int>(k)).upper);
+    for (Eigen::Index j = 0; j < q.size(); ++j)
+      q[j] = random.uniform(model_.arm.joint(static_cast<int>(j)).lower, model_.arm.joint(static_cast<int>(j)).upper);
     const double deviation = beyondBaseAt(model_, uncertainty, q);
-    within += deviation <= at_tip;
-    largest = std::max(largest, deviation);
+    sum += deviation * deviation / kDrawn;
   }
-  EXPECT_GE(within, 0.98 * drawn);
-  EXPECT_LE(largest, 1.15 * at_tip);
-  EXPECT_GE(largest, 0.7 * at_tip);
+  EXPECT_NEAR(deviations.back(), std::sqrt(sum), 0.15 * std::sqrt(sum));
 }
 
 TEST_F(RowDeviations, GrowTowardsTheTipAndVanishWithoutUncertainty) {
