@@ -79,13 +79,13 @@ def base_error(found, position, turn):
     return np.concatenate([shift, np.array([off[2, 1] - off[1, 2], off[0, 2] - off[2, 0], off[1, 0] - off[0, 1]]) / 2. / DEG])
 
 
-def trial(program, holes, asked, seed):
-    """Returns (exit code, chi-square of the base's error, predicted steps, observed steps), or None if the true arm
-    cannot make the touches."""
+def draw_touches(holes, asked, seed):
+    """Returns a true arm at work: (generator, design, chosen holes, session with the joint readings of all of them,
+    standard deviation of a touch); None if the true arm cannot make the touches."""
     rng = np.random.default_rng([asked.seed, seed])
-    drawn, world = read_arm(), WORLDS[asked.world]
-    arm, tool = true_arm(drawn, world, rng), yaml.safe_load(CELL.read_text())["calibration_tool"]
-    sigma = tool["steps"][-1]["tolerance"] / 2
+    drawn = read_arm()
+    arm = true_arm(drawn, WORLDS[asked.world], rng)
+    sigma = yaml.safe_load(CELL.read_text())["calibration_tool"]["steps"][-1]["tolerance"] / 2
     chosen = draw_spread_holes(holes, asked, rng)
     q, targets = np.radians([hole["joints"] for hole in chosen]), to_base([hole["hole"] for hole in chosen])
     session = draw_session(q, np.zeros(len(q)), rng)
@@ -94,23 +94,42 @@ def trial(program, holes, asked, seed):
     if not np.all(np.isfinite(touched[:asked.touches])):
         return None
     session.q = touched + rng.normal(0., drawn.encoder_sigma, touched.shape)
+    return rng, design, chosen, session, sigma
+
+
+def calibrate(program, drawn, asked, folder):
+    """Calibrates the cell by the drawn touches, in the folder's cell.yaml and t.csv, and writes c2.yaml; returns the
+    exit code, the figures and the messages."""
+    _, _, chosen, session, sigma = drawn
+    (pathlib.Path(folder) / "cell.yaml").write_text(cell_text(None if asked.prior == "default" else WORLDS[asked.world]))
+    (pathlib.Path(folder) / "t.csv").write_text(touches_csv(chosen[:asked.touches], session, sigma))
+    words = [program, "calibrate", "cell.yaml", "t.csv", "--out", "c2.yaml", "--json", "-"]
+    done = subprocess.run(words, cwd=folder, capture_output=True, text=True)
+    return done.returncode, json.loads(done.stdout) if done.stdout else {}, done.stderr.strip()
+
+
+def trial(program, holes, asked, seed):
+    """Returns (exit code, chi-square of the base's error, predicted steps, observed steps), or None if the true arm
+    cannot make the touches."""
+    drawn = draw_touches(holes, asked, seed)
+    if drawn is None:
+        return None
+    rng, design, chosen, _, _ = drawn
+    tool = yaml.safe_load(CELL.read_text())["calibration_tool"]
     with tempfile.TemporaryDirectory() as folder:
-        cell = pathlib.Path(folder) / "cell.yaml"
-        cell.write_text(cell_text(None if asked.prior == "default" else world))
-        (pathlib.Path(folder) / "t.csv").write_text(touches_csv(chosen[:asked.touches], session, sigma))
-        done = subprocess.run([program, "calibrate", "cell.yaml", "t.csv", "--json", "-"], cwd=folder, capture_output=True, text=True)
-        found = json.loads(done.stdout) if done.stdout else {}
+        code, found, said = calibrate(program, drawn, asked, folder)
         if "base" not in found:
-            print((found.get("reason") or done.stderr).strip(), file=sys.stderr)
-            return done.returncode, np.nan, None, None
+            print((found.get("reason") or said).strip(), file=sys.stderr)
+            return code, np.nan, None, None
+        cell = pathlib.Path(folder) / "cell.yaml"
         tubes = ",".join(hole["name"] for hole in chosen[asked.touches:])
         planned = plan(program, ["--touches", "t.csv", "--tubes", tubes], folder, cell) if asked.holes else None
     error = base_error(found["base"], design.base_position, design.base_turn)
     chi2 = error @ np.linalg.solve(np.array(found["covariance"]), error)
     visits = [tube for tube in planned["tubes"] if tube["probability_by_steps"]] if planned else []
     if not visits:
-        return done.returncode, chi2, None, None
-    return done.returncode, chi2, np.sum([tube["probability_by_steps"] for tube in visits], axis=0), steps_by(design, [], visits, tool, rng)
+        return code, chi2, None, None
+    return code, chi2, np.sum([tube["probability_by_steps"] for tube in visits], axis=0), steps_by(design, [], visits, tool, rng)
 
 
 def share(held):
