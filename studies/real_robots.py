@@ -62,6 +62,7 @@ SETS = {
     "panda": RobotSet("panda-touch/cell.yaml", "panda-touch/measurements.csv", pair_apart=50.0),
     "ur5": RobotSet("ur5/cell.yaml", "ur5/measurements.csv"),
     "justin-right": RobotSet("justin-right/cell.yaml", "justin-right/measurements.csv"),
+    "justin-weights": RobotSet("justin-right/cell-assumed-weights.yaml", "justin-right/measurements.csv", 5.0),
 }
 
 
