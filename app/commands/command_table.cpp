@@ -63,7 +63,8 @@ constexpr Command kCommands[] = {
      "--out out/plan",
      configurePlan},
     {"bases", "chooses base positions: the few from which most tubes are reached, and the fewest that reach all",
-     "tubeplan bases app/cells/mockup.yaml --tubes spread:100 --along x=-20:20:5 --along y=35:50:4 --most 2", configureBases},
+     "tubeplan bases app/cells/mockup.yaml --tubes spread:100 --along x=-20:20:5 --along y=35:50:4 --most 2",
+     configureBases},
     {"verify", "verifies a plan by code independent of the planner", "tubeplan verify app/cells/mockup.yaml out/plan",
      configureVerify},
     {"score", "centring error and inserted steps of the true arm, with and without compensation",
@@ -102,7 +103,7 @@ constexpr Command kCommands[] = {
      "tubeplan job create app/cells/outage/job.yaml --out spring.job\n"
      "tubeplan job plan spring.job --out out/spring\n"
      "tubeplan job next spring.job --sg A --leg hot\n"
-     "tubeplan job confirm spring.job A/hot/R12C40 --read-back A/hot/R12C40 --by Maria\n"
+     "tubeplan job confirm spring.job A/hot/R12C40 --position=-18.594,13.967 --by camera\n"
      "tubeplan job mark spring.job A/hot/R12C40 --as done --by Tom\n"
      "tubeplan job status spring.job",
      configureJob},

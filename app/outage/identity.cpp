@@ -69,8 +69,11 @@ std::string findMissingConfirmation(const WorkPackage& package, const std::vecto
     if (event.kind == "confirm") latest = &event;
   }
   if (!latest) return "the identity of the tube is not confirmed";
+  if (latest->method != confirmationName(package.confirm))
+    return fmt::format("the package {} asks for a confirmation by {}, but the last one is by {}", package.name,
+                       confirmationName(package.confirm), latest->method);
   if (latest->value != "same") return fmt::format("the last confirmation found {}", latest->value);
-  if (latest->method == confirmationName(ConfirmationMethod::kReadBack) && latest->who == who)
+  if (package.confirm == ConfirmationMethod::kReadBack && latest->who == who)
     return fmt::format("the tube was read back by {}, who marks it too; another person must read it", who);
   return "";
 }

@@ -25,8 +25,8 @@ struct IdentityFinding {
                                               const std::vector<TubeEnd>& ends, double pitch);
 
 /// Returns why the tool may not enter the tube: its package demands a confirmation, and the latest one of this item is
-/// missing, older than the latest mark, of another tube, or by the person who marks it. Returns an empty text if it
-/// may.
+/// missing, older than the latest mark, by another method, of another tube, or by the person who marks it. Returns an
+/// empty text if it may.
 [[nodiscard]] std::string findMissingConfirmation(const WorkPackage& package,
                                                   const std::vector<JobEvent>& events_of_item, const std::string& who);
 

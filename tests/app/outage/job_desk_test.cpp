@@ -96,6 +96,15 @@ TEST_F(JobDesk, AToolEntersOnlyWhereAnotherPersonReadTheTube) {
              "not confirmed");  // each entry needs its own confirmation
 }
 
+TEST_F(JobDesk, AnotherMethodThanThePackageAsksForConfirmsNothing) {
+  JobStore store(made("  - {name: rows, tubes: R9-11C18-22, tool: bobbin, confirm: position}\n"));
+  EXPECT_TRUE(confirmTube(store, {hot(9, 18), "", "A/hot/R9C18", std::nullopt, {"Maria", "", ""}}).is_same);
+  expectSays(messageOf([&] {
+               (void)markTube(store, {hot(9, 18), "", "done", {"Tom", "", ""}, std::nullopt});
+             }),
+             "position");
+}
+
 TEST_F(JobDesk, NextTakesOpenTubesThenTheQueue) {
   JobStore store(made(kFree));
   const JobPart part{"", "A", Leg::kHot};
