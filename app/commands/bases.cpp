@@ -28,8 +28,7 @@ constexpr const char* kAxisForm = "x, y, z or turn, with FROM:TO:COUNT, such as 
 
 struct BasesOptions {
   std::string cell, tubes;
-  std::vector<std::string> along, moving, columns;
-  bool with_mirrored = false;
+  std::vector<std::string> along, moving, columns, mirrored;
   int most = 2;
   FiguresTarget figures;
 };
@@ -53,7 +52,11 @@ BaseAxis parseAxis(const std::string& text, const Units& units) {
 
 BaseChoiceOptions choiceOptions(const BasesOptions& options, const Cell& cell, const planner::Workcell& work) {
   BaseChoiceOptions choice;
-  std::size_t candidates = options.with_mirrored ? 2 : 1;
+  std::size_t candidates = 1;
+  for (const std::string& axis : options.mirrored) {
+    choice.mirrored.push_back(axis == "x" ? 0 : 1);
+    candidates *= 2;
+  }
   for (const std::string& text : options.along) {
     choice.axes.push_back(parseAxis(text, cell.units));
     candidates *= static_cast<std::size_t>(choice.axes.back().count);
@@ -61,7 +64,6 @@ BaseChoiceOptions choiceOptions(const BasesOptions& options, const Cell& cell, c
       throw InputError("--along", fmt::format("{} positions or more", candidates),
                        fmt::format("at most {}", kMostCandidates), "give fewer values");
   }
-  choice.with_mirrored = options.with_mirrored;
   choice.moving = options.moving;
   choice.cover.most = options.most;
   std::vector<std::string> names;
@@ -152,7 +154,10 @@ Run configureBases(CLI::App& cli) {
       "--along", options->along,
       "AXIS=FROM:TO:COUNT: values of x, y or z of the base, or of its turn about the vertical, in the cell's "
       "units; repeat for further axes");
-  cli.add_flag("--mirrored", options->with_mirrored, "try the mirror image of each position in the plane x = 0 too");
+  cli.add_option("--mirrored", options->mirrored,
+                 "x or y: try the mirror image of each position in the plane x = 0 or y = 0 too; x,y: both")
+      ->delimiter(',')
+      ->check(oneOf({"x", "y"}));
   cli.add_option("--moving", options->moving, "obstacle that moves with the base, and is not checked; may be repeated");
   cli.add_option("--most", options->most, "largest number of positions to choose")
       ->check(within(1, 10))

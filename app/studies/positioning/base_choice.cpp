@@ -23,9 +23,10 @@ Isometry3d moved(Isometry3d X_WB, int axis, double value) {
   return X_WB;
 }
 
-/// Returns the mirror image of a pose in the plane x = 0.
-Isometry3d mirroredPose(const Isometry3d& X_WB) {
-  const Vector3d signs(-1, 1, 1);
+/// Returns the mirror image of a pose in the plane where the coordinate `axis` is zero.
+Isometry3d mirroredPose(const Isometry3d& X_WB, int axis) {
+  Vector3d signs = Vector3d::Ones();
+  signs[axis] = -1;
   Isometry3d X = Isometry3d::Identity();
   X.translation() = signs.cwiseProduct(X_WB.translation());
   X.linear() = signs.asDiagonal() * X_WB.linear() * signs.asDiagonal();
@@ -52,9 +53,9 @@ std::vector<Isometry3d> baseCandidates(const Isometry3d& X_WB, const BaseChoiceO
     combined = std::move(next);
   }
   if (!options.axes.empty()) bases.insert(bases.end(), combined.begin(), combined.end());
-  if (options.with_mirrored) {
+  for (const int axis : options.mirrored) {
     const std::vector<Isometry3d> own = bases;
-    for (const Isometry3d& X : own) bases.push_back(mirroredPose(X));
+    for (const Isometry3d& X : own) bases.push_back(mirroredPose(X, axis));
   }
   return bases;
 }

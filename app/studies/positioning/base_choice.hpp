@@ -21,8 +21,10 @@ struct BaseAxis {
 };
 
 struct BaseChoiceOptions {
-  std::vector<BaseAxis> axes;       ///< the candidates are all combinations; other coordinates are those of the cell
-  bool with_mirrored = false;       ///< true: the mirror image of each candidate in the plane x = 0 is a candidate too
+  std::vector<BaseAxis> axes;  ///< the candidates are all combinations; other coordinates are those of the cell
+  /// Axes (0: x, 1: y) along which mirror images are taken: for each axis, the images of all candidates so far in the
+  /// plane where its coordinate is zero are candidates too.
+  std::vector<int> mirrored;
   std::vector<std::string> moving;  ///< names of obstacles that move with the base, and are not checked
   planner::BaseCoverOptions cover;
   planner::TubeReachOptions reach;

@@ -42,15 +42,25 @@ TEST_F(Bases, MorePositionsReachNoFewerAndBoundsHold) {
 }
 
 TEST_F(Bases, AMirroredBaseReachesTheMirroredTubes) {
-  const json found = answer("--mirrored");
+  const json found = answer("--mirrored x");
   ASSERT_EQ(found["candidates"].size(), 2u);
   EXPECT_DOUBLE_EQ(found["candidates"][1]["position"][0].get<double>(),
                    -found["candidates"][0]["position"][0].get<double>());
 }
 
+TEST_F(Bases, TwoBasesOnEitherSideReachMoreOfAOnceThroughSheet) {
+  const auto reached = [&](const std::string& more) {
+    const Outcome outcome =
+        run("bases " + shipped("sheets/once-through.yaml") + " --tubes spread:150 --json - " + more);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out)["reached"].get<int>();
+  };
+  EXPECT_GE(reached("--mirrored y --most 2"), reached("") + 20);
+}
+
 TEST_F(Bases, WhatItCannotReadIsRefused) {
   for (const char* words : {"--along x=1:2", "--along w=1:2:3", "--along x=a:2:3", "--along x=1:2:0",
-                            "--along x=0:1:3000", "--moving nothing", "--most 0"})
+                            "--along x=0:1:3000", "--moving nothing", "--most 0", "--mirrored z"})
     EXPECT_EQ(run("bases " + shipped("mockup.yaml") + " " + words).exit_code, 2) << words;
 }
 
