@@ -50,7 +50,7 @@ TEST_F(JobCommand, ATubeFromThePlanToItsMark) {
 
 TEST_F(JobCommand, WhatItCannotTakeIsRefusedAndRecordsNothing) {
   const char* refused[] = {"job mark a.job R9C18 --as skipped --by Tom",         // no leg
-                           "job mark a.job A/hot/R9C18 --as skippd --by Tom",    // no such mark
+                           "job mark a.job A/hot/R9C18 --as jumped --by Tom",    // no such mark
                            "job mark a.job A/hot/R9C18 --as skipped",            // nobody
                            "job mark a.job A/hot/R1C57 --as skipped --by Tom",   // in no package
                            "job mark a.job A/hot/R9C18 --as excluded --by Tom",  // no reason
