@@ -23,7 +23,7 @@ constexpr double kSlow = 3;        // gaps above this multiple of the usual gap 
 constexpr double kHour = 3600;     // [s]
 constexpr double kMostHours = 14;  // largest shift of a clock by time zones and daylight-saving time [h]
 constexpr double kNearHour = 120;  // jumps this close to whole hours [s], and closer than the usual gap, count as whole
-constexpr double kMonth = 30 * 24 * kHour;
+constexpr double kDay = 24 * kHour, kMonth = 30 * kDay;
 
 double timeOf(const Measurement& reading) { return reading.conditions[deflection::Condition::kTime]; }
 
@@ -68,6 +68,8 @@ class Clock {
         checks.push_back(alone(k, "before"));
       else if (is_far && k >= 2 && time(k) >= time(k - 2))
         checks.push_back(alone(k - 1, "after"));
+      else if (isMidnight(k))
+        checks.push_back(midnightBefore(k));
       else
         checks.push_back(from(k, "back", "the clock was set there, or began anew"));
     }
@@ -113,6 +115,19 @@ class Clock {
         fmt::format("from reading {} on the time has gone {} by {}, where readings are {} apart as a rule: {}",
                     timed_[k]->id, way, durationText(jumpAt(k)), durationText(usual_), cause),
         fmt::format("clock={:.6g}@{}", -jumpAt(k), timed_[k]->id));
+  }
+
+  /// Returns true if the times step back by one day, as those of a clock without a date do at midnight.
+  [[nodiscard]] bool isMidnight(std::size_t k) const {
+    return std::abs(gap(k) - usual_ + kDay) < std::min(usual_, kNearHour);
+  }
+
+  /// Returns the mistake of a clock without a date. A step back by one day has no other usual cause.
+  [[nodiscard]] MeasurementCheck midnightBefore(std::size_t k) const {
+    MeasurementCheck check = from(k, "back", "the clock passed midnight there and its times have no date");
+    check.severity = CheckSeverity::kMistake;
+    check.assume = fmt::format("clock={:.6g}@{}", kDay, timed_[k]->id);
+    return check;
   }
 
   static MeasurementCheck remark(std::string sentence, std::string assume) {
