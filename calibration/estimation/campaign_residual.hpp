@@ -13,7 +13,7 @@ namespace tubeplan::calibration {
 
 class CampaignResidual {
  public:
-  /// Whether the residual vector contains only the readings' rows, or also the priors' residuals after them, one per
+  /// Content of the residual vector: only the readings' rows, or also the priors' residuals after them, one per
   /// unknown.
   enum class Priors { kNone, kAppended };
 

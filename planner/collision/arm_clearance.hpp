@@ -14,7 +14,7 @@ namespace tubeplan::planner {
 class NearestPairs;
 struct NearestPair;
 
-/// Whether the tool may enter the sheet's holes. It may enter holes only while it approaches or retreats; while it
+/// Rule on the tool's entry into the sheet's holes. It may enter holes only while it approaches or retreats; while it
 /// travels between tubes it keeps clear of the sheet like every other body.
 enum class ContactRule { kTravel, kApproach };
 

@@ -3,7 +3,7 @@
 // Both are covering problems over sets of tubes. The choice of at most `most` candidates is found by branch and bound:
 // a partial choice can gain no more than its largest remaining gains (Nemhauser, Wolsey and Fisher 1978). The fewest
 // candidates are found by branching over the candidates that reach a tube which few of them reach. Tubes with the same
-// candidates count as one, and a candidate whose tubes another one reaches too is left out.
+// candidates count as one.
 #pragma once
 
 #include <cstddef>

@@ -8,7 +8,7 @@
 
 namespace tubeplan::app {
 
-/// Whether armYaml() writes the tool axis. It is left out if the arm's own file states none, so that the cell can state
+/// Choice of whether armYaml() writes the tool axis. It is left out if the arm's own file states none, so that the cell can state
 /// it.
 enum class ToolAxis { kStated, kLeftOut };
 
