@@ -10,6 +10,7 @@
 #include "app/cli/stop_signal.hpp"
 #include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/documents/figures.hpp"
 #include "app/documents/figures_text.hpp"
 #include "app/formats/cell/command_inputs.hpp"
 #include "app/formats/cell/workcell.hpp"
@@ -17,6 +18,7 @@
 #include "app/storage/input_error.hpp"
 #include "app/storage/suggestion.hpp"
 #include "app/studies/positioning/base_choice.hpp"
+#include "deflection/rotation.hpp"
 #include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
@@ -76,37 +78,22 @@ BaseChoiceOptions choiceOptions(const BasesOptions& options, const Cell& cell, c
 
 nlohmann::json baseJson(const BaseChoice& choice, std::size_t c, const Units& units) {
   const Eigen::Isometry3d& X_WB = choice.bases[c];
-  const Eigen::Vector3d p = X_WB.translation();
-  const auto length = [&](double metres) { return units.toFile(metres, dimension::kLength); };
   return {{"candidate", c + 1},
-          {"position", {length(p.x()), length(p.y()), length(p.z())}},
-          {"rpy", nlohmann::json::array()},
+          {"position", placeJson(X_WB.translation(), units)},
+          {"rpy", vectorJson(deflection::fixedAnglesOf(X_WB.linear()), units, dimension::kAngle)},
           {"reached", std::ranges::count(choice.reaches[c], true)}};
-}
-
-/// Adds the fixed-axis angles of a base, as in a cell's file.
-void addAngles(nlohmann::json& json, const Eigen::Matrix3d& R, const Units& units) {
-  const double pitch = std::asin(std::clamp(-R(2, 0), -1., 1.));
-  for (const double angle : {std::atan2(R(2, 1), R(2, 2)), pitch, std::atan2(R(1, 0), R(0, 0))})
-    json["rpy"].push_back(units.toFile(angle, dimension::kAngle));
 }
 
 nlohmann::json chosenJson(const BaseChoice& choice, const std::vector<int>& chosen, const Units& units) {
   nlohmann::json list = nlohmann::json::array();
-  for (const int c : chosen) {
-    list.push_back(baseJson(choice, static_cast<std::size_t>(c), units));
-    addAngles(list.back(), choice.bases[static_cast<std::size_t>(c)].linear(), units);
-  }
+  for (const int c : chosen) list.push_back(baseJson(choice, static_cast<std::size_t>(c), units));
   return list;
 }
 
 nlohmann::json basesJson(const BaseChoice& choice, std::size_t tubes, const Units& units) {
   const planner::BaseCover& cover = choice.cover;
   nlohmann::json candidates = nlohmann::json::array();
-  for (std::size_t c = 0; c < choice.bases.size(); ++c) {
-    candidates.push_back(baseJson(choice, c, units));
-    addAngles(candidates.back(), choice.bases[c].linear(), units);
-  }
+  for (std::size_t c = 0; c < choice.bases.size(); ++c) candidates.push_back(baseJson(choice, c, units));
   return {{"tubes", tubes},
           {"candidates", candidates},
           {"best", chosenJson(choice, cover.best, units)},

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "calibration/random_stream.hpp"
+#include "deflection/rotation.hpp"
 #include "deflection/tip_derivatives.hpp"
 #include "planner/scene/shape.hpp"
 
@@ -44,10 +45,6 @@ std::vector<Vector3d> pointsOn(const planner::Workcell& model, int row) {
   return points;
 }
 
-Matrix3d crossMatrix(const Vector3d& v) {
-  return (Matrix3d() << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0).finished();
-}
-
 /// Jacobians and covariance that are the same for all points.
 class Deviation {
  public:
@@ -74,8 +71,8 @@ class Deviation {
                                   const Vector3d& p_L) const {
     const Vector3d r_B = X_BL.R * p_L, r_W = model_.X_WB.linear() * (X_BL.p + r_B);
     MatrixXd J(3, 6 + static_cast<Index>(slopes_.size()));
-    J << Matrix3d::Identity(), -crossMatrix(r_W),
-        model_.X_WB.linear() * (frame.position_B - crossMatrix(r_B) * frame.rotation_B);
+    J << Matrix3d::Identity(), -deflection::crossMatrix(r_W),
+        model_.X_WB.linear() * (frame.position_B - deflection::crossMatrix(r_B) * frame.rotation_B);
     for (std::size_t k = 0; k < slopes_.size(); ++k) J.col(6 + static_cast<Index>(k)) *= slopes_[k];
     const Matrix3d together = J * covariance_ * J.transpose();
     const Matrix3d base = J.leftCols<6>() * covariance_.topLeftCorner<6, 6>() * J.leftCols<6>().transpose();
