@@ -78,3 +78,12 @@ export function submitting(act: (form: HTMLFormElement) => unknown) {
 export function withPoint(text: string): string {
   return text.trim().replace("−", "-").replace(",", ".");
 }
+
+/** Returns true if a key goes to a field, and is therefore no command. */
+export function isTyping(event: KeyboardEvent): boolean {
+  const target = event.target as HTMLElement | null;
+  return (
+    target !== null &&
+    (target.matches("input:not([type=range]):not([type=checkbox]), textarea, select") || target.isContentEditable)
+  );
+}

@@ -3,6 +3,7 @@ import {effect, signal} from "@preact/signals";
 import {answerTo} from "../server/answers";
 import {get, post} from "../server/requests";
 import {attempt, state} from "../server/workbench";
+import {keep, keptObject} from "../shell/kept";
 
 export interface MarkKind {
   name: string;
@@ -85,16 +86,14 @@ export const records = answerTo<{records: string[]; marks: MarkKind[]}>({
 });
 
 const KEPT = "tubeplan.desk";
-const kept = JSON.parse(localStorage.getItem(KEPT) ?? "{}") as Record<string, string>;
+const kept = keptObject<string>(KEPT);
 
 export const record = signal(kept.record ?? "");
 export const person = signal(kept.person ?? "");
 /** Leg that the desk works in, "A/hot"; empty: every leg. */
 export const place = signal(kept.place ?? "");
 
-effect(() =>
-  localStorage.setItem(KEPT, JSON.stringify({record: record.value, person: person.value, place: place.value})),
-);
+effect(() => keep(KEPT, {record: record.value, person: person.value, place: place.value}));
 effect(() => {
   const names = records.value.document?.records ?? [];
   if (names.length > 0 && !names.includes(record.peek())) record.value = names[0];

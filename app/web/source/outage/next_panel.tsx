@@ -1,7 +1,7 @@
 // The next tube in large letters, the confirmation of its identity, and what became of the visit.
 import {useSignal} from "@preact/signals";
 import {useEffect} from "preact/hooks";
-import {submitting, withPoint} from "../drawing/fields";
+import {isTyping, submitting, withPoint} from "../drawing/fields";
 import {fixed} from "../../../drawing/numbers.js";
 import {confirm, finding, mark, person, records, type MarkKind, type NextTube} from "./desk";
 
@@ -90,10 +90,6 @@ function Found() {
       ✕ {found.found || "No hole"} was found, not {found.tube}: {found.reason}. No tool may enter.
     </p>
   );
-}
-
-function isTyping(event: KeyboardEvent): boolean {
-  return event.target instanceof HTMLElement && event.target.matches("input, select, textarea");
 }
 
 /** One button for each mark, with its key; a reason for the marks that need one. */

@@ -1,5 +1,6 @@
 // The keys that work in all views, and the list of all keys.
 import {chooseScheme, isDark} from "../drawing/colours";
+import {isTyping} from "../drawing/fields";
 import {Terms} from "../drawing/panel";
 import {selectedReadings} from "../error/linked";
 import {dismiss, notices, order, state} from "../server/workbench";
@@ -35,14 +36,6 @@ const LIST: Record<string, Record<string, string>> = {
   "In the bar that plays a plan": {Space: "play or pause", "← →": "a tube back or on", Home: "to the start"},
   Sliders: {"← →": "a small step", "Page up, down": "a large one", "Home, End": "to the limits"},
 };
-
-function isTyping(event: KeyboardEvent): boolean {
-  const target = event.target as HTMLElement | null;
-  return (
-    target !== null &&
-    (target.matches("input:not([type=range]):not([type=checkbox]), textarea, select") || target.isContentEditable)
-  );
-}
 
 /**
  * Closes an open menu that has lost the focus, such as after one of its buttons was disabled. Returns true if there was
