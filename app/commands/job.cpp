@@ -88,8 +88,7 @@ int confirm(const JobOptions& options) {
   if (!options.position.empty()) request.xy = {options.position[0] * length, options.position[1] * length};
   const IdentityFinding finding = confirmTube(store, request);
   const std::string meant = addressText(request.tube);
-  const nlohmann::json figures = {
-      {"tube", meant}, {"found", finding.found}, {"same", finding.is_same}, {"reason", finding.reason}};
+  const nlohmann::json figures = findingJson(request.tube, finding);
   showFigures(options.figures, figures,
               finding.is_same ? fmt::format("{} is confirmed\n", meant)
                               : fmt::format("NOT confirmed: {} is meant, but {} was found: {}\nno tool may enter\n",

@@ -65,11 +65,8 @@ void Database::Closer::operator()(sqlite3* database) const { sqlite3_close(datab
 
 Database::Database(const std::string& path, Mode mode) : path_(path) {
   std::error_code none;
-  const bool exists = std::filesystem::exists(path, none);
-  if (mode == Mode::kOpen && !exists)
+  if (mode == Mode::kOpen && !std::filesystem::exists(path, none))
     throw InputError::saying(path, "no such file", "make it by `tubeplan job create JOB.yaml --out " + path + "`");
-  if (mode == Mode::kCreate && exists)
-    throw InputError::saying(path, "the file exists, and what it records must not be lost", "choose another name");
   sqlite3* opened = nullptr;
   const int create = mode == Mode::kCreate ? SQLITE_OPEN_CREATE : 0;
   const int code = sqlite3_open_v2(path.c_str(), &opened, SQLITE_OPEN_READWRITE | create, nullptr);

@@ -37,8 +37,8 @@ class Database {
  public:
   enum class Mode { kOpen, kCreate };
 
-  /// Opens an existing file, or creates a new one. Throws InputError for a missing file, a file that exists already
-  /// when it is to be created, and a file that is not a database.
+  /// Opens an existing file, or creates a new one, which must not exist. Throws InputError for a missing file and for a
+  /// file that is not a database.
   Database(const std::string& path, Mode mode);
 
   [[nodiscard]] const std::string& path() const { return path_; }

@@ -16,10 +16,6 @@ namespace {
 
 using tubesheets::TubeState;
 
-const WorkPackage& packageOf(const JobFile& job, const std::string& name) {
-  return *std::ranges::find(job.packages, name, &WorkPackage::name);
-}
-
 template <class Entry>
 void requireName(const char* option, const std::string& name, const std::vector<Entry>& entries) {
   std::vector<std::string> names;
@@ -29,9 +25,6 @@ void requireName(const char* option, const std::string& name, const std::vector<
 }
 
 bool isPlugMark(const JobItem& item) { return item.mark && item.mark->state == TubeState::kPlugged; }
-
-using EndKey = std::tuple<std::string, tubesheets::Leg, int, int>;
-EndKey endKey(const TubeAddress& tube) { return {tube.generator, tube.leg, tube.row, tube.column}; }
 
 const Mark& requireMark(const std::string& name) {
   if (const Mark* mark = findMark(name)) return *mark;
@@ -81,12 +74,12 @@ void requirePart(const JobFile& job, const JobPart& part) {
 
 std::optional<JobItem> findNext(JobStore& store, const JobPart& part) {
   const std::vector<JobItem> items = store.items();
-  std::set<EndKey> plugged;
+  std::set<TubeAddress> plugged;
   for (const JobItem& item : items)
-    if (isPlugMark(item)) plugged.insert(endKey(item.tube));
+    if (isPlugMark(item)) plugged.insert(item.tube);
   const JobItem* queued = nullptr;
   for (const JobItem& item : items) {
-    if (!part.has(item) || plugged.contains(endKey(item.tube))) continue;
+    if (!part.has(item) || plugged.contains(item.tube)) continue;
     if (item.standing() == ItemStanding::kOpen) return item;
     if (item.standing() == ItemStanding::kQueued && (!queued || item.last_event < queued->last_event)) queued = &item;
   }
@@ -114,7 +107,7 @@ std::int64_t markTube(JobStore& store, const MarkRequest& request) {
   store.transact([&] {
     const JobItem item = requireItem(store, request.tube, request.package);
     requireFitting(item, mark, request);
-    const std::string missing = mark.needs_tool ? findMissingConfirmation(packageOf(store.job(), item.package),
+    const std::string missing = mark.needs_tool ? findMissingConfirmation(store.job().packageOf(item.package),
                                                                           store.eventsOf(item.id), request.entry.who)
                                                 : "";
     if (!missing.empty())
@@ -161,8 +154,7 @@ std::int64_t undoMark(JobStore& store, std::int64_t event, const EventEntry& ent
     if (found->is_undone)
       throw InputError::saying(where, "this event has already been undone", "there is nothing to do");
     for (const JobEvent& later : events)
-      if (later.id > event && later.kind == "mark" && !later.is_undone && later.tube == found->tube &&
-          later.package == found->package)
+      if (later.id > event && later.kind == "mark" && !later.is_undone && later.item == found->item)
         throw InputError::saying(where, fmt::format("the tube has a later mark, event {}", later.id),
                                  "undo that one first");
     undo = store.addUndo(*found, entry);

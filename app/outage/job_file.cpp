@@ -181,6 +181,12 @@ const JobTool& JobFile::toolOf(const WorkPackage& package) const {
   return *found;
 }
 
+const WorkPackage& JobFile::packageOf(const std::string& wanted) const {
+  const auto found = std::ranges::find(packages, wanted, &WorkPackage::name);
+  assert(found != packages.end());
+  return *found;
+}
+
 JobFile parseJobFile(const std::string& text, const std::string& path) {
   const YamlNode root = parseYaml(text, path);
   root.expectKeys({"job", "units", "steam_generators", "tools", "packages"}, {"shifts", "arms", "mount_s"});

@@ -65,6 +65,8 @@ struct JobFile {
   double mount = 0;  ///< time to mount an arm in a leg and calibrate its base [s]
 
   [[nodiscard]] const JobTool& toolOf(const WorkPackage& package) const;
+  /// Returns the package of that name, which must exist.
+  [[nodiscard]] const WorkPackage& packageOf(const std::string& wanted) const;
 };
 
 /// Reads a job file. Throws InputError, with file, line and key, for anything that docs/outage.md does not describe.

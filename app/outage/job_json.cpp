@@ -95,7 +95,7 @@ std::string totalsText(const json& totals) { return textOf(totals, kTotalsWords)
 
 json nextJson(JobStore& store, const JobItem& item, const JobPart& part) {
   const JobFile& job = store.job();
-  const WorkPackage& package = *std::ranges::find(job.packages, item.package, &WorkPackage::name);
+  const WorkPackage& package = job.packageOf(item.package);
   json result = {{"tube", addressText(item.tube)},
                  {"package", item.package},
                  {"steam_generator", item.tube.generator},
@@ -121,6 +121,11 @@ json nextJson(JobStore& store, const JobItem& item, const JobPart& part) {
 }
 
 std::string nextText(const json& next) { return textOf(next, kNextWords); }
+
+json findingJson(const TubeAddress& meant, const IdentityFinding& finding) {
+  return {
+      {"tube", addressText(meant)}, {"found", finding.found}, {"same", finding.is_same}, {"reason", finding.reason}};
+}
 
 json logJson(const std::vector<JobEvent>& events) {
   json result = {{"events", json::array()}};

@@ -20,6 +20,9 @@ namespace tubeplan::app {
 [[nodiscard]] nlohmann::json nextJson(JobStore& store, const JobItem& item, const JobPart& part);
 [[nodiscard]] std::string nextText(const nlohmann::json& next);
 
+/// Returns {tube, found, same, reason} for a confirmation of the tube that was meant.
+[[nodiscard]] nlohmann::json findingJson(const TubeAddress& meant, const IdentityFinding& finding);
+
 /// Returns {events: [{event, at, who, kind, package, tube, value, method, reason, undoes, undone}]}.
 [[nodiscard]] nlohmann::json logJson(const std::vector<JobEvent>& events);
 [[nodiscard]] std::string logText(const nlohmann::json& log);

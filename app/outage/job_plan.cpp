@@ -74,7 +74,7 @@ PackagePlan planPackage(JobStore& store, const Cell& cell, const std::vector<Job
                         const planner::PlanHooks& hooks, const KeepPackagePlan& keep) {
   const JobFile& job = store.job();
   const JobItem& first = items.front();
-  const WorkPackage& package = *std::ranges::find(job.packages, first.package, &WorkPackage::name);
+  const WorkPackage& package = job.packageOf(first.package);
   PackagePlan plan{first.package, first.tube.generator, first.tube.leg};
   plan.folder = fmt::format("{}-{}-{}", plan.generator, tubesheets::legName(plan.leg), plan.package);
   const PlanRequest request = requestFor(items, package, job, cell, seed);

@@ -18,7 +18,8 @@ constexpr std::string_view kItemColumns =
     "SELECT id, package_name, generator, leg, tube_row, tube_column, excluded, place, mark, last_event, "
     "unreachable FROM standing ";
 constexpr std::string_view kEventColumns =
-    "SELECT event.id, at, who, kind, package.name, generator, leg, tube_row, tube_column, value, method, reason, "
+    "SELECT event.id, at, who, kind, item.id, package.name, generator, leg, tube_row, tube_column, value, method, "
+    "reason, "
     "undoes, EXISTS (SELECT 1 FROM event AS undo WHERE undo.undoes = event.id) "
     "FROM event JOIN item ON item.id = event.item JOIN package ON package.id = item.package ";
 
@@ -45,8 +46,9 @@ std::vector<JobItem> itemsIn(const std::vector<DatabaseRow>& rows) {
 std::vector<JobEvent> eventsIn(const std::vector<DatabaseRow>& rows) {
   std::vector<JobEvent> events;
   for (const DatabaseRow& row : rows)
-    events.push_back({row.integer(0), row.text(1), row.text(2), row.text(3), row.text(4), addressAt(row, 5),
-                      row.text(9), row.text(10), row.text(11), keyAt(row, 12), row.integer(13) != 0});
+    events.push_back({row.integer(0), row.text(1), row.text(2), row.text(3), row.integer(4), row.text(5),
+                      addressAt(row, 6), row.text(10), row.text(11), row.text(12), keyAt(row, 13),
+                      row.integer(14) != 0});
   return events;
 }
 
@@ -158,10 +160,7 @@ std::int64_t JobStore::addConfirmation(const JobItem& item, ConfirmationMethod m
 }
 
 std::int64_t JobStore::addUndo(const JobEvent& event, const EventEntry& entry) {
-  const auto items = itemsOf(event.tube);
-  for (const JobItem& item : items)
-    if (item.package == event.package) return addEvent("undo", item.id, event.value, "", entry, event.id);
-  throw std::logic_error("an event without an item");
+  return addEvent("undo", event.item, event.value, "", entry, event.id);
 }
 
 void JobStore::setPlaces(const std::vector<std::int64_t>& items_in_order) {

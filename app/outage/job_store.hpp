@@ -32,9 +32,10 @@ struct JobItem {
 /// One entry of the log.
 struct JobEvent {
   std::int64_t id = 0;
-  std::string at;    ///< time in UTC, "2027-04-02T06:15:30Z"
-  std::string who;   ///< person or program that recorded the event
-  std::string kind;  ///< mark, confirm or undo
+  std::string at;         ///< time in UTC, "2027-04-02T06:15:30Z"
+  std::string who;        ///< person or program that recorded the event
+  std::string kind;       ///< mark, confirm or undo
+  std::int64_t item = 0;  ///< key of the item
   std::string package;
   TubeAddress tube;
   std::string value;   ///< name of the mark; "same" or the address of another tube for a confirmation

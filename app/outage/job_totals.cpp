@@ -79,9 +79,9 @@ std::vector<TubeAddress> pluggedAtOneEnd(JobStore& store, const std::vector<JobI
 
 /// Returns the latest confirmation of every item whose latest confirmation found another tube.
 std::vector<JobEvent> wrongTubes(const std::vector<JobEvent>& events) {
-  std::map<std::string, const JobEvent*> latest;
+  std::map<std::int64_t, const JobEvent*> latest;
   for (const JobEvent& event : events)
-    if (event.kind == "confirm") latest[event.package + " " + addressText(event.tube)] = &event;
+    if (event.kind == "confirm") latest[event.item] = &event;
   std::vector<JobEvent> wrong;
   for (const auto& [item, event] : latest)
     if (event->value != "same") wrong.push_back(*event);

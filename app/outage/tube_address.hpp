@@ -1,6 +1,7 @@
 // Full name of one end of a tube: steam generator, leg, row and column.
 #pragma once
 
+#include <compare>
 #include <string>
 #include <string_view>
 
@@ -13,7 +14,7 @@ struct TubeAddress {
   tubesheets::Leg leg = tubesheets::Leg::kHot;
   int row = 0, column = 0;
 
-  [[nodiscard]] bool operator==(const TubeAddress&) const = default;
+  [[nodiscard]] auto operator<=>(const TubeAddress&) const = default;
 };
 
 /// Returns the address as "A/hot/R12C40".

@@ -77,11 +77,7 @@ Answer confirm(Workbench& workbench, const Request& request) {
     const double length = store.job().units.factor(dimension::kLength);
     asked.xy = {position[0] * length, position[1] * length};
   }
-  const IdentityFinding finding = confirmTube(store, asked);
-  return answerOf({{"tube", addressText(asked.tube)},
-                   {"found", finding.found},
-                   {"same", finding.is_same},
-                   {"reason", finding.reason}});
+  return answerOf(findingJson(asked.tube, confirmTube(store, asked)));
 }
 
 Answer mark(Workbench& workbench, const Request& request) {
