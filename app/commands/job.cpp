@@ -71,11 +71,10 @@ int status(const JobOptions& options) {
 
 int next(const JobOptions& options) {
   JobStore store(options.file);
-  const JobPart part = partOf(options, store.job());
-  const auto item = findNext(store, part);
-  const nlohmann::json figures = item ? nextJson(store, *item, part) : nlohmann::json{{"tube", nullptr}, {"left", 0}};
-  showFigures(options.figures, figures, item ? nextText(figures) : "nothing is left to visit\n");
-  return item ? kDone : kNegativeAnswer;
+  const nlohmann::json figures = nextJson(store, partOf(options, store.job()));
+  const bool is_left = !figures["tube"].is_null();
+  showFigures(options.figures, figures, is_left ? nextText(figures) : "nothing is left to visit\n");
+  return is_left ? kDone : kNegativeAnswer;
 }
 
 int confirm(const JobOptions& options) {

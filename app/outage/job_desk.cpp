@@ -72,8 +72,7 @@ void requirePart(const JobFile& job, const JobPart& part) {
   requireName("--sg", part.generator, job.generators);
 }
 
-std::optional<JobItem> findNext(JobStore& store, const JobPart& part) {
-  const std::vector<JobItem> items = store.items();
+std::optional<JobItem> findNext(const std::vector<JobItem>& items, const JobPart& part) {
   std::set<TubeAddress> plugged;
   for (const JobItem& item : items)
     if (isPlugMark(item)) plugged.insert(item.tube);

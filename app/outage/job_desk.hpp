@@ -20,9 +20,13 @@ struct JobPart {
 /// Throws InputError for a package or a steam generator that the job does not have; messages name the options.
 void requirePart(const JobFile& job, const JobPart& part);
 
-/// Returns the next item to visit: the first open one, or else the queued one that has waited longest; nothing if no
-/// item of the part is open or queued. Tubes whose end was plugged in the meantime are passed over.
-[[nodiscard]] std::optional<JobItem> findNext(JobStore& store, const JobPart& part);
+/// Return the next item to visit, among the items of JobStore::items() or of a record: the first open one, or else the
+/// queued one that has waited longest; nothing if no item of the part is open or queued. Tubes whose end was plugged in
+/// the meantime are passed over.
+[[nodiscard]] std::optional<JobItem> findNext(const std::vector<JobItem>& items, const JobPart& part);
+[[nodiscard]] inline std::optional<JobItem> findNext(JobStore& store, const JobPart& part) {
+  return findNext(store.items(), part);
+}
 
 /// Returns the item of a tube. Throws InputError if the tube is in no package, or in several and none is named.
 [[nodiscard]] JobItem requireItem(JobStore& store, const TubeAddress& tube, const std::string& package);

@@ -33,8 +33,7 @@ json eventJson(const JobEvent& event) {
   return result;
 }
 
-int countLeft(JobStore& store, const JobPart& part) {
-  const auto items = store.items();
+int countLeft(const std::vector<JobItem>& items, const JobPart& part) {
   return static_cast<int>(std::ranges::count_if(items, [&](const JobItem& item) {
     const ItemStanding standing = item.standing();
     return part.has(item) && (standing == ItemStanding::kOpen || standing == ItemStanding::kQueued);
@@ -93,7 +92,11 @@ json totalsJson(const JobTotals& totals, const JobFile& job) {
 
 std::string totalsText(const json& totals) { return textOf(totals, kTotalsWords); }
 
-json nextJson(JobStore& store, const JobItem& item, const JobPart& part) {
+json nextJson(JobStore& store, const JobPart& part) {
+  const std::vector<JobItem> items = store.items();
+  const auto next = findNext(items, part);
+  if (!next) return {{"tube", nullptr}, {"left", 0}};
+  const JobItem& item = *next;
   const JobFile& job = store.job();
   const WorkPackage& package = job.packageOf(item.package);
   json result = {{"tube", addressText(item.tube)},
@@ -107,14 +110,12 @@ json nextJson(JobStore& store, const JobItem& item, const JobPart& part) {
                  {"confirm", confirmationName(package.confirm)},
                  {"standing", standingName(item.standing())},
                  {"last_event", item.last_event},
-                 {"left", countLeft(store, part)},
+                 {"left", countLeft(items, part)},
                  {"history", json::array()},
                  {"units", unitsJson(job.units)}};
-  for (const TubeEnd& end : store.endsOf(item.tube.generator, item.tube.leg))
-    if (end.tube == item.tube) {
-      result["x"] = lengthOf(end.x, job.units);
-      result["y"] = lengthOf(end.y, job.units);
-    }
+  const TubeEnd end = store.endOf(item.tube);
+  result["x"] = lengthOf(end.x, job.units);
+  result["y"] = lengthOf(end.y, job.units);
   for (const JobItem& other : store.itemsOf(item.tube))
     for (const JobEvent& event : store.eventsOf(other.id)) result["history"].push_back(eventJson(event));
   return result;

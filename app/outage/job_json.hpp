@@ -17,7 +17,8 @@ namespace tubeplan::app {
 
 /// Returns {tube, package, steam_generator, leg, row, column, x, y, tool, extent, confirm, standing, last_event, left,
 /// history: [EVENT], units}, with lengths in the job's units. `left` counts the open and queued items of the part.
-[[nodiscard]] nlohmann::json nextJson(JobStore& store, const JobItem& item, const JobPart& part);
+/// If nothing is left, `tube` is null and only `left` follows.
+[[nodiscard]] nlohmann::json nextJson(JobStore& store, const JobPart& part);
 [[nodiscard]] std::string nextText(const nlohmann::json& next);
 
 /// Returns {tube, found, same, reason} for a confirmation of the tube that was meant.

@@ -23,6 +23,9 @@ constexpr std::string_view kEventColumns =
     "undoes, EXISTS (SELECT 1 FROM event AS undo WHERE undo.undoes = event.id) "
     "FROM event JOIN item ON item.id = event.item JOIN package ON package.id = item.package ";
 
+constexpr std::string_view kEndColumns =
+    "SELECT generator, leg, tube_row, tube_column, x_m, y_m, state FROM tube WHERE generator = ?1 AND leg = ?2";
+
 std::string legText(tubesheets::Leg leg) { return std::string(tubesheets::legName(leg)); }
 
 TubeAddress addressAt(const DatabaseRow& row, std::size_t column) {
@@ -50,6 +53,12 @@ std::vector<JobEvent> eventsIn(const std::vector<DatabaseRow>& rows) {
                       addressAt(row, 6), row.text(10), row.text(11), row.text(12), keyAt(row, 13),
                       row.integer(14) != 0});
   return events;
+}
+
+std::vector<TubeEnd> endsIn(const std::vector<DatabaseRow>& rows) {
+  std::vector<TubeEnd> ends;
+  for (const DatabaseRow& row : rows) ends.push_back({addressAt(row, 0), row.real(4), row.real(5), row.text(6)});
+  return ends;
 }
 
 std::string presentTime() {
@@ -120,13 +129,16 @@ std::vector<JobSheet> JobStore::sheets() {
   return sheets;
 }
 
+TubeEnd JobStore::endOf(const TubeAddress& tube) {
+  const auto rows =
+      database_.query(fmt::format("{} AND tube_row = ?3 AND tube_column = ?4", kEndColumns),
+                      {tube.generator, legText(tube.leg), std::int64_t{tube.row}, std::int64_t{tube.column}});
+  return endsIn(rows).at(0);
+}
+
 std::vector<TubeEnd> JobStore::endsOf(const std::string& generator, tubesheets::Leg leg) {
-  std::vector<TubeEnd> ends;
-  for (const auto& row : database_.query("SELECT generator, leg, tube_row, tube_column, x_m, y_m, state FROM tube "
-                                         "WHERE generator = ?1 AND leg = ?2 ORDER BY tube_row, tube_column",
-                                         {generator, legText(leg)}))
-    ends.push_back({addressAt(row, 0), row.real(4), row.real(5), row.text(6)});
-  return ends;
+  return endsIn(
+      database_.query(fmt::format("{} ORDER BY tube_row, tube_column", kEndColumns), {generator, legText(leg)}));
 }
 
 std::string JobStore::listOf(const std::string& package, const std::string& generator, tubesheets::Leg leg) {

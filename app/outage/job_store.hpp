@@ -84,6 +84,8 @@ class JobStore {
   [[nodiscard]] std::vector<JobEvent> events();
   [[nodiscard]] std::vector<JobEvent> eventsOf(std::int64_t item);
   [[nodiscard]] std::vector<JobSheet> sheets();
+  /// Returns one end of a tube, which must be in the record.
+  [[nodiscard]] TubeEnd endOf(const TubeAddress& tube);
   /// Returns all ends of tubes on one leg, in the order of rows and columns.
   [[nodiscard]] std::vector<TubeEnd> endsOf(const std::string& generator, tubesheets::Leg leg);
   /// Returns the text of the work list that an item's package was read from; empty if it is not from a list.

@@ -57,9 +57,7 @@ Answer totals(Workbench& workbench, const Request& request) {
 
 Answer next(Workbench& workbench, const Request& request) {
   JobStore store = storeNamed(workbench, request.asked("file"));
-  const JobPart part = partAsked(request, store.job());
-  const auto item = findNext(store, part);
-  return answerOf(item ? nextJson(store, *item, part) : json{{"tube", nullptr}, {"left", 0}});
+  return answerOf(nextJson(store, partAsked(request, store.job())));
 }
 
 Answer events(Workbench& workbench, const Request& request) {
