@@ -144,7 +144,7 @@ class ChangeWatch {
     for (const int start : startsBefore(k)) {
       const Sums& before = sums_[static_cast<std::size_t>(start + 1)];
       const Statistic of_base = baseStep(now, before, estimate);
-      const Statistic of_all{now.innovations - before.innovations, now.rows - before.rows, {}, {}};
+      const Statistic of_all = innovations(now, before);
       for (const Statistic* statistic : {&of_base, &of_all}) {
         if (statistic->degrees_of_freedom == 0) continue;
         const double level = statistic->chi2 / limit(statistic->degrees_of_freedom);
@@ -169,7 +169,7 @@ class ChangeWatch {
   void judge(WatchAlarm& alarm) {
     const Sums &now = sums_.back(), &before = sums_[static_cast<std::size_t>(alarm.since)];
     const Statistic of_base = baseStep(now, before, all_.solve(now.ze));
-    const Statistic of_all{now.innovations - before.innovations, now.rows - before.rows, {}, {}};
+    const Statistic of_all = innovations(now, before);
     alarm.judged_to = static_cast<int>(sums_.size()) - 2;
     alarm.step = of_base.step;
     alarm.step_sigma = of_base.sigma;
@@ -181,6 +181,11 @@ class ChangeWatch {
   static bool explains(const Statistic& of_base, const Statistic& of_all) {
     const int left = of_all.degrees_of_freedom - of_base.degrees_of_freedom;
     return left <= 0 || of_all.chi2 - of_base.chi2 < chiSquareQuantile(0.001, left);
+  }
+
+  /// Returns the sum of squared innovations between two sums, whatever has changed.
+  static Statistic innovations(const Sums& now, const Sums& before) {
+    return {now.innovations - before.innovations, now.rows - before.rows, {}, {}};
   }
 
   /// Returns the generalised likelihood ratio of a step of the base between two sums.
