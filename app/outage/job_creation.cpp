@@ -1,13 +1,11 @@
 // Makes the record of a job: reads the cells and lists that the job file names, and selects the tubes of every package.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
-#include <set>
 
-#include "app/formats/cell/cell_reader.hpp"
 #include "app/formats/cell/command_inputs.hpp"
-#include "app/formats/cell/mirrored_cell.hpp"
 #include "app/outage/job_schema.hpp"
 #include "app/outage/job_store.hpp"
 #include "app/storage/input_error.hpp"
@@ -36,9 +34,8 @@ struct PackageOnLeg {
 };
 
 Sheet sheetOf(const JobLeg& leg) {
-  const Cell cell = readCell(leg.cell);
-  const Cell used = leg.is_mirrored ? mirroredCell(cell) : cell;
-  const Sheet& sheet = requireSheet(used, "plan an outage");
+  const Cell cell = readCellOf(leg);
+  const Sheet& sheet = requireSheet(cell, "plan an outage");
   if (sheet.leg != leg.leg)
     throw InputError::saying(leg.cell,
                              fmt::format("its sheet is of the {} leg, but the job names it for the {} leg",

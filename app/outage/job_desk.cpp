@@ -14,8 +14,6 @@ namespace tubeplan::app {
 
 namespace {
 
-using tubesheets::TubeState;
-
 template <class Entry>
 void requireName(const char* option, const std::string& name, const std::vector<Entry>& entries) {
   std::vector<std::string> names;
@@ -23,8 +21,6 @@ void requireName(const char* option, const std::string& name, const std::vector<
   if (!name.empty() && std::ranges::find(names, name) == names.end())
     throw InputError(option, inQuotes(name), alternatives(names), suggestion(name, names));
 }
-
-bool isPlugMark(const JobItem& item) { return item.mark && item.mark->state == TubeState::kPlugged; }
 
 const Mark& requireMark(const std::string& name) {
   if (const Mark* mark = findMark(name)) return *mark;
@@ -75,7 +71,7 @@ void requirePart(const JobFile& job, const JobPart& part) {
 std::optional<JobItem> findNext(const std::vector<JobItem>& items, const JobPart& part) {
   std::set<TubeAddress> plugged;
   for (const JobItem& item : items)
-    if (isPlugMark(item)) plugged.insert(item.tube);
+    if (item.isPlugged()) plugged.insert(item.tube);
   const JobItem* queued = nullptr;
   for (const JobItem& item : items) {
     if (!part.has(item) || plugged.contains(item.tube)) continue;

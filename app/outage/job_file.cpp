@@ -7,6 +7,7 @@
 #include <cassert>
 #include <filesystem>
 
+#include "app/formats/cell/mirrored_cell.hpp"
 #include "app/formats/quantities.hpp"
 #include "app/formats/yaml/strict_yaml.hpp"
 #include "app/storage/suggestion.hpp"
@@ -215,6 +216,11 @@ JobFile parseJobFile(const std::string& text, const std::string& path) {
       requireNewName(node, job.shifts);
     }
   return job;
+}
+
+Cell readCellOf(const JobLeg& leg) {
+  Cell cell = readCell(leg.cell);
+  return leg.is_mirrored ? mirroredCell(cell) : cell;
 }
 
 JobFile readJobFile(const std::string& path) { return parseJobFile(readTextFile(path), path); }

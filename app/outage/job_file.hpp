@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/formats/cell/cell_reader.hpp"
 #include "app/formats/units.hpp"
 #include "tubesheets/tube.hpp"
 
@@ -68,6 +69,9 @@ struct JobFile {
   /// Returns the package of that name, which must exist.
   [[nodiscard]] const WorkPackage& packageOf(const std::string& wanted) const;
 };
+
+/// Reads the cell of a leg, or the mirror image of the other leg's cell.
+[[nodiscard]] Cell readCellOf(const JobLeg& leg);
 
 /// Reads a job file. Throws InputError, with file, line and key, for anything that docs/outage.md does not describe.
 /// Paths are relative to the folder of the job file.

@@ -34,10 +34,8 @@ json eventJson(const JobEvent& event) {
 }
 
 int countLeft(const std::vector<JobItem>& items, const JobPart& part) {
-  return static_cast<int>(std::ranges::count_if(items, [&](const JobItem& item) {
-    const ItemStanding standing = item.standing();
-    return part.has(item) && (standing == ItemStanding::kOpen || standing == ItemStanding::kQueued);
-  }));
+  return static_cast<int>(
+      std::ranges::count_if(items, [&](const JobItem& item) { return part.has(item) && item.isDue(); }));
 }
 
 constexpr TextLine kTotalsWords[] = {

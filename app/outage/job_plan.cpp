@@ -5,7 +5,6 @@
 
 #include <map>
 
-#include "app/formats/cell/mirrored_cell.hpp"
 #include "app/jobs/plan.hpp"
 #include "app/storage/input_error.hpp"
 
@@ -16,12 +15,11 @@ namespace {
 using planner::SegmentKind, planner::VisitPlanStatus;
 
 Cell cellOfLeg(const JobSheet& sheet) {
-  const Cell cell = readCell(sheet.leg.cell);
-  Cell used = sheet.leg.is_mirrored ? mirroredCell(cell) : cell;
-  if (requireSheet(used, "plan an outage").fingerprint() != sheet.fingerprint)
+  Cell cell = readCellOf(sheet.leg);
+  if (requireSheet(cell, "plan an outage").fingerprint() != sheet.fingerprint)
     throw InputError::saying(sheet.leg.cell, "its tube sheet is no longer the one that the job was made with",
                              "restore the cell's sheet, or make another job");
-  return used;
+  return cell;
 }
 
 /// Returns the time with the tool in one tube [s]: to the end of the extent and back, and the stay.
@@ -98,9 +96,7 @@ std::vector<std::vector<JobItem>> itemsToPlan(const std::vector<JobItem>& items,
   for (const WorkPackage& package : job.packages) {
     std::vector<JobItem> of;
     for (const JobItem& item : items) {
-      const ItemStanding standing = item.standing();
-      const bool is_to_do = standing == ItemStanding::kOpen || standing == ItemStanding::kQueued ||
-                            (!item.mark && !item.unreachable.empty());
+      const bool is_to_do = item.isDue() || (!item.mark && !item.unreachable.empty());
       if (is_to_do && item.package == package.name && item.tube.generator == sheet.generator &&
           item.tube.leg == sheet.leg.leg)
         of.push_back(item);

@@ -93,6 +93,10 @@ ItemStanding JobItem::standing() const {
   return unreachable.empty() ? ItemStanding::kOpen : ItemStanding::kHeld;
 }
 
+bool JobItem::isDue() const { return standing() == ItemStanding::kOpen || standing() == ItemStanding::kQueued; }
+
+bool JobItem::isPlugged() const { return mark && mark->state == tubesheets::TubeState::kPlugged; }
+
 JobStore::JobStore(const std::string& path) : database_(path, Database::Mode::kOpen) {
   if (const std::string format = valueOf(database_, "format"); format != std::to_string(kJobFormat))
     throw InputError(path, "a record of format " + format, fmt::format("format {}", kJobFormat),

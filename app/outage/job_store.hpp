@@ -27,6 +27,10 @@ struct JobItem {
   std::string unreachable;            ///< why the plan does not reach the tube; empty if it does, or without a plan
 
   [[nodiscard]] ItemStanding standing() const;
+  /// Returns true if a visit is due: the item is open or queued.
+  [[nodiscard]] bool isDue() const;
+  /// Returns true if the latest mark plugs this end of the tube.
+  [[nodiscard]] bool isPlugged() const;
 };
 
 /// One entry of the log.

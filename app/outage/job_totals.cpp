@@ -56,8 +56,7 @@ using TubeKey = std::tuple<std::string, int, int>;
 std::map<TubeKey, std::set<Leg>> pluggedLegs(JobStore& store, const std::vector<JobItem>& items) {
   std::map<TubeKey, std::set<Leg>> plugged;
   for (const JobItem& item : items)
-    if (item.mark && item.mark->state == TubeState::kPlugged)
-      plugged[{item.tube.generator, item.tube.row, item.tube.column}].insert(item.tube.leg);
+    if (item.isPlugged()) plugged[{item.tube.generator, item.tube.row, item.tube.column}].insert(item.tube.leg);
   if (plugged.empty()) return plugged;
   for (const JobSheet& sheet : store.sheets())
     for (const TubeEnd& end : store.endsOf(sheet.generator, sheet.leg.leg))
