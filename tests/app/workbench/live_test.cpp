@@ -124,9 +124,23 @@ TEST_F(LiveTest, CopiesThatJoinAreCountedOnce) {
   EXPECT_EQ(now["readings"], 30);
   EXPECT_EQ(now["joined"], 0);
   EXPECT_NE(now["checks"].dump().find("copies"), std::string::npos) << now["checks"];
-  EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"as-is"}}}).status, 409) << "they are being compared";
   (void)ended(get("/api/state").body["jobs"].back()["id"]);
   EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"as-is"}}}).body["measurements"]["readings"], 60);
+  EXPECT_EQ(post("/api/measurements/part").body["measurements"]["readings"], 30);
+}
+
+TEST_F(LiveTest, NoReadingsChangeBesideARunningJob) {
+  serve("bench.yaml");
+  simulate();
+  ASSERT_EQ(send(kHeader + row(41)).status, 202);
+  (void)ended(get("/api/state").body["jobs"].back()["id"]);
+  HeldJob held(server->workbench());
+  const std::pair<const char*, json> changes[] = {{"/api/measurements/part", json::object()},
+                                                  {"/api/measurements/assume", {{"assume", {"as-is"}}}},
+                                                  {"/api/measurements/set-aside", {{"ids", {"41"}}}}};
+  for (const auto& [path, body] : changes) EXPECT_EQ(post(path, body).status, 409) << path;
+  held.release();
+  (void)ended(held.id());
   EXPECT_EQ(post("/api/measurements/part").body["measurements"]["readings"], 30);
 }
 

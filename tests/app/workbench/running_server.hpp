@@ -5,10 +5,12 @@
 #undef _res  // macro of the resolver header that clashes with a name in Eigen
 
 #include <chrono>
+#include <future>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "app/workbench/http_server.hpp"
 #include "tests/app/test_files.hpp"
@@ -39,6 +41,28 @@ class RunningServer {
   Workbench workbench_;
   HttpServer server_;
   std::thread serving_;
+};
+
+/// Job that runs until it is released, so that what is refused beside a running job is tested without a race.
+class HeldJob {
+ public:
+  explicit HeldJob(Workbench& workbench) {
+    begun_ = workbench.jobs().begin("held", "held by a test", [until = released_.get_future().share()](JobContext&) {
+      until.wait();
+      return std::string();
+    });
+  }
+  ~HeldJob() { release(); }
+
+  [[nodiscard]] int id() const { return begun_.job["id"]; }
+  void release() {
+    if (!std::exchange(is_released_, true)) released_.set_value();
+  }
+
+ private:
+  std::promise<void> released_;
+  bool is_released_ = false;
+  Jobs::Begun begun_;
 };
 
 struct Reply {
