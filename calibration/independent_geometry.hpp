@@ -27,7 +27,7 @@ struct IndependentNumber {
 /// Returns a minimal set of geometric parameters that, together with the unknowns already in `free`, can reproduce
 /// every change of the tool pose that any geometric parameter causes. The set has four parameters per revolute row, two
 /// per prismatic row and six for the tool, less six if no base is known (Everett 1987), in any kinematic convention of
-/// the rows. If no reading depends on the tool's rotation (`placed.shows_tool_turn` is false), the set has three
+/// the rows. If no measurement depends on the tool's rotation (`placed.shows_tool_turn` is false), the set has three
 /// parameters fewer: rotations of the tool about its tip then count as already free, and the last joint's zero replaces
 /// one coordinate of the tip.
 ///

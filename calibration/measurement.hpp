@@ -1,4 +1,4 @@
-// A measurement, also called a reading: what was measured, at which joint readings and under which load.
+// A measurement, also called a measurement: what was measured, at which joint readings and under which load.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,7 +26,7 @@ enum class MeasurementKind {
   kDistance,     ///< p_W is a fixed anchor, own[0] the measured distance from the anchor to the tip [m]
   kAxis,         ///< p_W is a fixed anchor, own[0] the distance of the tip beyond the anchor along `direction_W` [m]
   kOrientation,  ///< own is roll, pitch and yaw of the tool frame in the world frame [rad]
-  kPose,         ///< position and orientation in one reading: the values of kPosition and kOrientation
+  kPose,         ///< position and orientation in one measurement: the values of kPosition and kOrientation
   kOffset,       ///< p_W is a hole or mark, own its centre relative to the tip, in the tool frame [m]
   kTilt,         ///< own holds the angles above the horizontal of the axes of the tool frame or of a row's frame [rad]
   kSteps,  ///< p_W is a hole; own is the number of tool steps that entered it, and the limits of the centring error [m]
@@ -37,7 +37,7 @@ enum class MeasurementKind {
   kDirection,  ///< own is azimuth and altitude [rad] of the x axis of the tool frame or of a row's frame
 };
 
-/// A touched plane or sphere of unknown position, as fitted to the readings that touched it.
+/// A touched plane or sphere of unknown position, as fitted to the measurements that touched it.
 struct Surface {
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();           ///< point of a plane, or centre of a sphere [m]
   Eigen::Vector3d direction_W = Eigen::Vector3d::UnitZ();  ///< unit normal of a plane
@@ -54,18 +54,20 @@ struct TipWrench {
 struct Measurement {
   std::string id;
   MeasurementKind kind = MeasurementKind::kPosition;
-  /// Name of the touched point, plane or sphere, shared by all readings that touch it; may be empty for other kinds.
+  /// Name of the touched point, plane or sphere, shared by all measurements that touch it; may be empty for other
+  /// kinds.
   std::string point;
-  /// Name of the set-up, shared by readings with the same base pose; empty if all readings share one base pose.
+  /// Name of the set-up, shared by measurements with the same base pose; empty if all measurements share one base pose.
   std::string setup;
   double load = 0;                  ///< load hung from the tip [N]
   std::optional<TipWrench> wrench;  ///< force and moment on the tip in addition to `load`
   Eigen::VectorXd q;  ///< joint readings in the order of the arm's active rows [rad, m for a prismatic joint]
-  /// Readings of the side chains' joints, in the order of deflection/side_chains.hpp [rad, m for a prismatic joint].
+  /// Measurements of the side chains' joints, in the order of deflection/side_chains.hpp [rad, m for a prismatic
+  /// joint].
   Eigen::VectorXd side_q;
   std::optional<Eigen::Vector3d> p_W;          ///< point in the world frame [m], with the meaning stated at `kind`
   std::optional<Eigen::Vector3d> direction_W;  ///< unit vector along which the kind measures; empty for other kinds
-  /// Reading whose tip position is the origin of this displacement; null for most kinds.
+  /// Measurement whose tip position is the origin of this displacement; null for most kinds.
   std::shared_ptr<const Measurement> reference;
   std::optional<Eigen::Vector3d> p_TQ;  ///< position of the measured point in the tool frame [m]; empty: the tip itself
   /// Touched plane or sphere as fitted (surfaces.hpp); empty before the fit and for kinds that touch no surface.
@@ -81,7 +83,7 @@ struct Measurement {
   std::optional<Eigen::Vector3d> correlation_W;
   /// Sign of each joint's last motion: -1, +1 or 0 (not known); empty if not stated.
   std::vector<int> approach_directions;
-  deflection::ConditionValues conditions;  ///< conditions stated for the reading, such as temperature and time
+  deflection::ConditionValues conditions;  ///< conditions stated for the measurement, such as temperature and time
   bool is_held_out = false;                ///< true: not used in the fit, but to validate it
   int line = 0;                            ///< line number in the measurement file, from 1
 };
@@ -95,12 +97,12 @@ template <class Item>
 }
 
 /// Returns `readings` without those at the indices `places`, which must be in ascending order.
-[[nodiscard]] inline std::vector<Measurement> withoutReadings(std::vector<Measurement> readings,
-                                                              const std::vector<int>& places) {
+[[nodiscard]] inline std::vector<Measurement> withoutMeasurements(std::vector<Measurement> measurements,
+                                                                  const std::vector<int>& places) {
   int place = 0;
-  std::erase_if(readings,
+  std::erase_if(measurements,
                 [&](const Measurement&) { return std::binary_search(places.begin(), places.end(), place++); });
-  return readings;
+  return measurements;
 }
 
 }  // namespace tubeplan::calibration

@@ -160,15 +160,15 @@ bool soften(deflection::Arm& arm, const std::string& name) {
 
 }  // namespace
 
-int basePoseOf(const PlacedArm& placed, const Measurement& reading) {
+int basePoseOf(const PlacedArm& placed, const Measurement& measurement) {
   const auto found = std::find_if(placed.base_poses.begin(), placed.base_poses.end(),
-                                  [&](const BasePose& p) { return p.setup == reading.setup; });
+                                  [&](const BasePose& p) { return p.setup == measurement.setup; });
   assert(found != placed.base_poses.end());
   return static_cast<int>(found - placed.base_poses.begin());
 }
 
-const Eigen::Isometry3d& basePoseAt(const PlacedArm& placed, const Measurement& reading) {
-  return placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
+const Eigen::Isometry3d& basePoseAt(const PlacedArm& placed, const Measurement& measurement) {
+  return placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, measurement))].X_WB;
 }
 
 std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::string& name) {

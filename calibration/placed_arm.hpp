@@ -31,7 +31,7 @@ struct BasePose {
 
 /// A variable that a fit may change: a parameter of the arm or one of the six components of a base pose (a shift [m]
 /// along or a rotation [rad] about a world axis, relative to the start). The variable of a stiffness is the change of
-/// its inverse, the compliance: readings depend almost linearly on it, even for a rigid axis, where it is zero. The
+/// its inverse, the compliance: measurements depend almost linearly on it, even for a rigid axis, where it is zero. The
 /// variable's bounds keep stiffnesses positive.
 struct Unknown {
   enum class Owner { kArm, kBase };
@@ -70,7 +70,7 @@ void takeSizePrior(const deflection::EffectParameter& parameter, Unknown& unknow
 
 /// Prior standard deviations of the parameters about their values in the arm's file. Geometric parameters have those of
 /// the first four members, and effects' magnitudes the prior of takeSizePrior(). All other parameters have a weak
-/// prior, whose standard deviation is a multiple of Unknown::typical, so that a few readings outweigh it.
+/// prior, whose standard deviation is a multiple of Unknown::typical, so that a few measurements outweigh it.
 struct Priors {
   double length = 0.005;  ///< lengths of frames, and offsets of prismatic joints [m]
   double angle = 0.02;    ///< angles of frames, and offsets of revolute joints [rad]
@@ -86,16 +86,16 @@ struct PlacedArm {
   deflection::Arm arm;
   std::vector<BasePose> base_poses;
   Priors priors = {};  ///< priors given to chooseUnknowns() last; they also hold for parameters freed later
-  /// True: some reading depends on the rotation of the tool frame. False: none does, and the parameters of that
+  /// True: some measurement depends on the rotation of the tool frame. False: none does, and the parameters of that
   /// rotation do not count as geometry.
   bool shows_tool_turn = false;
 };
 
-/// Returns the index of the base pose of a reading's set-up, which must be one of `placed.base_poses`.
-[[nodiscard]] int basePoseOf(const PlacedArm& placed, const Measurement& reading);
+/// Returns the index of the base pose of a measurement's set-up, which must be one of `placed.base_poses`.
+[[nodiscard]] int basePoseOf(const PlacedArm& placed, const Measurement& measurement);
 
-/// Returns the base pose X_WB at which a reading was taken.
-[[nodiscard]] const Eigen::Isometry3d& basePoseAt(const PlacedArm& placed, const Measurement& reading);
+/// Returns the base pose X_WB at which a measurement was taken.
+[[nodiscard]] const Eigen::Isometry3d& basePoseAt(const PlacedArm& placed, const Measurement& measurement);
 
 /// Reason why a parameter name in a FreeChoice cannot be freed.
 struct FreeProblem {

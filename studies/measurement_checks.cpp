@@ -1,4 +1,4 @@
-// Study of the checks of readings: how often the checks name mistakes seeded into clean sets, and how often they
+// Study of the checks of measurements: how often the checks name mistakes seeded into clean sets, and how often they
 // suspect a mistake in sets without mistakes, including sets with physical effects and sets of real robots.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -105,17 +105,17 @@ void studyPairs(int count, std::uint64_t seed, bool is_verbose, const std::strin
   fmt::print("{:.0f} ms a set, at most {:.0f} ms\n", 1e3 * cost.total / std::max(1, cost.count), 1e3 * cost.most);
 }
 
-std::optional<SeededSet> setOfFiles(const fs::path& cell, const fs::path& measurements) {
-  SeededSet set{measurements.string(), app::readCell(cell.string()), {}};
-  set.table = app::parseMeasurementTable(app::readTextFile(measurements.string()), measurements.string(), set.cell.arm,
-                                         set.cell.sheet ? &*set.cell.sheet : nullptr);
-  app::stateSigma(set.table.readings, set.cell, set.name, 0);
+std::optional<SeededSet> setOfFiles(const fs::path& cell, const fs::path& measurement_file) {
+  SeededSet set{measurement_file.string(), app::readCell(cell.string()), {}};
+  set.table = app::parseMeasurementTable(app::readTextFile(measurement_file.string()), measurement_file.string(),
+                                         set.cell.arm, set.cell.sheet ? &*set.cell.sheet : nullptr);
+  app::stateSigma(set.table.measurements, set.cell, set.name, 0);
   return set;
 }
 
-void studyFiles(const fs::path& cell, const fs::path& measurements) {
+void studyFiles(const fs::path& cell, const fs::path& measurement_file) {
   Cost cost;
-  const auto checks = timed(*setOfFiles(cell, measurements), cost);
+  const auto checks = timed(*setOfFiles(cell, measurement_file), cost);
   fmt::print("{}\n{:.0f} ms\n", textOf(checks), 1e3 * cost.most);
 }
 
@@ -145,8 +145,8 @@ std::vector<SeededSet> setsBeside() {
       {"panda-touch/cell.yaml", "panda-touch/measurements.csv"},
       {"ur5/cell.yaml", "ur5/measurements.csv"},
       {"wam/cell.yaml", "wam/measurements.csv"}};
-  for (const auto& [cell, measurements] : kReal)
-    sets.push_back(*setOfFiles(shared / "real" / cell, shared / "real" / measurements));
+  for (const auto& [cell, measurement_file] : kReal)
+    sets.push_back(*setOfFiles(shared / "real" / cell, shared / "real" / measurement_file));
   return sets;
 }
 

@@ -1,6 +1,6 @@
-// Study of the readings that the diagnosis proposes if several explanations fit the data. At most twelve proposed
-// readings are simulated with the true arm, round by round. The study counts how often a single cause remains, and how
-// often this cause is the true one. The same number of random candidate readings serves as a comparison.
+// Study of the measurements that the diagnosis proposes if several explanations fit the data. At most twelve proposed
+// measurements are simulated with the true arm, round by round. The study counts how often a single cause remains, and
+// how often this cause is the true one. The same number of random candidate measurements serves as a comparison.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -10,13 +10,13 @@
 #include <boost/random/uniform_int_distribution.hpp>
 
 #include "app/jobs/diagnosis.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "tests/calibration/measurement_checks/seeded_sets.hpp"
 
 namespace {
 
 using namespace tubeplan;
-using calibration::Measurement, calibration::ReadingCandidate, calibration::Verdict;
+using calibration::Measurement, calibration::MeasurementCandidate, calibration::Verdict;
 using Random = boost::random::mt19937_64;
 
 constexpr std::array kHidden{"backlash@tool.z:0.03deg",       "stiffening@tool.z:softness=1.2,knee=150",
@@ -25,23 +25,23 @@ constexpr std::array kHidden{"backlash@tool.z:0.03deg",       "stiffening@tool.z
                              "backlash@base-link.z:0.012deg", "link-weight@forearm:0.8",
                              "contact-force@tip:0.8",         "joint-coupling@theta4<-theta3:0.00015"};
 
-/// Returns simulated readings of the true arm at the proposed postures, with measurement and encoder noise.
+/// Returns simulated measurements of the true arm at the proposed postures, with measurement and encoder noise.
 std::vector<Measurement> filledIn(const calibration::CampaignTruth& truth,
                                   const std::vector<calibration::ProposedMeasurement>& proposed,
                                   const std::string& name, Random& random) {
   boost::random::normal_distribution<double> normal;
-  std::vector<Measurement> readings;
+  std::vector<Measurement> measurements;
   for (std::size_t k = 0; k < proposed.size(); ++k) {
-    Measurement reading = calibration::conditionsOf(proposed[k]);
-    reading.id = fmt::format("{}.{}", name, k + 1);
-    Eigen::Vector3d tip = calibration::predictReading(truth.arm, truth.bases.front().X_WB, reading).value;
-    for (double& coordinate : tip) coordinate += reading.sigma * normal(random);
-    reading.p_W = tip;
-    for (Eigen::Index j = 0; j < reading.q.size(); ++j)
-      reading.q[j] += truth.arm.joint(j).encoder_sigma * normal(random);
-    readings.push_back(std::move(reading));
+    Measurement measurement = calibration::conditionsOf(proposed[k]);
+    measurement.id = fmt::format("{}.{}", name, k + 1);
+    Eigen::Vector3d tip = calibration::predictMeasurement(truth.arm, truth.bases.front().X_WB, measurement).value;
+    for (double& coordinate : tip) coordinate += measurement.sigma * normal(random);
+    measurement.p_W = tip;
+    for (Eigen::Index j = 0; j < measurement.q.size(); ++j)
+      measurement.q[j] += truth.arm.joint(j).encoder_sigma * normal(random);
+    measurements.push_back(std::move(measurement));
   }
-  return readings;
+  return measurements;
 }
 
 bool isTrue(const calibration::Diagnosis& diagnosis, const std::string& hidden) {
@@ -68,10 +68,10 @@ struct Count {
   }
 };
 
-/// Session that adds readings round by round until the diagnosis is unambiguous or all rounds are used.
+/// Session that adds measurements round by round until the diagnosis is unambiguous or all rounds are used.
 class Session {
  public:
-  Session(const calibration::CampaignTruth& truth, app::CellReadings input, std::uint64_t seed)
+  Session(const calibration::CampaignTruth& truth, app::CellMeasurements input, std::uint64_t seed)
       : truth_(truth), input_(std::move(input)), random_(seed) {}
 
   template <class Choose>
@@ -81,7 +81,7 @@ class Session {
     for (int round = 0; round < rounds && outcome.diagnosis.verdict == Verdict::kAmbiguous; ++round) {
       for (int n = 0; n < count; ++n)
         if (const int candidate = choose(outcome, n, random_); candidate >= 0)
-          take(outcome.candidates[static_cast<std::size_t>(candidate)].readings);
+          take(outcome.candidates[static_cast<std::size_t>(candidate)].measurements);
       outcome = app::diagnoseModel(input_, request);
     }
     return outcome.diagnosis;
@@ -89,18 +89,18 @@ class Session {
 
  private:
   void take(const std::vector<calibration::ProposedMeasurement>& proposed) {
-    const auto readings = filledIn(truth_, proposed, fmt::format("N{}", ++taken_), random_);
-    input_.readings.insert(input_.readings.end(), readings.begin(), readings.end());
+    const auto measurements = filledIn(truth_, proposed, fmt::format("N{}", ++taken_), random_);
+    input_.measurements.insert(input_.measurements.end(), measurements.begin(), measurements.end());
   }
 
   const calibration::CampaignTruth& truth_;
-  app::CellReadings input_;
+  app::CellMeasurements input_;
   Random random_;
   int taken_ = 0;
 };
 
 int asProposed(const app::DiagnosisOutcome& outcome, int n, Random&) {
-  const auto& next = outcome.next.readings;
+  const auto& next = outcome.next.measurements;
   return n < static_cast<int>(next.size()) ? next[static_cast<std::size_t>(n)].candidate : -1;
 }
 
@@ -119,15 +119,15 @@ int run(int sets, int count, int rounds, std::uint64_t first_seed) {
     const auto set = calibration::simulatedSet("bench.yaml", "bench", 48, {hidden}, seed,
                                                [&](app::SimulationTask& task) { truth = task.truth; });
     if (!set) continue;
-    const app::CellReadings input{set->cell, "simulated", set->table.readings};
+    const app::CellMeasurements input{set->cell, "simulated", set->table.measurements};
     app::DiagnosisRequest request;
     request.next = count;
     const auto whole = app::diagnoseModel(input, request);
     if (whole.diagnosis.verdict != Verdict::kAmbiguous) continue;
     ++ambiguous;
-    if (whole.next.times != 1) continue;  // the proposal itself states that these readings do not suffice
+    if (whole.next.times != 1) continue;  // the proposal itself states that these measurements do not suffice
     ++separable;
-    const int at_once = count / rounds;  // the first readings of a long proposal are the shorter proposal
+    const int at_once = count / rounds;  // the first measurements of a long proposal are the shorter proposal
     const auto after = Session(truth, input, seed).run(whole, rounds, at_once, asProposed);
     proposed.add(after, hidden);
     random_ones.add(Session(truth, input, seed).run(whole, rounds, at_once, atRandom), hidden);

@@ -11,7 +11,7 @@
 #include <map>
 
 #include "calibration/estimation/identification.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -70,12 +70,12 @@ double& numberOf(deflection::Arm& arm, const std::string& name) {
 }
 
 /// Returns the mean distance between the predicted tips of a loaded and the unloaded touch of the same point [in].
-double meanTouchError(const PlacedArm& placed, const std::vector<Measurement>& readings) {
+double meanTouchError(const PlacedArm& placed, const std::vector<Measurement>& measurements) {
   double sum = 0;
   int pairs = 0;
   Eigen::VectorXd bare;
-  for (const auto& m : readings) {
-    const Eigen::VectorXd tip = predictReading(placed.arm, placed.base_poses[0].X_WB, m).value;
+  for (const auto& m : measurements) {
+    const Eigen::VectorXd tip = predictMeasurement(placed.arm, placed.base_poses[0].X_WB, m).value;
     if (m.load == 0)
       bare = tip;
     else
@@ -112,25 +112,25 @@ void count(const Identification& result, deflection::Arm& true_arm, Tally& tally
   }
 }
 
-/// Runs one campaign and returns the fitted arm. The readings are simulated with `truth`; the free stiffnesses start a
-/// factor of three too high or too low, and all other parameters are those of `start`.
+/// Runs one campaign and returns the fitted arm. The measurements are simulated with `truth`; the free stiffnesses
+/// start a factor of three too high or too low, and all other parameters are those of `start`.
 PlacedArm runCampaign(const Campaign& campaign, PlacedArm truth, PlacedArm start, const StudyOptions& options,
                       std::uint64_t seed, Tally& tally) {
-  ReadingMaker maker(truth, seed, ReadingMaker::Noise::kStated, options.sigma * kInch);
+  MeasurementMaker maker(truth, seed, MeasurementMaker::Noise::kStated, options.sigma * kInch);
   maker.addTouches(campaign.points, kLoads, false);
   for (const auto& name : campaign.free)
     numberOf(start.arm, name) = numberOf(truth.arm, name) * (maker.uniform(0, 1) < 0.5 ? 3 : 1 / 3.);
-  const auto result = identify(start, maker.readings, identificationOptions(campaign));
+  const auto result = identify(start, maker.measurements, identificationOptions(campaign));
   auto from_truth = identificationOptions(campaign);
   from_truth.intervals_by_profile = false;
   PlacedArm near = start;
   for (const auto& name : campaign.free) numberOf(near.arm, name) = numberOf(truth.arm, name);
-  const auto reference = identify(near, maker.readings, from_truth);
+  const auto reference = identify(near, maker.measurements, from_truth);
   ++tally.runs;
   tally.not_converged += result.status != IdentificationStatus::kDone;
   if (result.status != IdentificationStatus::kDone) return start;
   tally.same_optimum += std::abs(result.chi2 - reference.chi2) < 1e-3 * reference.chi2;
-  tally.error += meanTouchError(result.fitted, maker.readings);
+  tally.error += meanTouchError(result.fitted, maker.measurements);
   tally.chi2 += result.chi2;
   tally.freedom += result.degrees_of_freedom;
   tally.evaluations += result.evaluations;
@@ -167,29 +167,29 @@ PlacedArm onBenchAndMezzanine(deflection::Arm arm) {
   return {arm, {{"bench", Eigen::Isometry3d::Identity(), true}, {"mezzanine", Eigen::Isometry3d::Identity(), true}}};
 }
 
-/// Fits the readings of both campaigns together, with all free stiffnesses in one fit.
+/// Fits the measurements of both campaigns together, with all free stiffnesses in one fit.
 void runTogether(const Campaign& both, const StudyOptions& options, std::uint64_t seed, Tally& tally) {
   PlacedArm bolted = onBenchAndMezzanine(truth().arm);
   for (const std::size_t row : {0U, 1U}) {
     bolted.arm.rows[row].joint_stiffness.setConstant(deflection::kRigid);
     bolted.arm.rows[row].beam.reset();
   }
-  ReadingMaker bench(bolted, seed, ReadingMaker::Noise::kStated, options.sigma * kInch);
+  MeasurementMaker bench(bolted, seed, MeasurementMaker::Noise::kStated, options.sigma * kInch);
   bench.addTouches(kArmCampaign.points, kLoads, false, "bench");
   PlacedArm true_arm = onBenchAndMezzanine(truth().arm), start = true_arm;
-  ReadingMaker mezzanine(true_arm, seed + 100000, ReadingMaker::Noise::kStated, options.sigma * kInch);
+  MeasurementMaker mezzanine(true_arm, seed + 100000, MeasurementMaker::Noise::kStated, options.sigma * kInch);
   mezzanine.addTouches(kMezzanineCampaign.points, kLoads, false, "mezzanine");
-  std::vector<Measurement> readings = bench.readings;
-  for (auto& reading : mezzanine.readings) {
-    reading.id = "m" + reading.id;
-    readings.push_back(std::move(reading));
+  std::vector<Measurement> measurements = bench.measurements;
+  for (auto& measurement : mezzanine.measurements) {
+    measurement.id = "m" + measurement.id;
+    measurements.push_back(std::move(measurement));
   }
   for (const auto& name : both.free)
     numberOf(start.arm, name) = numberOf(true_arm.arm, name) * (bench.uniform(0, 1) < 0.5 ? 3 : 1 / 3.);
-  const auto result = identify(start, readings, identificationOptions(both));
+  const auto result = identify(start, measurements, identificationOptions(both));
   auto from_truth = identificationOptions(both);
   from_truth.intervals_by_profile = false;
-  const auto reference = identify(true_arm, readings, from_truth);
+  const auto reference = identify(true_arm, measurements, from_truth);
   ++tally.runs;
   tally.not_converged += result.status != IdentificationStatus::kDone;
   if (result.status != IdentificationStatus::kDone) return;

@@ -1,12 +1,12 @@
 // Study that compares the evidence of the model of the truly hidden effects, fitted from their true sizes, with that of
-// the models that the diagnosis finds. The comparison shows whether a miss is due to the search or to the readings. The
-// output is JSON for studies/blind_trial/oracle.py.
+// the models that the diagnosis finds. The comparison shows whether a miss is due to the search or to the measurements.
+// The output is JSON for studies/blind_trial/oracle.py.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/formats/cell/effects_reader.hpp"
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/jobs/diagnosis.hpp"
 #include "app/studies/model/cell_fit.hpp"
 
@@ -36,11 +36,11 @@ json listJson(const std::vector<Explanation>& explanations) {
   return list;
 }
 
-int run(const std::string& cell_file, const std::string& readings_file, const std::vector<std::string>& hidden) {
+int run(const std::string& cell_file, const std::string& measurements_file, const std::vector<std::string>& hidden) {
   const app::Cell cell = app::readCell(cell_file);
-  const auto readings = app::readReadings(readings_file, cell);
-  const auto diagnosis = app::diagnoseReadings(cell, readings, {});
-  auto used = readings;
+  const auto measurements = app::readMeasurements(measurements_file, cell);
+  const auto diagnosis = app::diagnoseMeasurements(cell, measurements, {});
+  auto used = measurements;
   for (auto at = diagnosis.set_aside.rbegin(); at != diagnosis.set_aside.rend(); ++at) used.erase(used.begin() + *at);
   std::vector<deflection::Effect> effects;
   for (const auto& text : hidden) effects.push_back(app::parseEffect(text, cell.arm, cell.units, "hidden").effect);
@@ -66,11 +66,11 @@ int run(const std::string& cell_file, const std::string& readings_file, const st
 
 int main(int argc, char** argv) {
   CLI::App cli("the evidence of what is hidden beside that of what is found");
-  std::string cell, readings;
+  std::string cell, measurements;
   std::vector<std::string> hidden;
   cli.add_option("cell", cell)->required();
-  cli.add_option("readings", readings)->required();
+  cli.add_option("readings", measurements)->required();
   cli.add_option("hidden", hidden, "EFFECT@AT or EFFECT@AT:NUMBER=VALUE");
   CLI11_PARSE(cli, argc, argv);
-  return run(cell, readings, hidden);
+  return run(cell, measurements, hidden);
 }

@@ -77,11 +77,11 @@ Tally tallyOf(const Change& change, int outages, int visits, std::uint64_t seed)
     ++tally.outages;
     if (!watch.alarm) continue;
     ++tally.alarms;
-    if (watch.alarm->reading < since) {
+    if (watch.alarm->measurement < since) {
       ++tally.early;
       continue;
     }
-    tally.delays.push_back(watch.alarm->reading - since + 1);
+    tally.delays.push_back(watch.alarm->measurement - since + 1);
     tally.as_base += watch.alarm->kind == ChangeKind::kBaseStep;
     tally.undecided += watch.alarm->kind == ChangeKind::kUndecided;
   }

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "calibration/estimation/identification.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "deflection/row_conventions.hpp"
 #include "tests/calibration/random_mechanisms.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 
 constexpr double kNoise = 1e-4;  // [m]
-constexpr int kReadings = 80, kJudged = 30;
+constexpr int kMeasurements = 80, kJudged = 30;
 
 struct Form {
   const char* name;
@@ -60,16 +60,16 @@ Vector3d tipOf(const PlacedArm& placed, const VectorXd& q) {
   return predictTip(placed.arm, placed.base_poses[0].X_WB, q, 0).value;
 }
 
-std::vector<Measurement> readingsOf(const PlacedArm& built, RandomStream& random) {
-  std::vector<Measurement> readings(kReadings);
-  for (int k = 0; k < kReadings; ++k) {
-    Measurement& reading = readings[static_cast<std::size_t>(k)];
-    reading.id = std::to_string(k + 1);
-    reading.q = postureOf(built.arm, random);
-    reading.sigma = kNoise;
-    reading.p_W = tipOf(built, reading.q) + random.vector(kNoise);
+std::vector<Measurement> measurementsOf(const PlacedArm& built, RandomStream& random) {
+  std::vector<Measurement> measurements(kMeasurements);
+  for (int k = 0; k < kMeasurements; ++k) {
+    Measurement& measurement = measurements[static_cast<std::size_t>(k)];
+    measurement.id = std::to_string(k + 1);
+    measurement.q = postureOf(built.arm, random);
+    measurement.sigma = kNoise;
+    measurement.p_W = tipOf(built, measurement.q) + random.vector(kNoise);
   }
-  return readings;
+  return measurements;
 }
 
 /// Statistics of all fits of arms that are described in the same kinematic notation.
@@ -111,12 +111,12 @@ void judge(const Identification& found, const PlacedArm& built, RandomStream ran
 }
 
 void tryForm(const Form& form, const PlacedArm& written, const PlacedArm& built,
-             const std::vector<Measurement>& readings, std::uint64_t seed, Tally& tally) {
+             const std::vector<Measurement>& measurements, std::uint64_t seed, Tally& tally) {
   IdentificationOptions options;
   options.free = {{"geometry"}, true};
   options.folds = 0;
   options.intervals_by_profile = false;
-  const Identification found = identify(written, readings, options);
+  const Identification found = identify(written, measurements, options);
   ++tally.fits;
   if (found.status != IdentificationStatus::kDone || found.p_value < 1e-3) {
     ++tally.failed;
@@ -137,14 +137,14 @@ void tryAll(int seeds, std::uint64_t first) {
     PlacedArm drawn = mechanism(seed);
     drawn.base_poses[0].is_known = false;
     const PlacedArm built = builtFrom(drawn, random);
-    const auto readings = readingsOf(built, random);
+    const auto measurements = measurementsOf(built, random);
     for (std::size_t f = 0; f < std::size(kForms); ++f) {
       const PlacedArm written = kForms[f].write(drawn);
       for (int k = 0; k < 5; ++k) {
         const VectorXd q = postureOf(drawn.arm, random);
         apart = std::max(apart, (tipOf(written, q) - tipOf(drawn, q)).norm());
       }
-      tryForm(kForms[f], written, built, readings, seed, tallies[f]);
+      tryForm(kForms[f], written, built, measurements, seed, tallies[f]);
     }
   }
   fmt::print("{:<12} {:>5} {:>7} {:>22} {:>16} {:>10} {:>9}\n", "form", "fits", "refused", "chi-square per freedom",

@@ -28,23 +28,23 @@ std::string conditionNames() {
 
 struct AddOptions {
   AdditionRequest request;
-  std::string cell, readings, out;
+  std::string cell, measurements, out;
   double sigma = 0;
 };
 
 int run(const AddOptions& options) {
   const Cell cell = readCell(options.cell);
   const Addition added = addToCell(cell, options.request);
-  if (!options.readings.empty() && added.formulas.empty())
+  if (!options.measurements.empty() && added.formulas.empty())
     throw InputError::saying("--readings",
                              "the readings serve to compare a formula with the catalogue, but no formula is given",
                              "add --formula, or leave --readings out");
   checkWritableCell(cell, options.out, "--out");
   const std::string text = cellTextWith(cell, added, options.out);
-  const std::string overlap =
-      options.readings.empty()
-          ? ""
-          : overlapAt({added.cell, options.readings, readReadings(options.readings, added.cell, options.sigma)});
+  const std::string overlap = options.measurements.empty()
+                                  ? ""
+                                  : overlapAt({added.cell, options.measurements,
+                                               readMeasurements(options.measurements, added.cell, options.sigma)});
   writeFileAtomically(options.out, text, "--out");
   fmt::print("added {} and freed {}\n", fmt::join(added.names, ", "),
              added.freed.empty() ? "nothing" : fmt::format("{}", fmt::join(added.freed, ", ")));
@@ -73,7 +73,7 @@ Run configureAdd(CLI::App& cli) {
           ", in the cell's units. "
           "Every other name is a parameter in the target's unit, initially zero; one in which the formula is "
           "not linear is dimensionless and needs an initial value: 'theta3 += c*sin(k*theta1); k=3'");
-  cli.add_option("--readings", options->readings,
+  cli.add_option("--readings", options->measurements,
                  "measurements (CSV) at which to compute how far the formula overlaps with effects of the catalogue");
   addSigma(cli, options->sigma, "where --readings states none");
   cli.add_option("--out", options->out, "write the cell with the effect to this file")->required();

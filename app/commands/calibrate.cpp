@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
+#include "app/commands/measurement_answer.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/commands/reading_answer.hpp"
 #include "app/documents/calibration_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/formats/cell/cell_places.hpp"
 #include "app/formats/cell/cell_writer.hpp"
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/formats/sheet/touch_input.hpp"
 #include "app/jobs/calibration.hpp"
 #include "app/storage/atomic_file.hpp"
@@ -24,7 +24,7 @@ namespace {
 using calibration::CalibrationStatus;
 
 struct CalibrateOptions {
-  std::string cell, measurements, out, setup;
+  std::string cell, measurement_file, out, setup;
   FiguresTarget figures;
   std::vector<std::string> assume;
   double sigma = 0;
@@ -33,11 +33,12 @@ struct CalibrateOptions {
 int run(const CalibrateOptions& options) {
   Cell cell = readCell(options.cell);
   cell.base_known = false;  // even a base that the cell states as known is determined anew
-  const auto [readings, checks] = readAndCheck({options.measurements}, cell, {options.sigma, {}, options.assume});
-  const auto touches = touchesOf(readings, cell, options.measurements, options.setup);
+  const auto [measurements, checks] =
+      readAndCheck({options.measurement_file}, cell, {options.sigma, {}, options.assume});
+  const auto touches = touchesOf(measurements, cell, options.measurement_file, options.setup);
   checkFigures(options.figures);
   if (!options.out.empty()) checkWritableCell(cell, options.out, "--out");
-  const CalibrationOutcome outcome = calibrateCell(cell, touches, options.measurements);
+  const CalibrationOutcome outcome = calibrateCell(cell, touches, options.measurement_file);
   const auto& result = outcome.calibration;
   const bool is_written = result.status == CalibrationStatus::kDone && !options.out.empty();
   if (is_written) writeFileAtomically(options.out, calibratedCellText(cell, outcome, options.out), "--out");
@@ -54,7 +55,8 @@ int run(const CalibrateOptions& options) {
 Run configureCalibrate(CLI::App& cli) {
   const auto options = std::make_shared<CalibrateOptions>();
   addCell(cli, options->cell);
-  cli.add_option("MEASUREMENTS", options->measurements, "touches (CSV): three or more holes, each once")->required();
+  cli.add_option("MEASUREMENTS", options->measurement_file, "touches (CSV): three or more holes, each once")
+      ->required();
   cli.add_option("--out", options->out, "write the cell with the base found to this file");
   cli.add_option("--setup", options->setup, "which set-up of the file, where it has several");
   addSigma(cli, options->sigma, "where neither file nor tool states one");

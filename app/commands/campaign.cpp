@@ -238,7 +238,7 @@ void configureDiagnosis(CLI::App& cli, CampaignRequest& request) {
   cli.add_option("--design", request.design, "the design of the readings, as for simulate")
       ->capture_default_str()
       ->group(group);
-  cli.add_option("--readings", request.readings, "readings of each run")->capture_default_str()->group(group);
+  cli.add_option("--readings", request.measurements, "readings of each run")->capture_default_str()->group(group);
   cli.add_option("--nothing", request.nothing, "fraction of the runs without a hidden effect")
       ->capture_default_str()
       ->group(group);

@@ -20,7 +20,7 @@ Run configureMap(CLI::App& cli);
 Run configureEffects(CLI::App& cli);
 Run configurePlan(CLI::App& cli);
 Run configurePose(CLI::App& cli);
-Run configureReadings(CLI::App& cli);
+Run configureMeasurements(CLI::App& cli);
 Run configureReport(CLI::App& cli);
 Run configureScore(CLI::App& cli);
 Run configureSimulate(CLI::App& cli);
@@ -78,7 +78,7 @@ constexpr Command kCommands[] = {
     {"readings", "converts files of trackers, controllers and spreadsheets to a measurement table",
      "tubeplan readings app/cells/bench.yaml points.txt joints.csv --units mm,deg --out readings.csv\n"
      "tubeplan readings app/cells/bench.yaml log.csv --column x_mm='Measured X' --column theta1_deg=Turret",
-     configureReadings},
+     configureMeasurements},
     {"touches", "chooses the next holes to touch, or postures and loads to measure",
      "tubeplan touches app/cells/mockup.yaml --tubes spread:60\n"
      "tubeplan touches app/cells/bench.yaml --readings readings.csv --loads 0,20,40 --count 8 --csv next.csv",

@@ -5,9 +5,9 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
+#include "app/commands/measurement_answer.hpp"
 #include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/commands/reading_answer.hpp"
 #include "app/documents/comparison_json.hpp"
 #include "app/documents/diagnosis_pages.hpp"
 #include "app/documents/measurement_checks_json.hpp"
@@ -22,16 +22,16 @@ struct CompareOptions {
   std::string cell;
   FiguresTarget figures;
   ReportTarget report;
-  ReadingFiles measurements;
+  MeasurementFiles measurement_files;
   MeasurementOptions given;
   ComparisonRequest request;
 };
 
 int run(const CompareOptions& options) {
-  const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
+  const CellMeasurements input = readCellMeasurements(options.cell, options.measurement_files, options.given);
   checkFigures(options.figures);
   checkReportTarget(options.report);
-  const auto [comparison, readings, set_aside, warnings, figures] =
+  const auto [comparison, measurements, set_aside, warnings, figures] =
       compareModel(input, options.request, terminalWorkHooks());
   if (options.report.isWanted()) writeReport(options.report, comparisonPage(input, options.request.seed, figures));
   showFigures(options.figures, figures,
@@ -44,7 +44,7 @@ int run(const CompareOptions& options) {
 Run configureCompare(CLI::App& cli) {
   const auto options = std::make_shared<CompareOptions>();
   addCell(cli, options->cell);
-  addReadings(cli, options->measurements);
+  addMeasurements(cli, options->measurement_files);
   addMeasurementOptions(cli, options->given);
   addReportOptions(cli, options->report, "write a report with maps and curves of the error to this file (HTML)");
   cli.add_option("--folds", options->request.folds, "folds of the cross-validation by pose; 0 for none")

@@ -7,9 +7,9 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
+#include "app/commands/measurement_answer.hpp"
 #include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/commands/reading_answer.hpp"
 #include "app/documents/diagnosis_json.hpp"
 #include "app/documents/diagnosis_pages.hpp"
 #include "app/documents/effect_warnings_json.hpp"
@@ -27,14 +27,14 @@ struct DiagnoseOptions {
   std::string cell, run_sheet;
   FiguresTarget figures;
   ReportTarget report;
-  ReadingFiles measurements;
+  MeasurementFiles measurements;
   MeasurementOptions given;
   DiagnosisRequest request;
 };
 
 /// Returns a message on the run sheet: the written file and how to use it, or why none was written. Empty without
-/// --run-sheet or if the readings contain a mistake.
-std::string sheetText(const DiagnoseOptions& options, const CellReadings& input,
+/// --run-sheet or if the measurements contain a mistake.
+std::string sheetText(const DiagnoseOptions& options, const CellMeasurements& input,
                       const std::vector<calibration::ProposedMeasurement>& sheet) {
   if (options.run_sheet.empty() || calibration::grossMistake(input.checks)) return "";
   if (sheet.empty()) return "no run sheet: no reading is proposed\n";
@@ -43,7 +43,7 @@ std::string sheetText(const DiagnoseOptions& options, const CellReadings& input,
 }
 
 int run(const DiagnoseOptions& options) {
-  const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
+  const CellMeasurements input = readCellMeasurements(options.cell, options.measurements, options.given);
   checkFigures(options.figures);
   checkReportTarget(options.report);
   if (!options.run_sheet.empty()) checkWritableFile(options.run_sheet, "--run-sheet");
@@ -66,7 +66,7 @@ int run(const DiagnoseOptions& options) {
 Run configureDiagnose(CLI::App& cli) {
   const auto options = std::make_shared<DiagnoseOptions>();
   addCell(cli, options->cell);
-  addReadings(cli, options->measurements);
+  addMeasurements(cli, options->measurements);
   cli.add_option("--effects", options->request.effects, "the most effects in one explanation")->check(within(1, 4));
   cli.add_option("--next", options->request.next,
                  "how many further readings to propose where the verdict is not conclusive")

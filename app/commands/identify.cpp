@@ -8,9 +8,9 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
+#include "app/commands/measurement_answer.hpp"
 #include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/commands/reading_answer.hpp"
 #include "app/documents/effect_warnings_json.hpp"
 #include "app/documents/identification_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
@@ -31,7 +31,7 @@ using calibration::IdentificationStatus;
 struct IdentifyOptions {
   std::string cell, out;
   FiguresTarget figures;
-  ReadingFiles measurements;
+  MeasurementFiles measurement_files;
   MeasurementOptions given;
   bool verbose = false;
   IdentificationRequest request;
@@ -52,8 +52,8 @@ void printWithheld(const IdentifyOptions& options, const IdentificationOutcome& 
 }
 
 int run(const IdentifyOptions& options) {
-  const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
-  const auto& [cell, file, readings, checks] = input;
+  const CellMeasurements input = readCellMeasurements(options.cell, options.measurement_files, options.given);
+  const auto& [cell, file, measurements, checks] = input;
   checkFigures(options.figures);
   if (!options.out.empty()) checkWritableCellAndArm(cell, options.out, "--out");
   IdentificationRequest request = options.request;
@@ -65,11 +65,11 @@ int run(const IdentifyOptions& options) {
   if (printsText(options.figures))
     request.stage_done = [&](int stage, const calibration::Identification& fit) {
       fmt::print("stage {}\n{}", stage + 1,
-                 identificationText(identificationJson(fit, input.readings, 0, input.cell.units)));
+                 identificationText(identificationJson(fit, input.measurements, 0, input.cell.units)));
     };
   const auto outcome = identifyModel(input, request, terminalWorkHooks());
   if (!options.out.empty() && outcome.fit.status == IdentificationStatus::kDone)
-    writeFilesTogether(identifiedCell(cell, outcome.fit, outcome.readings, options.out).inOrder(), "--out");
+    writeFilesTogether(identifiedCell(cell, outcome.fit, outcome.measurements, options.out).inOrder(), "--out");
   writeFigures(options.figures, outcome.figures);
   if (printsText(options.figures) && outcome.fit.status == IdentificationStatus::kNotRun) {
     printWithheld(options, outcome);
@@ -87,7 +87,7 @@ int run(const IdentifyOptions& options) {
 Run configureIdentify(CLI::App& cli) {
   const auto options = std::make_shared<IdentifyOptions>();
   addCell(cli, options->cell);
-  addReadings(cli, options->measurements);
+  addMeasurements(cli, options->measurement_files);
   cli.add_option("--free", options->request.free,
                  "parameters to free instead of the cell's `identify`: dotted paths into the arm file "
                  "(tool.joint_stiffness.z), tool.tip, geometry")

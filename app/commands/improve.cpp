@@ -9,9 +9,9 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
+#include "app/commands/measurement_answer.hpp"
 #include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/commands/reading_answer.hpp"
 #include "app/documents/diagnosis_pages.hpp"
 #include "app/documents/error_figures.hpp"
 #include "app/documents/improvement_json.hpp"
@@ -29,12 +29,12 @@ struct ImproveOptions {
   std::string cell, out;
   FiguresTarget figures;
   ReportTarget report;
-  ReadingFiles measurements;
+  MeasurementFiles measurement_files;
   MeasurementOptions given;
   ImprovementRequest request;
 };
 
-/// Returns a string such as ", without 2 readings"; empty if `count` is 0.
+/// Returns a string such as ", without 2 measurements"; empty if `count` is 0.
 std::string withoutText(std::size_t count) {
   if (count == 0) return "";
   return fmt::format(", without {} {}", count, count == 1 ? "reading" : "readings");
@@ -43,13 +43,13 @@ std::string withoutText(std::size_t count) {
 /// Writes and prints each model as soon as it is found, so that a stop loses no completed step.
 class Keeper {
  public:
-  Keeper(const CellReadings& input, const ImproveOptions& options) : input_(input), options_(options) {}
+  Keeper(const CellMeasurements& input, const ImproveOptions& options) : input_(input), options_(options) {}
 
   void keep(const ImprovedModel& model) {
-    const auto used = calibration::withoutReadings(input_.readings, model.set_aside);
+    const auto used = calibration::withoutMeasurements(input_.measurements, model.set_aside);
     const auto files = improvedCell(input_.cell, model.cell, model.fit, used, options_.out);
     step_ = model.step;
-    // The first fit is written only at the end, because the readings may allow no verdict on it.
+    // The first fit is written only at the end, because the measurements may allow no verdict on it.
     if (step_ > 0)
       write(files);
     else
@@ -69,7 +69,7 @@ class Keeper {
  private:
   static void write(const CellFiles& files) { writeFilesTogether(files.inOrder(), "--out"); }
 
-  const CellReadings& input_;
+  const CellMeasurements& input_;
   const ImproveOptions& options_;
   std::optional<CellFiles> first_;
   int step_ = 0;
@@ -87,7 +87,7 @@ std::string endText(const Improvement& result, const ImproveOptions& options) {
 }
 
 int run(const ImproveOptions& options) {
-  const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
+  const CellMeasurements input = readCellMeasurements(options.cell, options.measurement_files, options.given);
   checkFigures(options.figures);
   checkReportTarget(options.report);
   checkWritableCellAndArm(input.cell, options.out, "--out");
@@ -97,7 +97,7 @@ int run(const ImproveOptions& options) {
   try {
     const auto result = improveModel(input, request, terminalWorkHooks());
     keeper.finish(result.isUsable());
-    nlohmann::json json = improvementJson(result, input.readings, input.cell.units);
+    nlohmann::json json = improvementJson(result, input.measurements, input.cell.units);
     addChecks(input.checks, input.cell.units, json);
     if (options.report.isWanted()) writeReport(options.report, improvementPage(input, options.request.seed, result));
     showFigures(options.figures, json,
@@ -114,7 +114,7 @@ int run(const ImproveOptions& options) {
 Run configureImprove(CLI::App& cli) {
   const auto options = std::make_shared<ImproveOptions>();
   addCell(cli, options->cell);
-  addReadings(cli, options->measurements);
+  addMeasurements(cli, options->measurement_files);
   cli.add_option("--out", options->out, "write the improved cell to this file, its arm beside it")->required();
   cli.add_option("--steps", options->request.steps, "the most causes to add, one step each")->check(within(1, 20));
   addMeasurementOptions(cli, options->given);

@@ -8,9 +8,9 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
+#include "app/commands/measurement_answer.hpp"
 #include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/commands/reading_answer.hpp"
 #include "app/documents/ladder_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/storage/atomic_file.hpp"
@@ -20,7 +20,7 @@ namespace tubeplan::app {
 namespace {
 
 struct LadderOptions {
-  std::string measurements;
+  std::string measurement_file;
   FiguresTarget figures;
   ReportTarget report;
   std::vector<std::string> cells;
@@ -32,11 +32,11 @@ struct LadderOptions {
 std::vector<LadderModel> modelsOf(const LadderOptions& options) {
   std::vector<LadderModel> models;
   for (const auto& path : options.cells)
-    models.push_back({path, readCellReadings(path, {options.measurements}, options.given), nullptr});
+    models.push_back({path, readCellMeasurements(path, {options.measurement_file}, options.given), nullptr});
   if (options.with_rigid)
     models.insert(models.begin(), {models.front().name + ", rigid",
-                                   {rigidOf(models.front().input.cell), options.measurements,
-                                    models.front().input.readings, models.front().input.checks},
+                                   {rigidOf(models.front().input.cell), options.measurement_file,
+                                    models.front().input.measurements, models.front().input.checks},
                                    nullptr});
   return models;
 }
@@ -49,7 +49,7 @@ int run(const LadderOptions& options) {
   nlohmann::json figures = outcome.figures;
   addChecks(models.back().input.checks, models.front().input.cell.units, figures);
   if (options.report.isWanted())
-    writeReport(options.report, ladderPage(outcome.figures, options.measurements, options.request.seed));
+    writeReport(options.report, ladderPage(outcome.figures, options.measurement_file, options.request.seed));
   showFigures(options.figures, figures,
               checksText(models.back().input.checks, models.front().input.cell.units) + ladderText(figures));
   return answerOver(models.back().input.checks, true);
@@ -59,7 +59,7 @@ int run(const LadderOptions& options) {
 
 Run configureLadder(CLI::App& cli) {
   const auto options = std::make_shared<LadderOptions>();
-  cli.add_option("MEASUREMENTS", options->measurements, "readings of any kind (CSV)")->required();
+  cli.add_option("MEASUREMENTS", options->measurement_file, "readings of any kind (CSV)")->required();
   cli.add_option("CELL", options->cells, "models, one cell file each, in the order of comparison")->required();
   addMeasurementOptions(cli, options->given);
   addReportOptions(cli, options->report, "write a report to this file (HTML)");

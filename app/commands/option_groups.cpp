@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 void addCell(CLI::App& cli, std::string& cell) { cli.add_option("CELL", cell, "the cell file")->required(); }
 
-void addReadings(CLI::App& cli, ReadingFiles& files) {
+void addMeasurements(CLI::App& cli, MeasurementFiles& files) {
   cli.add_option("MEASUREMENTS", files, "readings of any kind (CSV), taken together")->required();
 }
 

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "app/commands/figures_target.hpp"
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 
 namespace tubeplan::app {
 
 void addCell(CLI::App& cli, std::string& cell);
-void addReadings(CLI::App& cli, ReadingFiles& files);   ///< MEASUREMENTS: one or more files
-void addFigures(CLI::App& cli, FiguresTarget& target);  ///< --json and --format
+void addMeasurements(CLI::App& cli, MeasurementFiles& files);  ///< MEASUREMENTS: one or more files
+void addFigures(CLI::App& cli, FiguresTarget& target);         ///< --json and --format
 
 /// Adds --seed; `of` is its help text, which states what is random.
 void addSeed(CLI::App& cli, std::uint64_t& seed, const std::string& of);
@@ -22,7 +22,7 @@ void addSeed(CLI::App& cli, std::uint64_t& seed, const std::string& of);
 /// its help text, which states when the option applies.
 void addSigma(CLI::App& cli, double& sigma, const std::string& when);
 
-/// Adds --sigma, --prior and --assume, for commands that fit a model to readings.
+/// Adds --sigma, --prior and --assume, for commands that fit a model to measurements.
 void addMeasurementOptions(CLI::App& cli, MeasurementOptions& options);
 
 /// Adds --assume alone, for commands to which measurements are a secondary input.

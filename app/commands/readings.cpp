@@ -12,7 +12,7 @@
 #include "app/formats/cell/cell_reader.hpp"
 #include "app/formats/foreign/clock_time.hpp"
 #include "app/formats/foreign/foreign_heading.hpp"
-#include "app/formats/foreign/foreign_readings.hpp"
+#include "app/formats/foreign/foreign_measurements.hpp"
 #include "app/formats/measurements/measurements_reader.hpp"
 #include "app/formats/measurements/measurements_writer.hpp"
 #include "app/storage/atomic_file.hpp"
@@ -24,7 +24,7 @@ namespace tubeplan::app {
 
 namespace {
 
-struct ReadingsOptions {
+struct MeasurementsOptions {
   std::string cell, out, kind, orientation, points, dates;
   std::vector<std::string> files, columns, units;
   bool is_template = false;
@@ -43,28 +43,29 @@ std::map<UnitKind, const Unit*> unitsOf(const std::vector<std::string>& words) {
   return units;
 }
 
-void write(const ReadingsOptions& options, const std::string& text) {
+void write(const MeasurementsOptions& options, const std::string& text) {
   if (options.out.empty())
     fmt::print("{}", text);
   else
     writeFileAtomically(options.out, text, "--out");
 }
 
-/// Returns the number of readings in the converted text. Throws InputError if that text cannot be read as a measurement
-/// table; the error names the line of the source table, because the user has not seen the converted text.
-std::size_t countOf(const ForeignReadings& readings, const Cell& cell) {
+/// Returns the number of measurements in the converted text. Throws InputError if that text cannot be read as a
+/// measurement table; the error names the line of the source table, because the user has not seen the converted text.
+std::size_t countOf(const ForeignMeasurements& measurements, const Cell& cell) {
   const std::string name = "the readings";
   try {
-    return parseMeasurementTable(readings.text, name, cell.arm, cell.sheet ? &*cell.sheet : nullptr).readings.size();
+    return parseMeasurementTable(measurements.text, name, cell.arm, cell.sheet ? &*cell.sheet : nullptr)
+        .measurements.size();
   } catch (const InputError& error) {
     const std::string line = error.where().substr(std::min(name.size() + 1, error.where().size()));
     const std::size_t row = std::strtoul(line.c_str(), nullptr, 10);
-    if (!error.where().starts_with(name + ":") || row < 2 || row - 2 >= readings.origins.size()) throw;
-    throw InputError(readings.origins[row - 2], error.found(), error.expected(), error.advice());
+    if (!error.where().starts_with(name + ":") || row < 2 || row - 2 >= measurements.origins.size()) throw;
+    throw InputError(measurements.origins[row - 2], error.found(), error.expected(), error.advice());
   }
 }
 
-int run(const ReadingsOptions& options) {
+int run(const MeasurementsOptions& options) {
   const Cell cell = readCell(options.cell);
   if (options.is_template) {
     write(options, measurementsCsv({}, cell.arm, cell.units));
@@ -76,20 +77,20 @@ int run(const ReadingsOptions& options) {
       {}, {options.columns, unitsOf(options.units), options.orientation, options.points, options.dates}, options.kind};
   for (const auto& file : options.files) request.tables.push_back(parseForeignTable(readTextFile(file), file));
   if (!options.out.empty()) checkWritableFile(options.out, "--out");
-  const ForeignReadings readings = readForeign(request, cell.arm);
-  const std::size_t count = countOf(readings, cell);
-  write(options, readings.text);
+  const ForeignMeasurements measurements = readForeign(request, cell.arm);
+  const std::size_t count = countOf(measurements, cell);
+  write(options, measurements.text);
   std::string said;
-  for (const auto& taken : readings.taken) said += fmt::format("  {}\n", taken);
-  for (const auto& left : readings.left_out) said += fmt::format("  left out: {}\n", left);
+  for (const auto& taken : measurements.taken) said += fmt::format("  {}\n", taken);
+  for (const auto& left : measurements.left_out) said += fmt::format("  left out: {}\n", left);
   fmt::print(stderr, "{} reading{}\n{}", count, count == 1 ? "" : "s", said);
   return kDone;
 }
 
 }  // namespace
 
-Run configureReadings(CLI::App& cli) {
-  const auto options = std::make_shared<ReadingsOptions>();
+Run configureMeasurements(CLI::App& cli) {
+  const auto options = std::make_shared<MeasurementsOptions>();
   addCell(cli, options->cell);
   cli.add_option("FILES", options->files,
                  "tables (CSV, or text with tabs or blanks): joints and positions together, or a joint log and a "

@@ -8,16 +8,16 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
+#include "app/commands/measurement_answer.hpp"
 #include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/commands/reading_answer.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/sensitivity_report.hpp"
 #include "app/formats/cell/command_inputs.hpp"
 #include "app/formats/cell/workcell.hpp"
 #include "app/jobs/cell_estimate.hpp"
 #include "app/storage/input_error.hpp"
-#include "app/studies/measurements/reading_candidates.hpp"
+#include "app/studies/measurements/measurement_candidates.hpp"
 #include "app/studies/measurements/simulated_calibration.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
 #include "calibration/design/touch_choice.hpp"
@@ -29,7 +29,7 @@ namespace {
 constexpr int kWorkedPostures = 60, kTouchable = 40, kChosenTouches = 3;
 
 struct SensitivityOptions {
-  std::string cell, tubes, readings;
+  std::string cell, tubes, measurements;
   FiguresTarget figures;
   std::vector<std::string> assume, columns;
   double load = 0;
@@ -107,12 +107,13 @@ int run(const SensitivityOptions& options) {
   calibration::SensitivityTask task;
   calibration::MeasurementChecks checks;
   task.load = parseLoad(options.load, cell.units, "--load");
-  if (!options.readings.empty()) {
-    const auto made = readingsMade(options.readings, cell, 0, options.assume);
+  if (!options.measurements.empty()) {
+    const auto made = measurementsMade(options.measurements, cell, 0, options.assume);
     checks = made.checks;
-    const auto estimate = estimateOf(cell, made.readings, {cell.identify, !cell.base_known}, cell.path + " (identify)");
+    const auto estimate =
+        estimateOf(cell, made.measurements, {cell.identify, !cell.base_known}, cell.path + " (identify)");
     if (!estimate.note.empty())
-      throw InputError::saying(options.readings, estimate.note, "give readings that determine the parameters");
+      throw InputError::saying(options.measurements, estimate.note, "give readings that determine the parameters");
     cell = cellAsEstimated(cell, estimate);
     report.sigmas = posteriorSigmas(estimate, cell.arm);
   }
@@ -133,7 +134,7 @@ int run(const SensitivityOptions& options) {
     return kNegativeAnswer;
   }
   nlohmann::json json = sensitivityJson(report, cell);
-  if (!options.readings.empty()) addChecks(checks, cell.units, json);
+  if (!options.measurements.empty()) addChecks(checks, cell.units, json);
   showFigures(options.figures, json, checksText(checks, cell.units) + sensitivityText(json));
   return answerOver(checks, true);
 }
@@ -146,7 +147,7 @@ Run configureSensitivity(CLI::App& cli) {
   cli.add_option("--tubes", options->tubes, "tubes at which the accuracy is wanted, as for plan (spread:60)");
   addListColumns(cli, options->columns);
   cli.add_option("--load", options->load, "load hung on the tip at work, in the cell's unit of force");
-  cli.add_option("--readings", options->readings,
+  cli.add_option("--readings", options->measurements,
                  "readings (CSV) that determine the parameters listed under `identify`: errors are then those of one "
                  "standard deviation of each");
   addAssumeOption(cli, options->assume);

@@ -36,8 +36,9 @@ constexpr auto kGlanceAtArm = std::chrono::milliseconds(50);  // interval betwee
 void requireToken(const DoorRules& door) {
   if (door.token.empty() && isLoopback(door.host)) return;
   if (door.token.empty())
-    throw InputError::saying("--host", "others on the network could reach " + inQuotes(door.host) + " without a token",
-                             "add --token TEXT, which is then required for access");
+    throw InputError::saying("--host",
+                             "others on the network could reach " + inQuotes(door.host) + " without a token",
+                             "add --token TEXT, which is then required for door");
   const bool is_plain = std::all_of(door.token.begin(), door.token.end(),
                                     [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
   if (!is_plain || door.token.size() < kShortestToken)
@@ -77,14 +78,14 @@ Run configureServe(CLI::App& cli) {
   options->door.port = 8642;
   options->workbench.state = defaultStateFolder();
   cli.add_option("CELL", options->workbench.cell, "the cell file, or a project that was saved")->required();
-  cli.add_option("MEASUREMENTS", options->workbench.measurements, "readings of any kind (CSV), taken together");
+  cli.add_option("MEASUREMENTS", options->workbench.measurement_files, "readings of any kind (CSV), taken together");
   cli.add_option("--port", options->door.port, "where to listen; 0 takes any free one")
       ->check(within(0, 65535))
       ->capture_default_str();
   cli.add_option("--host", options->door.host, "the address to listen at; any but loopback requires --token")
       ->capture_default_str();
   cli.add_option("--token", options->door.token,
-                 "the access token that a browser must send, 12 or more letters, digits, - and _");
+                 "the door token that a browser must send, 12 or more letters, digits, - and _");
   cli.add_option("--folder", options->workbench.folder,
                  "the folder whose files the page may open and write (the cell's)");
   cli.add_option("--state", options->workbench.state, "the folder in which the session is kept, to be resumed later")

@@ -27,9 +27,9 @@ struct SimulateOptions {
 };
 
 calibration::SimulatedCampaign measure(const Cell& cell, const SimulationTask& task, std::uint64_t seed) {
-  Progress progress("readings", static_cast<std::size_t>(task.readings));
-  return simulateReadings(cell, task, seed,
-                          {[&](std::size_t done, std::size_t) { progress.update(done); }, stopRequested});
+  Progress progress("readings", static_cast<std::size_t>(task.measurements));
+  return simulateMeasurements(cell, task, seed,
+                              {[&](std::size_t done, std::size_t) { progress.update(done); }, stopRequested});
 }
 
 int run(const SimulateOptions& options) {
@@ -44,15 +44,15 @@ int run(const SimulateOptions& options) {
     fmt::print(stderr, "no campaign: {}\n", campaign.reason);
     return campaign.status == CampaignStatus::kStopped ? kStoppedExitCode : kNegativeAnswer;
   }
-  folder.write("measurements.csv", measurementsCsv(campaign.readings, cell.arm, cell.units));
+  folder.write("measurements.csv", measurementsCsv(campaign.measurements, cell.arm, cell.units));
   folder.write("truth.yaml", truthYaml({cell, task.design, task.truth, campaign, request.seed, request.spread,
                                         task.base.shift, task.base.turn}));
   folder.commit();
-  fmt::print(
-      "{}: {} readings of kind {}, {} held out\nwrote {}\n", task.design.name, campaign.readings.size(),
-      calibration::kindOf(task.design.kind).name,
-      std::count_if(campaign.readings.begin(), campaign.readings.end(), [](const auto& m) { return m.is_held_out; }),
-      (folder.path() / "{measurements.csv,truth.yaml}").string());
+  fmt::print("{}: {} readings of kind {}, {} held out\nwrote {}\n", task.design.name, campaign.measurements.size(),
+             calibration::kindOf(task.design.kind).name,
+             std::count_if(campaign.measurements.begin(), campaign.measurements.end(),
+                           [](const auto& m) { return m.is_held_out; }),
+             (folder.path() / "{measurements.csv,truth.yaml}").string());
   return kDone;
 }
 
@@ -70,7 +70,7 @@ Run configureSimulate(CLI::App& cli) {
   const auto options = std::make_shared<SimulateOptions>();
   addCell(cli, options->cell);
   cli.add_option("--design", options->request.design, designHelp())->required();
-  cli.add_option("--readings", options->request.readings,
+  cli.add_option("--readings", options->request.measurements,
                  "number of readings; a design file may state `postures` instead");
   addSeed(cli, options->request.seed, "seed of the random numbers");
   cli.add_option("--out", options->out, "the folder for measurements.csv and truth.yaml")->required();

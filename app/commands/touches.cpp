@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
+#include "app/commands/measurement_answer.hpp"
 #include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/commands/reading_answer.hpp"
 #include "app/documents/fill_in_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/touch_proposals.hpp"
@@ -69,7 +69,7 @@ Run configureTouches(CLI::App& cli) {
   const auto options = std::make_shared<TouchesOptions>();
   auto& request = options->request;
   addCell(cli, request.cell);
-  cli.add_option("--readings", request.readings, "existing readings (CSV), which the proposals complement");
+  cli.add_option("--readings", request.measurements, "existing readings (CSV), which the proposals complement");
   addAssumeOption(cli, request.assume);
   cli.add_option(
          "--free", request.free,

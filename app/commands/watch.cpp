@@ -1,4 +1,4 @@
-// `tubeplan watch`: watches the readings of a calibrated arm at work for a change.
+// `tubeplan watch`: watches the measurements of a calibrated arm at work for a change.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -13,7 +13,7 @@
 #include "app/documents/figures.hpp"
 #include "app/documents/figures_text.hpp"
 #include "app/formats/cell/workcell.hpp"
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/formats/units_json.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/studies/positioning/base_standing.hpp"
@@ -26,7 +26,7 @@ namespace {
 
 struct WatchRequest {
   std::string cell;
-  ReadingFiles measurements;
+  MeasurementFiles measurement_files;
   MeasurementOptions given;
   calibration::WatchOptions options;
   FiguresTarget figures;
@@ -51,12 +51,12 @@ const char* kindName(calibration::ChangeKind kind) {
   return "";
 }
 
-nlohmann::json alarmJson(const calibration::WatchAlarm& alarm, const std::vector<calibration::Measurement>& readings,
-                         const Units& units) {
-  const auto idOf = [&](int k) { return readings[static_cast<std::size_t>(k)].id; };
-  return {{"reading", idOf(alarm.reading)},
+nlohmann::json alarmJson(const calibration::WatchAlarm& alarm,
+                         const std::vector<calibration::Measurement>& measurements, const Units& units) {
+  const auto idOf = [&](int k) { return measurements[static_cast<std::size_t>(k)].id; };
+  return {{"reading", idOf(alarm.measurement)},
           {"since", idOf(alarm.since)},
-          {"after_readings", alarm.reading - alarm.since + 1},
+          {"after_readings", alarm.measurement - alarm.since + 1},
           {"kind", kindName(alarm.kind)},
           {"judged_to", idOf(alarm.judged_to)},
           {"chi2", finiteJson(alarm.chi2)},
@@ -87,7 +87,7 @@ constexpr TextLine kWatchWords[] = {
 };
 
 int run(const WatchRequest& request) {
-  const CellReadings input = readCellReadings(request.cell, request.measurements, request.given);
+  const CellMeasurements input = readCellMeasurements(request.cell, request.measurement_files, request.given);
   requirePlaced(input.cell);
   checkFigures(request.figures);
   const planner::Workcell work = workcellOf(input.cell, "watch its visits");
@@ -97,7 +97,7 @@ int run(const WatchRequest& request) {
   calibration::WatchOptions options = request.options;
   options.stop = stopRequested;
   const auto watch =
-      calibration::watchForChange({work.arm, work.X_WB, uncertainty, model_error}, input.readings, options);
+      calibration::watchForChange({work.arm, work.X_WB, uncertainty, model_error}, input.measurements, options);
   if (watch.status == calibration::WatchStatus::kStopped) return kStoppedExitCode;
   if (watch.status == calibration::WatchStatus::kNotComputed)
     throw InputError::saying(input.file, watch.reason, "watch touches of holes, positions, offsets or steps");
@@ -110,12 +110,12 @@ int run(const WatchRequest& request) {
                             {"undecided", isKind(ChangeKind::kUndecided)},
                             {"alarm", nullptr},
                             {"tested", watch.tested},
-                            {"readings", input.readings.size()},
+                            {"readings", input.measurements.size()},
                             {"level", finiteJson(watch.level.back())},
                             {"false_alarms", options.false_alarms},
                             {"units", unitsJson(input.cell.units)}};
   if (watch.alarm) {
-    figures["alarm"] = alarmJson(*watch.alarm, input.readings, input.cell.units);
+    figures["alarm"] = alarmJson(*watch.alarm, input.measurements, input.cell.units);
     figures["base_step"] = figures["alarm"]["base_step"];
   }
   showFigures(request.figures, figures, textOf(figures, kWatchWords));
@@ -127,7 +127,7 @@ int run(const WatchRequest& request) {
 Run configureWatch(CLI::App& cli) {
   const auto request = std::make_shared<WatchRequest>();
   addCell(cli, request->cell);
-  addReadings(cli, request->measurements);
+  addMeasurements(cli, request->measurement_files);
   addMeasurementOptions(cli, request->given);
   cli.add_option("--false-alarms", request->options.false_alarms,
                  "largest probability of an alarm over all planned readings if nothing changes")

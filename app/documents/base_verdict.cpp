@@ -33,7 +33,7 @@ constexpr std::size_t kEnoughTouches = 4;
 
 /// Returns a sentence such as "if theta1 of touch T6 was read 0.4 deg too large, the touches fit (p = 0.4): read it
 /// again".
-std::string suspectText(const calibration::SuspectReading& suspect, const Cell& cell) {
+std::string suspectText(const calibration::SuspectMeasurement& suspect, const Cell& cell) {
   const auto& joint = cell.arm.joint(suspect.joint);
   const Dimension dimension = jointDimension(joint);
   return fmt::format("if {} of touch {} was read {:.3g} {} too {}, the touches fit (p = {:.2g}): read it again",
@@ -56,7 +56,7 @@ void judgeFit(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdic
           "touch it again, or leave it out (--assume without={})",
           odd.id, odd.hole, lengthText(base.rms_of_others, units), lengthText(base.rms, units), odd.id));
     }
-    for (const auto& suspect : base.suspect_readings) verdict.to_do.push_back(suspectText(suspect, cell));
+    for (const auto& suspect : base.suspect_measurements) verdict.to_do.push_back(suspectText(suspect, cell));
     if (base.residuals.size() < kEnoughTouches)
       verdict.to_do.emplace_back(
           "touch a fourth hole, far from the others, and calibrate again: it distinguishes a wrong touch from a wrong "

@@ -46,9 +46,9 @@ nlohmann::json numbersJson(const BaseCalibration& result, const Units& units) {
   return list;
 }
 
-nlohmann::json suspectReadingsJson(const BaseCalibration& result, const Cell& cell) {
+nlohmann::json suspectMeasurementsJson(const BaseCalibration& result, const Cell& cell) {
   nlohmann::json list = nlohmann::json::array();
-  for (const auto& suspect : result.suspect_readings) {
+  for (const auto& suspect : result.suspect_measurements) {
     const auto& joint = cell.arm.joint(suspect.joint);
     list.push_back({{"touch", suspect.touch},
                     {"joint", joint.name},
@@ -97,7 +97,7 @@ nlohmann::json calibrationJson(const BaseCalibration& result, const Cell& cell) 
                      {"rotation", vectorJson(sigma.tail(3), units, dimension::kAngle)}};
     json["numbers"] = numbersJson(result, units);
   }
-  json["suspect_readings"] = suspectReadingsJson(result, cell);
+  json["suspect_readings"] = suspectMeasurementsJson(result, cell);
   json["odd_touch"] = result.odd_touch < 0
                           ? nlohmann::json()
                           : nlohmann::json(result.residuals[static_cast<std::size_t>(result.odd_touch)].id);

@@ -23,7 +23,7 @@ namespace tubeplan::app {
 
 namespace {
 
-using calibration::Adequacy, calibration::ComparedReading, calibration::Comparison, calibration::ComparisonStatus,
+using calibration::Adequacy, calibration::ComparedMeasurement, calibration::Comparison, calibration::ComparisonStatus,
     calibration::JointEquivalents, calibration::Measurement, calibration::ModelLackOfFit, calibration::Repeats;
 using nlohmann::json;
 
@@ -31,7 +31,7 @@ constexpr std::size_t kWorstShown = 10;
 
 json repeatsJson(const Repeats& repeats) {
   return {{"groups", repeats.groups},
-          {"readings", repeats.readings},
+          {"readings", repeats.measurements},
           {"pure_error_chi2", finiteJson(repeats.pure_error)},
           {"degrees_of_freedom", repeats.pure_freedom},
           {"noise_over_stated", finiteJson(repeats.noise_ratio)},
@@ -51,7 +51,7 @@ json lackOfFitJson(const ModelLackOfFit& lack_of_fit, const ErrorUnit& unit) {
   return {{"rms", errorJson(lack_of_fit.errors.rms, unit)},
           {"mean", errorJson(lack_of_fit.errors.mean, unit)},
           {"worst", errorJson(lack_of_fit.errors.max, unit)},
-          {"readings", lack_of_fit.errors.readings},
+          {"readings", lack_of_fit.errors.measurements},
           {"noise_floor", errorJson(lack_of_fit.noise_floor, unit)},
           {"chi2", finiteJson(lack_of_fit.chi2)},
           {"degrees_of_freedom", lack_of_fit.degrees_of_freedom},
@@ -86,41 +86,42 @@ json comparedJointsJson(const Eigen::VectorXd& q, const deflection::Arm& arm, co
   return list;
 }
 
-json comparedReadingJson(const ComparedReading& compared, const Measurement& reading, const Comparison& result,
-                         const Units& units) {
-  json entry = {{"id", reading.id},
-                {"kind", calibration::kindOf(reading).name},
-                {"point", reading.point},
-                {"setup", reading.setup},
-                {"load", finiteJson(reading.load / units.factor(dimension::kForce))},
-                {"joints", comparedJointsJson(reading.q, result.fitted.arm, units)},
-                {"senses", reading.approach_directions},
-                {"sigma", lengthJson(reading.sigma, units)},
+json comparedMeasurementJson(const ComparedMeasurement& compared, const Measurement& measurement,
+                             const Comparison& result, const Units& units) {
+  json entry = {{"id", measurement.id},
+                {"kind", calibration::kindOf(measurement).name},
+                {"point", measurement.point},
+                {"setup", measurement.setup},
+                {"load", finiteJson(measurement.load / units.factor(dimension::kForce))},
+                {"joints", comparedJointsJson(measurement.q, result.fitted.arm, units)},
+                {"senses", measurement.approach_directions},
+                {"sigma", lengthJson(measurement.sigma, units)},
                 {"held_out", compared.is_held_out},
-                {"measured", reading.p_W ? placeJson(*reading.p_W, units) : json()},
+                {"measured", measurement.p_W ? placeJson(*measurement.p_W, units) : json()},
                 {"position_before", placeJson(compared.tip_before, units)},
                 {"position_after", placeJson(compared.tip_after, units)},
                 {"error_before", placeJson(compared.error_before, units)},
                 {"error_after", placeJson(compared.error_after, units)},
-                {"size_before", errorSizeJson(reading, compared.error_before, compared.turn_before, units)},
-                {"size_after", errorSizeJson(reading, compared.error_after, compared.turn_after, units)},
-                {"size_unit", errorUnitOf(reading, units).name},
+                {"size_before", errorSizeJson(measurement, compared.error_before, compared.turn_before, units)},
+                {"size_after", errorSizeJson(measurement, compared.error_after, compared.turn_after, units)},
+                {"size_unit", errorUnitOf(measurement, units).name},
                 {"sigmas_before", finiteJson(compared.sigmas_before)},
                 {"sigmas_after", finiteJson(compared.sigmas_after)}};
   for (const auto& kind : deflection::kConditionKinds)
-    entry[kind.name] = finiteJson(units.toFile(reading.conditions[kind.condition], kind.unit));
-  addOwnNumbers(reading, units, entry);
-  if (reading.wrench) {
-    entry["force"] = vectorJson(reading.wrench->force_W, units, dimension::kForce);
-    entry["moment"] = vectorJson(reading.wrench->moment_W, units, dimension::kTorque);
+    entry[kind.name] = finiteJson(units.toFile(measurement.conditions[kind.condition], kind.unit));
+  addOwnNumbers(measurement, units, entry);
+  if (measurement.wrench) {
+    entry["force"] = vectorJson(measurement.wrench->force_W, units, dimension::kForce);
+    entry["moment"] = vectorJson(measurement.wrench->moment_W, units, dimension::kTorque);
   }
   return entry;
 }
 
-json comparedReadingsJson(const Comparison& result, const std::vector<Measurement>& readings, const Units& units) {
+json comparedMeasurementsJson(const Comparison& result, const std::vector<Measurement>& measurements,
+                              const Units& units) {
   json list = json::array();
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    list.push_back(comparedReadingJson(result.readings.at(k), readings[k], result, units));
+  for (std::size_t k = 0; k < measurements.size(); ++k)
+    list.push_back(comparedMeasurementJson(result.measurements.at(k), measurements[k], result, units));
   if (result.joints_after.ok)
     for (std::size_t i = 0; i < result.used.size(); ++i)
       list[static_cast<std::size_t>(result.used[i])]["joint_corrections"] = comparedJointsJson(
@@ -128,16 +129,17 @@ json comparedReadingsJson(const Comparison& result, const std::vector<Measuremen
   return list;
 }
 
-json worstJson(const Comparison& result, const std::vector<Measurement>& readings, const Units& units) {
+json worstJson(const Comparison& result, const std::vector<Measurement>& measurements, const Units& units) {
   json list = json::array();
   for (std::size_t k = 0; k < std::min(kWorstShown, result.worst.size()); ++k) {
-    const auto reading = static_cast<std::size_t>(result.worst[k]);
-    const auto& compared = result.readings.at(reading);
-    list.push_back({{"id", readings.at(reading).id},
-                    {"error", placeJson(compared.error_after, units)},
-                    {"size", errorSizeJson(readings.at(reading), compared.error_after, compared.turn_after, units)},
-                    {"unit", errorUnitOf(readings.at(reading), units).name},
-                    {"sigmas", finiteJson(compared.sigmas_after)}});
+    const auto measurement = static_cast<std::size_t>(result.worst[k]);
+    const auto& compared = result.measurements.at(measurement);
+    list.push_back(
+        {{"id", measurements.at(measurement).id},
+         {"error", placeJson(compared.error_after, units)},
+         {"size", errorSizeJson(measurements.at(measurement), compared.error_after, compared.turn_after, units)},
+         {"unit", errorUnitOf(measurements.at(measurement), units).name},
+         {"sigmas", finiteJson(compared.sigmas_after)}});
   }
   return list;
 }
@@ -212,14 +214,14 @@ std::string comparisonSentence(const Comparison& result, const Units& units) {
   return fmt::format("The model falls short, since {}: {}.", fmt::join(result.grounds, ", and "), error);
 }
 
-json comparisonJson(const Comparison& result, const std::vector<Measurement>& readings, std::size_t set_aside,
+json comparisonJson(const Comparison& result, const std::vector<Measurement>& measurements, std::size_t set_aside,
                     const Units& units) {
   const auto& after = result.after_refit;
   const auto& refit = result.refit;
   const ErrorUnit unit = errorUnitOf(result, units);
   json report = {{"status", statusName(result.status)},
                  {"reason", result.reason},
-                 {"units", readingUnitsJson(units)},
+                 {"units", measurementUnitsJson(units)},
                  {"verdict", nameOf(result.verdict)},
                  {"verdict_words", wordsOf(result.verdict)},
                  {"grounds", result.grounds},
@@ -243,8 +245,8 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
       {{"name", "refitted"}, {"rms", report["rms"]["after"]}, {"heldout_rms", report["rms"]["heldout_after"]}}};
   report["refit"] = refit.status == calibration::IdentificationStatus::kNotRun
                         ? json()
-                        : identificationJson(refit, readings, set_aside, units);
-  report["worst"] = worstJson(result, readings, units);
+                        : identificationJson(refit, measurements, set_aside, units);
+  report["worst"] = worstJson(result, measurements, units);
   report["patterns"] = json::array();
   for (const auto& test : result.patterns.findings) report["patterns"].push_back(findingJson(test, units));
   report["tested"] = json::array();
@@ -255,7 +257,7 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
                                  {"after_refit", equivalentsJson(result, result.joints_after, units)}};
   report["joint_columns"] = json::array();
   for (const auto& joint : result.fitted.arm.joints()) report["joint_columns"].push_back(jointColumn(joint, units));
-  report["readings"] = comparedReadingsJson(result, readings, units);
+  report["readings"] = comparedMeasurementsJson(result, measurements, units);
   return report;
 }
 

@@ -1,4 +1,4 @@
-// Comparison of a model with readings, as JSON and as short text.
+// Comparison of a model with measurements, as JSON and as short text.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +17,10 @@ inline constexpr const char* kErrorsAre = "measured less predicted";
 /// Returns the result of a comparison in one sentence.
 [[nodiscard]] std::string comparisonSentence(const calibration::Comparison& result, const Units& units);
 
-/// Returns the JSON of a comparison. `readings` are the compared readings; `set_aside` is the number of excluded
-/// readings.
+/// Returns the JSON of a comparison. `readings` are the compared measurements; `set_aside` is the number of excluded
+/// measurements.
 [[nodiscard]] nlohmann::json comparisonJson(const calibration::Comparison& result,
-                                            const std::vector<calibration::Measurement>& readings,
+                                            const std::vector<calibration::Measurement>& measurements,
                                             std::size_t set_aside, const Units& units);
 
 /// Returns the text of a comparison, generated from the JSON of comparisonJson().

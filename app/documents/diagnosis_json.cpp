@@ -36,8 +36,8 @@ nlohmann::json numberJson(const FoundNumber& number, const Units& units) {
   return json;
 }
 
-/// Adds the sets of parameter values that explain the readings equally well, and the kinds of measurement that would
-/// decide between them.
+/// Adds the sets of parameter values that explain the measurements equally well, and the kinds of measurement that
+/// would decide between them.
 void addModes(const FoundEffect& effect, const Units& units, nlohmann::json& json) {
   if (effect.modes.empty()) return;
   for (const auto& values : effect.modes) {
@@ -204,13 +204,14 @@ std::string additionCommand(nlohmann::json figures, const std::string& cell) {
   return textOf(figures, kNextStepWords);
 }
 
-nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurement>& readings, const Units& units) {
+nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurement>& measurements,
+                             const Units& units) {
   const ErrorUnit unit = errorUnitOf(result.before.are_angles, units);
   nlohmann::json json = {{"verdict", nameOf(result.verdict)},
                          {"verdict_words", wordsOf(result.verdict)},
                          {"sentence", diagnosisSentence(result, units)},
                          {"sentences", diagnosisSentences(result, units)},
-                         {"units", readingUnitsJson(units)}};
+                         {"units", measurementUnitsJson(units)}};
   json["alternatives"] = nlohmann::json::array();
   for (const auto& alternative : result.alternatives)
     json["alternatives"].push_back(effectsJson(alternative, result, units));
@@ -239,10 +240,10 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
   if (std::isfinite(result.remainder.floor)) json["remainder"] = remainderJson(result, unit);
   json["detectable"] = detectableJson(result.detectable, units);
   json["not_tried"] = result.not_tried;
-  json["set_aside"] = idsOf(result.set_aside, readings);
+  json["set_aside"] = idsOf(result.set_aside, measurements);
   json["next_readings"] = nlohmann::json::array();
   json["explanations"] = explanationsJson(result, units);
-  addViews(result, readings, units, json);
+  addViews(result, measurements, units, json);
   return json;
 }
 

@@ -11,7 +11,8 @@
 namespace tubeplan::app {
 
 [[nodiscard]] nlohmann::json diagnosisJson(const calibration::Diagnosis& result,
-                                           const std::vector<calibration::Measurement>& readings, const Units& units);
+                                           const std::vector<calibration::Measurement>& measurements,
+                                           const Units& units);
 
 [[nodiscard]] std::string diagnosisText(const nlohmann::json& figures);
 

@@ -23,10 +23,10 @@ namespace {
 /// which the page draws.
 void addPictures(const Cell& cell, nlohmann::json& json) {
   json["joints"] = jointsJson(cell.arm, cell.units);
-  for (auto& reading : json["readings"]) {
-    reading["position"] = reading["position_after"];
-    reading["before"] = reading["error_before"];
-    reading["after"] = reading["error_after"];
+  for (auto& measurement : json["readings"]) {
+    measurement["position"] = measurement["position_after"];
+    measurement["before"] = measurement["error_before"];
+    measurement["after"] = measurement["error_after"];
   }
 }
 
@@ -41,21 +41,21 @@ std::vector<std::string> leverNames(const deflection::Arm& arm, const nlohmann::
   return names;
 }
 
-/// Adds, for the readings that the page draws, the moments and the leverages that convert a tip error into a joint
+/// Adds, for the measurements that the page draws, the moments and the leverages that convert a tip error into a joint
 /// error.
-void addLevers(const Cell& cell, const std::vector<calibration::Measurement>& readings, nlohmann::json& page) {
+void addLevers(const Cell& cell, const std::vector<calibration::Measurement>& measurements, nlohmann::json& page) {
   std::set<std::string> drawn;
-  for (const auto& reading : page.at("readings")) drawn.insert(reading.at("id").get<std::string>());
+  for (const auto& measurement : page.at("readings")) drawn.insert(measurement.at("id").get<std::string>());
   std::vector<calibration::Measurement> some;
-  std::copy_if(readings.begin(), readings.end(), std::back_inserter(some),
-               [&](const auto& reading) { return drawn.contains(reading.id); });
+  std::copy_if(measurements.begin(), measurements.end(), std::back_inserter(some),
+               [&](const auto& measurement) { return drawn.contains(measurement.id); });
   if (some.empty()) return;
   page["leverage"] = leverageJson(cell, some, leverNames(cell.arm, page));
   page["moments"] = momentsJson(cell, some);
 }
 
 /// Returns the results with the data that the head of the page shows.
-nlohmann::json pageOf(const std::string& what, const CellReadings& input, std::uint64_t seed,
+nlohmann::json pageOf(const std::string& what, const CellMeasurements& input, std::uint64_t seed,
                       const nlohmann::json& figures) {
   nlohmann::json page = figures;
   page.update({{"title", what + " of " + input.cell.name},
@@ -68,38 +68,39 @@ nlohmann::json pageOf(const std::string& what, const CellReadings& input, std::u
 
 }  // namespace
 
-std::string comparisonPage(const CellReadings& input, std::uint64_t seed, const nlohmann::json& figures) {
+std::string comparisonPage(const CellMeasurements& input, std::uint64_t seed, const nlohmann::json& figures) {
   nlohmann::json page = pageOf("Comparison", input, seed, figures);
   addPictures(input.cell, page);
-  addLevers(input.cell, input.readings, page);
+  addLevers(input.cell, input.measurements, page);
   return renderComparisonReport(page);
 }
 
-std::string diagnosisPage(const CellReadings& input, std::uint64_t seed, const nlohmann::json& figures,
+std::string diagnosisPage(const CellMeasurements& input, std::uint64_t seed, const nlohmann::json& figures,
                           const nlohmann::json& tested) {
   nlohmann::json page = pageOf("Diagnosis", input, seed, figures);
   page["tested"] = tested;
-  addLevers(input.cell, input.readings, page);
+  addLevers(input.cell, input.measurements, page);
   return renderDiagnosisReport(page);
 }
 
 namespace {
 
 /// Returns the diagnosis of a step with the data that its plots need.
-nlohmann::json stepPictures(const CellReadings& input, const ImprovementStep& step, const CellModel& model) {
-  nlohmann::json figures = diagnosisJson(step.diagnosis, input.readings, input.cell.units);
+nlohmann::json stepPictures(const CellMeasurements& input, const ImprovementStep& step, const CellModel& model) {
+  nlohmann::json figures = diagnosisJson(step.diagnosis, input.measurements, input.cell.units);
   for (const char* name : {"ranking", "detectable", "closest", "added_variable", "not_tried", "ladder"})
     figures.erase(name);
   Cell cell = input.cell;
   static_cast<CellModel&>(cell) = model;
-  addLevers(cell, input.readings, figures);
+  addLevers(cell, input.measurements, figures);
   return figures;
 }
 
 }  // namespace
 
-std::string improvementPage(const CellReadings& input, std::uint64_t seed, const Improvement& result) {
-  nlohmann::json page = pageOf("Improvement", input, seed, improvementJson(result, input.readings, input.cell.units));
+std::string improvementPage(const CellMeasurements& input, std::uint64_t seed, const Improvement& result) {
+  nlohmann::json page =
+      pageOf("Improvement", input, seed, improvementJson(result, input.measurements, input.cell.units));
   const nlohmann::json compared = page["models"];
   page["models"] = ladderModels(compared);
   if (!compared.empty()) {

@@ -78,7 +78,7 @@ std::string followsText(const calibration::Remainder& remainder) {
   return fmt::format("{}", fmt::join(variables, ", "));
 }
 
-/// Returns an error of the diagnosed readings as text, with its unit.
+/// Returns an error of the diagnosed measurements as text, with its unit.
 std::string errorText(double error, const Diagnosis& result, const Units& units, int digits = kDigits) {
   return errorText(error, errorUnitOf(result.before.are_angles, units), digits);
 }
@@ -91,8 +91,8 @@ std::string remainderSentence(const Diagnosis& result, const Units& units) {
   return fmt::format("{} remains that no known effect explains; it follows {}.", size, followsText(remainder));
 }
 
-/// Returns a sentence that compares the scatter of repeated readings with the stated noise; empty if no readings are
-/// repeated.
+/// Returns a sentence that compares the scatter of repeated measurements with the stated noise; empty if no
+/// measurements are repeated.
 std::string repeatsSentence(const calibration::Repeats& repeats) {
   if (repeats.groups == 0) return "";
   return fmt::format("Repeated readings scatter {:.2f} times as much as stated, and this is all that is left.",
@@ -109,7 +109,7 @@ std::string missingSentence(const Diagnosis& result, const Units& units) {
   return fmt::format("Missing: {}{}.", shortText(found, units), orText(found));
 }
 
-/// Returns a sentence such as "base-slip at base has 3 sizes that explain the readings equally; ..."; empty if all
+/// Returns a sentence such as "base-slip at base has 3 sizes that explain the measurements equally; ..."; empty if all
 /// effects have unique values.
 std::string modesSentence(const Explanation& explanation) {
   std::vector<std::string> sentences;
@@ -122,8 +122,8 @@ std::string modesSentence(const Explanation& explanation) {
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-/// Returns a sentence on the decrease of the error. An error far below the noise floor, which occurs for readings that
-/// only bound an error, is stated only as less than the noise floor.
+/// Returns a sentence on the decrease of the error. An error far below the noise floor, which occurs for measurements
+/// that only bound an error, is stated only as less than the noise floor.
 std::string fallSentence(const Diagnosis& result, const Units& units) {
   constexpr double kNothing = 0.5;  // fraction of the noise floor below which an error is not stated
   if (result.heldout_after.rms < kNothing * result.noise_floor)
@@ -223,9 +223,9 @@ std::string sizesText(const Explanation& explanation, const Units& units) {
   return fmt::format("{}", fmt::join(effects, " and "));
 }
 
-std::vector<std::string> idsOf(const std::vector<int>& places, const std::vector<Measurement>& readings) {
+std::vector<std::string> idsOf(const std::vector<int>& places, const std::vector<Measurement>& measurements) {
   std::vector<std::string> ids;
-  for (const int place : places) ids.push_back(readings.at(static_cast<std::size_t>(place)).id);
+  for (const int place : places) ids.push_back(measurements.at(static_cast<std::size_t>(place)).id);
   return ids;
 }
 

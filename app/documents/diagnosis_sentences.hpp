@@ -16,12 +16,12 @@ inline constexpr const char* kFollowsNothing = "follows no slow function of what
 inline constexpr const char* kProbabilityWords =
     "the probability of an effect is that it is there; several may be, so that these do not add to 100 %";
 
-/// Returns the ids of the readings with the indices `places`.
+/// Returns the ids of the measurements with the indices `places`.
 [[nodiscard]] std::vector<std::string> idsOf(const std::vector<int>& places,
-                                             const std::vector<calibration::Measurement>& readings);
+                                             const std::vector<calibration::Measurement>& measurements);
 
-/// Returns a string such as "half width 0.0586 ± 0.0010 deg"; for a parameter that the readings leave undetermined, its
-/// interval, such as "x -0.040 to 0.042 in".
+/// Returns a string such as "half width 0.0586 ± 0.0010 deg"; for a parameter that the measurements leave undetermined,
+/// its interval, such as "x -0.040 to 0.042 in".
 [[nodiscard]] std::string numberText(const calibration::FoundNumber& number, const Units& units);
 
 /// Returns a string that lists the effects of an explanation with their parameter values, such as "hysteresis at theta4
@@ -32,8 +32,8 @@ inline constexpr const char* kProbabilityWords =
 /// and link-bending at 4 places".
 [[nodiscard]] std::string namesText(const calibration::Explanation& explanation);
 
-/// Returns a clause that names the effects that no reading could distinguish from the given effect; empty if there are
-/// none.
+/// Returns a clause that names the effects that no measurement could distinguish from the given effect; empty if there
+/// are none.
 [[nodiscard]] std::string alsoText(const calibration::FoundEffect& effect);
 
 /// Returns the conclusions of a diagnosis, one sentence per element.

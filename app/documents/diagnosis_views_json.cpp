@@ -19,11 +19,11 @@ namespace tubeplan::app {
 namespace {
 
 using calibration::AddedVariable, calibration::Diagnosis, calibration::Explanation, calibration::Measurement,
-    calibration::ReadingView;
+    calibration::MeasurementView;
 using nlohmann::json;
 
-/// Returns a value rounded to six significant digits, which suffice for plots and keep the JSON of many readings small;
-/// null if not finite.
+/// Returns a value rounded to six significant digits, which suffice for plots and keep the JSON of many measurements
+/// small; null if not finite.
 json brief(double value) {
   return std::isfinite(value) ? json(std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr)) : json();
 }
@@ -34,18 +34,19 @@ json briefPlace(const Eigen::Vector3d& p, const Units& units) {
   return {briefLength(p.x(), units), briefLength(p.y(), units), briefLength(p.z(), units)};
 }
 
-json viewJson(const ReadingView& view, const Measurement& reading, const deflection::Arm& arm, const Units& units) {
-  json entry = readingJson(reading, arm, units);
+json viewJson(const MeasurementView& view, const Measurement& measurement, const deflection::Arm& arm,
+              const Units& units) {
+  json entry = measurementJson(measurement, arm, units);
   entry["position"] = briefPlace(view.p_WT, units);
   entry["before"] = briefPlace(view.before, units);
   entry["explained"] = json::array();
   for (const auto& error : view.after) entry["explained"].push_back(briefPlace(error, units));
   entry["after"] = view.after.empty() ? json() : entry["explained"].front();
-  entry["size_before"] = errorSizeJson(reading, view.before, view.turn_before, units);
+  entry["size_before"] = errorSizeJson(measurement, view.before, view.turn_before, units);
   entry["size_explained"] = json::array();
   for (std::size_t k = 0; k < view.after.size(); ++k)
-    entry["size_explained"].push_back(errorSizeJson(reading, view.after[k], view.turn_after[k], units));
-  entry["size_unit"] = errorUnitOf(reading, units).name;
+    entry["size_explained"].push_back(errorSizeJson(measurement, view.after[k], view.turn_after[k], units));
+  entry["size_unit"] = errorUnitOf(measurement, units).name;
   return entry;
 }
 
@@ -53,7 +54,7 @@ json addedJson(const AddedVariable& added, const Explanation& explanation, const
   const auto& effect = explanation.effects.at(static_cast<std::size_t>(added.effect));
   json points = json::array();
   for (const auto& point : added.points)
-    points.push_back({listed.at(point.reading), brief(point.signature), brief(point.left)});
+    points.push_back({listed.at(point.measurement), brief(point.signature), brief(point.left)});
   return {{"explanation", added.explanation},
           {"effect", effect.effect},
           {"at", effect.at},
@@ -74,27 +75,27 @@ json jointsJson(const deflection::Arm& arm, const Units& units) {
   return joints;
 }
 
-void addOwnNumbers(const Measurement& reading, const Units& units, json& entry) {
-  for (const auto& [name, quantity] : calibration::kindOf(reading).columns)
-    if (const double value = calibration::ownNumber(reading, name); std::isfinite(value))
+void addOwnNumbers(const Measurement& measurement, const Units& units, json& entry) {
+  for (const auto& [name, quantity] : calibration::kindOf(measurement).columns)
+    if (const double value = calibration::ownNumber(measurement, name); std::isfinite(value))
       entry[name] = brief(units.toFile(value, dimensionOf(quantity)));
 }
 
-json readingJson(const Measurement& reading, const deflection::Arm& arm, const Units& units) {
-  json entry = {{"id", reading.id},
-                {"kind", calibration::kindOf(reading).name},
-                {"point", reading.point},
+json measurementJson(const Measurement& measurement, const deflection::Arm& arm, const Units& units) {
+  json entry = {{"id", measurement.id},
+                {"kind", calibration::kindOf(measurement).name},
+                {"point", measurement.point},
                 {"joints", json::array()},
-                {"load", brief(reading.load / units.factor(dimension::kForce))}};
-  const Eigen::VectorXd joints = reading.q.cwiseQuotient(jointFactors(arm, units));
+                {"load", brief(measurement.load / units.factor(dimension::kForce))}};
+  const Eigen::VectorXd joints = measurement.q.cwiseQuotient(jointFactors(arm, units));
   for (const double value : joints) entry["joints"].push_back(brief(value));
-  addOwnNumbers(reading, units, entry);
-  if (reading.row) entry["row"] = arm.rows.at(static_cast<std::size_t>(*reading.row)).name;
-  if (!reading.setup.empty()) entry["setup"] = reading.setup;
-  if (!reading.approach_directions.empty()) entry["senses"] = reading.approach_directions;
+  addOwnNumbers(measurement, units, entry);
+  if (measurement.row) entry["row"] = arm.rows.at(static_cast<std::size_t>(*measurement.row)).name;
+  if (!measurement.setup.empty()) entry["setup"] = measurement.setup;
+  if (!measurement.approach_directions.empty()) entry["senses"] = measurement.approach_directions;
   for (const auto& kind : deflection::kConditionKinds)
-    if (reading.conditions.states(kind.condition))
-      entry[kind.name] = brief(units.toFile(reading.conditions[kind.condition], kind.unit));
+    if (measurement.conditions.states(kind.condition))
+      entry[kind.name] = brief(units.toFile(measurement.conditions[kind.condition], kind.unit));
   return entry;
 }
 
@@ -115,16 +116,17 @@ json modelComparisonJson(const Diagnosis& result, const Units& units) {
   return ladder;
 }
 
-void addViews(const Diagnosis& result, const std::vector<Measurement>& readings, const Units& units, json& target) {
+void addViews(const Diagnosis& result, const std::vector<Measurement>& measurements, const Units& units, json& target) {
   const deflection::Arm& arm = result.baseline.fitted.arm;
   const auto shown = calibration::explanationsShown(result);
   target["joints"] = jointsJson(arm, units);
   target["ladder"] = modelComparisonJson(result, units);
   target["readings"] = json::array();
   std::map<int, int> listed;
-  for (const auto& view : result.views.readings) {
-    listed.emplace(view.reading, static_cast<int>(listed.size()));
-    target["readings"].push_back(viewJson(view, readings.at(static_cast<std::size_t>(view.reading)), arm, units));
+  for (const auto& view : result.views.measurements) {
+    listed.emplace(view.measurement, static_cast<int>(listed.size()));
+    target["readings"].push_back(
+        viewJson(view, measurements.at(static_cast<std::size_t>(view.measurement)), arm, units));
   }
   target["added_variable"] = json::array();
   for (const auto& added : result.views.added)

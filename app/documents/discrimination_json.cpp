@@ -18,7 +18,7 @@ namespace tubeplan::app {
 
 namespace {
 
-using calibration::Measurement, calibration::ProposedMeasurement, calibration::ReadingCandidate,
+using calibration::Measurement, calibration::ProposedMeasurement, calibration::MeasurementCandidate,
     calibration::DiscriminatedPair, calibration::DiscriminatingMeasurement, calibration::DiscriminatingMeasurements,
     calibration::DiscriminationStatus;
 
@@ -26,42 +26,42 @@ std::string explanationName(const DiscriminatingMeasurements& result, int index)
   return calibration::nameOf(result.explanations[static_cast<std::size_t>(index)]);
 }
 
-/// Returns true if the reading is taken at a hole or mark with a known position.
-bool isAtPoint(const ProposedMeasurement& reading) {
-  return calibration::kindOf(reading.kind).names_hole && reading.known_W;
+/// Returns true if the measurement is taken at a hole or mark with a known position.
+bool isAtPoint(const ProposedMeasurement& measurement) {
+  return calibration::kindOf(measurement.kind).names_hole && measurement.known_W;
 }
 
-/// Returns the JSON of a chosen reading. Touches of the same unknown point share a name such as N1; a hole or known
+/// Returns the JSON of a chosen measurement. Touches of the same unknown point share a name such as N1; a hole or known
 /// point has its own name.
-nlohmann::json chosenReadingJson(const DiscriminatingMeasurements& result, const DiscriminatingMeasurement& chosen,
-                                 std::size_t number, const ProposedMeasurement& reading, const deflection::Arm& arm,
-                                 const Units& units) {
-  const Eigen::VectorXd joints = reading.q.cwiseQuotient(jointFactors(arm, units));
+nlohmann::json chosenMeasurementJson(const DiscriminatingMeasurements& result, const DiscriminatingMeasurement& chosen,
+                                     std::size_t number, const ProposedMeasurement& measurement,
+                                     const deflection::Arm& arm, const Units& units) {
+  const Eigen::VectorXd joints = measurement.q.cwiseQuotient(jointFactors(arm, units));
   const auto names = deflection::jointNames(arm);
-  nlohmann::json json = {{"kind", calibration::kindOf(reading.kind).name},
+  nlohmann::json json = {{"kind", calibration::kindOf(measurement.kind).name},
                          {"posture", nlohmann::json::object()},
-                         {"load", rounded(units.toFile(reading.load, dimension::kForce))},
+                         {"load", rounded(units.toFile(measurement.load, dimension::kForce))},
                          {"splits", {explanationName(result, chosen.a), explanationName(result, chosen.b)}},
                          {"separation_sigmas", finiteJson(chosen.separation)},
                          {"point", nullptr}};
   for (std::size_t j = 0; j < names.size(); ++j)
     json["posture"][names[j]] = rounded(joints[static_cast<Eigen::Index>(j)]);
-  if (!reading.approach_directions.empty()) json["senses"] = nlohmann::json::object();
-  for (std::size_t j = 0; j < reading.approach_directions.size(); ++j)
-    json["senses"][names[j]] = reading.approach_directions[j];
-  if (touchesUnknownPoint(reading)) json["point"] = "N" + std::to_string(number + 1);
-  if (reading.surface) json["point"] = reading.point;
-  if (isAtPoint(reading)) {
-    json["point"] = reading.point;
-    json["place"] = vectorJson(*reading.known_W, units, dimension::kLength);
+  if (!measurement.approach_directions.empty()) json["senses"] = nlohmann::json::object();
+  for (std::size_t j = 0; j < measurement.approach_directions.size(); ++j)
+    json["senses"][names[j]] = measurement.approach_directions[j];
+  if (touchesUnknownPoint(measurement)) json["point"] = "N" + std::to_string(number + 1);
+  if (measurement.surface) json["point"] = measurement.point;
+  if (isAtPoint(measurement)) {
+    json["point"] = measurement.point;
+    json["place"] = vectorJson(*measurement.known_W, units, dimension::kLength);
   }
-  json["fill_in"] = fillInJson(fillInOf(reading, arm, units));
+  json["fill_in"] = fillInJson(fillInOf(measurement, arm, units));
   return json;
 }
 
-const std::vector<ProposedMeasurement>& readingsOf(const std::vector<ReadingCandidate>& candidates,
-                                                   const DiscriminatingMeasurement& chosen) {
-  return candidates[static_cast<std::size_t>(chosen.candidate)].readings;
+const std::vector<ProposedMeasurement>& measurementsOf(const std::vector<MeasurementCandidate>& candidates,
+                                                       const DiscriminatingMeasurement& chosen) {
+  return candidates[static_cast<std::size_t>(chosen.candidate)].measurements;
 }
 
 nlohmann::json pairJson(const DiscriminatingMeasurements& result, const DiscriminatedPair& pair) {
@@ -87,21 +87,21 @@ std::string neverText(const DiscriminatingMeasurements& result) {
   return explanationName(result, first.truth) + " and " + explanationName(result, first.other) + more;
 }
 
-constexpr TextLine kNextReadingWords[] = {
+constexpr TextLine kNextMeasurementWords[] = {
     {"", " {load:>8.4r}{posture:*11.7r}   {splits/0} from {splits/1}: {separation_sigmas:.1f}"},
     {"senses", "  (senses {senses})", {}, {}, 1},
     {"", "\n"}};
 
-constexpr TextLine kNextReadingsWords[] = {
+constexpr TextLine kNextMeasurementsWords[] = {
     {"splitting/advice", "next: {}\n"},
     {"next_readings", "{heading}   discriminates, by so many standard deviations\n", {}, {}, 1},
-    {"next_readings", "  {place_name:<10}", kNextReadingWords}};
+    {"next_readings", "  {place_name:<10}", kNextMeasurementWords}};
 
 }  // namespace
 
 std::string discriminationAdvice(const DiscriminatingMeasurements& result) {
   std::string advice;
-  const std::size_t count = result.readings.size();
+  const std::size_t count = result.measurements.size();
   const std::string what = result.never.empty() ? "them" : "the others";
   const std::string chance =
       result.never.empty() ? fmt::format(" (probability {:.0f} %)", 100 * result.probability) : "";
@@ -120,13 +120,14 @@ std::string discriminationAdvice(const DiscriminatingMeasurements& result) {
   return advice;
 }
 
-void addNextReadings(const DiscriminatingMeasurements& result, const std::vector<ReadingCandidate>& candidates,
-                     const deflection::Arm& arm, const Units& units, nlohmann::json& diagnosis) {
+void addNextMeasurements(const DiscriminatingMeasurements& result, const std::vector<MeasurementCandidate>& candidates,
+                         const deflection::Arm& arm, const Units& units, nlohmann::json& diagnosis) {
   diagnosis["next_readings"] = nlohmann::json::array();
   if (result.status == DiscriminationStatus::kNotRun) return;
-  for (std::size_t k = 0; result.times > 0 && k < result.readings.size(); ++k)
-    for (const auto& reading : readingsOf(candidates, result.readings[k]))
-      diagnosis["next_readings"].push_back(chosenReadingJson(result, result.readings[k], k, reading, arm, units));
+  for (std::size_t k = 0; result.times > 0 && k < result.measurements.size(); ++k)
+    for (const auto& measurement : measurementsOf(candidates, result.measurements[k]))
+      diagnosis["next_readings"].push_back(
+          chosenMeasurementJson(result, result.measurements[k], k, measurement, arm, units));
   nlohmann::json discrimination = {{"advice", discriminationAdvice(result)},
                                    {"can_be_split", result.times > 0},
                                    {"times_needed", result.times},
@@ -148,26 +149,26 @@ void addNextReadings(const DiscriminatingMeasurements& result, const std::vector
 }
 
 std::vector<ProposedMeasurement> runSheetOf(const DiscriminatingMeasurements& result,
-                                            const std::vector<ReadingCandidate>& candidates,
+                                            const std::vector<MeasurementCandidate>& candidates,
                                             const std::vector<Measurement>& taken) {
   std::vector<ProposedMeasurement> sheet;
   if (result.times == 0) return sheet;
   std::set<std::string> used;
-  for (const auto& reading : taken) used.insert(reading.id), used.insert(reading.point);
+  for (const auto& measurement : taken) used.insert(measurement.id), used.insert(measurement.point);
   int number = 0;
   const auto fresh = [&] {
     std::string name = fmt::format("N{}", ++number);
     while (used.contains(name)) name = fmt::format("N{}", ++number);
     return name;
   };
-  for (const auto& chosen : result.readings) {
+  for (const auto& chosen : result.measurements) {
     const std::string point = fresh();
-    const auto& readings = readingsOf(candidates, chosen);
-    for (std::size_t k = 0; k < readings.size(); ++k) {
-      ProposedMeasurement reading = readings[k];
-      reading.id = k == 0 ? point : fresh();
-      if (touchesUnknownPoint(reading)) reading.point = point;
-      sheet.push_back(std::move(reading));
+    const auto& measurements = measurementsOf(candidates, chosen);
+    for (std::size_t k = 0; k < measurements.size(); ++k) {
+      ProposedMeasurement measurement = measurements[k];
+      measurement.id = k == 0 ? point : fresh();
+      if (touchesUnknownPoint(measurement)) measurement.point = point;
+      sheet.push_back(std::move(measurement));
     }
   }
   return sheet;
@@ -176,16 +177,16 @@ std::vector<ProposedMeasurement> runSheetOf(const DiscriminatingMeasurements& re
 std::string discriminationText(nlohmann::json figures) {
   std::string heading = textOf(figures, "  point      {units/force:>8}");
   int number = 0;
-  for (auto& reading : figures["next_readings"]) {
+  for (auto& measurement : figures["next_readings"]) {
     ++number;
-    reading["place_name"] =
-        reading["point"].is_null() ? nlohmann::json("N" + std::to_string(number)) : reading["point"];
+    measurement["place_name"] =
+        measurement["point"].is_null() ? nlohmann::json("N" + std::to_string(number)) : measurement["point"];
   }
   if (!figures["next_readings"].empty())
     for (const auto& [name, value] : figures["next_readings"].front()["posture"].items())
       heading += fmt::format("{:>11}", name);
   figures["heading"] = heading;
-  return textOf(figures, kNextReadingsWords);
+  return textOf(figures, kNextMeasurementsWords);
 }
 
 }  // namespace tubeplan::app

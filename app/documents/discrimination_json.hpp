@@ -1,4 +1,4 @@
-// Readings proposed to decide between the explanations of a diagnosis, as JSON and as text.
+// Measurements proposed to decide between the explanations of a diagnosis, as JSON and as text.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,22 +10,23 @@
 
 namespace tubeplan::app {
 
-/// Adds two entries to the JSON of a diagnosis: `next_readings`, the proposed readings, and `splitting`, the expected
-/// benefit of these readings and of other remedies. Appends the advice to the `sentence` of the diagnosis.
-void addNextReadings(const calibration::DiscriminatingMeasurements& result,
-                     const std::vector<calibration::ReadingCandidate>& candidates, const deflection::Arm& arm,
-                     const Units& units, nlohmann::json& diagnosis);
+/// Adds two entries to the JSON of a diagnosis: `next_readings`, the proposed measurements, and `splitting`, the
+/// expected benefit of these measurements and of other remedies. Appends the advice to the `sentence` of the diagnosis.
+void addNextMeasurements(const calibration::DiscriminatingMeasurements& result,
+                         const std::vector<calibration::MeasurementCandidate>& candidates, const deflection::Arm& arm,
+                         const Units& units, nlohmann::json& diagnosis);
 
 /// Returns the advice in one sentence; empty if there are no explanations to decide between.
 [[nodiscard]] std::string discriminationAdvice(const calibration::DiscriminatingMeasurements& result);
 
-/// Returns the proposed readings, each with an id that no reading in `taken` has; the list is empty if none are
+/// Returns the proposed measurements, each with an id that no measurement in `taken` has; the list is empty if none are
 /// proposed.
 [[nodiscard]] std::vector<calibration::ProposedMeasurement> runSheetOf(
-    const calibration::DiscriminatingMeasurements& result, const std::vector<calibration::ReadingCandidate>& candidates,
+    const calibration::DiscriminatingMeasurements& result,
+    const std::vector<calibration::MeasurementCandidate>& candidates,
     const std::vector<calibration::Measurement>& taken);
 
-/// Returns the proposed readings and their benefit as short text.
+/// Returns the proposed measurements and their benefit as short text.
 [[nodiscard]] std::string discriminationText(nlohmann::json figures);
 
 }  // namespace tubeplan::app

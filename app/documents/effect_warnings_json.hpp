@@ -10,7 +10,7 @@
 
 namespace tubeplan::app {
 
-/// Returns a warning as a sentence such as "backlash@tool.z: the readings do not need it (...): take it out".
+/// Returns a warning as a sentence such as "backlash@tool.z: the measurements do not need it (...): take it out".
 [[nodiscard]] std::string warningText(const calibration::EffectWarning& warning, const Units& units);
 
 /// Returns the warnings as sentences, in the order of the warnings. Similar warnings share a sentence that names all

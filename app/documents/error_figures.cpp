@@ -23,14 +23,14 @@ std::string errorText(double error, const ErrorUnit& unit, int digits) {
   return figureText(error / unit.factor, unit.name, digits);
 }
 
-ErrorUnit errorUnitOf(const calibration::Measurement& reading, const Units& units) {
-  return errorUnitOf(calibration::measureAnglesAlone({reading}), units);
+ErrorUnit errorUnitOf(const calibration::Measurement& measurement, const Units& units) {
+  return errorUnitOf(calibration::measureAnglesAlone({measurement}), units);
 }
 
-nlohmann::json errorSizeJson(const calibration::Measurement& reading, const Eigen::Vector3d& error_W, double turn,
+nlohmann::json errorSizeJson(const calibration::Measurement& measurement, const Eigen::Vector3d& error_W, double turn,
                              const Units& units) {
-  const double size = calibration::measureAnglesAlone({reading}) ? calibration::kTurnLever * turn : error_W.norm();
-  return errorJson(size, errorUnitOf(reading, units));
+  const double size = calibration::measureAnglesAlone({measurement}) ? calibration::kTurnLever * turn : error_W.norm();
+  return errorJson(size, errorUnitOf(measurement, units));
 }
 
 ErrorBudget budgetOf(const calibration::Diagnosis& result) {
@@ -58,7 +58,7 @@ nlohmann::json errorBudgetJson(const ErrorBudget& budget, std::size_t set_aside,
           {"explained", errorJson(budget.explained, unit)},
           {"remainder", errorJson(budget.remainder, unit)},
           {"noise", errorJson(budget.noise, unit)},
-          {"readings", budget.readings},
+          {"readings", budget.measurements},
           {"set_aside", set_aside},
           {"words", errorBudgetText(budget, set_aside, units)}};
 }
@@ -72,8 +72,8 @@ std::string errorBudgetText(const ErrorBudget& budget, std::size_t set_aside, co
       set_aside == 0 ? "" : fmt::format(", {} set aside as {}", set_aside, set_aside == 1 ? "an outlier" : "outliers");
   return fmt::format(
       "{} error {} (root mean square over {} readings{}): explained {}, remainder {}, noise {}; their squares add up.",
-      budget.is_held_out ? "Held-out" : "Fitted", text(budget.total), budget.readings, aside, text(budget.explained),
-      text(budget.remainder), text(budget.noise));
+      budget.is_held_out ? "Held-out" : "Fitted", text(budget.total), budget.measurements, aside,
+      text(budget.explained), text(budget.remainder), text(budget.noise));
 }
 
 }  // namespace tubeplan::app

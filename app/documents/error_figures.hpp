@@ -1,4 +1,4 @@
-// Errors of readings as JSON and text, in the unit of the measured quantity, and their error budget.
+// Errors of measurements as JSON and text, in the unit of the measured quantity, and their error budget.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace tubeplan::app {
 
-/// Unit of errors: the angle unit if the readings measure only angles, otherwise the length unit.
+/// Unit of errors: the angle unit if the measurements measure only angles, otherwise the length unit.
 struct ErrorUnit {
   std::string name;
   /// Length of one unit [m]; for an angle unit, the angle [rad] times calibration::kTurnLever.
@@ -28,13 +28,13 @@ struct ErrorUnit {
 /// finite.
 [[nodiscard]] std::string errorText(double error, const ErrorUnit& unit, int digits = 4);
 
-/// Returns the unit of a reading's error: the angle unit if the reading measures only angles, otherwise the length
-/// unit.
-[[nodiscard]] ErrorUnit errorUnitOf(const calibration::Measurement& reading, const Units& units);
+/// Returns the unit of a measurement's error: the angle unit if the measurement measures only angles, otherwise the
+/// length unit.
+[[nodiscard]] ErrorUnit errorUnitOf(const calibration::Measurement& measurement, const Units& units);
 
-/// Returns the magnitude of a reading's error, defined as in ErrorSize, in the unit of errorUnitOf(). `turn` [rad] is
-/// the rotational part of the error, as in ComparedReading and ReadingView.
-[[nodiscard]] nlohmann::json errorSizeJson(const calibration::Measurement& reading, const Eigen::Vector3d& error_W,
+/// Returns the magnitude of a measurement's error, defined as in ErrorSize, in the unit of errorUnitOf(). `turn` [rad]
+/// is the rotational part of the error, as in ComparedMeasurement and MeasurementView.
+[[nodiscard]] nlohmann::json errorSizeJson(const calibration::Measurement& measurement, const Eigen::Vector3d& error_W,
                                            double turn, const Units& units);
 
 /// Returns the error budget: the total error, the part that a diagnosis or refit explains, the part that remains, and
@@ -43,12 +43,13 @@ struct ErrorUnit {
 [[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Comparison& result);
 [[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Identification& result);
 
-/// Returns {of: "held-out" or "fitted", unit, total, explained, remainder, noise, readings, set_aside: count, words};
-/// null if there is no error.
+/// Returns {of: "held-out" or "fitted", unit, total, explained, remainder, noise, measurements, set_aside: count,
+/// words}; null if there is no error.
 [[nodiscard]] nlohmann::json errorBudgetJson(const calibration::ErrorBudget& budget, std::size_t set_aside,
                                              const Units& units);
 
-/// Returns a sentence such as "Held-out error 0.613 mm (root mean square over 436 readings; 32 set aside as outliers):
+/// Returns a sentence such as "Held-out error 0.613 mm (root mean square over 436 measurements; 32 set aside as
+/// outliers):
 /// ..."; empty if there is no error.
 [[nodiscard]] std::string errorBudgetText(const calibration::ErrorBudget& budget, std::size_t set_aside,
                                           const Units& units);

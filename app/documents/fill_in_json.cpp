@@ -15,8 +15,8 @@ nlohmann::json fillInJson(const FillIn& fill) {
 std::string fillInText(const std::vector<calibration::ProposedMeasurement>& sheet, const deflection::Arm& arm,
                        const Units& units) {
   std::vector<std::string> columns;
-  for (const auto& reading : sheet)
-    for (const auto& column : fillInOf(reading, arm, units).columns)
+  for (const auto& measurement : sheet)
+    for (const auto& column : fillInOf(measurement, arm, units).columns)
       if (std::ranges::find(columns, column) == columns.end()) columns.push_back(column);
   return fmt::format("fill in {}", fmt::join(columns, ", "));
 }

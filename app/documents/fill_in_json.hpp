@@ -1,4 +1,4 @@
-// Columns that the user must fill in for a proposed reading, for pages and reports.
+// Columns that the user must fill in for a proposed measurement, for pages and reports.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

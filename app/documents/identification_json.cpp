@@ -32,7 +32,7 @@ nlohmann::json sizeJson(const ErrorSize& size, const ErrorUnit& unit) {
   return {{"rms", errorJson(size.rms, unit)},
           {"mean", errorJson(size.mean, unit)},
           {"max", errorJson(size.max, unit)},
-          {"readings", size.readings}};
+          {"readings", size.measurements}};
 }
 
 /// Returns the standard deviation of a prior in file units. For a stiffness, the prior is on the compliance, and its
@@ -70,17 +70,17 @@ ErrorUnit errorUnitOf(const Identification& result, const Units& units) {
   return errorUnitOf(result.after.are_angles || result.before.are_angles, units);
 }
 
-std::vector<calibration::Measurement> fittedReadings(const Identification& result,
-                                                     const std::vector<calibration::Measurement>& readings) {
+std::vector<calibration::Measurement> fittedMeasurements(const Identification& result,
+                                                         const std::vector<calibration::Measurement>& measurements) {
   std::vector<calibration::Measurement> used;
-  for (const int k : result.used) used.push_back(readings.at(static_cast<std::size_t>(k)));
+  for (const int k : result.used) used.push_back(measurements.at(static_cast<std::size_t>(k)));
   return used;
 }
 
 /// Returns a plane's normal and its distance from the world origin along this normal, or a sphere's centre and radius.
 nlohmann::json surfaceJson(const calibration::SettledSurface& settled, const Units& units) {
   const double length = units.factor(dimension::kLength);
-  nlohmann::json json = {{"kind", settled.kind}, {"point", settled.point}, {"readings", settled.readings}};
+  nlohmann::json json = {{"kind", settled.kind}, {"point", settled.point}, {"readings", settled.measurements}};
   if (settled.surface.radius > 0) {
     json["centre"] = vectorJson(settled.surface.p_W, units, dimension::kLength);
     json["radius"] = finiteJson(settled.surface.radius / length);
@@ -138,8 +138,9 @@ constexpr TextLine kIdentificationWords[] = {
 
 }  // namespace
 
-nlohmann::json identificationJson(const Identification& result, const std::vector<calibration::Measurement>& readings,
-                                  std::size_t set_aside, const Units& units) {
+nlohmann::json identificationJson(const Identification& result,
+                                  const std::vector<calibration::Measurement>& measurements, std::size_t set_aside,
+                                  const Units& units) {
   nlohmann::json json = {{"status", statusName(result.status)}, {"reason", result.reason}, {"units", unitsJson(units)}};
   json["parameters"] = nlohmann::json::array();
   if (result.status == IdentificationStatus::kRefused) return json;
@@ -153,7 +154,7 @@ nlohmann::json identificationJson(const Identification& result, const std::vecto
   for (const auto& number : result.numbers)
     if (number.unknown.owner == Unknown::Owner::kBase) json["base_steps"].push_back(numberJson(number, units));
   json["surfaces"] = nlohmann::json::array();
-  for (const auto& surface : calibration::surfacesOf(result.fitted, fittedReadings(result, readings)))
+  for (const auto& surface : calibration::surfacesOf(result.fitted, fittedMeasurements(result, measurements)))
     json["surfaces"].push_back(surfaceJson(surface, units));
   const ErrorUnit unit = errorUnitOf(result, units);
   json["rms"] = {{"before", errorJson(result.before.rms, unit)},
@@ -180,7 +181,7 @@ nlohmann::json identificationJson(const Identification& result, const std::vecto
     json["correlations"].push_back({{"a", pair.a}, {"b", pair.b}, {"value", finiteJson(pair.value)}});
   json["outliers"] = nlohmann::json::array();
   for (const auto& outlier : result.outliers)
-    json["outliers"].push_back({{"id", readings.at(static_cast<std::size_t>(outlier.reading)).id},
+    json["outliers"].push_back({{"id", measurements.at(static_cast<std::size_t>(outlier.measurement)).id},
                                 {"size", errorJson(outlier.size, unit)},
                                 {"sigmas", finiteJson(outlier.sigmas)}});
   json["singular_values"] = nlohmann::json::array();

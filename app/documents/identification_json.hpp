@@ -10,10 +10,10 @@
 
 namespace tubeplan::app {
 
-/// Returns the JSON of an identification. `readings` are all readings that were passed to the identification;
-/// `set_aside` is the number of readings that were excluded beforehand.
+/// Returns the JSON of an identification. `readings` are all measurements that were passed to the identification;
+/// `set_aside` is the number of measurements that were excluded beforehand.
 [[nodiscard]] nlohmann::json identificationJson(const calibration::Identification& result,
-                                                const std::vector<calibration::Measurement>& readings,
+                                                const std::vector<calibration::Measurement>& measurements,
                                                 std::size_t set_aside, const Units& units);
 
 /// Returns the text of an identification, generated from the JSON of identificationJson().

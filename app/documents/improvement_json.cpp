@@ -44,9 +44,10 @@ std::string sentenceOf(const ImprovementStep& step, const Units& units) {
                                                             : diagnosisSentence(step.diagnosis, units);
 }
 
-/// Returns the ids of the readings that the last model's fit leaves out as outliers.
-std::vector<std::string> idsSetAside(const Improvement& result, const std::vector<calibration::Measurement>& readings) {
-  return result.models.empty() ? std::vector<std::string>() : idsOf(result.models.back().set_aside, readings);
+/// Returns the ids of the measurements that the last model's fit leaves out as outliers.
+std::vector<std::string> idsSetAside(const Improvement& result,
+                                     const std::vector<calibration::Measurement>& measurements) {
+  return result.models.empty() ? std::vector<std::string>() : idsOf(result.models.back().set_aside, measurements);
 }
 
 /// Returns one sentence on the added causes, the held-out errors and the reason for the end.
@@ -121,16 +122,16 @@ std::string reasonText(const ImprovementStep& step, const Units& units) {
   return "";
 }
 
-nlohmann::json improvementJson(const Improvement& result, const std::vector<calibration::Measurement>& readings,
+nlohmann::json improvementJson(const Improvement& result, const std::vector<calibration::Measurement>& measurements,
                                const Units& units) {
   const auto pair = [&](const calibration::ErrorSize& before, const calibration::ErrorSize& after) {
     const ErrorUnit unit = errorUnitOf(before.are_angles, units);
     return nlohmann::json{{"before", errorJson(before.rms, unit)}, {"after", errorJson(after.rms, unit)}};
   };
-  nlohmann::json json = modelComparisonJson(comparisonRowsOf(result), idsSetAside(result, readings).size(), units);
+  nlohmann::json json = modelComparisonJson(comparisonRowsOf(result), idsSetAside(result, measurements).size(), units);
   json["sentence"] = improvementSentence(result, units);
   json["end"] = nameOf(result.end);
-  json["set_aside"] = idsSetAside(result, readings);
+  json["set_aside"] = idsSetAside(result, measurements);
   json["steps"] = nlohmann::json::array();
   for (const auto& step : result.steps)
     json["steps"].push_back({{"verdict", nameOf(step.diagnosis.verdict)},

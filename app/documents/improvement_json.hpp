@@ -18,7 +18,8 @@ namespace tubeplan::app {
 
 /// Returns the JSON that `tubeplan improve --json` writes.
 [[nodiscard]] nlohmann::json improvementJson(const Improvement& result,
-                                             const std::vector<calibration::Measurement>& readings, const Units& units);
+                                             const std::vector<calibration::Measurement>& measurements,
+                                             const Units& units);
 
 /// Returns the text of an improvement, generated from the JSON of improvementJson().
 [[nodiscard]] std::string improvementText(nlohmann::json figures);

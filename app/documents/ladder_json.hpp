@@ -1,4 +1,4 @@
-// Comparison of several models on the same readings (a ladder), with step tables, as JSON, as text and as a page.
+// Comparison of several models on the same measurements (a ladder), with step tables, as JSON, as text and as a page.
 #pragma once
 
 #include <cstdint>

@@ -7,7 +7,7 @@
 #include "app/documents/figures.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/studies/model/cell_fit.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 
 namespace tubeplan::app {
 
@@ -51,7 +51,7 @@ Vector3d leverage(const Lever& lever, const Isometry3d& X_WL, const Vector3d& p_
   return lever.slides ? axis_W : Vector3d(axis_W.cross(p_WT - X_WL.translation()));
 }
 
-/// Rounds to six decimals, which suffice for plots and keep the JSON of many readings small.
+/// Rounds to six decimals, which suffice for plots and keep the JSON of many measurements small.
 double roundedTo6(double value) { return std::round(value * 1e6) / 1e6; }
 
 json vectorOf(const Vector3d& v) { return {roundedTo6(v.x()), roundedTo6(v.y()), roundedTo6(v.z())}; }
@@ -68,10 +68,11 @@ json leverageJson(const Cell& cell, const std::vector<calibration::Measurement>&
   const auto placed = placedWhereRead(cell, all);
   const auto levers = leversOf(cell.arm, names);
   const double turn = cell.units.factor(dimension::kAngle) / cell.units.factor(dimension::kLength);
-  json tools = json::object(), readings = json::object();
-  for (const auto& reading : all) {
-    const Isometry3d& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
-    const auto shape = deflection::solveFlexibleKinematics(cell.arm, calibration::postureOf(reading, cell.arm, X_WB));
+  json tools = json::object(), measurements = json::object();
+  for (const auto& measurement : all) {
+    const Isometry3d& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, measurement))].X_WB;
+    const auto shape =
+        deflection::solveFlexibleKinematics(cell.arm, calibration::postureOf(measurement, cell.arm, X_WB));
     if (shape.status != deflection::KinematicsStatus::kConverged) continue;
     const auto X_WL = deflection::rowFramesInWorld(shape, X_WB);
     const Isometry3d X_WD = X_WB * deflection::toIsometry(shape.X_BD);
@@ -80,8 +81,8 @@ json leverageJson(const Cell& cell, const std::vector<calibration::Measurement>&
       for (const double part : leverage(lever, X_WL[static_cast<std::size_t>(lever.row)], X_WD.translation()))
         numbers.push_back(roundedTo6(part * (lever.slides ? 1 : turn)));
     for (const double part : X_WD.linear().reshaped()) axes.push_back(roundedTo6(part));
-    readings[reading.id] = std::move(numbers);
-    tools[reading.id] = std::move(axes);
+    measurements[measurement.id] = std::move(numbers);
+    tools[measurement.id] = std::move(axes);
   }
   json units = json::array();
   for (const auto& lever : levers)
@@ -92,7 +93,7 @@ json leverageJson(const Cell& cell, const std::vector<calibration::Measurement>&
           {"base", vectorJson(X_WB.translation(), cell.units, dimension::kLength)},
           {"up", vectorOf(-cell.arm.gravity_W.normalized())},
           {"tool", tools},
-          {"readings", readings}};
+          {"readings", measurements}};
 }
 
 }  // namespace tubeplan::app

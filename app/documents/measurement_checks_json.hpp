@@ -1,4 +1,4 @@
-// Suspected mistakes in readings, as JSON and as short text.
+// Suspected mistakes in measurements, as JSON and as short text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -22,11 +22,11 @@ void addChecks(const calibration::MeasurementChecks& checks, const Units& units,
 /// Returns one line for each check; empty if there are none.
 [[nodiscard]] std::string checksText(const calibration::MeasurementChecks& checks, const Units& units);
 
-/// Returns the checkText() of a mistake so large that the readings cannot be used to judge or fit a model; empty if
-/// there is none. Used wherever readings are judged or fitted.
+/// Returns the checkText() of a mistake so large that the measurements cannot be used to judge or fit a model; empty if
+/// there is none. Used wherever measurements are judged or fitted.
 [[nodiscard]] std::string mistakeText(const calibration::MeasurementChecks& checks, const Units& units);
 
-/// Value of the key `verdict_words` if the readings contain a mistake, that is, if mistakeText() is not empty.
+/// Value of the key `verdict_words` if the measurements contain a mistake, that is, if mistakeText() is not empty.
 inline constexpr const char* kMistakeWords = "Inconclusive: a mistake in the readings is to be mended first";
 
 /// Returns the sentence "No verdict is possible: REASON."
@@ -39,7 +39,7 @@ inline constexpr const char* kMistakeWords = "Inconclusive: a mistake in the rea
 /// Returns one line for each warning.
 [[nodiscard]] std::string warningsText(const std::vector<std::string>& warnings);
 
-/// Text line (TextLine::words) that lists the `set_aside` readings of a document.
+/// Text line (TextLine::words) that lists the `set_aside` measurements of a document.
 inline constexpr std::string_view kSetAsideWords =
     "  set aside as outliers, in no fit and no error: readings {set_aside:n} ({#set_aside})\n";
 

@@ -34,7 +34,7 @@ constexpr TextLine kModelWords[] = {
     {"models/steps", "{name:<34}{counts:*10}", kStepCountWords},
     {"models/no_steps", "{name:<34}  none: {}\n"}};
 
-/// Returns the unit in which the models' errors are written; all models are compared on the same readings.
+/// Returns the unit in which the models' errors are written; all models are compared on the same measurements.
 ErrorUnit errorUnitOf(const std::vector<ModelComparisonRow>& comparison, const Units& units) {
   return errorUnitOf(!comparison.empty() && comparison.front().fitted.are_angles, units);
 }

@@ -11,7 +11,8 @@
 
 namespace tubeplan::app {
 
-/// Returns the JSON of a comparison of models on the same readings; `set_aside` is the number of excluded readings.
+/// Returns the JSON of a comparison of models on the same measurements; `set_aside` is the number of excluded
+/// measurements.
 [[nodiscard]] nlohmann::json modelComparisonJson(const std::vector<ModelComparisonRow>& comparison,
                                                  std::size_t set_aside, const Units& units);
 

@@ -4,7 +4,7 @@
 
 #include "app/formats/cell/effects_reader.hpp"
 #include "app/studies/model/cell_fit.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "deflection/effects/user_formula.hpp"
 
 namespace tubeplan::app {
@@ -13,18 +13,18 @@ nlohmann::json momentsJson(const Cell& cell, const std::vector<calibration::Meas
   const auto placed = placedWhereRead(cell, all);
   auto symbols = deflection::formulaSymbols(cell.arm, formulaUnitsOf(cell.units));
   std::erase_if(symbols, [](const auto& named) { return named.symbol.of != deflection::FormulaSymbol::Of::kMoment; });
-  nlohmann::json names = nlohmann::json::array(), readings = nlohmann::json::object();
+  nlohmann::json names = nlohmann::json::array(), measurements = nlohmann::json::object();
   for (const auto& named : symbols) names.push_back(named.name);
-  for (const auto& reading : all) {
-    const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
-    const auto posture = calibration::postureOf(reading, cell.arm, X_WB);
+  for (const auto& measurement : all) {
+    const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, measurement))].X_WB;
+    const auto posture = calibration::postureOf(measurement, cell.arm, X_WB);
     deflection::EffectContext<double> context(cell.arm, posture);
     nlohmann::json moments = nlohmann::json::array();
     for (const auto& named : symbols)
       moments.push_back(rounded(deflection::user_formula::valueOf(named.symbol, context)));
-    readings[reading.id] = std::move(moments);
+    measurements[measurement.id] = std::move(moments);
   }
-  return {{"unit", cell.units.nameOf(dimension::kTorque)}, {"names", names}, {"readings", readings}};
+  return {{"unit", cell.units.nameOf(dimension::kTorque)}, {"names", names}, {"readings", measurements}};
 }
 
 }  // namespace tubeplan::app

@@ -91,7 +91,7 @@ json findingJson(const PatternTest& test, const Units& units) {
   for (const auto& step : test.trend) {
     json at = finiteJson(units.toFile(step.at, test.unit));
     if (!test.groups.empty()) at = valueText(test, step, units);
-    entry["trend"].push_back({{"at", at}, {"error", placeJson(step.error, units)}, {"readings", step.readings}});
+    entry["trend"].push_back({{"at", at}, {"error", placeJson(step.error, units)}, {"readings", step.measurements}});
   }
   return entry;
 }

@@ -69,8 +69,8 @@ double designFigure(const SensitivityReport& report, std::size_t n) {
   return isDesignable(number) ? perCent(number, number.deflection) : kNotDesignable;
 }
 
-/// Returns the tip error caused by one standard deviation of the parameter if readings determine it, otherwise by one
-/// per cent of its value [m].
+/// Returns the tip error caused by one standard deviation of the parameter if measurements determine it, otherwise by
+/// one per cent of its value [m].
 double estimateFigure(const SensitivityReport& report, std::size_t n) {
   const auto& number = report.figures.numbers[n];
   const double sigma = sigmaOf(report, n);

@@ -18,7 +18,8 @@ struct SensitivityReport {
   bool has_sheet = false;       ///< true: errors are in the plane of the sheet; false: in all directions
   /// Holes, or names of postures, whose touches determine the base; empty: the base is known.
   std::vector<std::string> touches;
-  /// Standard deviation of each parameter, in internal units; NaN if no reading determines it; empty without readings.
+  /// Standard deviation of each parameter, in internal units; NaN if no measurement determines it; empty without
+  /// measurements.
   std::vector<double> sigmas;
 };
 

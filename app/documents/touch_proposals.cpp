@@ -19,25 +19,26 @@ namespace {
 
 using calibration::NumberForecast, calibration::ProposedMeasurement, calibration::TipSigma;
 
-/// Proposed reading with its name, and the index of the design step that chose the reading.
-struct NamedReading {
-  ProposedMeasurement reading;
+/// Proposed measurement with its name, and the index of the design step that chose the measurement.
+struct NamedMeasurement {
+  ProposedMeasurement measurement;
   std::size_t step;
 };
 
-/// Names the readings T1, T2, ... for the base or N1, N2, ... for the parameters. Touches of one unknown point N1 are
-/// named N1a, N1b, ...
-std::vector<NamedReading> nameReadings(const TouchOutcome& outcome, const TouchProposal& proposal, char letter) {
-  std::vector<NamedReading> named;
+/// Names the measurements T1, T2, ... for the base or N1, N2, ... for the parameters. Touches of one unknown point N1
+/// are named N1a, N1b, ...
+std::vector<NamedMeasurement> nameMeasurements(const TouchOutcome& outcome, const TouchProposal& proposal,
+                                               char letter) {
+  std::vector<NamedMeasurement> named;
   for (std::size_t s = 0; s < proposal.next.design.steps.size(); ++s) {
-    const auto& readings = proposal.chosen(proposal.next.design.steps[s]).readings;
+    const auto& measurements = proposal.chosen(proposal.next.design.steps[s]).measurements;
     const std::string name = letter + std::to_string(s + 1);
-    for (std::size_t k = 0; k < readings.size(); ++k) {
-      ProposedMeasurement reading = readings[k];
-      reading.id = readings.size() == 1 ? name : name + static_cast<char>('a' + k);
-      if (touchesUnknownPoint(reading)) reading.point = name;
-      reading.setup = outcome.setup;
-      named.push_back({std::move(reading), s});
+    for (std::size_t k = 0; k < measurements.size(); ++k) {
+      ProposedMeasurement measurement = measurements[k];
+      measurement.id = measurements.size() == 1 ? name : name + static_cast<char>('a' + k);
+      if (touchesUnknownPoint(measurement)) measurement.point = name;
+      measurement.setup = outcome.setup;
+      named.push_back({std::move(measurement), s});
     }
   }
   return named;
@@ -53,24 +54,24 @@ nlohmann::json proposedJointsJson(const TouchOutcome& outcome, const Eigen::Vect
   return vectorJson(joints, outcome.cell.units, dimension::kNone);
 }
 
-void appendReadings(const TouchOutcome& outcome, const TouchProposal& proposal, char letter, const char* goal,
-                    nlohmann::json& list) {
+void appendMeasurements(const TouchOutcome& outcome, const TouchProposal& proposal, char letter, const char* goal,
+                        nlohmann::json& list) {
   const Units& units = outcome.cell.units;
-  for (const auto& [reading, chosen_in] : nameReadings(outcome, proposal, letter)) {
+  for (const auto& [measurement, chosen_in] : nameMeasurements(outcome, proposal, letter)) {
     const auto& step = proposal.next.design.steps[chosen_in];
-    nlohmann::json json = {{"id", reading.id},
+    nlohmann::json json = {{"id", measurement.id},
                            {"for", goal},
-                           {"kind", calibration::kindOf(reading.kind).name},
-                           {"joints", proposedJointsJson(outcome, reading.q)},
-                           {"load", units.toFile(reading.load, dimension::kForce)},
-                           {"fill_in", fillInJson(fillInOf(reading, outcome.cell.arm, units))},
+                           {"kind", calibration::kindOf(measurement.kind).name},
+                           {"joints", proposedJointsJson(outcome, measurement.q)},
+                           {"load", units.toFile(measurement.load, dimension::kForce)},
+                           {"fill_in", fillInJson(fillInOf(measurement, outcome.cell.arm, units))},
                            {"adds",
                             {{"bits", finiteJson(step.bits)},
                              {"tip_sigma_then", tipJson(step.tip, units)},
                              {"helps", proposal.next.numbers[static_cast<std::size_t>(step.most_helped)].unknown.name},
                              {"its_sigma_times", finiteJson(step.helped_by)}}}};
-    if (!reading.point.empty()) json["point"] = reading.point;
-    if (reading.known_W) json["place"] = vectorJson(*reading.known_W, units, dimension::kLength);
+    if (!measurement.point.empty()) json["point"] = measurement.point;
+    if (measurement.known_W) json["place"] = vectorJson(*measurement.known_W, units, dimension::kLength);
     list.push_back(json);
   }
 }
@@ -88,7 +89,7 @@ nlohmann::json numberJson(const NumberForecast& number, const Units& units) {
           {"identifiable", {{"now", number.is_identifiable_now}, {"after", number.is_identifiable_after}}}};
 }
 
-nlohmann::json proposalJson(const TouchOutcome& outcome, const TouchProposal& proposal, const ReadingNoise& noise) {
+nlohmann::json proposalJson(const TouchOutcome& outcome, const TouchProposal& proposal, const MeasurementNoise& noise) {
   if (!proposal.reason.empty()) return {{"reason", proposal.reason}};
   const auto& next = proposal.next;
   const Units& units = outcome.cell.units;
@@ -106,8 +107,8 @@ nlohmann::json proposalJson(const TouchOutcome& outcome, const TouchProposal& pr
   return json;
 }
 
-/// Returns true if the base is known or if the existing readings determine it.
-bool isPlaced(const calibration::NextReadings& next) {
+/// Returns true if the base is known or if the existing measurements determine it.
+bool isPlaced(const calibration::NextMeasurements& next) {
   return std::all_of(next.numbers.begin(), next.numbers.end(), [](const NumberForecast& number) {
     return number.unknown.owner == calibration::Unknown::Owner::kArm || number.is_identifiable_now;
   });
@@ -161,7 +162,7 @@ void addPlacing(const TouchProposal& proposal, nlohmann::json& figures) {
 
 void appendRows(const TouchOutcome& outcome, const TouchProposal& proposal, char letter,
                 std::vector<ProposedMeasurement>& sheet) {
-  for (auto& named : nameReadings(outcome, proposal, letter)) sheet.push_back(std::move(named.reading));
+  for (auto& named : nameMeasurements(outcome, proposal, letter)) sheet.push_back(std::move(named.measurement));
 }
 
 }  // namespace
@@ -173,7 +174,7 @@ nlohmann::json proposalsJson(const TouchOutcome& outcome) {
                          {"notes", outcome.notes},
                          {"units", unitsJson(units)}};
   if (outcome.base) {
-    appendReadings(outcome, *outcome.base, 'T', "base", json["next_readings"]);
+    appendMeasurements(outcome, *outcome.base, 'T', "base", json["next_readings"]);
     json["base"] = proposalJson(outcome, *outcome.base, outcome.base_noise);
     if (!outcome.nearest_holes.empty()) {
       json["base"]["nearest_holes"] = outcome.nearest_holes;
@@ -181,7 +182,7 @@ nlohmann::json proposalsJson(const TouchOutcome& outcome) {
     }
   }
   if (outcome.parameters) {
-    appendReadings(outcome, *outcome.parameters, 'N', "parameters", json["next_readings"]);
+    appendMeasurements(outcome, *outcome.parameters, 'N', "parameters", json["next_readings"]);
     json["parameters"] = proposalJson(outcome, *outcome.parameters, outcome.noise);
   }
   return json;

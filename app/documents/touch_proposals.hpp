@@ -1,4 +1,4 @@
-// Proposed readings as JSON, as text and as rows of a run sheet.
+// Proposed measurements as JSON, as text and as rows of a run sheet.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 [[nodiscard]] std::string proposalsText(const TouchOutcome& outcome);
 
-/// Returns all proposed readings with their names: touches for the base, then readings for the parameters.
+/// Returns all proposed measurements with their names: touches for the base, then measurements for the parameters.
 [[nodiscard]] std::vector<calibration::ProposedMeasurement> runSheetOf(const TouchOutcome& outcome);
 
 }  // namespace tubeplan::app

@@ -14,7 +14,7 @@ nlohmann::json unitsJson(const Units& units) {
           {"time", units.time().name}};
 }
 
-nlohmann::json readingUnitsJson(const Units& units) {
+nlohmann::json measurementUnitsJson(const Units& units) {
   nlohmann::json json = unitsJson(units), conditions = nlohmann::json::array();
   for (const auto& kind : deflection::kConditionKinds)
     conditions.push_back({{"name", kind.name}, {"unit", units.nameOf(kind.unit)}});

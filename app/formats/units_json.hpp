@@ -10,7 +10,7 @@ namespace tubeplan::app {
 /// Returns the names of the units as an object: {"length": "in", "angle": "deg", ...}.
 [[nodiscard]] nlohmann::json unitsJson(const Units& units);
 
-/// Returns unitsJson() with an entry `conditions: [{name, unit}]` for the conditions that readings may state.
-[[nodiscard]] nlohmann::json readingUnitsJson(const Units& units);
+/// Returns unitsJson() with an entry `conditions: [{name, unit}]` for the conditions that measurements may state.
+[[nodiscard]] nlohmann::json measurementUnitsJson(const Units& units);
 
 }  // namespace tubeplan::app

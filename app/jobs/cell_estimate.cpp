@@ -1,21 +1,21 @@
 #include "app/jobs/cell_estimate.hpp"
 
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/suggestion.hpp"
 
 namespace tubeplan::app {
 
-ReadingsWithChecks readingsMade(const std::string& file, Cell& cell, double sigma,
-                                const std::vector<std::string>& assume) {
+MeasurementsWithChecks measurementsMade(const std::string& file, Cell& cell, double sigma,
+                                        const std::vector<std::string>& assume) {
   if (file.empty()) return {};
   return readAndCheck({file}, cell, {sigma / cell.units.factor(dimension::kLength), {}, assume});
 }
 
-calibration::Estimate estimateOf(const Cell& cell, const std::vector<calibration::Measurement>& readings,
+calibration::Estimate estimateOf(const Cell& cell, const std::vector<calibration::Measurement>& measurements,
                                  const calibration::FreeChoice& free, const std::string& where,
                                  const calibration::DoubtBeside& doubt) {
-  auto estimate = calibration::estimateFrom(cell.arm, cell.X_WB, cell.base_known, readings, free, doubt);
+  auto estimate = calibration::estimateFrom(cell.arm, cell.X_WB, cell.base_known, measurements, free, doubt);
   if (estimate.problems.empty()) return estimate;
   refuseName(where, estimate.problems.front(), cell.arm);
 }

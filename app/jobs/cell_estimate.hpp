@@ -1,24 +1,25 @@
-// Estimate of a cell's model from the readings taken so far, for commands that plan further measurements.
+// Estimate of a cell's model from the measurements taken so far, for commands that plan further measurements.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "app/formats/cell/cell_reader.hpp"
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "calibration/estimation/estimate.hpp"
 
 namespace tubeplan::app {
 
-/// Returns the readings of a measurement file, each with a standard deviation (sigma); none if the file name is empty.
-/// `sigma` [m] applies to readings that state none; if it is 0, their sigma is derived from the cell's tool. Throws
-/// InputError if there is no tool either. `assume` is as in MeasurementOptions.
-[[nodiscard]] ReadingsWithChecks readingsMade(const std::string& file, Cell& cell, double sigma,
-                                              const std::vector<std::string>& assume = {});
+/// Returns the measurements of a measurement file, each with a standard deviation (sigma); none if the file name is
+/// empty. `sigma` [m] applies to measurements that state none; if it is 0, their sigma is derived from the cell's tool.
+/// Throws InputError if there is no tool either. `assume` is as in MeasurementOptions.
+[[nodiscard]] MeasurementsWithChecks measurementsMade(const std::string& file, Cell& cell, double sigma,
+                                                      const std::vector<std::string>& assume = {});
 
-/// Returns the estimate of the free parameters from the readings, with its Fisher information. Throws InputError for a
-/// name that is not a parameter of the arm; `where` names the source of the name.
-[[nodiscard]] calibration::Estimate estimateOf(const Cell& cell, const std::vector<calibration::Measurement>& readings,
+/// Returns the estimate of the free parameters from the measurements, with its Fisher information. Throws InputError
+/// for a name that is not a parameter of the arm; `where` names the source of the name.
+[[nodiscard]] calibration::Estimate estimateOf(const Cell& cell,
+                                               const std::vector<calibration::Measurement>& measurements,
                                                const calibration::FreeChoice& free, const std::string& where,
                                                const calibration::DoubtBeside& doubt = {});
 

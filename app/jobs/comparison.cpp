@@ -4,7 +4,7 @@
 
 #include "app/documents/comparison_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/jobs/cell_estimate.hpp"
 #include "app/studies/model/cell_fit.hpp"
 
@@ -12,16 +12,16 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Throws InputError for a refused comparison: `identify` lists a name that is not a parameter, or the readings
+/// Throws InputError for a refused comparison: `identify` lists a name that is not a parameter, or the measurements
 /// determine no parameter.
-void requireCompared(const calibration::Comparison& result, const CellReadings& input) {
+void requireCompared(const calibration::Comparison& result, const CellMeasurements& input) {
   if (result.status == calibration::ComparisonStatus::kDone) return;
   if (result.verdict != calibration::Adequacy::kNotRun) return;
   if (!result.problems.empty()) refuseName(input.cell.path + " (identify)", result.problems.front(), input.cell.arm);
-  throw refusalOf(result.refit.reading_problem, result.reason, input);
+  throw refusalOf(result.refit.measurement_problem, result.reason, input);
 }
 
-calibration::ComparisonOptions comparisonOptions(const CellReadings& input, const ComparisonRequest& request,
+calibration::ComparisonOptions comparisonOptions(const CellMeasurements& input, const ComparisonRequest& request,
                                                  const WorkHooks& hooks) {
   calibration::ComparisonOptions options;
   options.refit.free = freeNumbersOf(input.cell);
@@ -39,7 +39,7 @@ bool isAnythingFree(const calibration::PlacedArm& start, const calibration::Iden
   return has_base || !options.free.names.empty();
 }
 
-/// Sets every verdict to inconclusive, however good the fit, because the readings contain a mistake.
+/// Sets every verdict to inconclusive, however good the fit, because the measurements contain a mistake.
 void withholdVerdict(const std::string& mistake, calibration::Comparison& comparison) {
   comparison.grounds = {mistake};
   for (auto* verdict : {&comparison.verdict, &comparison.as_it_stands.adequacy, &comparison.after_refit.adequacy})
@@ -48,11 +48,12 @@ void withholdVerdict(const std::string& mistake, calibration::Comparison& compar
 
 }  // namespace
 
-RefitOfReadings refitReadings(const CellReadings& input, const ComparisonRequest& request, const WorkHooks& hooks) {
+RefitOfMeasurements refitMeasurements(const CellMeasurements& input, const ComparisonRequest& request,
+                                      const WorkHooks& hooks) {
   const calibration::IdentificationOptions options = comparisonOptions(input, request, hooks).refit;
-  const auto fitted = [&](const std::vector<calibration::Measurement>& readings) {
-    const auto start = startOf(input.cell, readings);
-    auto fit = isAnythingFree(start, options) ? calibration::identify(start, readings, options)
+  const auto fitted = [&](const std::vector<calibration::Measurement>& measurements) {
+    const auto start = startOf(input.cell, measurements);
+    auto fit = isAnythingFree(start, options) ? calibration::identify(start, measurements, options)
                                               : calibration::Identification{};
     requireGoingOn(hooks);
     return fit;
@@ -62,35 +63,35 @@ RefitOfReadings refitReadings(const CellReadings& input, const ComparisonRequest
     requireGoingOn(hooks);
     return aside;
   };
-  return fitWithoutOutliers(input.readings, fitted, outliers);
+  return fitWithoutOutliers(input.measurements, fitted, outliers);
 }
 
-ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request, const WorkHooks& hooks,
-                               const RefitOfReadings* made) {
+ComparisonOutcome compareModel(const CellMeasurements& input, const ComparisonRequest& request, const WorkHooks& hooks,
+                               const RefitOfMeasurements* made) {
   const auto& cell = input.cell;
-  const RefitOfReadings refit = made ? *made : refitReadings(input, request, hooks);
+  const RefitOfMeasurements refit = made ? *made : refitMeasurements(input, request, hooks);
   calibration::ComparisonOptions options = comparisonOptions(input, request, hooks);
   if (refit.fit.status != calibration::IdentificationStatus::kNotRun) options.refitted = &refit.fit;
   ComparisonOutcome outcome;
-  outcome.readings = refit.readings;
+  outcome.measurements = refit.measurements;
   outcome.set_aside = refit.set_aside;
-  outcome.comparison = calibration::compare(startOf(cell, refit.readings), refit.readings, options);
+  outcome.comparison = calibration::compare(startOf(cell, refit.measurements), refit.measurements, options);
   requireGoingOn(hooks);
   requireCompared(outcome.comparison, input);
   const std::string mistake = mistakeText(input.checks, cell.units);
   if (!mistake.empty()) withholdVerdict(mistake, outcome.comparison);
-  const auto& readings = outcome.readings;
-  outcome.figures = comparisonJson(outcome.comparison, readings, outcome.set_aside.size(), cell.units);
+  const auto& measurements = outcome.measurements;
+  outcome.figures = comparisonJson(outcome.comparison, measurements, outcome.set_aside.size(), cell.units);
   if (!mistake.empty()) outcome.figures["verdict_words"] = kMistakeWords;
   if (outcome.comparison.refit.status != calibration::IdentificationStatus::kNotRun)
-    outcome.warnings = fitWarnings(outcome.comparison.refit, readings);
+    outcome.warnings = fitWarnings(outcome.comparison.refit, measurements);
   outcome.figures["warnings"] = warningsWithChecks(input.checks, outcome.warnings, cell.units);
   outcome.figures["set_aside"] = outcome.set_aside;
   addChecks(input.checks, cell.units, outcome.figures);
   return outcome;
 }
 
-nlohmann::json testedPatterns(const CellReadings& input, std::uint64_t seed, const WorkHooks& hooks) {
+nlohmann::json testedPatterns(const CellMeasurements& input, std::uint64_t seed, const WorkHooks& hooks) {
   try {
     return compareModel(input, {.folds = 0, .seed = seed}, hooks).figures.value("tested", nlohmann::json::array());
   } catch (const InputError&) {

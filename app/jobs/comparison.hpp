@@ -1,11 +1,12 @@
-// Comparison of a model with readings: where the model fails, by how much, and which variables its error depends on.
+// Comparison of a model with measurements: where the model fails, by how much, and which variables its error depends
+// on.
 #pragma once
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/jobs/outliers.hpp"
 #include "app/studies/job_steps.hpp"
 #include "calibration/patterns/comparison.hpp"
@@ -19,25 +20,27 @@ struct ComparisonRequest {
 
 struct ComparisonOutcome {
   calibration::Comparison comparison;
-  std::vector<calibration::Measurement> readings;  ///< readings compared: all except the outliers in `set_aside`
-  std::vector<std::string> set_aside;              ///< ids of the readings excluded as outliers
-  std::vector<std::string> warnings;               ///< warnings about the fit
-  nlohmann::json figures;                          ///< output of `tubeplan compare --json`
+  std::vector<calibration::Measurement>
+      measurements;                    ///< measurements compared: all except the outliers in `set_aside`
+  std::vector<std::string> set_aside;  ///< ids of the measurements excluded as outliers
+  std::vector<std::string> warnings;   ///< warnings about the fit
+  nlohmann::json figures;              ///< output of `tubeplan compare --json`
 };
 
-/// Refits the model to the readings and, if some are outliers, once more without them. Throws JobStopped if a stop is
-/// requested.
-[[nodiscard]] RefitOfReadings refitReadings(const CellReadings& input, const ComparisonRequest& request,
-                                            const WorkHooks& hooks = {});
+/// Refits the model to the measurements and, if some are outliers, once more without them. Throws JobStopped if a stop
+/// is requested.
+[[nodiscard]] RefitOfMeasurements refitMeasurements(const CellMeasurements& input, const ComparisonRequest& request,
+                                                    const WorkHooks& hooks = {});
 
-/// Compares the model with the readings. `made` is the refit, or null to compute it here. Throws InputError if
-/// `identify` lists a name that is not a parameter, or if the readings determine no parameter. Throws JobStopped if a
-/// stop is requested.
-[[nodiscard]] ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request,
-                                             const WorkHooks& hooks = {}, const RefitOfReadings* made = nullptr);
+/// Compares the model with the measurements. `made` is the refit, or null to compute it here. Throws InputError if
+/// `identify` lists a name that is not a parameter, or if the measurements determine no parameter. Throws JobStopped if
+/// a stop is requested.
+[[nodiscard]] ComparisonOutcome compareModel(const CellMeasurements& input, const ComparisonRequest& request,
+                                             const WorkHooks& hooks = {}, const RefitOfMeasurements* made = nullptr);
 
 /// Returns the results of the pattern tests on the errors after the refit, as in `tested` of the comparison's JSON; an
 /// empty array if the comparison throws InputError.
-[[nodiscard]] nlohmann::json testedPatterns(const CellReadings& input, std::uint64_t seed, const WorkHooks& hooks = {});
+[[nodiscard]] nlohmann::json testedPatterns(const CellMeasurements& input, std::uint64_t seed,
+                                            const WorkHooks& hooks = {});
 
 }  // namespace tubeplan::app

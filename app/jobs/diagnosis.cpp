@@ -4,8 +4,8 @@
 #include "app/documents/discrimination_json.hpp"
 #include "app/documents/effect_warnings_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/formats/measurements/measurements_writer.hpp"
-#include "app/formats/measurements/reading_input.hpp"
 #include "app/studies/measurements/discrimination_candidates.hpp"
 #include "app/studies/model/cell_fit.hpp"
 
@@ -13,29 +13,29 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Proposes further readings if the verdict is ambiguous or inconclusive.
-void proposeNext(const CellReadings& input, const DiagnosisRequest& request, const WorkHooks& hooks,
+/// Proposes further measurements if the verdict is ambiguous or inconclusive.
+void proposeNext(const CellMeasurements& input, const DiagnosisRequest& request, const WorkHooks& hooks,
                  DiagnosisOutcome& outcome) {
   using calibration::Verdict;
   const auto& diagnosis = outcome.diagnosis;
   if (diagnosis.verdict != Verdict::kAmbiguous && diagnosis.verdict != Verdict::kInconclusive) return;
   DiscriminationCandidateOptions choice;
   choice.seed = request.seed;
-  outcome.candidates = discriminationCandidates(input.cell, diagnosis.baseline.fitted, input.readings, choice);
+  outcome.candidates = discriminationCandidates(input.cell, diagnosis.baseline.fitted, input.measurements, choice);
   calibration::DiscriminationOptions discrimination;
   discrimination.count = request.next;
   discrimination.hooks = hooks;
   outcome.next =
-      calibration::proposeDiscriminatingMeasurements(diagnosis, input.readings, outcome.candidates, discrimination);
+      calibration::proposeDiscriminatingMeasurements(diagnosis, input.measurements, outcome.candidates, discrimination);
   requireGoingOn(hooks);
 }
 
-/// Returns an outcome without a verdict, because a mistake in the readings explains the model's error.
-DiagnosisOutcome undiagnosed(const CellReadings& input, const std::string& mistake) {
+/// Returns an outcome without a verdict, because a mistake in the measurements explains the model's error.
+DiagnosisOutcome undiagnosed(const CellMeasurements& input, const std::string& mistake) {
   DiagnosisOutcome outcome;
   outcome.diagnosis.verdict = calibration::Verdict::kInconclusive;
   outcome.diagnosis.reason = mistake;
-  outcome.figures = diagnosisJson(outcome.diagnosis, input.readings, input.cell.units);
+  outcome.figures = diagnosisJson(outcome.diagnosis, input.measurements, input.cell.units);
   outcome.figures["verdict_words"] = kMistakeWords;
   outcome.figures["warnings"] = nlohmann::json::array();
   addChecks(input.checks, input.cell.units, outcome.figures);
@@ -52,33 +52,33 @@ calibration::DiagnosisOptions diagnosisOptions(const Cell& cell, const Diagnosis
 
 }  // namespace
 
-calibration::Diagnosis diagnoseReadings(const Cell& cell, const std::vector<calibration::Measurement>& readings,
-                                        const DiagnosisRequest& request, const WorkHooks& hooks) {
+calibration::Diagnosis diagnoseMeasurements(const Cell& cell, const std::vector<calibration::Measurement>& measurements,
+                                            const DiagnosisRequest& request, const WorkHooks& hooks) {
   auto options = diagnosisOptions(cell, request);
   options.hooks = hooks;
-  return calibration::diagnose(startOf(cell, readings), readings, options);
+  return calibration::diagnose(startOf(cell, measurements), measurements, options);
 }
 
-DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request, const WorkHooks& hooks) {
+DiagnosisOutcome diagnoseModel(const CellMeasurements& input, const DiagnosisRequest& request, const WorkHooks& hooks) {
   const auto& cell = input.cell;
-  const auto& readings = input.readings;
+  const auto& measurements = input.measurements;
   auto options = diagnosisOptions(cell, request);
   options.hooks = hooks;
-  const auto start = startOf(cell, readings);
+  const auto start = startOf(cell, measurements);
   DiagnosisOutcome outcome;
   if (const auto mistake = mistakeText(input.checks, cell.units); !mistake.empty()) return undiagnosed(input, mistake);
-  outcome.diagnosis = calibration::diagnose(start, readings, options);
+  outcome.diagnosis = calibration::diagnose(start, measurements, options);
   requireGoingOn(hooks);
   if (outcome.diagnosis.verdict == calibration::Verdict::kNotRun)
-    throw refusalOf(outcome.diagnosis.baseline.reading_problem, outcome.diagnosis.reason, input);
+    throw refusalOf(outcome.diagnosis.baseline.measurement_problem, outcome.diagnosis.reason, input);
   beginStep(hooks, "next readings");
   proposeNext(input, request, hooks, outcome);
   beginStep(hooks, "warnings");
-  outcome.warnings = calibration::warnOfEffects(start, readings, options, outcome.diagnosis);
+  outcome.warnings = calibration::warnOfEffects(start, measurements, options, outcome.diagnosis);
   requireGoingOn(hooks);
-  outcome.figures = diagnosisJson(outcome.diagnosis, readings, cell.units);
-  addNextReadings(outcome.next, outcome.candidates, cell.arm, cell.units, outcome.figures);
-  outcome.run_sheet = runSheetOf(outcome.next, outcome.candidates, readings);
+  outcome.figures = diagnosisJson(outcome.diagnosis, measurements, cell.units);
+  addNextMeasurements(outcome.next, outcome.candidates, cell.arm, cell.units, outcome.figures);
+  outcome.run_sheet = runSheetOf(outcome.next, outcome.candidates, measurements);
   if (!outcome.run_sheet.empty()) outcome.figures["run_sheet"] = runSheetCsv(outcome.run_sheet, cell.arm, cell.units);
   outcome.figures["warnings"] = effectWarningsJson(outcome.warnings, cell.units);
   addChecks(input.checks, cell.units, outcome.figures);

@@ -1,4 +1,5 @@
-// Diagnosis of the physical effect that a model lacks, and proposal of further readings if the diagnosis is undecided.
+// Diagnosis of the physical effect that a model lacks, and proposal of further measurements if the diagnosis is
+// undecided.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/studies/job_steps.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
 #include "calibration/diagnosis/discrimination/discriminating_measurements.hpp"
@@ -16,28 +17,29 @@ namespace tubeplan::app {
 
 struct DiagnosisRequest {
   int effects = 3;  ///< largest number of effects in one explanation
-  int next = 6;     ///< number of readings to propose
+  int next = 6;     ///< number of measurements to propose
   std::uint64_t seed = 1;
 };
 
 struct DiagnosisOutcome {
   calibration::Diagnosis diagnosis;
-  std::vector<calibration::ReadingCandidate> candidates;  ///< candidates from which the proposed readings are chosen
+  std::vector<calibration::MeasurementCandidate>
+      candidates;  ///< candidates from which the proposed measurements are chosen
   calibration::DiscriminatingMeasurements next;
   std::vector<calibration::EffectWarning> warnings;  ///< warnings about effects that the cell's model already contains
-  std::vector<calibration::ProposedMeasurement> run_sheet;  ///< proposed readings; empty if none are proposed
+  std::vector<calibration::ProposedMeasurement> run_sheet;  ///< proposed measurements; empty if none are proposed
   nlohmann::json figures;                                   ///< output of `tubeplan diagnose --json`
 };
 
-/// Returns the diagnosis alone, without proposed readings and warnings. Its verdict is kNotRun if the readings
+/// Returns the diagnosis alone, without proposed measurements and warnings. Its verdict is kNotRun if the measurements
 /// determine no parameter.
-[[nodiscard]] calibration::Diagnosis diagnoseReadings(const Cell& cell,
-                                                      const std::vector<calibration::Measurement>& readings,
-                                                      const DiagnosisRequest& request, const WorkHooks& hooks = {});
+[[nodiscard]] calibration::Diagnosis diagnoseMeasurements(const Cell& cell,
+                                                          const std::vector<calibration::Measurement>& measurements,
+                                                          const DiagnosisRequest& request, const WorkHooks& hooks = {});
 
-/// Diagnoses which effects the model lacks. Throws InputError for readings that determine no parameter, and JobStopped
-/// if a stop is requested.
-[[nodiscard]] DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request,
+/// Diagnoses which effects the model lacks. Throws InputError for measurements that determine no parameter, and
+/// JobStopped if a stop is requested.
+[[nodiscard]] DiagnosisOutcome diagnoseModel(const CellMeasurements& input, const DiagnosisRequest& request,
                                              const WorkHooks& hooks = {});
 
 }  // namespace tubeplan::app

@@ -106,17 +106,17 @@ std::string cellTextWith(const Cell& cell, const Addition& addition, const std::
   return cellTextWithEffects(cell, addition.cell.arm, addition.freed, out);
 }
 
-std::string overlapAt(const CellReadings& input) {
+std::string overlapAt(const CellMeasurements& input) {
   const auto& cell = input.cell;
-  const auto& readings = input.readings;
+  const auto& measurements = input.measurements;
   calibration::IdentificationOptions asked;
   asked.free = freeNumbersOf(cell);
   asked.folds = 0;
   asked.intervals_by_profile = false;
-  const auto result = calibration::identify(startOf(cell, readings), readings, asked);
+  const auto result = calibration::identify(startOf(cell, measurements), measurements, asked);
   if (result.status != calibration::IdentificationStatus::kDone)
     return "the overlap with the catalogue cannot be computed: " + result.reason + "\n";
-  return overlapText(calibration::findFormulaOverlaps(result, readings));
+  return overlapText(calibration::findFormulaOverlaps(result, measurements));
 }
 
 }  // namespace tubeplan::app

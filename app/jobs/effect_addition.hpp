@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/studies/model/explained_model.hpp"
 
 namespace tubeplan::app {
@@ -36,7 +36,7 @@ struct Addition : AddedCauses {
 [[nodiscard]] std::string cellTextWith(const Cell& cell, const Addition& addition, const std::filesystem::path& out);
 
 /// Returns a text that states to what extent other parameters and effects of the catalogue can reproduce the cell's
-/// formulas at these readings.
-[[nodiscard]] std::string overlapAt(const CellReadings& input);
+/// formulas at these measurements.
+[[nodiscard]] std::string overlapAt(const CellMeasurements& input);
 
 }  // namespace tubeplan::app

@@ -10,7 +10,7 @@
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/overlap_report.hpp"
 #include "app/documents/predicted_centring_json.hpp"
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/jobs/cell_estimate.hpp"
 #include "app/jobs/outliers.hpp"
 #include "app/storage/input_error.hpp"
@@ -53,11 +53,12 @@ IdentificationOptions identificationOptions(const IdentificationRequest& request
   return result;
 }
 
-/// Throws InputError for a refused fit: a name is not a parameter, or the readings determine no parameter.
-void requireAccepted(const Identification& result, const IdentificationRequest& request, const CellReadings& input) {
+/// Throws InputError for a refused fit: a name is not a parameter, or the measurements determine no parameter.
+void requireAccepted(const Identification& result, const IdentificationRequest& request,
+                     const CellMeasurements& input) {
   if (result.status != IdentificationStatus::kRefused) return;
   const Cell& cell = input.cell;
-  if (result.reading_problem) throw refusalOf(result.reading_problem, result.reason, input);
+  if (result.measurement_problem) throw refusalOf(result.measurement_problem, result.reason, input);
   if (result.problems.empty())
     throw InputError::saying(cell.path, result.reason, "`tubeplan identify --help` lists what can be freed");
   refuseName(request.free.empty() ? cell.path + " (identify)" : "--free", result.problems.front(), cell.arm);
@@ -78,18 +79,18 @@ calibration::IdentificationStage stageOf(const std::string& text) {
 }
 
 Identification identifyAsAsked(const IdentificationRequest& request, const Cell& cell,
-                               const std::vector<calibration::Measurement>& readings, const WorkHooks& hooks) {
-  const auto start = startOf(cell, readings);
+                               const std::vector<calibration::Measurement>& measurements, const WorkHooks& hooks) {
+  const auto start = startOf(cell, measurements);
   IdentificationOptions asked = identificationOptions(request, cell, hooks);
   asked.observe = request.observe;
   asked.uncertainty = cell.uncertainty;
-  if (request.stages.empty()) return calibration::identify(start, readings, asked);
+  if (request.stages.empty()) return calibration::identify(start, measurements, asked);
   if (!request.free.empty())
     throw InputError::saying("--free", "this option cannot be combined with --stage",
                              "name what is freed in each stage: --stage NAME,NAME");
   std::vector<calibration::IdentificationStage> stages;
   for (const auto& text : request.stages) stages.push_back(stageOf(text));
-  auto results = calibration::identifyInStages(start, readings, stages, asked);
+  auto results = calibration::identifyInStages(start, measurements, stages, asked);
   if (request.stage_done && results.back().status != IdentificationStatus::kStopped)
     for (std::size_t k = 0; k + 1 < results.size(); ++k) request.stage_done(static_cast<int>(k), results[k]);
   return std::move(results.back());
@@ -98,22 +99,22 @@ Identification identifyAsAsked(const IdentificationRequest& request, const Cell&
 /// Returns warnings about the cell's fitted effects. There are none for a fit in stages, because the last stage holds
 /// some effects fixed.
 std::vector<calibration::EffectWarning> effectWarnings(const IdentificationRequest& request, const Cell& cell,
-                                                       const std::vector<calibration::Measurement>& readings,
+                                                       const std::vector<calibration::Measurement>& measurements,
                                                        const Identification& result, const WorkHooks& hooks) {
   if (!request.stages.empty() || cell.arm.effects.empty()) return {};
-  return calibration::warnOfEffects(startOf(cell, readings), readings, identificationOptions(request, cell, hooks),
-                                    result);
+  return calibration::warnOfEffects(startOf(cell, measurements), measurements,
+                                    identificationOptions(request, cell, hooks), result);
 }
 
-/// Returns an outcome without a fit, because fitted parameters would compensate for the mistake in the readings.
-IdentificationOutcome unidentified(const CellReadings& input, const std::string& mistake) {
+/// Returns an outcome without a fit, because fitted parameters would compensate for the mistake in the measurements.
+IdentificationOutcome unidentified(const CellMeasurements& input, const std::string& mistake) {
   const Units& units = input.cell.units;
   IdentificationOutcome outcome;
-  outcome.readings = input.readings;
+  outcome.measurements = input.measurements;
   outcome.fit.reason = outcome.centring.reason = mistake;
-  outcome.fit.fitted = startOf(input.cell, input.readings);
-  outcome.warnings = fitWarnings(outcome.fit, input.readings);
-  outcome.figures = identificationJson(outcome.fit, outcome.readings, 0, units);
+  outcome.fit.fitted = startOf(input.cell, input.measurements);
+  outcome.warnings = fitWarnings(outcome.fit, input.measurements);
+  outcome.figures = identificationJson(outcome.fit, outcome.measurements, 0, units);
   outcome.adequacy = calibration::Adequacy::kInconclusive;
   outcome.figures["adequacy"] = nameOf(outcome.adequacy);
   outcome.figures["warnings"] = warningsWithChecks(input.checks, outcome.warnings, units);
@@ -123,12 +124,12 @@ IdentificationOutcome unidentified(const CellReadings& input, const std::string&
   return outcome;
 }
 
-/// Fits the readings without their outliers; a fit in stages or with a robust loss uses all readings.
-void fitReadings(const CellReadings& input, const IdentificationRequest& request, const WorkHooks& hooks,
-                 IdentificationOutcome& outcome) {
+/// Fits the measurements without their outliers; a fit in stages or with a robust loss uses all measurements.
+void fitMeasurements(const CellMeasurements& input, const IdentificationRequest& request, const WorkHooks& hooks,
+                     IdentificationOutcome& outcome) {
   const auto& cell = input.cell;
-  const auto fitted = [&](const std::vector<calibration::Measurement>& readings) {
-    auto fit = identifyAsAsked(request, cell, readings, hooks);
+  const auto fitted = [&](const std::vector<calibration::Measurement>& measurements) {
+    auto fit = identifyAsAsked(request, cell, measurements, hooks);
     requireGoingOn(hooks);
     requireAccepted(fit, request, input);
     return fit;
@@ -141,14 +142,14 @@ void fitReadings(const CellReadings& input, const IdentificationRequest& request
     requireGoingOn(hooks);
     return aside;
   };
-  RefitOfReadings refit = fitWithoutOutliers(input.readings, fitted, outliers);
+  RefitOfMeasurements refit = fitWithoutOutliers(input.measurements, fitted, outliers);
   outcome.fit = std::move(refit.fit);
-  outcome.readings = std::move(refit.readings);
+  outcome.measurements = std::move(refit.measurements);
   outcome.set_aside = std::move(refit.set_aside);
 }
 
 /// Returns a clause on residuals that exceed the noise; empty if there are none. Residuals beyond the stated noise, but
-/// not beyond the scatter of repeated readings, are reported too, although they do not make the fit inadequate.
+/// not beyond the scatter of repeated measurements, are reported too, although they do not make the fit inadequate.
 std::string refutation(const calibration::ModelLackOfFit& lack) {
   const bool is_off = lack.p_value < calibration::kPatternLevel;
   if (lack.adequacy == calibration::Adequacy::kInadequate)
@@ -169,7 +170,7 @@ std::string refutation(const calibration::ModelLackOfFit& lack) {
 /// cause the excess.
 void judgeByNoise(const IdentificationRequest& request, IdentificationOutcome& outcome) {
   const auto& fit = outcome.fit;
-  const auto lack = calibration::lackOfFitOf(fit, outcome.readings);
+  const auto lack = calibration::lackOfFitOf(fit, outcome.measurements);
   outcome.adequacy = lack.adequacy;
   const std::string refuted = refutation(lack);
   if (refuted.empty()) return;
@@ -188,29 +189,29 @@ void judgeByNoise(const IdentificationRequest& request, IdentificationOutcome& o
 
 }  // namespace
 
-IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
+IdentificationOutcome identifyModel(const CellMeasurements& input, const IdentificationRequest& request,
                                     const WorkHooks& hooks) {
   const auto& cell = input.cell;
   (void)identificationOptions(request, cell, hooks);  // throws for bad options before any work
   if (const auto mistake = mistakeText(input.checks, cell.units); !mistake.empty()) return unidentified(input, mistake);
   beginStep(hooks, "fit");
   IdentificationOutcome outcome;
-  fitReadings(input, request, hooks, outcome);
-  const auto& readings = outcome.readings;
+  fitMeasurements(input, request, hooks, outcome);
+  const auto& measurements = outcome.measurements;
   beginStep(hooks, "uncertainties");
-  outcome.warnings = fitWarnings(outcome.fit, readings);
+  outcome.warnings = fitWarnings(outcome.fit, measurements);
   judgeByNoise(request, outcome);
-  outcome.figures = identificationJson(outcome.fit, readings, outcome.set_aside.size(), cell.units);
+  outcome.figures = identificationJson(outcome.fit, measurements, outcome.set_aside.size(), cell.units);
   outcome.figures["adequacy"] = nameOf(outcome.adequacy);
   outcome.figures["warnings"] = warningsWithChecks(input.checks, outcome.warnings, cell.units);
   outcome.figures["set_aside"] = outcome.set_aside;
   addChecks(input.checks, cell.units, outcome.figures);
-  outcome.overlaps = calibration::findFormulaOverlaps(outcome.fit, readings);
+  outcome.overlaps = calibration::findFormulaOverlaps(outcome.fit, measurements);
   if (!outcome.overlaps.empty()) outcome.figures["overlap"] = overlapJson(outcome.overlaps);
   outcome.centring = predictCentring(cell, outcome.fit, request.stages.size() > 1, hooks.stop);
   requireGoingOn(hooks);
   outcome.figures["predicted_centring_error"] = predictedCentringJson(outcome.centring, cell.units);
-  outcome.of_effects = effectWarnings(request, cell, readings, outcome.fit, hooks);
+  outcome.of_effects = effectWarnings(request, cell, measurements, outcome.fit, hooks);
   requireGoingOn(hooks);
   for (const auto& warning : effectWarningsJson(outcome.of_effects, cell.units))
     outcome.figures["warnings"].push_back(warning);

@@ -1,5 +1,5 @@
-// Identification of a model's parameters and base from readings: a cell and its readings give the fit and the results
-// as JSON.
+// Identification of a model's parameters and base from measurements: a cell and its measurements give the fit and the
+// results as JSON.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/studies/job_steps.hpp"
 #include "app/studies/positioning/predicted_centring.hpp"
 #include "calibration/diagnosis/causes/formula_overlap.hpp"
@@ -34,15 +34,15 @@ struct IdentificationRequest {
 };
 
 struct IdentificationOutcome {
-  /// The fit; if the readings contain a mistake, it is not run and its `reason` names the mistake.
+  /// The fit; if the measurements contain a mistake, it is not run and its `reason` names the mistake.
   calibration::Identification fit;
-  std::vector<calibration::Measurement> readings;  ///< readings fitted: all except the outliers in `set_aside`
-  std::vector<std::string> set_aside;              ///< ids of the readings excluded as outliers
-  std::vector<std::string> warnings;               ///< warnings about the fit and the readings
-  /// Verdict on the residuals relative to the noise, by the criterion of `compare`; inconclusive if the readings
+  std::vector<calibration::Measurement> measurements;  ///< measurements fitted: all except the outliers in `set_aside`
+  std::vector<std::string> set_aside;                  ///< ids of the measurements excluded as outliers
+  std::vector<std::string> warnings;                   ///< warnings about the fit and the measurements
+  /// Verdict on the residuals relative to the noise, by the criterion of `compare`; inconclusive if the measurements
   /// contain a mistake.
   calibration::Adequacy adequacy = calibration::Adequacy::kNotRun;
-  bool is_base_refused = false;  ///< true: only the base was fitted, and the readings reject the fit
+  bool is_base_refused = false;  ///< true: only the base was fitted, and the measurements reject the fit
   std::vector<calibration::FormulaOverlap> overlaps;
   PredictedCentring centring;
   std::vector<calibration::EffectWarning> of_effects;
@@ -50,8 +50,8 @@ struct IdentificationOutcome {
 };
 
 /// Identifies the model's parameters. Throws InputError if a name is not a parameter, no parameter is free or the
-/// readings determine none. Throws JobStopped if a stop is requested.
-[[nodiscard]] IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
+/// measurements determine none. Throws JobStopped if a stop is requested.
+[[nodiscard]] IdentificationOutcome identifyModel(const CellMeasurements& input, const IdentificationRequest& request,
                                                   const WorkHooks& hooks = {});
 
 }  // namespace tubeplan::app

@@ -18,12 +18,12 @@ Improvement notImproved(const std::string& mistake) {
 
 }  // namespace
 
-Improvement improveModel(const CellReadings& input, const ImprovementRequest& request, const WorkHooks& hooks) {
+Improvement improveModel(const CellMeasurements& input, const ImprovementRequest& request, const WorkHooks& hooks) {
   if (const auto mistake = mistakeText(input.checks, input.cell.units); !mistake.empty()) return notImproved(mistake);
-  Improvement result = improveModel(input.cell, input.readings, request, hooks);
+  Improvement result = improveModel(input.cell, input.measurements, request, hooks);
   if (result.end == ImprovementEnd::kNotFitted &&
       result.models.front().fit.status == calibration::IdentificationStatus::kRefused)
-    throw refusalOf(result.models.front().fit.reading_problem, result.models.front().fit.reason, input);
+    throw refusalOf(result.models.front().fit.measurement_problem, result.models.front().fit.reason, input);
   return result;
 }
 

@@ -14,11 +14,12 @@ namespace tubeplan::app {
 
 namespace {
 
-std::vector<calibration::Measurement> without(const CellReadings& input, const std::vector<std::string>& ids) {
-  auto readings = input.readings;
-  std::erase_if(readings,
-                [&](const auto& reading) { return std::find(ids.begin(), ids.end(), reading.id) != ids.end(); });
-  return readings;
+std::vector<calibration::Measurement> without(const CellMeasurements& input, const std::vector<std::string>& ids) {
+  auto measurements = input.measurements;
+  std::erase_if(measurements, [&](const auto& measurement) {
+    return std::find(ids.begin(), ids.end(), measurement.id) != ids.end();
+  });
+  return measurements;
 }
 
 /// Returns the cell that provides the sheet and the tool: the cell named in the request, else the cell of the first
@@ -80,14 +81,14 @@ bool isMade(const calibration::Identification* fit) {
 /// Fits a model and returns the ids of its outliers, followed by the ids that were already set aside.
 std::vector<std::string> setAsideBy(const LadderModel& model, const LadderRequest& request, const WorkHooks& hooks) {
   beginStep(hooks, "fit");
-  CellReadings input = model.input;
-  input.readings = without(input, request.set_aside);
+  CellMeasurements input = model.input;
+  input.measurements = without(input, request.set_aside);
   calibration::IdentificationOptions options;
   options.free = freeNumbersOf(input.cell);
   options.seed = request.seed;
   options.hooks = hooks;
-  const auto fit = fitForLadder(input.cell, input.readings, request.seed, calibration::withoutProgress(hooks));
-  std::vector<std::string> ids = idsAt(outliersOf(input, fit, options), input.readings);
+  const auto fit = fitForLadder(input.cell, input.measurements, request.seed, calibration::withoutProgress(hooks));
+  std::vector<std::string> ids = idsAt(outliersOf(input, fit, options), input.measurements);
   ids.insert(ids.end(), request.set_aside.begin(), request.set_aside.end());
   return ids;
 }

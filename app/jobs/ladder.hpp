@@ -1,19 +1,19 @@
-// Comparison of several models on the same readings (a "ladder"): one row with the error of each model.
+// Comparison of several models on the same measurements (a "ladder"): one row with the error of each model.
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/studies/model/ladder_steps.hpp"
 
 namespace tubeplan::app {
 
-/// One of the compared models: its cell, and the readings as interpreted with this cell.
+/// One of the compared models: its cell, and the measurements as interpreted with this cell.
 struct LadderModel {
   std::string name;
-  CellReadings input;
+  CellMeasurements input;
   const calibration::Identification* fit = nullptr;  ///< result of fitForLadder(); null: not computed yet
 };
 
@@ -21,8 +21,8 @@ struct LadderRequest {
   std::string truth;  ///< cell file of the true arm; empty: the best model with an unmodelled error
   std::string sheet;  ///< cell file with the sheet and the tool; empty: `truth`, else the first cell with both
   int holes = 1000;   ///< number of holes in a step table
-  /// Ids of readings already identified as outliers. If the last model is already fitted, these are all readings left
-  /// out of its fit.
+  /// Ids of measurements already identified as outliers. If the last model is already fitted, these are all
+  /// measurements left out of its fit.
   std::vector<std::string> set_aside = {};
   std::uint64_t seed = 1;
 };
@@ -38,7 +38,7 @@ struct LadderOutcome {
 [[nodiscard]] Cell rigidOf(Cell cell);
 
 /// Compares one or more models. Outliers of the last model are excluded for all models, so that all are compared on the
-/// same readings. Throws InputError if the models' tube sheets differ, and JobStopped if a stop is requested.
+/// same measurements. Throws InputError if the models' tube sheets differ, and JobStopped if a stop is requested.
 [[nodiscard]] LadderOutcome climbLadder(const std::vector<LadderModel>& models, const LadderRequest& request,
                                         const WorkHooks& hooks = {});
 

@@ -9,8 +9,8 @@
 #include "app/documents/segments_warning.hpp"
 #include "app/formats/cell/command_inputs.hpp"
 #include "app/formats/cell/workcell.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/formats/measurements/measurements_reader.hpp"
-#include "app/formats/measurements/reading_input.hpp"
 #include "app/formats/sheet/touch_input.hpp"
 #include "app/formats/sheet/touched_base.hpp"
 #include "app/formats/units.hpp"
@@ -52,9 +52,9 @@ std::vector<calibration::Measurement> touchesFor(const PlanRequest& request, con
     throw InputError::saying("--touches auto", "simulated touches need a true arm, but none is given",
                              "give its cell with --truth CELL, or give a file of touches");
   if (request.touches == "auto") return touchesByTrueArm(outcome.nominal, outcome.cell, *outcome.truth, request.seed);
-  const auto readings = readMeasurements(request.touches, outcome.cell.arm, &outcome.nominal.sheet);
-  requireDefinedFormulas(readings, outcome.cell, request.touches);
-  const auto touches = touchesOf(readings, outcome.cell, request.touches);
+  const auto measurements = readMeasurements(request.touches, outcome.cell.arm, &outcome.nominal.sheet);
+  requireDefinedFormulas(measurements, outcome.cell, request.touches);
+  const auto touches = touchesOf(measurements, outcome.cell, request.touches);
   requireEnoughTouches(touches, request.touches);
   return touches;
 }

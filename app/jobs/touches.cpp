@@ -26,25 +26,26 @@ bool wants(const TouchRequest& request, const std::string& goal) {
   return request.goal == goal || request.goal == "both";
 }
 
-/// Returns the median sigma of the touches (`is_touch`), or of all other readings [m]; 0 if there are none.
-double medianSigma(const std::vector<Measurement>& readings, bool is_touch) {
+/// Returns the median sigma of the touches (`is_touch`), or of all other measurements [m]; 0 if there are none.
+double medianSigma(const std::vector<Measurement>& measurements, bool is_touch) {
   std::vector<double> sigmas;
-  for (const auto& reading : readings)
-    if (isTouch(reading) == is_touch) sigmas.push_back(reading.sigma);
+  for (const auto& measurement : measurements)
+    if (isTouch(measurement) == is_touch) sigmas.push_back(measurement.sigma);
   return sigmas.empty() ? 0 : calibration::median(std::move(sigmas));
 }
 
-/// Returns the noise assumed for a future touch (`is_touch`) or other reading, with its source.
-ReadingNoise noiseOf(const TouchRequest& request, const Cell& cell, const std::vector<Measurement>& readings,
-                     bool is_touch) {
+/// Returns the noise assumed for a future touch (`is_touch`) or other measurement, with its source.
+MeasurementNoise noiseOf(const TouchRequest& request, const Cell& cell, const std::vector<Measurement>& measurements,
+                         bool is_touch) {
   if (request.sigma > 0) return {cell.units.toInternal(request.sigma, dimension::kLength), "--sigma"};
-  if (const double median = medianSigma(readings, is_touch); median > 0) return {median, "the readings"};
+  if (const double median = medianSigma(measurements, is_touch); median > 0) return {median, "the readings"};
   if (is_touch && cell.tool) return {touchSigmaOf(*cell.tool), "the calibration tool"};
   return {kUsualSigma, "default; --sigma changes it"};
 }
 
-/// Returns the requested loads, else the loads of the readings, else zero load [N]; sorted and without duplicates.
-std::vector<double> loadsOf(const TouchRequest& request, const Cell& cell, const std::vector<Measurement>& readings) {
+/// Returns the requested loads, else the loads of the measurements, else zero load [N]; sorted and without duplicates.
+std::vector<double> loadsOf(const TouchRequest& request, const Cell& cell,
+                            const std::vector<Measurement>& measurements) {
   std::set<double> loads;
   for (const double load : request.loads) {
     if (!std::isfinite(load) || load < 0)
@@ -53,12 +54,12 @@ std::vector<double> loadsOf(const TouchRequest& request, const Cell& cell, const
     loads.insert(cell.units.toInternal(load, dimension::kForce));
   }
   if (loads.empty())
-    for (const auto& reading : readings) loads.insert(reading.load);
+    for (const auto& measurement : measurements) loads.insert(measurement.load);
   if (loads.empty()) loads.insert(0);
   return {loads.begin(), loads.end()};
 }
 
-/// Returns the set-up of the latest readings, to which new readings will belong.
+/// Returns the set-up of the latest measurements, to which new measurements will belong.
 std::string lastSetup(const Estimate& estimate) { return estimate.start.base_poses.back().setup; }
 
 /// Adds notes on a failed fit, lack of fit and several set-ups. `known` is the model error that the cell states [m].
@@ -74,12 +75,12 @@ void noteEstimate(const Estimate& estimate, double known, const Units& units, st
     notes.push_back("new readings belong to the last set-up, '" + lastSetup(estimate) + "'");
 }
 
-/// Adds the estimates from the readings to the task, and puts the estimated arm and base into the outcome's cell.
-void learn(const TouchRequest& request, const std::vector<Measurement>& readings, const std::string& named_by,
+/// Adds the estimates from the measurements to the task, and puts the estimated arm and base into the outcome's cell.
+void learn(const TouchRequest& request, const std::vector<Measurement>& measurements, const std::string& named_by,
            TouchTask& task, TouchOutcome& outcome) {
   if (wants(request, "parameters")) {
     task.of_numbers =
-        estimateOf(outcome.cell, readings, {request.free, !outcome.cell.base_known, outcome.cell.priors}, named_by);
+        estimateOf(outcome.cell, measurements, {request.free, !outcome.cell.base_known, outcome.cell.priors}, named_by);
     noteEstimate(*task.of_numbers, 0, outcome.cell.units, outcome.notes);
     outcome.setup = lastSetup(*task.of_numbers);
     outcome.cell = cellAsEstimated(outcome.cell, *task.of_numbers);
@@ -87,9 +88,9 @@ void learn(const TouchRequest& request, const std::vector<Measurement>& readings
   if (!wants(request, "base")) return;
   Cell unplaced = outcome.cell;
   unplaced.base_known = false;
-  if (!readings.empty() && !wants(request, "parameters")) unplaced.arm = unplaced.filedArm();
+  if (!measurements.empty() && !wants(request, "parameters")) unplaced.arm = unplaced.filedArm();
   const calibration::DoubtBeside doubt = doubtBeside(unplaced);
-  task.of_base = estimateOf(unplaced, readings, {{}, true}, named_by, doubt);
+  task.of_base = estimateOf(unplaced, measurements, {{}, true}, named_by, doubt);
   if (wants(request, "parameters")) return;
   outcome.setup = lastSetup(*task.of_base);
   noteEstimate(*task.of_base, doubt.model_error, outcome.cell.units, outcome.notes);
@@ -155,24 +156,24 @@ void settleTask(const TouchRequest& request, TouchTask& task, TouchOutcome& outc
 TouchOutcome proposeTouches(const TouchRequest& asked) {
   Cell cell = readCell(asked.cell);
   const TouchRequest request = completed(asked, cell);
-  const auto made =
-      readingsMade(request.readings, cell, cell.units.toInternal(request.sigma, dimension::kLength), request.assume);
-  TouchOutcome outcome = proposeTouches(asked, cell, made.readings);
+  const auto made = measurementsMade(request.measurements, cell,
+                                     cell.units.toInternal(request.sigma, dimension::kLength), request.assume);
+  TouchOutcome outcome = proposeTouches(asked, cell, made.measurements);
   outcome.checks = made.checks;
   return outcome;
 }
 
-TouchOutcome proposeTouches(const TouchRequest& asked, const Cell& cell, const std::vector<Measurement>& readings) {
+TouchOutcome proposeTouches(const TouchRequest& asked, const Cell& cell, const std::vector<Measurement>& measurements) {
   TouchOutcome outcome;
   outcome.cell = cell;
   const TouchRequest request = completed(asked, cell);
-  outcome.noise = noiseOf(request, cell, readings, request.kind == "touch");
-  outcome.base_noise = noiseOf(request, cell, readings, true);
-  outcome.loads = loadsOf(request, cell, readings);
+  outcome.noise = noiseOf(request, cell, measurements, request.kind == "touch");
+  outcome.base_noise = noiseOf(request, cell, measurements, true);
+  outcome.loads = loadsOf(request, cell, measurements);
   requireEnough(request, outcome);
   TouchTask task;
-  task.is_first = readings.empty();
-  learn(request, readings, asked.free.empty() ? cell.path + " (identify)" : "--free", task, outcome);
+  task.is_first = measurements.empty();
+  learn(request, measurements, asked.free.empty() ? cell.path + " (identify)" : "--free", task, outcome);
   settleTask(request, task, outcome);
   static_cast<TouchProposals&>(outcome) = proposeTouches(task);
   if (outcome.holes_unsure > 0)

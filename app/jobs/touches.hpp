@@ -1,4 +1,4 @@
-// Proposals of further measurements: holes to touch for calibrating the base, and readings that improve the free
+// Proposals of further measurements: holes to touch for calibrating the base, and measurements that improve the free
 // parameters.
 #pragma once
 
@@ -11,8 +11,8 @@ namespace tubeplan::app {
 /// Proposes measurements from the files named in the request. Throws InputError for bad input.
 [[nodiscard]] TouchOutcome proposeTouches(const TouchRequest& request);
 
-/// Proposes measurements for the given cell and readings; the request's files are not read.
+/// Proposes measurements for the given cell and measurements; the request's files are not read.
 [[nodiscard]] TouchOutcome proposeTouches(const TouchRequest& request, const Cell& cell,
-                                          const std::vector<calibration::Measurement>& readings);
+                                          const std::vector<calibration::Measurement>& measurements);
 
 }  // namespace tubeplan::app

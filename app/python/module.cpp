@@ -1,6 +1,6 @@
-// The Python module `tubeplan`: batches of arm poses as NumPy arrays, and the commands on cells and readings. Commands
-// return dictionaries with the keys of their --json output. Arrays are in metres, radians and newtons; dictionaries are
-// in the cell's own units.
+// The Python module `tubeplan`: batches of arm poses as NumPy arrays, and the commands on cells and measurements.
+// Commands return dictionaries with the keys of their --json output. Arrays are in metres, radians and newtons;
+// dictionaries are in the cell's own units.
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -19,7 +19,7 @@
 #include "app/documents/pose_json.hpp"
 #include "app/formats/cell/cell_places.hpp"
 #include "app/formats/cell/cell_writer.hpp"
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/jobs/comparison.hpp"
 #include "app/jobs/diagnosis.hpp"
 #include "app/jobs/identification.hpp"
@@ -122,7 +122,7 @@ class PythonCell {
     return py::make_tuple(places, stacked(turns), py::array(py::cast(converged)));
   }
 
-  [[nodiscard]] py::object identify(const ReadingFiles& files, const std::vector<std::string>& free,
+  [[nodiscard]] py::object identify(const MeasurementFiles& files, const std::vector<std::string>& free,
                                     const std::string& robust, int folds, std::uint64_t seed,
                                     const std::string& out) const {
     IdentificationRequest request;
@@ -131,25 +131,25 @@ class PythonCell {
     request.folds = folds;
     request.seed = seed;
     return run([&] {
-      const CellReadings input = readCellReadings(path_, files);
+      const CellMeasurements input = readCellMeasurements(path_, files);
       if (!out.empty()) checkWritableCellAndArm(input.cell, out, "out");
       auto identified = identifyModel(input, request, hooks());
       if (!out.empty() && identified.fit.status == calibration::IdentificationStatus::kDone)
-        writeFilesTogether(identifiedCell(input.cell, identified.fit, identified.readings, out).inOrder(), "out");
+        writeFilesTogether(identifiedCell(input.cell, identified.fit, identified.measurements, out).inOrder(), "out");
       return identified.figures;
     });
   }
 
-  [[nodiscard]] py::object diagnose(const ReadingFiles& files, std::uint64_t seed) const {
+  [[nodiscard]] py::object diagnose(const MeasurementFiles& files, std::uint64_t seed) const {
     DiagnosisRequest request;
     request.seed = seed;
-    return run([&] { return diagnoseModel(readCellReadings(path_, files), request, hooks()).figures; });
+    return run([&] { return diagnoseModel(readCellMeasurements(path_, files), request, hooks()).figures; });
   }
 
-  [[nodiscard]] py::object compare(const ReadingFiles& files, std::uint64_t seed) const {
+  [[nodiscard]] py::object compare(const MeasurementFiles& files, std::uint64_t seed) const {
     ComparisonRequest request;
     request.seed = seed;
-    return run([&] { return compareModel(readCellReadings(path_, files), request, hooks()).figures; });
+    return run([&] { return compareModel(readCellMeasurements(path_, files), request, hooks()).figures; });
   }
 
   [[nodiscard]] py::object plan(const std::string& tubes, const std::string& compensation, double load,

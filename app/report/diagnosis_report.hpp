@@ -16,7 +16,7 @@ namespace tubeplan::app {
 /// has
 ///   verdict, sentence: text; sentences: [text, ...]; units; chi2_per_dof, p_value; joints: [{name, unit}, ...]
 ///   rms: {before, after, heldout_before, heldout_after, noise_floor}
-///   readings: [{id, point, position: [3], before: [3], after: [3], joints, load, senses, temperature, time}, ...],
+///   measurements: [{id, point, position: [3], before: [3], after: [3], joints, load, senses, temperature, time}, ...],
 ///             where before and after are the errors (measured minus predicted) before and after the fit
 ///   patterns: [text or {sentence or name, share or correlation, p_value}, ...]
 ///   worst: [id or {id, error, sigmas}, ...]
@@ -25,7 +25,7 @@ namespace tubeplan::app {
 /// Returns the page of `tubeplan ladder`. Missing parts and markup are handled as in renderDiagnosisReport(). `report`
 /// has
 ///   units; noise_floor; models: [{name, rms, heldout_rms, chi2_per_dof, p_value, numbers}, ...];
-///   readings: as for renderComparisonReport()
+///   measurements: as for renderComparisonReport()
 [[nodiscard]] std::string renderLadderReport(const nlohmann::json& report);
 
 /// Returns the page of `tubeplan improve` from the command's --json output, with `models` as for renderLadderReport().

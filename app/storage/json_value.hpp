@@ -25,7 +25,7 @@ class NotJson : public InputError {
 [[nodiscard]] nlohmann::json parseJson(std::string_view text, const std::string& where, const std::string& expected,
                                        const std::string& advice = "");
 
-/// Reference to a value of a JSON document, which must outlive it. Each reading function throws InputError, which
+/// Reference to a value of a JSON document, which must outlive it. Each measurement function throws InputError, which
 /// states the value's position, for a value of another type or a number out of bounds.
 class JsonValue {
  public:

@@ -33,8 +33,8 @@ class InputRecord {
   /// Allows overwriting an input file, for example when an improved cell replaces the original.
   void allowReplacing(const std::string& path) { replaceable_.push_back(path); }
 
-  /// Returns [{name, bytes, sha256}] in the order of reading. Names have no folder, so that results do not depend on
-  /// where the files are.
+  /// Returns [{name, bytes, sha256}] in the order of measurement. Names have no folder, so that results do not depend
+  /// on where the files are.
   [[nodiscard]] const nlohmann::json& inputs() const { return inputs_; }
 
  private:

@@ -1,4 +1,4 @@
-// Reading of whole text files, with checks of size and encoding.
+// Measurement of whole text files, with checks of size and encoding.
 #pragma once
 
 #include <string>

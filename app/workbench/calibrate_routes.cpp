@@ -42,12 +42,13 @@ Answer propose(Workbench& workbench, const Request& request) {
     asked.tubes = tubesText(body, *cell.sheet, tubesheets::spreadRequest(*cell.sheet, 60));
   if (body.contains("loads") && !body["loads"].is_null()) asked.loads = numbersOf(body, "loads");
   asked.seed = seedOf(body);
-  return beginResultJob(workbench, "touches", "what to touch or read next", JobInput::kModelAndReadings,
+  return beginResultJob(workbench, "touches", "what to touch or read next", JobInput::kModelAndMeasurements,
                         [asked](const Session& began, JobContext& context) {
                           beginStage(context, "proposals");
-                          const auto outcome = proposeTouches(asked, currentModel(began).cell,
-                                                              began.readings ? readingsInUse(*began.readings)
-                                                                             : std::vector<calibration::Measurement>());
+                          const auto outcome =
+                              proposeTouches(asked, currentModel(began).cell,
+                                             began.measurements ? measurementsInUse(*began.measurements)
+                                                                : std::vector<calibration::Measurement>());
                           nlohmann::json figures = proposalsJson(outcome);
                           figures["seed"] = asked.seed;
                           figures["optimality"] = "D";
@@ -70,7 +71,7 @@ Eigen::VectorXd postureUnder(const Cell& cell, int hole) {
                            "choose another hole");
 }
 
-/// Returns a simulated touch: a reading of the true arm, or of the opened cell's arm if no true arm is known.
+/// Returns a simulated touch: a measurement of the true arm, or of the opened cell's arm if no true arm is known.
 calibration::Measurement simulatedTouch(const Session& now, const calibration::TouchPlan& plan, double load) {
   const Cell& model = currentModel(now).cell;
   const Cell truth = now.truth.empty() ? now.models.front()->cell : readCell(now.truth);
@@ -139,16 +140,16 @@ Answer touches(Workbench& workbench, const Request&) {
   return answerOf({{"units", unitsJson(cell.units)}, {"touches", list}});
 }
 
-/// Returns the listed touches, or if there are none, the loaded touch readings that are not set aside. The touches are
-/// written as a measurement file and read again, so that the result equals that of `tubeplan calibrate`.
+/// Returns the listed touches, or if there are none, the loaded touch measurements that are not set aside. The touches
+/// are written as a measurement file and read again, so that the result equals that of `tubeplan calibrate`.
 std::vector<calibration::Measurement> touchesToUse(const Session& session, const Cell& cell) {
-  if (session.touches.empty() && session.readings)
-    return touchesOf(readingsInUse(*session.readings), cell, session.readings->name);
+  if (session.touches.empty() && session.measurements)
+    return touchesOf(measurementsInUse(*session.measurements), cell, session.measurements->name);
   std::vector<calibration::Measurement> made;
   for (const auto& touch : session.touches) made.push_back(touch.touch);
   if (made.empty())
     throw InputError::saying("touches", "no hole has been touched yet", "touch at least three holes first");
-  return touchesOf(parseReadings(touchesCsv(made, cell), "touches.csv", cell), cell, "touches.csv");
+  return touchesOf(parseMeasurementText(touchesCsv(made, cell), "touches.csv", cell), cell, "touches.csv");
 }
 
 /// Calibrates the base from the touches. If the touches do not determine the base, the model stays unchanged and the

@@ -39,9 +39,9 @@ nlohmann::json figuresOf(const Session& session, const std::string& name) {
   return result->document;
 }
 
-/// Returns the readings with the model for which the named result was computed.
-CellReadings inputOfResult(const Session& session, const std::string& name) {
-  CellReadings input = inputOf(session);
+/// Returns the measurements with the model for which the named result was computed.
+CellMeasurements inputOfResult(const Session& session, const std::string& name) {
+  CellMeasurements input = inputOf(session);
   const int id = findResult(session, name)->model;
   for (const auto& model : session.models)
     if (model->id == id) input.cell = model->cell;
@@ -61,9 +61,9 @@ std::string exportedArm(const Session& s) {
                              "export cell.yaml, which contains the arm");
   return files.back().text;
 }
-std::string exportedReadings(const Session& s) {
-  const CellReadings input = inputOf(s);  // throws InputError if there are no readings
-  return measurementsCsv(s.readings->readings, input.cell.arm, input.cell.units);
+std::string exportedMeasurements(const Session& s) {
+  const CellMeasurements input = inputOf(s);  // throws InputError if there are no measurements
+  return measurementsCsv(s.measurements->measurements, input.cell.arm, input.cell.units);
 }
 /// Returns the touches as CSV; a comment above the header lists the simulated touches.
 std::string touchesText(const Session& s) {
@@ -82,7 +82,7 @@ std::string exportedTemplate(const Session& s) {
   const Cell& cell = currentModel(s).cell;
   return measurementsCsv({}, cell.arm, cell.units);
 }
-/// Returns the readings proposed by the diagnosis as a table with empty fields for the results.
+/// Returns the measurements proposed by the diagnosis as a table with empty fields for the results.
 std::string exportedRunSheet(const Session& s) {
   const auto figures = figuresOf(s, "diagnose");
   const auto sheet = figures.find("run_sheet");
@@ -120,7 +120,7 @@ struct Export {
 constexpr Export kExports[] = {
     {"cell.yaml", "application/yaml", exportedCell},
     {"cell-arm.yaml", "application/yaml", exportedArm},
-    {"measurements.csv", "text/csv", exportedReadings},
+    {"measurements.csv", "text/csv", exportedMeasurements},
     {"template.csv", "text/csv", exportedTemplate},
     {"run-sheet.csv", "text/csv", exportedRunSheet},
     {"touches.csv", "text/csv", touchesText},

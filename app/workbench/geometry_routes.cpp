@@ -43,25 +43,26 @@ Answer catalogue(Workbench& workbench, const Request&) {
 
 /// Returns the displacement of the tip by an effect, for the query ?effect=hysteresis&at=theta4.
 Answer signature(Workbench& workbench, const Request& request) {
-  constexpr double kOfWeight = 0.2;  // largest load as a fraction of the arm's weight if no reading's is larger
+  constexpr double kOfWeight = 0.2;  // largest load as a fraction of the arm's weight if no measurement's is larger
   const Session session = workbench.session();
   const Cell& cell = currentModel(session).cell;
   double most_load = kOfWeight * deflection::weightOf(cell.arm);
-  if (session.readings)
-    for (const auto& reading : session.readings->readings) most_load = std::max(most_load, reading.load);
+  if (session.measurements)
+    for (const auto& measurement : session.measurements->measurements)
+      most_load = std::max(most_load, measurement.load);
   return answerOf(signatureJson(cell, request.asked("effect"), request.asked("at"), most_load));
 }
 
-// Largest number of readings used, evenly spaced in the list; with more, the confounding would hardly change.
+// Largest number of measurements used, evenly spaced in the list; with more, the confounding would hardly change.
 constexpr std::size_t kMostForConfounding = 300;
 
-/// Returns, for each possible cause, how far the readings in use can distinguish it from the fitted parameters and from
-/// other causes.
+/// Returns, for each possible cause, how far the measurements in use can distinguish it from the fitted parameters and
+/// from other causes.
 Answer confounding(Workbench& workbench, const Request&) {
   const Session session = workbench.session();
-  if (!session.readings) return refusal(404, withoutReadings());
+  if (!session.measurements) return refusal(404, withoutMeasurements());
   const Cell& cell = currentModel(session).cell;
-  const auto all = readingsInUse(*session.readings);
+  const auto all = measurementsInUse(*session.measurements);
   std::vector<calibration::Measurement> some;
   for (std::size_t k = 0; k < all.size(); k += (all.size() + kMostForConfounding - 1) / kMostForConfounding)
     some.push_back(all[k]);

@@ -38,29 +38,30 @@ planner::PlanHooks planHooksOf(JobContext& context) {
   return hooks;
 }
 
-InputError withoutReadings() {
+InputError withoutMeasurements() {
   return InputError::saying("measurements", "no readings are loaded", "open a table of readings, or simulate some");
 }
 
-CellReadings inputOf(const Session& session) {
+CellMeasurements inputOf(const Session& session) {
   const Cell& cell = currentModel(session).cell;
-  if (!session.readings) throw withoutReadings();
-  CellReadings input{cell, session.readings->name, readingsInUse(*session.readings), session.readings->checks};
-  requireDefinedFormulas(input.readings, input.cell, input.file);
+  if (!session.measurements) throw withoutMeasurements();
+  CellMeasurements input{cell, session.measurements->name, measurementsInUse(*session.measurements),
+                         session.measurements->checks};
+  requireDefinedFormulas(input.measurements, input.cell, input.file);
   return input;
 }
 
 void finishJob(Workbench& workbench, const Session& began, JobInput input, const std::function<void(Session&)>& step) {
-  bool has_other_readings = false;
+  bool has_other_measurements = false;
   const bool is_same = workbench.change([&](Session& session) {
-    has_other_readings = input == JobInput::kModelAndReadings && session.readings != began.readings;
-    if (has_other_readings || currentModel(session).id != currentModel(began).id ||
+    has_other_measurements = input == JobInput::kModelAndMeasurements && session.measurements != began.measurements;
+    if (has_other_measurements || currentModel(session).id != currentModel(began).id ||
         session.models.front() != began.models.front())
       return false;
     step(session);
     return true;
   });
-  if (has_other_readings) throw JobStopped{};
+  if (has_other_measurements) throw JobStopped{};
   if (!is_same)
     throw InputError::saying("models", "the models have changed since the job started", "start the job again");
 }
@@ -71,7 +72,7 @@ Cell rereadCell(const Cell& cell, const std::string& text) {
 }
 
 Cell fittedCell(const Cell& cell, const IdentificationOutcome& outcome) {
-  return identifiedCell(cell, outcome.fit, outcome.readings, cell.path).reread();
+  return identifiedCell(cell, outcome.fit, outcome.measurements, cell.path).reread();
 }
 
 }  // namespace tubeplan::app

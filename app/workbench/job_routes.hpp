@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/jobs/comparison.hpp"
 #include "app/jobs/diagnosis.hpp"
 #include "app/jobs/identification.hpp"
@@ -21,15 +21,15 @@ namespace tubeplan::app {
 [[nodiscard]] Answer beginJob(Workbench& workbench, const std::string& kind, const std::string& label, JobWork work);
 
 /// Inputs of a job. The result of the job is discarded if these inputs have changed since the job began.
-enum class JobInput { kModel, kModelAndReadings };
+enum class JobInput { kModel, kModelAndMeasurements };
 
 /// Work of a job that returns the result document for the model that was current when the job began.
 using ResultWork = std::function<nlohmann::json(const Session& began, JobContext&)>;
 [[nodiscard]] Answer beginResultJob(Workbench& workbench, const std::string& kind, const std::string& label,
                                     JobInput input, ResultWork work);
 
-/// Begins the comparison of the current model with the readings. With `with_ladder`, also compares all models on the
-/// stack with each other (the ladder), reusing the fit of the current one.
+/// Begins the comparison of the current model with the measurements. With `with_ladder`, also compares all models on
+/// the stack with each other (the ladder), reusing the fit of the current one.
 [[nodiscard]] Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, bool with_ladder);
 
 /// Begins the diagnosis of the current model.
@@ -41,15 +41,15 @@ using ResultWork = std::function<nlohmann::json(const Session& began, JobContext
 /// Returns planner hooks that report progress and stop the work as hooksOf() does.
 [[nodiscard]] planner::PlanHooks planHooksOf(JobContext& context);
 
-/// Returns the error for a request that needs readings when none are loaded.
-[[nodiscard]] InputError withoutReadings();
+/// Returns the error for a request that needs measurements when none are loaded.
+[[nodiscard]] InputError withoutMeasurements();
 
-/// Returns the current model with the readings in use. Throws InputError without readings, and for readings at which a
-/// formula of the model has no value.
-[[nodiscard]] CellReadings inputOf(const Session& session);
+/// Returns the current model with the measurements in use. Throws InputError without measurements, and for measurements
+/// at which a formula of the model has no value.
+[[nodiscard]] CellMeasurements inputOf(const Session& session);
 
 /// Applies the result of a job to the session. Throws InputError if the current model is no longer the model at the
-/// beginning of the job, and JobStopped if the readings have been replaced, so that the result is obsolete.
+/// beginning of the job, and JobStopped if the measurements have been replaced, so that the result is obsolete.
 void finishJob(Workbench& workbench, const Session& began, JobInput input, const std::function<void(Session&)>& step);
 
 /// Returns the cell after a fit as read back from its exported file, so that later results agree with those of the

@@ -10,12 +10,12 @@
 
 #include "app/documents/figures.hpp"
 #include "app/formats/arm/joint_units.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/formats/measurements/measurements_reader.hpp"
-#include "app/formats/measurements/reading_input.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/workbench/exchange.hpp"
 #include "app/workbench/job_routes.hpp"
-#include "app/workbench/reading_sets.hpp"
+#include "app/workbench/measurement_sets.hpp"
 #include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
@@ -104,22 +104,23 @@ void showLiveProblem(Workbench& workbench, const InputError& error, const std::s
 
 std::size_t takeArrived(Workbench& workbench, const std::string& text, const std::string& name, bool passes_known) {
   const Session session = workbench.session();
-  const auto before = session.readings ? session.readings->readings : std::vector<calibration::Measurement>();
-  auto readings = parseReadings(text, name, currentModel(session).cell, 0, before);
-  return workbench.arrivals().take(std::move(readings), session.readings.get(), passes_known);
+  const auto before =
+      session.measurements ? session.measurements->measurements : std::vector<calibration::Measurement>();
+  auto measurements = parseMeasurementText(text, name, currentModel(session).cell, 0, before);
+  return workbench.arrivals().take(std::move(measurements), session.measurements.get(), passes_known);
 }
 
 void joinArrived(Workbench& workbench) {
   if (workbench.arrivals().isEmpty() || workbench.jobs().isBusy()) return;
   bool was_diagnosed = false;
   const auto arrived = workbench.arrivals().hand();
-  for (bool is_done = false; !is_done;) {  // repeated if the readings have changed meanwhile
+  for (bool is_done = false; !is_done;) {  // repeated if the measurements have changed meanwhile
     const Session before = workbench.session();
-    const auto joined = joinedSet(before.readings.get(), arrived, currentModel(before).cell);
+    const auto joined = joinedSet(before.measurements.get(), arrived, currentModel(before).cell);
     is_done = workbench.change([&](Session& session) {
-      if (session.readings != before.readings) return false;
+      if (session.measurements != before.measurements) return false;
       was_diagnosed = findResult(session, "diagnose", currentModel(session).id) != nullptr;
-      putReadings(session, joined);
+      putMeasurements(session, joined);
       return true;
     });
   }

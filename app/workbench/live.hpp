@@ -1,4 +1,5 @@
-// Data from a running arm: encoder readings, shown in all browsers, and new measurements, added to the loaded readings.
+// Data from a running arm: encoder readings, shown in all browsers, and new measurements, added to the loaded
+// measurements.
 #pragma once
 
 #include <filesystem>
@@ -19,16 +20,16 @@ nlohmann::json showEncoders(Workbench& workbench, const Eigen::VectorXd& q, doub
 /// Reports an error in received data to all browsers.
 void showLiveProblem(Workbench& workbench, const InputError& error, const std::string& source);
 
-/// Queues readings, given as the text of a measurement file, until joinArrived() adds them. Returns the number of
-/// queued readings. Readings with known ids are skipped if `passes_known`, otherwise refused. Throws InputError for
-/// refused ids and for a faulty file.
+/// Queues measurements, given as the text of a measurement file, until joinArrived() adds them. Returns the number of
+/// queued measurements. Measurements with known ids are skipped if `passes_known`, otherwise refused. Throws InputError
+/// for refused ids and for a faulty file.
 std::size_t takeArrived(Workbench& workbench, const std::string& text, const std::string& name, bool passes_known);
 
-/// Adds the queued readings to the loaded readings unless a job is running, and begins the comparison of all.
+/// Adds the queued measurements to the loaded measurements unless a job is running, and begins the comparison of all.
 void joinArrived(Workbench& workbench);
 
 /// File that another program writes: a growing measurement table, or a table of encoder readings with one row per
-/// reading and columns for the joints and, optionally, the load.
+/// measurement and columns for the joints and, optionally, the load.
 class WatchedFile {
  public:
   explicit WatchedFile(std::filesystem::path file) : file_(std::move(file)) {}

@@ -15,8 +15,8 @@ Answer encoders(Workbench& workbench, const Request& request) {
   return answerOf(showEncoders(workbench, jointsOf(body, cell), loadOf(body, cell), "POST"));
 }
 
-/// Queues the readings in the text of a measurement file; their ids must be new.
-Answer takeReadings(Workbench& workbench, const Request& request) {
+/// Queues the measurements in the text of a measurement file; their ids must be new.
+Answer takeMeasurements(Workbench& workbench, const Request& request) {
   const std::size_t waiting = takeArrived(workbench, request.body, "request", false);
   joinArrived(workbench);
   return answerOf({{"waiting", workbench.arrivals().isEmpty() ? 0 : waiting}}, 202);
@@ -24,7 +24,7 @@ Answer takeReadings(Workbench& workbench, const Request& request) {
 
 constexpr Route kLiveRoutes[] = {
     {"POST", "live/encoders", encoders},
-    {"POST", "live/readings", takeReadings},
+    {"POST", "live/readings", takeMeasurements},
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Routes of the calibration loop: compare, diagnose, identify, add, remove, ladder, improve, and simulate readings for
-// practice. Each route begins a job.
+// Routes of the calibration loop: compare, diagnose, identify, add, remove, ladder, improve, and simulate measurements
+// for practice. Each route begins a job.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -61,8 +61,10 @@ nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Session& be
   std::vector<LadderModel> models;
   for (const auto& [label, cell] : stack) {
     models.push_back(
-        {label, {cell, began.readings->name, readingsInUse(*began.readings), began.readings->checks}, nullptr});
-    requireDefinedFormulas(models.back().input.readings, cell, models.back().input.file);
+        {label,
+         {cell, began.measurements->name, measurementsInUse(*began.measurements), began.measurements->checks},
+         nullptr});
+    requireDefinedFormulas(models.back().input.measurements, cell, models.back().input.file);
   }
   models.back().fit = top;
   LadderRequest asked;
@@ -75,19 +77,19 @@ nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Session& be
 
 Answer ladder(Workbench& workbench, const Request& request) {
   const std::uint64_t seed = seedOf(objectOf(request));
-  return beginResultJob(workbench, "ladder", "one model after another", JobInput::kModelAndReadings,
+  return beginResultJob(workbench, "ladder", "one model after another", JobInput::kModelAndMeasurements,
                         [seed](const Session& began, JobContext& context) {
                           (void)inputOf(began);
                           return ladderOver(stackOf(began), began, seed, hooksOf(context));
                         });
 }
 
-/// Compares all models of stackOf() on the readings that the comparison of the current model used, and stores the
+/// Compares all models of stackOf() on the measurements that the comparison of the current model used, and stores the
 /// result as the ladder.
-void putLadder(Workbench& workbench, const Session& began, std::uint64_t seed, const RefitOfReadings& refit,
+void putLadder(Workbench& workbench, const Session& began, std::uint64_t seed, const RefitOfMeasurements& refit,
                JobContext& context) {
   const auto climbed = ladderOver(stackOf(began), began, seed, hooksOf(context), refit.set_aside, &refit.fit);
-  finishJob(workbench, began, JobInput::kModelAndReadings,
+  finishJob(workbench, began, JobInput::kModelAndMeasurements,
             [&](Session& session) { putResult(session, "ladder", currentModel(began).id, climbed); });
 }
 
@@ -98,7 +100,7 @@ Answer compare(Workbench& workbench, const Request& request) {
                          booleanOf(body, "ladder", false));
 }
 
-void requireFitted(const IdentificationOutcome& outcome, const CellReadings& input) {
+void requireFitted(const IdentificationOutcome& outcome, const CellMeasurements& input) {
   if (outcome.fit.status == calibration::IdentificationStatus::kNotRun)
     throw InputError::saying(input.file, outcome.fit.reason, "correct the readings, or confirm that they are right");
   if (outcome.fit.status != calibration::IdentificationStatus::kDone)
@@ -117,17 +119,17 @@ struct FitJob {
 Answer beginFit(Workbench& workbench, const FitJob& fit) {
   return beginJob(workbench, fit.kind, fit.label, [fit, &workbench](JobContext& context) {
     const Session began = workbench.session();
-    CellReadings input = inputOf(began);
+    CellMeasurements input = inputOf(began);
     if (fit.changed) {
       input.cell = rereadCell(input.cell, fit.changed(input.cell));
-      requireDefinedFormulas(input.readings, input.cell, input.file);
+      requireDefinedFormulas(input.measurements, input.cell, input.file);
     }
     const auto outcome = identifyModel(input, fit.asked, hooksOf(context));
     requireFitted(outcome, input);
     auto stack = stackOf(began);
     stack.push_back({fit.name, fittedCell(input.cell, outcome)});
     const auto climbed = ladderOver(stack, began, fit.asked.seed, hooksOf(context));
-    finishJob(workbench, began, JobInput::kModelAndReadings, [&](Session& session) {
+    finishJob(workbench, began, JobInput::kModelAndMeasurements, [&](Session& session) {
       const int id = pushModel(session, fit.name, fit.origin, stack.back().cell);
       putResult(session, "identify", id, outcome.figures);
       putResult(session, "ladder", id, climbed);
@@ -187,33 +189,33 @@ Answer remove(Workbench& workbench, const Request& request) {
 Answer improve(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const ImprovementRequest asked{integerOf(body, "steps", 6, 1, 20), seedOf(body), {}};
-  return beginJob(workbench, "improve", "diagnose and add until no further effect is found",
-                  [&workbench, asked](JobContext& context) {
-                    const Session began = workbench.session();
-                    const CellReadings input = inputOf(began);
-                    const auto outcome = improveModel(input, asked, hooksOf(context));
-                    if (!outcome.isUsable())
-                      throw InputError::saying(
-                          input.file,
-                          "the readings allow no verdict: " +
-                              (outcome.steps.empty() ? outcome.models.front().fit.reason
-                                                     : reasonText(outcome.steps.back(), input.cell.units)),
-                          "correct the readings, or add more");
-                    std::vector<NamedCell> improved;  // one model for each step, so that each step can be undone
-                    for (const auto& model : outcome.models)
-                      improved.push_back(
-                          {model.name == "as given" ? "fitted" : model.name,
-                           improvedCell(input.cell, model.cell, model.fit,
-                                        calibration::withoutReadings(input.readings, model.set_aside), input.cell.path)
-                               .reread()});
-                    finishJob(workbench, began, JobInput::kModelAndReadings, [&](Session& session) {
-                      int id = 0;
-                      for (std::size_t k = 0; k < improved.size(); ++k)
-                        id = pushModel(session, improved[k].label, k == 0 ? "fit" : "effect", improved[k].cell);
-                      putResult(session, "improve", id, improvementJson(outcome, input.readings, input.cell.units));
-                    });
-                    return "improve";
-                  });
+  return beginJob(
+      workbench, "improve", "diagnose and add until no further effect is found",
+      [&workbench, asked](JobContext& context) {
+        const Session began = workbench.session();
+        const CellMeasurements input = inputOf(began);
+        const auto outcome = improveModel(input, asked, hooksOf(context));
+        if (!outcome.isUsable())
+          throw InputError::saying(input.file,
+                                   "the readings allow no verdict: " +
+                                       (outcome.steps.empty() ? outcome.models.front().fit.reason
+                                                              : reasonText(outcome.steps.back(), input.cell.units)),
+                                   "correct the readings, or add more");
+        std::vector<NamedCell> improved;  // one model for each step, so that each step can be undone
+        for (const auto& model : outcome.models)
+          improved.push_back(
+              {model.name == "as given" ? "fitted" : model.name,
+               improvedCell(input.cell, model.cell, model.fit,
+                            calibration::withoutMeasurements(input.measurements, model.set_aside), input.cell.path)
+                   .reread()});
+        finishJob(workbench, began, JobInput::kModelAndMeasurements, [&](Session& session) {
+          int id = 0;
+          for (std::size_t k = 0; k < improved.size(); ++k)
+            id = pushModel(session, improved[k].label, k == 0 ? "fit" : "effect", improved[k].cell);
+          putResult(session, "improve", id, improvementJson(outcome, input.measurements, input.cell.units));
+        });
+        return "improve";
+      });
 }
 
 SimulationRequest simulationAsked(const nlohmann::json& body) {
@@ -224,7 +226,7 @@ SimulationRequest simulationAsked(const nlohmann::json& body) {
     for (const auto& design : calibration::campaignDesigns()) names.emplace_back(design.name);
     throw InputError("design", inQuotes(asked.design), alternatives(names), suggestion(asked.design, names));
   }
-  asked.readings = integerOf(body, "readings", 60, 1, kMostSimulated);
+  asked.measurements = integerOf(body, "readings", 60, 1, kMostSimulated);
   asked.hide = textsOf(body, "hide");
   if (body.contains("loads") && !body["loads"].is_null()) asked.loads = numbersOf(body, "loads");
   asked.spread = numberOf(body, "spread", 0);
@@ -232,12 +234,12 @@ SimulationRequest simulationAsked(const nlohmann::json& body) {
   return asked;
 }
 
-/// Returns the simulated readings as a reader of the written measurement file would see them.
-std::shared_ptr<ReadingSet> readingsOf(const calibration::SimulatedCampaign& campaign, const Cell& cell,
-                                       const std::string& name) {
-  auto set = std::make_shared<ReadingSet>();
+/// Returns the simulated measurements as a reader of the written measurement file would see them.
+std::shared_ptr<MeasurementSet> measurementsOf(const calibration::SimulatedCampaign& campaign, const Cell& cell,
+                                               const std::string& name) {
+  auto set = std::make_shared<MeasurementSet>();
   set->name = name;
-  set->readings = parseReadings(measurementsCsv(campaign.readings, cell.arm, cell.units), name, cell);
+  set->measurements = parseMeasurementText(measurementsCsv(campaign.measurements, cell.arm, cell.units), name, cell);
   return set;
 }
 
@@ -250,18 +252,20 @@ Answer simulate(Workbench& workbench, const Request& request) {
     const Cell& cell = began.models.front()->cell;
     const SimulationTask task = prepareSimulation(cell, asked);
     const auto campaign =
-        simulateReadings(cell, task, asked.seed,
-                         {[&](std::size_t done, std::size_t total) { context.progress("readings", done, total); },
-                          [&] { return context.stopRequested(); }});
+        simulateMeasurements(cell, task, asked.seed,
+                             {[&](std::size_t done, std::size_t total) { context.progress("readings", done, total); },
+                              [&] { return context.stopRequested(); }});
     if (campaign.status == calibration::CampaignStatus::kStopped) throw JobStopped{};
     if (campaign.status != calibration::CampaignStatus::kDone)
       throw InputError::saying("design", campaign.reason, "choose another design or seed, or fewer readings");
-    const auto set = readingsOf(campaign, cell, fmt::format("simulated-{}-{}.csv", asked.design, asked.seed));
-    finishJob(workbench, began, JobInput::kModelAndReadings, [&](Session& session) {
-      putReadings(session, set);
-      putResult(
-          session, "simulate", currentModel(session).id,
-          {{"design", asked.design}, {"readings", set->readings.size()}, {"hidden", asked.hide}, {"seed", asked.seed}});
+    const auto set = measurementsOf(campaign, cell, fmt::format("simulated-{}-{}.csv", asked.design, asked.seed));
+    finishJob(workbench, began, JobInput::kModelAndMeasurements, [&](Session& session) {
+      putMeasurements(session, set);
+      putResult(session, "simulate", currentModel(session).id,
+                {{"design", asked.design},
+                 {"readings", set->measurements.size()},
+                 {"hidden", asked.hide},
+                 {"seed", asked.seed}});
     });
     return "simulate";
   });
@@ -276,19 +280,19 @@ constexpr Route kLoopRoutes[] = {
 }  // namespace
 
 Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, bool with_ladder) {
-  return beginResultJob(workbench, "compare", "where the model fails", JobInput::kModelAndReadings,
+  return beginResultJob(workbench, "compare", "where the model fails", JobInput::kModelAndMeasurements,
                         [=, &workbench](const Session& began, JobContext& context) {
-                          const CellReadings input = inputOf(began);
+                          const CellMeasurements input = inputOf(began);
                           if (!with_ladder) return compareModel(input, asked, hooksOf(context)).figures;
                           beginStage(context, "fit");
-                          const auto refit = refitReadings(input, asked, hooksOf(context));
+                          const auto refit = refitMeasurements(input, asked, hooksOf(context));
                           putLadder(workbench, began, asked.seed, refit, context);
                           return compareModel(input, asked, hooksOf(context), &refit).figures;
                         });
 }
 
 Answer beginDiagnosis(Workbench& workbench, const DiagnosisRequest& asked) {
-  return beginResultJob(workbench, "diagnose", "what the model lacks", JobInput::kModelAndReadings,
+  return beginResultJob(workbench, "diagnose", "what the model lacks", JobInput::kModelAndMeasurements,
                         [asked](const Session& began, JobContext& context) {
                           return diagnoseModel(inputOf(began), asked, hooksOf(context)).figures;
                         });

@@ -11,12 +11,12 @@
 #include "app/formats/cell/cell_writer.hpp"
 #include "app/formats/checkpoint/checkpoint_file.hpp"
 #include "app/formats/checkpoint/whole_number.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/formats/measurements/measurements_writer.hpp"
-#include "app/formats/measurements/reading_input.hpp"
 #include "app/formats/sheet/touch_input.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/version.hpp"
-#include "app/workbench/reading_sets.hpp"
+#include "app/workbench/measurement_sets.hpp"
 
 namespace tubeplan::app {
 
@@ -30,9 +30,9 @@ constexpr CheckpointFormat kProjectFormat = {"tubeplan project 1", "a project sa
 /// Name of the result that is not stored, because it refers to planner objects in memory; it is computed again.
 constexpr const char* kNotKept = "plan";
 
-std::string allReadingsText(const Session& session) {
+std::string allMeasurementsText(const Session& session) {
   const Cell& cell = session.models.front()->cell;
-  return session.readings ? measurementsCsv(session.readings->readings, cell.arm, cell.units) : "";
+  return session.measurements ? measurementsCsv(session.measurements->measurements, cell.arm, cell.units) : "";
 }
 
 // ---- writing
@@ -60,12 +60,12 @@ json touchesJson(const Session& session) {
   return {{"csv", touchesCsv(touches, session.models.front()->cell)}, {"tubes", tubes}, {"simulated", simulated}};
 }
 
-json keptReadingsJson(const Session& session) {
-  if (!session.readings) return nullptr;
-  return {{"name", session.readings->name},
-          {"csv", allReadingsText(session)},
-          {"set_aside", session.readings->set_aside},
-          {"change", session.readings->change}};
+json keptMeasurementsJson(const Session& session) {
+  if (!session.measurements) return nullptr;
+  return {{"name", session.measurements->name},
+          {"csv", allMeasurementsText(session)},
+          {"set_aside", session.measurements->set_aside},
+          {"change", session.measurements->change}};
 }
 
 json keptResultsJson(const Session& session) {
@@ -85,7 +85,7 @@ json payloadOf(const Session& session) {
           {"current", session.current},
           {"next_model", session.next_model},
           {"revision", session.revision},
-          {"readings", keptReadingsJson(session)},
+          {"readings", keptMeasurementsJson(session)},
           {"results", keptResultsJson(session)},
           {"truth", session.truth.empty() ? "" : fs::absolute(session.truth).string()},
           {"touches", touchesJson(session)},
@@ -94,7 +94,7 @@ json payloadOf(const Session& session) {
           {"saved_revision", session.saved_revision}};
 }
 
-// ---- reading
+// ---- measurement
 
 ModelPointer modelOf(const json& entry) {
   const std::string path = entry.at("path");
@@ -103,13 +103,13 @@ ModelPointer modelOf(const json& entry) {
                    parseCell(entry.at("text"), path, arm));
 }
 
-std::shared_ptr<const ReadingSet> readingsOf(const json& entry, const Cell& cell) {
+std::shared_ptr<const MeasurementSet> measurementsOf(const json& entry, const Cell& cell) {
   if (entry.is_null()) return nullptr;
-  auto set = std::make_shared<ReadingSet>();
+  auto set = std::make_shared<MeasurementSet>();
   set->name = entry.at("name");
   Cell own = cell;
-  auto [readings, checks] = parseAndCheck(entry.at("csv"), set->name, own, {});
-  set->readings = std::move(readings);
+  auto [measurements, checks] = parseAndCheck(entry.at("csv"), set->name, own, {});
+  set->measurements = std::move(measurements);
   set->checks = std::move(checks);
   set->set_aside = entry.at("set_aside").get<std::set<std::string>>();
   set->change = wholeNumber<int>(entry.at("change"));
@@ -119,7 +119,7 @@ std::shared_ptr<const ReadingSet> readingsOf(const json& entry, const Cell& cell
 std::vector<TouchMade> touchesMade(const json& entry, const Cell& cell, const std::string& file) {
   std::vector<TouchMade> made;
   if (entry.is_null()) return made;
-  const auto touches = touchesOf(parseReadings(entry.at("csv"), file, cell), cell, file);
+  const auto touches = touchesOf(parseMeasurementText(entry.at("csv"), file, cell), cell, file);
   for (std::size_t k = 0; k < touches.size(); ++k)
     made.push_back({touches[k], wholeNumber<int>(entry.at("tubes").at(k)), entry.at("simulated").at(k)});
   return made;
@@ -144,9 +144,9 @@ void renameKeys(json& document) {
 /// Reverses the sign of a comparison's errors, which earlier versions wrote as predicted minus measured.
 void turnErrors(json& comparison) {
   if (comparison.contains("errors") || !comparison.contains("readings")) return;
-  for (auto& reading : comparison.at("readings"))
+  for (auto& measurement : comparison.at("readings"))
     for (const char* error : {"error_before", "error_after"})
-      for (auto& part : reading.at(error))
+      for (auto& part : measurement.at(error))
         if (part.is_number()) part = -part.get<double>();
   comparison["errors"] = kErrorsAre;
 }
@@ -175,7 +175,7 @@ Session sessionOf(const json& payload, const std::string& file) {
   const Cell& cell = session.models.front()->cell;
   session.next_model = wholeNumber<int>(payload.at("next_model"));
   session.revision = wholeNumber<std::uint64_t>(payload.at("revision"));
-  session.readings = readingsOf(payload.at("readings"), cell);
+  session.measurements = measurementsOf(payload.at("readings"), cell);
   session.results = resultsOf(payload.at("results"));
   session.truth = payload.at("truth");
   session.touches = touchesMade(payload.at("touches"), cell, file);
@@ -192,7 +192,7 @@ std::string projectText(const Session& session) {
       {"program", kVersion},
       {"cell", session.models.front()->cell.name},
       {"cell file", fs::absolute(session.models.front()->cell.path).string()},
-      {"readings", session.readings ? session.readings->name : ""},
+      {"readings", session.measurements ? session.measurements->name : ""},
       {"models", std::to_string(session.models.size())},
       {"saved", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
   };
@@ -223,12 +223,13 @@ json projectSummary(const fs::path& file) {
 bool hasSameInputs(const Session& one, const Session& other) {
   const Cell &a = one.models.front()->cell, &b = other.models.front()->cell;
   return cellTextAt(a, a.path) == cellTextAt(b, b.path) && a.arm_source.text == b.arm_source.text &&
-         allReadingsText(one) == allReadingsText(other);
+         allMeasurementsText(one) == allMeasurementsText(other);
 }
 
 bool hasWork(const Session& session) {
-  const auto isMarked = [](const ReadingSet& set) { return !set.set_aside.empty() || !assumedOf(set).empty(); };
-  return session.models.size() > 1 || !session.touches.empty() || (session.readings && isMarked(*session.readings));
+  const auto isMarked = [](const MeasurementSet& set) { return !set.set_aside.empty() || !assumedOf(set).empty(); };
+  return session.models.size() > 1 || !session.touches.empty() ||
+         (session.measurements && isMarked(*session.measurements));
 }
 
 bool isUnsaved(const Session& session) { return hasWork(session) && session.saved_revision != session.revision; }

@@ -1,4 +1,4 @@
-// Project file of a session: the text of every model file, all readings including those set aside, touches, and
+// Project file of a session: the text of every model file, all measurements including those set aside, touches, and
 // results. Plans are not stored; they are computed again.
 #pragma once
 
@@ -19,14 +19,14 @@ inline constexpr const char* kProjectExtension = ".tubeplan";
 /// Throws InputError if the file is no project, is damaged, or names missing files.
 [[nodiscard]] Session readProject(const std::filesystem::path& file);
 
-/// Returns {file, program, cell, "cell file", readings, models, saved}, read from the first line of the file; null if
-/// the file is no project.
+/// Returns {file, program, cell, "cell file", measurements, models, saved}, read from the first line of the file; null
+/// if the file is no project.
 [[nodiscard]] nlohmann::json projectSummary(const std::filesystem::path& file);
 
-/// Returns true if two sessions have the same text of the first cell and the same readings.
+/// Returns true if two sessions have the same text of the first cell and the same measurements.
 [[nodiscard]] bool hasSameInputs(const Session& one, const Session& other);
 
-/// Returns true if the session contains more than its inputs: added models, touches, or readings set aside or read
+/// Returns true if the session contains more than its inputs: added models, touches, or measurements set aside or read
 /// under assumptions.
 [[nodiscard]] bool hasWork(const Session& session);
 

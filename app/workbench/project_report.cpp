@@ -22,9 +22,9 @@ namespace {
 
 using nlohmann::json;
 
-std::string usedReadingsText(const Session& session) {
+std::string usedMeasurementsText(const Session& session) {
   const Cell& cell = session.models.front()->cell;
-  return measurementsCsv(readingsInUse(*session.readings), cell.arm, cell.units);
+  return measurementsCsv(measurementsInUse(*session.measurements), cell.arm, cell.units);
 }
 
 std::string modelFile(std::size_t index) { return fmt::format("model-{}.yaml", index); }
@@ -39,9 +39,9 @@ json inputsJson(const Session& session) {
   const auto of_cell = cellFiles(session.models.front()->cell, modelFile(0));
   for (const auto& file : of_cell)
     inputs.push_back(inputJson(&file == &of_cell.front() ? "cell as given" : "its arm", file.path.string(), file.text));
-  if (session.readings)
-    inputs.push_back(
-        inputJson("readings in use, of " + session.readings->name, "measurements.csv", usedReadingsText(session)));
+  if (session.measurements)
+    inputs.push_back(inputJson("readings in use, of " + session.measurements->name, "measurements.csv",
+                               usedMeasurementsText(session)));
   return inputs;
 }
 
@@ -90,7 +90,7 @@ std::string inShell(const std::filesystem::path& path) {
 json commandsJson(const Session& session, const ProjectReportRequest& request) {
   const auto in = [&](const std::string& name) { return inShell(std::filesystem::path(request.files) / name); };
   json commands = {fmt::format("tubeplan report {} --files {}", inShell(request.project), inShell(request.files))};
-  if (!session.readings) return commands;
+  if (!session.measurements) return commands;
   std::string stack;
   for (std::size_t k = 0; k <= session.current; ++k) {
     stack += " " + in(modelFile(k));
@@ -113,8 +113,8 @@ json factsJson(const Session& session, const ProjectReportRequest& request) {
                             fact("Current model", currentModel(session).label)});
   if (const Cell& cell = currentModel(session).cell; cell.sheet)
     facts.push_back(fact("What is planned holds", wordsOf(standingOf(cell))));
-  if (session.readings)
-    facts.push_back(fact("Readings in use", fmt::format("{}", readingsInUse(*session.readings).size())));
+  if (session.measurements)
+    facts.push_back(fact("Readings in use", fmt::format("{}", measurementsInUse(*session.measurements).size())));
   return facts;
 }
 
@@ -145,7 +145,7 @@ std::vector<TextFile> projectFiles(const Session& session, const std::filesystem
   std::vector<TextFile> files;
   for (std::size_t k = 0; k < session.models.size(); ++k)
     for (auto& file : cellFiles(session.models[k]->cell, folder / modelFile(k))) files.push_back(std::move(file));
-  if (session.readings) files.push_back({folder / "measurements.csv", usedReadingsText(session)});
+  if (session.measurements) files.push_back({folder / "measurements.csv", usedMeasurementsText(session)});
   return files;
 }
 
@@ -153,8 +153,8 @@ json projectReportJson(const Session& session, const ProjectReportRequest& reque
   const Cell& cell = session.models.front()->cell;
   json report = {{"title", "Project " + std::filesystem::path(request.project).stem().string()},
                  {"cell", cell.name},
-                 {"measurements", session.readings ? session.readings->name : ""},
-                 {"units", readingUnitsJson(cell.units)},
+                 {"measurements", session.measurements ? session.measurements->name : ""},
+                 {"units", measurementUnitsJson(cell.units)},
                  {"facts", factsJson(session, request)},
                  {"models", modelsOfLadder(session)},
                  {"history", historyJson(session)},
@@ -163,7 +163,7 @@ json projectReportJson(const Session& session, const ProjectReportRequest& reque
                  {"version", kVersion},
                  {"commit", sourceCommit()}};
   addVerdict(session, report);
-  if (session.readings) report["set_aside"] = session.readings->set_aside;
+  if (session.measurements) report["set_aside"] = session.measurements->set_aside;
   if (const auto fitted = findResult(session, "identify", currentModel(session).id))
     report["parameters"] = fitted->document["parameters"];
   if (const auto ladder = findResult(session, "ladder"); ladder && !ladder->document["models"].empty())

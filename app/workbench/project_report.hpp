@@ -12,8 +12,8 @@
 
 namespace tubeplan::app {
 
-/// Returns the inputs and all models as files in `folder`: measurements.csv (without readings set aside), model-0.yaml
-/// and so on.
+/// Returns the inputs and all models as files in `folder`: measurements.csv (without measurements set aside),
+/// model-0.yaml and so on.
 [[nodiscard]] std::vector<TextFile> projectFiles(const Session& session, const std::filesystem::path& folder);
 
 struct ProjectReportRequest {

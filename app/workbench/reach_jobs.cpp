@@ -13,7 +13,7 @@
 #include "app/formats/units_json.hpp"
 #include "app/storage/input_error.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "planner/reach/scoring.hpp"
 #include "planner/reach/tube_reach.hpp"
 
@@ -68,18 +68,18 @@ double centringOf(const planner::Workcell& model, const std::optional<planner::W
 std::vector<double> residuals(const Session& session, const tubesheets::Sheet& sheet) {
   std::vector<double> values(sheet.tubes.size(), std::numeric_limits<double>::quiet_NaN());
   const Cell& cell = currentModel(session).cell;
-  std::vector<calibration::Measurement> readings;
-  if (session.readings) readings = session.readings->readings;
-  for (const auto& made : session.touches) readings.push_back(made.touch);
-  if (readings.empty())
+  std::vector<calibration::Measurement> measurements;
+  if (session.measurements) measurements = session.measurements->measurements;
+  for (const auto& made : session.touches) measurements.push_back(made.touch);
+  if (measurements.empty())
     throw InputError::saying("measurements", "no readings are loaded and no hole has been touched",
                              "touch some holes first");
-  for (const auto& reading : readings) {
-    const auto name = tubesheets::parseTubeName(reading.point);
+  for (const auto& measurement : measurements) {
+    const auto name = tubesheets::parseTubeName(measurement.point);
     const auto hole = name ? sheet.indexOf(name->row, name->column) : std::nullopt;
-    if (!hole || !calibration::touchesKnownPoint(reading)) continue;
-    const auto tip = calibration::predictReading(cell.arm, cell.X_WB, reading);
-    if (tip.ok) values[static_cast<std::size_t>(*hole)] = (tip.value - *reading.p_W).norm();
+    if (!hole || !calibration::touchesKnownPoint(measurement)) continue;
+    const auto tip = calibration::predictMeasurement(cell.arm, cell.X_WB, measurement);
+    if (tip.ok) values[static_cast<std::size_t>(*hole)] = (tip.value - *measurement.p_W).norm();
   }
   return values;
 }

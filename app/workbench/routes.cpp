@@ -13,8 +13,8 @@ namespace tubeplan::app {
 namespace {
 
 using RouteTable = std::span<const Route> (*)();
-constexpr RouteTable kTables[] = {stateRoutes,     geometryRoutes, fileRoutes,   readingRoutes, loopRoutes,
-                                  calibrateRoutes, planRoutes,     exportRoutes, liveRoutes, outageRoutes};
+constexpr RouteTable kTables[] = {stateRoutes,     geometryRoutes, fileRoutes,   measurementRoutes, loopRoutes,
+                                  calibrateRoutes, planRoutes,     exportRoutes, liveRoutes,        outageRoutes};
 
 bool fits(std::string_view path, const std::vector<std::string>& words) {
   std::size_t k = 0;

@@ -19,7 +19,7 @@ struct Route {
 [[nodiscard]] std::span<const Route> geometryRoutes();
 [[nodiscard]] std::span<const Route> stateRoutes();
 [[nodiscard]] std::span<const Route> fileRoutes();
-[[nodiscard]] std::span<const Route> readingRoutes();
+[[nodiscard]] std::span<const Route> measurementRoutes();
 [[nodiscard]] std::span<const Route> loopRoutes();
 [[nodiscard]] std::span<const Route> calibrateRoutes();
 [[nodiscard]] std::span<const Route> planRoutes();

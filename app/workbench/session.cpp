@@ -18,10 +18,10 @@ ModelPointer makeModel(int id, std::string label, std::string origin, Cell cell)
   return model;
 }
 
-std::vector<calibration::Measurement> readingsInUse(const ReadingSet& set) {
-  auto readings = set.readings;
-  std::erase_if(readings, [&](const auto& reading) { return set.set_aside.contains(reading.id); });
-  return readings;
+std::vector<calibration::Measurement> measurementsInUse(const MeasurementSet& set) {
+  auto measurements = set.measurements;
+  std::erase_if(measurements, [&](const auto& measurement) { return set.set_aside.contains(measurement.id); });
+  return measurements;
 }
 
 std::optional<std::size_t> findModel(const Session& session, int id) {
@@ -62,17 +62,17 @@ int pushModel(Session& session, std::string label, std::string origin, Cell cell
 
 namespace {
 
-/// Largest total number of readings that all result documents together may list, about 100 MiB: enough for two
-/// comparisons of as many readings as may be loaded.
+/// Largest total number of measurements that all result documents together may list, about 100 MiB: enough for two
+/// comparisons of as many measurements as may be loaded.
 constexpr std::size_t kMostListed = 40000;
 
-std::size_t readingsListed(const ResultDocument& result) {
-  const auto readings = result.document.find("readings");
-  return readings == result.document.end() || !readings->is_array() ? 0 : readings->size();
+std::size_t measurementsListed(const ResultDocument& result) {
+  const auto measurements = result.document.find("readings");
+  return measurements == result.document.end() || !measurements->is_array() ? 0 : measurements->size();
 }
 
-/// Deletes the oldest documents that list readings, except those of the current model, until the limit holds. Deleted
-/// documents are computed again when their model becomes current.
+/// Deletes the oldest documents that list measurements, except those of the current model, until the limit holds.
+/// Deleted documents are computed again when their model becomes current.
 void boundResults(Session& session) {
   for (;;) {
     std::size_t all = 0;
@@ -80,9 +80,9 @@ void boundResults(Session& session) {
     ResultPointer oldest;
     for (auto& [name, by_model] : session.results)
       for (const auto& [model, result] : by_model) {
-        const std::size_t readings = readingsListed(*result);
-        all += readings;
-        if (model == currentModel(session).id || readings == 0) continue;
+        const std::size_t measurements = measurementsListed(*result);
+        all += measurements;
+        if (model == currentModel(session).id || measurements == 0) continue;
         if (oldest && oldest->revision <= result->revision) continue;
         oldest = result;
         of_oldest = &by_model;
@@ -103,9 +103,9 @@ void putResult(Session& session, const std::string& name, int model, nlohmann::j
   boundResults(session);
 }
 
-void putReadings(Session& session, std::shared_ptr<ReadingSet> set) {
-  set->change = session.readings ? session.readings->change + 1 : 0;
-  session.readings = std::move(set);
+void putMeasurements(Session& session, std::shared_ptr<MeasurementSet> set) {
+  set->change = session.measurements ? session.measurements->change + 1 : 0;
+  session.measurements = std::move(set);
   for (const char* name : {"compare", "diagnose", "identify", "ladder", "improve", "touches", "simulate"})
     session.results.erase(name);
 }

@@ -1,5 +1,5 @@
-// Session shared by all browsers: the models of the opened cell, the readings, and the results. A session is a value
-// type, so that each request works on its own copy.
+// Session shared by all browsers: the models of the opened cell, the measurements, and the results. A session is a
+// value type, so that each request works on its own copy.
 #pragma once
 
 #include <cstdint>
@@ -34,28 +34,29 @@ using ModelPointer = std::shared_ptr<const Model>;
 
 [[nodiscard]] ModelPointer makeModel(int id, std::string label, std::string origin, Cell cell);
 
-/// Source of readings, kept so that the readings can be read again under other assumptions.
-struct ReadingSource {
-  std::vector<std::string> files;    ///< files that form one set; empty if the readings were given as text
+/// Source of measurements, kept so that the measurements can be read again under other assumptions.
+struct MeasurementSource {
+  std::vector<std::string> files;    ///< files that form one set; empty if the measurements were given as text
   std::string text;                  ///< text of a measurement file; empty if `files` are given
   double sigma = 0;                  ///< see MeasurementOptions
   std::vector<std::string> assumed;  ///< assumptions made so far, in the notation of takeAssumptions()
 };
 
-/// Readings from one or more files.
-struct ReadingSet {
+/// Measurements from one or more files.
+struct MeasurementSet {
   std::string name;
-  std::vector<calibration::Measurement> readings;  ///< readings, each with its noise sigma
-  calibration::MeasurementChecks checks = {};      ///< mistakes suspected when the readings were opened
-  std::set<std::string> set_aside = {};            ///< ids of readings excluded from all fits
-  int change = 0;                                  ///< counts the changes of readings or marks
-  /// Files and assumptions from which the readings were obtained; null if they are simulated or from a kept session.
-  std::shared_ptr<const ReadingSource> source = {};
-  std::set<std::string> joined = {};  ///< ids of the readings added last; empty in a kept session
+  std::vector<calibration::Measurement> measurements;  ///< measurements, each with its noise sigma
+  calibration::MeasurementChecks checks = {};          ///< mistakes suspected when the measurements were opened
+  std::set<std::string> set_aside = {};                ///< ids of measurements excluded from all fits
+  int change = 0;                                      ///< counts the changes of measurements or marks
+  /// Files and assumptions from which the measurements were obtained; null if they are simulated or from a kept
+  /// session.
+  std::shared_ptr<const MeasurementSource> source = {};
+  std::set<std::string> joined = {};  ///< ids of the measurements added last; empty in a kept session
 };
 
-/// Returns the readings that are not set aside.
-[[nodiscard]] std::vector<calibration::Measurement> readingsInUse(const ReadingSet& set);
+/// Returns the measurements that are not set aside.
+[[nodiscard]] std::vector<calibration::Measurement> measurementsInUse(const MeasurementSet& set);
 
 /// Touch of a hole, made by the real arm or simulated.
 struct TouchMade {
@@ -77,7 +78,7 @@ struct Session {
   std::vector<ModelPointer> models;  ///< stack of models, the opened cell first; never empty
   std::size_t current = 0;           ///< index of the current model; models above it are kept for redo
   int next_model = 1;
-  std::shared_ptr<const ReadingSet> readings;                   ///< loaded readings; null if there are none
+  std::shared_ptr<const MeasurementSet> measurements;           ///< loaded measurements; null if there are none
   std::map<std::string, std::map<int, ResultPointer>> results;  ///< by result name and model id
   std::string truth;                                            ///< cell file of the true arm; empty: none
   std::string project;                                          ///< project file last saved; empty: none
@@ -104,11 +105,11 @@ struct Session {
 /// their results. Returns the id of the new model.
 int pushModel(Session& session, std::string label, std::string origin, Cell cell);
 
-/// Stores a result. If the documents that list readings become too large in total, the oldest ones of models other than
-/// the current one are deleted.
+/// Stores a result. If the documents that list measurements become too large in total, the oldest ones of models other
+/// than the current one are deleted.
 void putResult(Session& session, const std::string& name, int model, nlohmann::json document);
 
-/// Replaces the readings, with the next change number, and deletes the results for the former readings.
-void putReadings(Session& session, std::shared_ptr<ReadingSet> set);
+/// Replaces the measurements, with the next change number, and deletes the results for the former measurements.
+void putMeasurements(Session& session, std::shared_ptr<MeasurementSet> set);
 
 }  // namespace tubeplan::app

@@ -14,10 +14,10 @@
 #include "app/formats/units.hpp"
 #include "app/formats/units_json.hpp"
 #include "app/version.hpp"
+#include "app/workbench/measurement_sets.hpp"
 #include "app/workbench/project.hpp"
-#include "app/workbench/reading_sets.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "deflection/effects/formula.hpp"
 
 namespace tubeplan::app {
@@ -48,8 +48,9 @@ json jointRangesJson(const Cell& cell) {
 
 json loadsJson(const Session& session, const Units& units) {
   std::set<double> loads;
-  if (session.readings)
-    for (const auto& reading : session.readings->readings) loads.insert(units.toFile(reading.load, dimension::kForce));
+  if (session.measurements)
+    for (const auto& measurement : session.measurements->measurements)
+      loads.insert(units.toFile(measurement.load, dimension::kForce));
   return loads;
 }
 
@@ -57,7 +58,7 @@ json cellJson(const Session& session) {
   const Cell& cell = session.models.front()->cell;
   return {{"name", cell.name},
           {"file", std::filesystem::path(cell.path).filename().string()},
-          {"units", readingUnitsJson(cell.units)},
+          {"units", measurementUnitsJson(cell.units)},
           {"base_known", cell.base_known},
           {"has_sheet", cell.sheet.has_value()},
           {"has_scene", !cell.scene.obstacles.empty() || !cell.scene.bodies.empty()},
@@ -102,28 +103,29 @@ json modelsJson(const Session& session) {
   return models;
 }
 
-json measurementsJson(const Session& session) {
-  if (!session.readings) return nullptr;
+json measurementSummaryJson(const Session& session) {
+  if (!session.measurements) return nullptr;
   std::map<std::string, int> kinds;
   std::set<std::string> setups;
   double sigma = std::numeric_limits<double>::quiet_NaN();
-  for (const auto& reading : session.readings->readings) {
-    ++kinds[calibration::kindOf(reading).name];
-    setups.insert(reading.setup);
-    if (!(sigma >= reading.sigma)) sigma = reading.sigma;
+  for (const auto& measurement : session.measurements->measurements) {
+    ++kinds[calibration::kindOf(measurement).name];
+    setups.insert(measurement.setup);
+    if (!(sigma >= measurement.sigma)) sigma = measurement.sigma;
   }
-  json document = {{"name", session.readings->name},
-                   {"readings", session.readings->readings.size()},
-                   {"kinds", kinds},
-                   {"setups", setups.size()},
-                   {"set_aside", session.readings->set_aside.size()},
-                   {"held_out", std::count_if(session.readings->readings.begin(), session.readings->readings.end(),
-                                              [](const auto& reading) { return reading.is_held_out; })},
-                   {"change", session.readings->change},
-                   {"joined", joinedCount(*session.readings)},
-                   {"assumed", assumedOf(*session.readings)},
-                   {"sigma", lengthOf(sigma, currentModel(session).cell.units)}};
-  addChecks(session.readings->checks, currentModel(session).cell.units, document);
+  json document = {
+      {"name", session.measurements->name},
+      {"readings", session.measurements->measurements.size()},
+      {"kinds", kinds},
+      {"setups", setups.size()},
+      {"set_aside", session.measurements->set_aside.size()},
+      {"held_out", std::count_if(session.measurements->measurements.begin(), session.measurements->measurements.end(),
+                                 [](const auto& measurement) { return measurement.is_held_out; })},
+      {"change", session.measurements->change},
+      {"joined", joinedCount(*session.measurements)},
+      {"assumed", assumedOf(*session.measurements)},
+      {"sigma", lengthOf(sigma, currentModel(session).cell.units)}};
+  addChecks(session.measurements->checks, currentModel(session).cell.units, document);
   return document;
 }
 
@@ -152,7 +154,7 @@ json stateJson(const Workbench& workbench) {
           {"model", currentModel(session).id},
           {"can_undo", session.current > 0},
           {"can_redo", session.current + 1 < session.models.size()},
-          {"measurements", measurementsJson(session)},
+          {"measurements", measurementSummaryJson(session)},
           {"results", resultsJson(session)},
           {"touches", session.touches.size()},
           {"project",
@@ -163,25 +165,25 @@ json stateJson(const Workbench& workbench) {
           {"jobs", workbench.jobs().list()}};
 }
 
-json readingsJson(const Model& model, const ReadingSet& set) {
+json measurementsJson(const Model& model, const MeasurementSet& set) {
   const Cell& cell = model.cell;
   json rows = json::array();
-  for (const auto& reading : set.readings) {
-    json row = readingJson(reading, cell.arm, cell.units);
-    row["line"] = reading.line;
-    row["sigma"] = lengthOf(reading.sigma, cell.units);
-    row["held_out"] = reading.is_held_out;
-    row["set_aside"] = set.set_aside.contains(reading.id);
-    row["position"] = reading.p_W ? vectorJson(*reading.p_W, cell.units, dimension::kLength) : json();
+  for (const auto& measurement : set.measurements) {
+    json row = measurementJson(measurement, cell.arm, cell.units);
+    row["line"] = measurement.line;
+    row["sigma"] = lengthOf(measurement.sigma, cell.units);
+    row["held_out"] = measurement.is_held_out;
+    row["set_aside"] = set.set_aside.contains(measurement.id);
+    row["position"] = measurement.p_W ? vectorJson(*measurement.p_W, cell.units, dimension::kLength) : json();
     const auto shape =
-        deflection::solveFlexibleKinematics(cell.arm, calibration::postureOf(reading, cell.arm, cell.X_WB));
+        deflection::solveFlexibleKinematics(cell.arm, calibration::postureOf(measurement, cell.arm, cell.X_WB));
     row["tip"] = shape.status == deflection::KinematicsStatus::kConverged
                      ? vectorJson(cell.X_WB * shape.X_BD.p, cell.units, dimension::kLength)
                      : json();
     rows.push_back(std::move(row));
   }
   return {{"name", set.name},
-          {"units", readingUnitsJson(cell.units)},
+          {"units", measurementUnitsJson(cell.units)},
           {"joints", jointsJson(cell.arm, cell.units)},
           {"rows", rows}};
 }

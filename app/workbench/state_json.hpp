@@ -9,8 +9,8 @@ namespace tubeplan::app {
 
 [[nodiscard]] nlohmann::json stateJson(const Workbench& workbench);
 
-/// Returns {name, units, joints, rows: [...]}. Each row is a reading with its line number in the file, its position
+/// Returns {name, units, joints, rows: [...]}. Each row is a measurement with its line number in the file, its position
 /// (null if unknown) and the tip predicted by the model in the world frame (null without equilibrium).
-[[nodiscard]] nlohmann::json readingsJson(const Model& model, const ReadingSet& set);
+[[nodiscard]] nlohmann::json measurementsJson(const Model& model, const MeasurementSet& set);
 
 }  // namespace tubeplan::app

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/formats/measurements/measurements_reader.hpp"
-#include "app/formats/measurements/reading_input.hpp"
 #include "app/storage/input_error.hpp"
+#include "app/workbench/measurement_sets.hpp"
 #include "app/workbench/project.hpp"
-#include "app/workbench/reading_sets.hpp"
 
 namespace tubeplan::app {
 
@@ -27,18 +27,18 @@ fs::path stateFolderOf(const WorkbenchOptions& options) {
 
 Session openAsAsked(const WorkbenchOptions& options) {
   Session session = openCell(options.cell, options.truth);
-  if (!options.measurements.empty()) {
-    session.readings = openReadings(options.measurements, currentModel(session).cell);
+  if (!options.measurement_files.empty()) {
+    session.measurements = openMeasurements(options.measurement_files, currentModel(session).cell);
     session.results.clear();
   }
   return session;
 }
 
-/// Returns true if the kept session has the present text of the cell file and the requested readings; if no readings
-/// are requested, those of the kept session are accepted.
+/// Returns true if the kept session has the present text of the cell file and the requested measurements; if no
+/// measurements are requested, those of the kept session are accepted.
 bool goesOn(const Session& kept, const Session& asked) {
   Session inputs = asked;
-  if (!inputs.readings) inputs.readings = kept.readings;
+  if (!inputs.measurements) inputs.measurements = kept.measurements;
   return hasSameInputs(kept, inputs) && (asked.truth.empty() || kept.truth == fs::absolute(asked.truth));
 }
 

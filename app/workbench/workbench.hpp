@@ -8,20 +8,20 @@
 
 #include "app/workbench/events.hpp"
 #include "app/workbench/jobs.hpp"
+#include "app/workbench/measurement_sets.hpp"
 #include "app/workbench/opened_folder.hpp"
-#include "app/workbench/reading_sets.hpp"
 #include "app/workbench/session.hpp"
 #include "app/workbench/session_keeper.hpp"
 
 namespace tubeplan::app {
 
 struct WorkbenchOptions {
-  std::string cell;                       ///< cell file or project file
-  std::vector<std::string> measurements;  ///< measurement files that form one set
-  std::string truth;                      ///< cell file of the true arm for simulated touches; empty: none
-  std::string folder;                     ///< opened folder; empty: the folder of the cell file
-  std::string state;                      ///< folder in which the session is kept; empty: it is not kept
-  bool fresh = false;                     ///< true: a kept session is renamed and not resumed
+  std::string cell;                            ///< cell file or project file
+  std::vector<std::string> measurement_files;  ///< measurement files that form one set
+  std::string truth;                           ///< cell file of the true arm for simulated touches; empty: none
+  std::string folder;                          ///< opened folder; empty: the folder of the cell file
+  std::string state;                           ///< folder in which the session is kept; empty: it is not kept
+  bool fresh = false;                          ///< true: a kept session is renamed and not resumed
   int most_listeners = 16;
 };
 

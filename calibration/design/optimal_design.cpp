@@ -37,7 +37,7 @@ TipSigma sigmaOf(const VectorXd& variances) {
   return {std::sqrt(variances.mean() / 3), std::sqrt(variances.maxCoeff() / 3)};
 }
 
-/// Returns ln det(I + H C H^T). I + H C H^T is the covariance of a whitened reading with Jacobian H: the sum of its
+/// Returns ln det(I + H C H^T). I + H C H^T is the covariance of a whitened measurement with Jacobian H: the sum of its
 /// noise and of the effect of the variables' covariance C.
 double logDetOf(const MatrixXd& H, const MatrixXd& covariance) {
   const Eigen::LLT<MatrixXd> S(MatrixXd::Identity(H.rows(), H.rows()) + H * covariance * H.transpose());
@@ -53,10 +53,11 @@ MatrixXd meanOfSquares(const std::vector<MatrixXd>& work, Index variables) {
   return mean;
 }
 
-/// A set of chosen readings that is being built up. Adding a reading with Jacobian H to the information M needs only
-/// the inverse of a matrix with the reading's number of rows: (M + H^T H)^-1 = C - C H^T S^-1 H C, with C = M^-1 and S
-/// = I + H C H^T. The determinant of C is divided by det S. That of the block of C without the nuisance variables b is
-/// divided by det S / det S_b, where S_b = I + H_b M_bb^-1 H_b^T is S if all variables other than b are known.
+/// A set of chosen measurements that is being built up. Adding a measurement with Jacobian H to the information M needs
+/// only the inverse of a matrix with the measurement's number of rows: (M + H^T H)^-1 = C - C H^T S^-1 H C, with C =
+/// M^-1 and S = I + H C H^T. The determinant of C is divided by det S. That of the block of C without the nuisance
+/// variables b is divided by det S / det S_b, where S_b = I + H_b M_bb^-1 H_b^T is S if all variables other than b are
+/// known.
 class Choice {
  public:
   static constexpr int kVacant = -1;
@@ -75,7 +76,7 @@ class Choice {
     put(chosen_.size() - 1, candidate);
   }
 
-  /// Replaces the chosen reading at index `place` by `candidate`; kVacant removes it without replacement.
+  /// Replaces the chosen measurement at index `place` by `candidate`; kVacant removes it without replacement.
   void put(std::size_t place, int candidate) {
     if (chosen_[place] != kVacant) is_chosen_[static_cast<std::size_t>(chosen_[place])] = false;
     chosen_[place] = candidate;
@@ -155,7 +156,7 @@ class Choice {
   VectorXd variances_;
 };
 
-/// Replaces chosen readings one at a time by better ones, until a pass over all of them changes nothing or
+/// Replaces chosen measurements one at a time by better ones, until a pass over all of them changes nothing or
 /// `most_passes` are done. Returns the number of replacements.
 int exchange(Choice& choice, int most_passes) {
   int swaps = 0;
@@ -213,7 +214,7 @@ TipSigma tipSigma(const std::vector<MatrixXd>& work, const MatrixXd& covariance)
   return sigmaOf(tipVariances(work, covariance));
 }
 
-Design chooseReadings(const DesignProblem& problem, const DesignOptions& options) {
+Design chooseMeasurements(const DesignProblem& problem, const DesignOptions& options) {
   assert(!problem.work.empty() || options.optimality == Optimality::kDeterminant);
   Design design;
   const int n = static_cast<int>(problem.candidates.size());
@@ -231,7 +232,7 @@ Design chooseReadings(const DesignProblem& problem, const DesignOptions& options
   return design;
 }
 
-Design judgeReadings(const DesignProblem& problem, const std::vector<int>& chosen) {
+Design judgeMeasurements(const DesignProblem& problem, const std::vector<int>& chosen) {
   Design design;
   Choice choice(problem, Optimality::kDeterminant);
   for (const int candidate : chosen) take(choice, candidate, problem, design);

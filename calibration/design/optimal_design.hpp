@@ -1,5 +1,5 @@
-// Selection of the further readings that contribute most information to a linear model: greedy selection, then exchange
-// of single readings until no swap improves the result (Fedorov, Theory of Optimal Experiments, 1972).
+// Selection of the further measurements that contribute most information to a linear model: greedy selection, then
+// exchange of single measurements until no swap improves the result (Fedorov, Theory of Optimal Experiments, 1972).
 #pragma once
 
 #include <Eigen/Core>
@@ -11,15 +11,15 @@
 namespace tubeplan::calibration {
 
 /// Design problem with n variables, each an unknown divided by its typical size. The last `beside` of them are nuisance
-/// variables: readings and tip depend on them, but their own accuracy is not an objective.
+/// variables: measurements and tip depend on them, but their own accuracy is not an objective.
 struct DesignProblem {
   Eigen::MatrixXd information;              ///< present information matrix, n x n, positive definite
-  std::vector<Eigen::MatrixXd> candidates;  ///< whitened Jacobian of each candidate reading: its number of rows x n
+  std::vector<Eigen::MatrixXd> candidates;  ///< whitened Jacobian of each candidate measurement: its number of rows x n
   std::vector<Eigen::MatrixXd> work;        ///< Jacobian of the tip at each work posture, 3 x n [m]
   int beside = 0;
 };
 
-/// Criterion by which readings are chosen: the quantity that they minimise.
+/// Criterion by which measurements are chosen: the quantity that they minimise.
 enum class Optimality {
   kDeterminant,  ///< D: determinant of the covariance, without the nuisance variables
   kWorstTip,     ///< G: variance of the tip at the worst work posture
@@ -29,7 +29,7 @@ enum class Optimality {
 struct DesignOptions {
   Optimality optimality = Optimality::kDeterminant;
   int count = 10;
-  int most_passes = 10;  ///< maximum number of exchange passes, each over all chosen readings
+  int most_passes = 10;  ///< maximum number of exchange passes, each over all chosen measurements
 };
 
 /// Standard deviation of one tip coordinate due to the uncertainty of the variables [m]: root mean square over the work
@@ -55,7 +55,7 @@ enum class DesignStatus { kNotRun, kDone, kTooFewCandidates };
 struct Design {
   DesignStatus status = DesignStatus::kNotRun;
   std::string reason;
-  std::vector<DesignStep> steps;  ///< chosen readings, ordered such that each is the best of the remaining ones
+  std::vector<DesignStep> steps;  ///< chosen measurements, ordered such that each is the best of the remaining ones
   Eigen::MatrixXd covariance;     ///< covariance of the variables after all steps
   int swaps = 0;
 };
@@ -63,11 +63,11 @@ struct Design {
 /// Returns the best `options.count` candidates; none is chosen twice. Swaps are made only if they improve the
 /// criterion, so the result is never worse than the greedy choice. For the tip criteria, it is never worse than the
 /// choice by determinant either.
-[[nodiscard]] Design chooseReadings(const DesignProblem& problem, const DesignOptions& options = {});
+[[nodiscard]] Design chooseMeasurements(const DesignProblem& problem, const DesignOptions& options = {});
 
-/// Returns the design that consists of the candidates `chosen`, in this order, evaluated as chooseReadings() evaluates
-/// its own choice.
-[[nodiscard]] Design judgeReadings(const DesignProblem& problem, const std::vector<int>& chosen);
+/// Returns the design that consists of the candidates `chosen`, in this order, evaluated as chooseMeasurements()
+/// evaluates its own choice.
+[[nodiscard]] Design judgeMeasurements(const DesignProblem& problem, const std::vector<int>& chosen);
 
 /// Returns `draws` random selections, each of `count` different indices from 0 to candidates - 1.
 [[nodiscard]] std::vector<std::vector<int>> drawChoices(int candidates, int count, int draws, std::uint64_t seed);

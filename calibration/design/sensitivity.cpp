@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/placed_arm.hpp"
 
 namespace tubeplan::calibration {
@@ -95,7 +95,7 @@ Tips tipsAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const std
   Tips result;
   result.tips.resize(postures.size());
   tbb::parallel_for(std::size_t{0}, postures.size(), [&](std::size_t k) {
-    result.tips[k] = predictReading(arm, X_WB, tipAt(postures[k], load), request);
+    result.tips[k] = predictMeasurement(arm, X_WB, tipAt(postures[k], load), request);
   });
   for (const auto& tip : result.tips) result.ok = result.ok && tip.ok;
   return result;
@@ -113,7 +113,7 @@ std::optional<MatrixXd> calibratedResponse(const Estimate& untouched, const Sens
   const auto slopes = tipSensitivities(untouched, task.touches, 0);
   for (std::size_t t = 0; t < slopes.size(); ++t) {
     const Prediction& tip = touches.tips[t];
-    Matrix3d covariance = readingCovariance(untouched.start.arm, touch, tip.by_joints);
+    Matrix3d covariance = measurementCovariance(untouched.start.arm, touch, tip.by_joints);
     covariance.diagonal().array() += untouched.model_error * untouched.model_error;
     const MatrixXd weighted = covariance.ldlt().solve(slopes[t]);
     information += slopes[t].transpose() * weighted;

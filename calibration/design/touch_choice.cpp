@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/design/next_readings.hpp"
+#include "calibration/design/next_measurements.hpp"
 
 namespace tubeplan::calibration {
 
@@ -168,7 +168,7 @@ TouchChoice chooseTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X
                           const std::vector<TouchPlan>& candidates, const std::vector<Eigen::VectorXd>& work,
                           const TouchChoiceOptions& options) {
   if (candidates.empty()) return chooseTouches(DesignProblem{}, options.count);
-  std::vector<ReadingCandidate> touches;
+  std::vector<MeasurementCandidate> touches;
   for (const auto& plan : candidates) touches.push_back({{proposedTouch(plan, options.sigma)}});
   const Estimate untouched = estimateFrom(arm, X_WB, false, {}, {{}, true}, options.doubt);
   const PosedDesign posed = poseDesign(untouched, touches, {work, 0});

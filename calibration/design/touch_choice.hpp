@@ -35,7 +35,7 @@ struct TouchChoice {
 
 /// Chooses the three touches with the smallest mean variance of the tip over the work postures, then adds the best
 /// further touches one by one. The variables of `problem` are the six of the base, then nuisance variables: independent
-/// standard normal variables without any readings so far. Every candidate has three rows.
+/// standard normal variables without any measurements so far. Every candidate has three rows.
 [[nodiscard]] TouchChoice chooseTouches(const DesignProblem& problem, int count);
 
 /// Chooses the touches that minimise the uncertainty of the unloaded tip at the work postures, for an arm whose base is

@@ -7,9 +7,9 @@
 #include "calibration/diagnosis/explanations/indistinguishable.hpp"
 #include "calibration/diagnosis/explanations/size_sets.hpp"
 #include "calibration/diagnosis/judgement/decision.hpp"
+#include "calibration/diagnosis/judgement/measurements_kept_out.hpp"
 #include "calibration/diagnosis/judgement/posterior.hpp"
 #include "calibration/diagnosis/judgement/ranking.hpp"
-#include "calibration/diagnosis/judgement/readings_kept_out.hpp"
 #include "calibration/diagnosis/judgement/remainder.hpp"
 #include "calibration/diagnosis/model_selection/leading_models.hpp"
 #include "calibration/diagnosis/model_selection/model_search.hpp"
@@ -17,7 +17,7 @@
 #include "calibration/estimation/evidence.hpp"
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/set_aside.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -28,7 +28,8 @@ constexpr std::size_t kMostClosest = 8;
 // Tolerance of the baseline fit, relative to chi-square. It may be loose, because each model is fitted again, starting
 // from the baseline.
 constexpr double kBaselineTolerance = 1e-6;
-// Log odds against a reading being an outlier. An outlier may be wrong by up to 30 standard deviations per coordinate.
+// Log odds against a measurement being an outlier. An outlier may be wrong by up to 30 standard deviations per
+// coordinate.
 constexpr double kOutlier = 14.8;
 
 IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
@@ -42,18 +43,18 @@ IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
   return baseline;
 }
 
-Identification fitBaseline(const PlacedArm& start, const std::vector<Measurement>& readings,
+Identification fitBaseline(const PlacedArm& start, const std::vector<Measurement>& measurements,
                            const DiagnosisOptions& options, RobustLoss loss = RobustLoss::kNone) {
   reportProgress(options.hooks, "fit");
   IdentificationOptions how = baselineOptions(options);
   if (loss != RobustLoss::kNone) how.loss = loss;
-  Identification baseline = identify(start, readings, how);
+  Identification baseline = identify(start, measurements, how);
   goOn(options.hooks.stop);
   return baseline;
 }
 
-/// Intermediate result with the working data that it was computed from. Errors on held-out readings, detectable sizes
-/// of effects and data of plots are computed only for the final result.
+/// Intermediate result with the working data that it was computed from. Errors on held-out measurements, detectable
+/// sizes of effects and data of plots are computed only for the final result.
 struct Answer {
   explicit Answer(const DiagnosisOptions& options) : work{options, {}, {}, nullptr, nullptr, {}, {}, {}} {}
 
@@ -68,14 +69,14 @@ void describeBaseline(const DiagnosisWork& work, Diagnosis& result) {
   result.chi2 = residual.r.squaredNorm();
   result.degrees_of_freedom = result.baseline.degrees_of_freedom;
   result.p_value = chiSquareTail(result.chi2, result.degrees_of_freedom);
-  result.noise_floor = noiseFloor(work.basis.readings, work.basis.weights);
-  result.before = errorSize(work.basis.readings, work.basis.weights, residual.error);
+  result.noise_floor = noiseFloor(work.basis.measurements, work.basis.weights);
+  result.before = errorSize(work.basis.measurements, work.basis.weights, residual.error);
 }
 
 /// Returns the reason why no verdict is possible; empty if a verdict is possible.
 std::string inconclusiveSince(const DiagnosisWork& work, const Diagnosis& result) {
   const int numbers = work.basis.weights.degrees_of_freedom - result.degrees_of_freedom;
-  auto problem = findLackOfFreedom(work.basis.readings, result.degrees_of_freedom, numbers);
+  auto problem = findLackOfFreedom(work.basis.measurements, result.degrees_of_freedom, numbers);
   if (!problem) problem = findOverstatedNoise(result.chi2, result.degrees_of_freedom);
   return problem ? problem->what + "; needed: " + problem->needed : "";
 }
@@ -97,8 +98,8 @@ void weighModels(Answer& answer) {
   compareModels(answer.work);
 }
 
-/// If repeated readings scatter by as much as the model's errors, counts their scatter as noise, although it exceeds
-/// the stated noise.
+/// If repeated measurements scatter by as much as the model's errors, counts their scatter as noise, although it
+/// exceeds the stated noise.
 void takeRepeatsForNoise(const DiagnosisWork& work, const CompetingModel& model, Diagnosis& result) {
   const Repeats repeats = repeatsBy(work, model);
   const bool is_larger =
@@ -122,8 +123,9 @@ void withholdAdequate(const DiagnosisWork& work, Diagnosis& result) {
   takeRepeatsForNoise(work, modelOfNothing(work), result);
   if (result.repeats.groups > 0) return;
   result.verdict = Verdict::kInconclusive;
-  result.reason = "noise alone leaves residuals as large as these in fewer than 1 of 100 cases, and no known effect is "
-                  "likely; needed: more readings, or a sigma that is known";
+  result.reason =
+      "noise alone leaves residuals as large as these in fewer than 1 of 100 cases, and no known effect is "
+      "likely; needed: more readings, or a sigma that is known";
 }
 
 /// Sets the verdict from the fits of the leading models.
@@ -154,8 +156,8 @@ Answer compareAll(Identification baseline, const std::vector<Measurement>& all, 
   Answer found(options);
   found.result.set_aside = set_aside;
   std::vector<Measurement> used;
-  for (const Measurement& reading : withoutReadings(all, set_aside))
-    (reading.is_held_out ? found.held_out : used).push_back(reading);
+  for (const Measurement& measurement : withoutMeasurements(all, set_aside))
+    (measurement.is_held_out ? found.held_out : used).push_back(measurement);
   found.result.baseline = std::move(baseline);
   const auto status = found.result.baseline.status;
   const bool is_usable = (status == IdentificationStatus::kDone || status == IdentificationStatus::kNotConverged) &&
@@ -188,25 +190,25 @@ Diagnosis completed(Answer found, const std::vector<Measurement>& all) {
   if (!found.work.basis.residual.ok || !found.is_found) return std::move(result);
   listDetectable(found.work, result);
   for (auto& alternative : result.alternatives) findSizeSets(found.work.basis, alternative);
-  judgeByReadingsKeptOut(found.work, found.held_out, result);
+  judgeByMeasurementsKeptOut(found.work, found.held_out, result);
   setApart(found.work, result);
   goOn(found.work.options.hooks.stop);
   result.views = viewsOf(found.work.basis, result, all);
   return std::move(result);
 }
 
-/// Returns the log weight of the best model for all readings; readings that were set aside count as outliers.
-double bestWeight(const Answer& found, const std::vector<Measurement>& readings) {
+/// Returns the log weight of the best model for all measurements; measurements that were set aside count as outliers.
+double bestWeight(const Answer& found, const std::vector<Measurement>& measurements) {
   if (!found.is_found) return -std::numeric_limits<double>::infinity();
   const auto& best = found.work.models.front();
-  // The model does not predict readings that are set aside. Each gets the mean log density of noise, less the log odds
-  // against an outlier.
-  const double outliers = countOutliers(found.result.set_aside, readings);
+  // The model does not predict measurements that are set aside. Each gets the mean log density of noise, less the log
+  // odds against an outlier.
+  const double outliers = countOutliers(found.result.set_aside, measurements);
   const auto set_aside = static_cast<double>(found.result.set_aside.size());
   const auto& weights = found.work.noise.front().weights;
-  const double density = found.work.basis.readings.empty()
+  const double density = found.work.basis.measurements.empty()
                              ? 0
-                             : logDensityOf(weights) / static_cast<double>(found.work.basis.readings.size());
+                             : logDensityOf(weights) / static_cast<double>(found.work.basis.measurements.size());
   return best.logWeight() + set_aside * density - outliers * kOutlier;
 }
 
@@ -221,37 +223,40 @@ Diagnosis concluded(Answer found, const std::vector<Measurement>& all) {
   return completed(std::move(found), all);
 }
 
-Diagnosis diagnosed(const PlacedArm& start, const std::vector<Measurement>& readings, const DiagnosisOptions& options) {
-  Identification baseline = fitBaseline(start, readings, options);
+Diagnosis diagnosed(const PlacedArm& start, const std::vector<Measurement>& measurements,
+                    const DiagnosisOptions& options) {
+  Identification baseline = fitBaseline(start, measurements, options);
   const BaselineFit fit = [&](const std::vector<Measurement>& some, RobustLoss loss) {
     return fitBaseline(start, some, options, loss);
   };
-  std::optional<WithoutOutliers> without = withoutOutliers(readings, baseline, options.baseline.outlier_level, fit);
-  Answer whole = compareAll(std::move(baseline), readings, {}, options);
-  if (!without || !whole.is_found) return concluded(std::move(whole), readings);
+  std::optional<WithoutOutliers> without = withoutOutliers(measurements, baseline, options.baseline.outlier_level, fit);
+  Answer whole = compareAll(std::move(baseline), measurements, {}, options);
+  if (!without || !whole.is_found) return concluded(std::move(whole), measurements);
   // If the base slips between touches of one point, these touches also look like outliers. Therefore a cause that
-  // explains all readings competes with the best model without the outliers.
-  Answer fewer = compareAll(std::move(without->fit), readings, without->set_aside, options);
-  const double before = bestWeight(whole, readings), after = bestWeight(fewer, readings);
+  // explains all measurements competes with the best model without the outliers.
+  Answer fewer = compareAll(std::move(without->fit), measurements, without->set_aside, options);
+  const double before = bestWeight(whole, measurements), after = bestWeight(fewer, measurements);
   if (std::abs(before - after) > std::max(windowOf(whole), windowOf(fewer)))
-    return concluded(after > before ? std::move(fewer) : std::move(whole), readings);
+    return concluded(after > before ? std::move(fewer) : std::move(whole), measurements);
   conclude(whole);
   conclude(fewer);
-  return completed(bestWeight(fewer, readings) > bestWeight(whole, readings) ? std::move(fewer) : std::move(whole),
-                   readings);
+  return completed(
+      bestWeight(fewer, measurements) > bestWeight(whole, measurements) ? std::move(fewer) : std::move(whole),
+      measurements);
 }
 
 }  // namespace
 
-Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings, const DiagnosisOptions& options) {
-  return unlessStopped(&Diagnosis::verdict, Verdict::kStopped, [&] { return diagnosed(start, readings, options); });
+Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& measurements,
+                   const DiagnosisOptions& options) {
+  return unlessStopped(&Diagnosis::verdict, Verdict::kStopped, [&] { return diagnosed(start, measurements, options); });
 }
 
-CompetingExplanations competingExplanations(const PlacedArm& start, const std::vector<Measurement>& readings,
+CompetingExplanations competingExplanations(const PlacedArm& start, const std::vector<Measurement>& measurements,
                                             const DiagnosisOptions& options,
                                             const std::vector<std::vector<deflection::Effect>>& asked) {
-  std::vector<Measurement> used = readings;
-  std::erase_if(used, [](const Measurement& reading) { return reading.is_held_out; });
+  std::vector<Measurement> used = measurements;
+  std::erase_if(used, [](const Measurement& measurement) { return measurement.is_held_out; });
   try {
     Answer found = compareAll(fitBaseline(start, used, options), used, {}, options);
     if (!found.is_found) return {};

@@ -1,11 +1,11 @@
-// Diagnosis of the physical effects that a model lacks. If the readings cannot decide between explanations, the verdict
-// says so.
+// Diagnosis of the physical effects that a model lacks. If the measurements cannot decide between explanations, the
+// verdict says so.
 //
 // Every hypothesis has a prior and an evidence. The hypotheses are: nothing missing; one cause at its place, or several
 // causes, each with or without an unexplained discrepancy; an unexplained discrepancy alone. The evidence is the
-// probability of the readings, with the hypothesis's parameters integrated over their priors (Laplace's approximation
-// about a separate fit). The posterior decides the verdict (Bayesian model class selection: Beck and Yuen 2004, J. Eng.
-// Mech. 130:192).
+// probability of the measurements, with the hypothesis's parameters integrated over their priors (Laplace's
+// approximation about a separate fit). The posterior decides the verdict (Bayesian model class selection: Beck and Yuen
+// 2004, J. Eng. Mech. 130:192).
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@
 
 namespace tubeplan::calibration {
 
-[[nodiscard]] Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings,
+[[nodiscard]] Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& measurements,
                                  const DiagnosisOptions& options);
 
 /// Competing models, each fitted together with all free parameters, without a verdict.
@@ -30,7 +30,7 @@ struct CompetingExplanations {
 /// values of the requested effects are not neutral, a second fit starts at these values and the more probable result is
 /// kept. Returns no models if the baseline cannot be fitted or the work was stopped on request.
 [[nodiscard]] CompetingExplanations competingExplanations(const PlacedArm& start,
-                                                          const std::vector<Measurement>& readings,
+                                                          const std::vector<Measurement>& measurements,
                                                           const DiagnosisOptions& options,
                                                           const std::vector<std::vector<deflection::Effect>>& asked);
 

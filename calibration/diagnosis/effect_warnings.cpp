@@ -18,14 +18,14 @@ constexpr double kLack = 0.003;     // p-value of the fit below which the model 
 constexpr double kNearNeutral = 2;  // deviation above which a parameter counts as not neutral [standard deviations]
 constexpr double kByChance = 0.05;  // p-value above which a decrease of chi-square counts as noise
 constexpr int kRivals = 6;          // number of models that are fitted as replacements of an effect
-// Product of the numbers of fitted parameters, readings and effects above which no replacements are fitted.
+// Product of the numbers of fitted parameters, measurements and effects above which no replacements are fitted.
 constexpr double kMostWork = 2e4;
 
 /// Input for judging effects, the same for an identification and for a diagnosis.
 struct Case {
   const PlacedArm& start;
-  const std::vector<Measurement>& readings;  ///< readings except those that were set aside
-  IdentificationOptions options;             ///< options of the fit with all effects, without progress reports
+  const std::vector<Measurement>& measurements;  ///< measurements except those that were set aside
+  IdentificationOptions options;                 ///< options of the fit with all effects, without progress reports
   const Identification& with;
   ErrorSize heldout;
 
@@ -69,10 +69,10 @@ struct Without {
   ErrorSize heldout;
 };
 
-Without asItStands(const PlacedArm& placed, const std::vector<Measurement>& readings) {
+Without asItStands(const PlacedArm& placed, const std::vector<Measurement>& measurements) {
   std::vector<Measurement> fitted, held_out;
-  for (const auto& reading : readings) (reading.is_held_out ? held_out : fitted).push_back(reading);
-  const auto weights = weighReadings(placed, fitted);
+  for (const auto& measurement : measurements) (measurement.is_held_out ? held_out : fitted).push_back(measurement);
+  const auto weights = weighMeasurements(placed, fitted);
   if (!weights) return {};
   const auto residual = whitenedResidual(placed, {}, fitted, *weights, {}, false);
   return {residual.ok ? residual.r.squaredNorm() : kNotKnown,
@@ -87,8 +87,8 @@ Without fitWithout(const Case& c, int effect) {
   options.drop_level = 0;
   const bool places =
       options.free.base && std::ranges::any_of(bare.base_poses, [](const BasePose& p) { return !p.is_known; });
-  if (options.free.names.empty() && !places) return asItStands(bare, c.readings);
-  const Identification fit = identify(bare, c.readings, options);
+  if (options.free.names.empty() && !places) return asItStands(bare, c.measurements);
+  const Identification fit = identify(bare, c.measurements, options);
   goOn(options.hooks.stop);
   return {fit.chi2, fit.heldout};
 }
@@ -180,7 +180,7 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   if (const auto itself = deflection::makeEffect(without.arm, warning.effect, warning.at);
       itself.status == deflection::EffectStatus::kMade)
     asked.push_back({itself.effect});
-  const auto models = competingExplanations(without, c.readings, bare, asked);
+  const auto models = competingExplanations(without, c.measurements, bare, asked);
   goOn(bare.hooks.stop);
   const Explanation *own = nullptr, *other = nullptr, *nothing = nullptr;
   for (const Explanation& model : models.found) {  // most probable first
@@ -235,7 +235,7 @@ void judgeByCovariance(const Case& c, int effect, std::vector<EffectWarning>& wa
 }
 
 bool isLarge(const Case& c, std::size_t effects) {
-  const auto work = static_cast<double>(c.with.numbers.size()) * static_cast<double>(c.readings.size());
+  const auto work = static_cast<double>(c.with.numbers.size()) * static_cast<double>(c.measurements.size());
   return work * static_cast<double>(effects) > kMostWork && c.with.covariance.size() > 0;
 }
 
@@ -269,7 +269,7 @@ std::vector<EffectWarning> unlessStopped(Work work) {
 
 }  // namespace
 
-std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
+std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& measurements,
                                          const IdentificationOptions& options, const Identification& fitted) {
   const bool is_usable =
       fitted.status == IdentificationStatus::kDone || fitted.status == IdentificationStatus::kNotConverged;
@@ -282,18 +282,18 @@ std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vect
   DiagnosisOptions look;
   look.baseline = quiet;
   look.hooks = quiet.hooks;
-  const Case c{start, readings, quiet, fitted, fitted.heldout};
+  const Case c{start, measurements, quiet, fitted, fitted.heldout};
   return unlessStopped([&] {
     reportProgress(options.hooks, "effects of the cell");
     return warningsOf(c, freed, look, options.hooks);
   });
 }
 
-std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
+std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& measurements,
                                          const DiagnosisOptions& options, const Diagnosis& diagnosis) {
   if (diagnosis.verdict == Verdict::kNotRun || diagnosis.verdict == Verdict::kStopped) return {};
   if (start.arm.effects.empty()) return {};
-  const auto used = withoutReadings(readings, diagnosis.set_aside);
+  const auto used = withoutMeasurements(measurements, diagnosis.set_aside);
   IdentificationOptions fit = options.baseline;
   fit.folds = options.folds;
   fit.seed = options.seed;

@@ -1,9 +1,9 @@
-// Warnings about effects of a model that the readings do not support: each effect is removed in turn, and the remaining
-// model is fitted again.
+// Warnings about effects of a model that the measurements do not support: each effect is removed in turn, and the
+// remaining model is fitted again.
 //
 // The model without the effect competes with models that contain the effect itself, or another cause in its place
 // (competing_models.hpp). An effect that lowers -2 log of the posterior by less than a threshold is not needed. If the
-// model with another cause is better by at least the threshold, that cause explains the readings better.
+// model with another cause is better by at least the threshold, that cause explains the measurements better.
 #pragma once
 
 #include <string>
@@ -33,13 +33,15 @@ struct EffectWarning {
 
 /// Returns warnings about the effects that an identification fitted from `start` with `options`. Empty if the
 /// identification was not completed, or if the work was stopped on request.
-[[nodiscard]] std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
+[[nodiscard]] std::vector<EffectWarning> warnOfEffects(const PlacedArm& start,
+                                                       const std::vector<Measurement>& measurements,
                                                        const IdentificationOptions& options,
                                                        const Identification& fitted);
 
 /// Returns warnings about all effects of a diagnosed model. Empty if the diagnosis was not run, or if the work was
 /// stopped on request.
-[[nodiscard]] std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
+[[nodiscard]] std::vector<EffectWarning> warnOfEffects(const PlacedArm& start,
+                                                       const std::vector<Measurement>& measurements,
                                                        const DiagnosisOptions& options, const Diagnosis& diagnosis);
 
 }  // namespace tubeplan::calibration

@@ -36,7 +36,7 @@ struct UncertainNumbers {
 
 /// Returns the arm's parameters whose standard deviation is above zero. Excludes parameters that place the rows up to
 /// the first joint's axis: they only move the whole arm, as the base does. Of a beam's E and I, only I is included,
-/// because readings depend on their product.
+/// because measurements depend on their product.
 [[nodiscard]] UncertainNumbers uncertainNumbers(const deflection::Arm& arm, const ArmUncertainty& uncertainty);
 
 }  // namespace tubeplan::calibration

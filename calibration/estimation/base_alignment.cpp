@@ -1,7 +1,7 @@
 // Implementation of alignBases(): a first estimate of base poses in closed form, before any fit.
 #include "calibration/estimation/fit.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "deflection/prepared_arm.hpp"
 
 namespace tubeplan::calibration {
@@ -15,17 +15,17 @@ constexpr double kAligned = 1e-9;  // norm of the change of a base pose below wh
 
 }  // namespace
 
-void alignBases(PlacedArm& placed, const std::vector<Measurement>& readings) {
+void alignBases(PlacedArm& placed, const std::vector<Measurement>& measurements) {
   for (std::size_t p = 0; p < placed.base_poses.size(); ++p) {
     BasePose& base_pose = placed.base_poses[p];
     if (base_pose.is_known) continue;
     deflection::PreparedArm arm(placed.arm);
     for (int repeat = 0; repeat < kMostAlignments; ++repeat) {
       std::vector<Vector3d> tips, places;
-      for (const auto& reading : readings) {
-        const auto place = statedPlace(reading);
-        if (reading.is_held_out || !place || basePoseOf(placed, reading) != static_cast<int>(p)) continue;
-        if (arm.solve(postureOf(reading, placed.arm, base_pose.X_WB)) != deflection::KinematicsStatus::kConverged)
+      for (const auto& measurement : measurements) {
+        const auto place = statedPlace(measurement);
+        if (measurement.is_held_out || !place || basePoseOf(placed, measurement) != static_cast<int>(p)) continue;
+        if (arm.solve(postureOf(measurement, placed.arm, base_pose.X_WB)) != deflection::KinematicsStatus::kConverged)
           continue;
         tips.push_back(arm.X_BD().p);
         places.push_back(*place);

@@ -5,7 +5,7 @@
 
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/touch_suspects.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 
 namespace tubeplan::calibration {
 
@@ -44,7 +44,7 @@ struct FiledTip {
   MatrixXd by_numbers;
 };
 
-FiledTip filedTip(ReadingPredictor& predictor, const UncertainNumbers& numbers, const Isometry3d& X_WB,
+FiledTip filedTip(MeasurementPredictor& predictor, const UncertainNumbers& numbers, const Isometry3d& X_WB,
                   const Measurement& touch) {
   PredictionRequest request;
   for (const auto& unknown : numbers.unknowns) request.numbers.push_back(deflection::Variable::number(unknown.path));
@@ -59,7 +59,7 @@ FiledTip filedTip(ReadingPredictor& predictor, const UncertainNumbers& numbers, 
 /// predicts them, and the distance between the holes.
 void recordDistances(const TouchesToExplain& asked, const TouchFit& fit, BaseCalibration& result) {
   const auto& touches = asked.touches;
-  ReadingPredictor predictor(asked.arm);
+  MeasurementPredictor predictor(asked.arm);
   std::vector<FiledTip> tips;
   for (const auto& touch : touches) tips.push_back(filedTip(predictor, asked.numbers, fit.X_WB, touch));
   for (std::size_t i = 0; i < touches.size(); ++i)
@@ -128,7 +128,7 @@ BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Meas
     const OddTouch odd = findOddTouch(asked);
     result.odd_touch = odd.touch;
     result.rms_of_others = odd.rms_of_others;
-    result.suspect_readings = findSuspectReadings(asked);
+    result.suspect_measurements = findSuspectMeasurements(asked);
   }
   if (isMistaken(asked, result)) return result;
   result.covariance = fit.uncertainty.covariance.topLeftCorner<6, 6>();

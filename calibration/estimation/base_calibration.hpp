@@ -62,11 +62,11 @@ struct TouchedNumber {
 };
 
 /// A joint reading of one touch, with an error in it that would explain the lack of fit.
-struct SuspectReading {
+struct SuspectMeasurement {
   std::string touch;
   Eigen::Index joint = -1;
-  double off = 0;      ///< reading minus the value required by the other touches [rad or m]
-  double p_value = 0;  ///< p-value of the fit to all touches after this reading is corrected for `off`
+  double off = 0;      ///< measurement minus the value required by the other touches [rad or m]
+  double p_value = 0;  ///< p-value of the fit to all touches after this measurement is corrected for `off`
 };
 
 struct BaseCalibration : TouchedBase {
@@ -78,8 +78,9 @@ struct BaseCalibration : TouchedBase {
   /// Index of the touch whose removal makes the others fit, if it is the only one with this property among at least
   /// four touches; otherwise -1.
   int odd_touch = -1;
-  double rms_of_others = kNotKnown;              ///< rms error of the other touches in a fit without the odd touch [m]
-  std::vector<SuspectReading> suspect_readings;  ///< joint readings that may explain a lack of fit, likeliest first
+  double rms_of_others = kNotKnown;  ///< rms error of the other touches in a fit without the odd touch [m]
+  std::vector<SuspectMeasurement>
+      suspect_measurements;  ///< joint readings that may explain a lack of fit, likeliest first
   std::vector<TouchResidual> residuals;
   std::vector<DistanceCheck> distances;
   double rms = kNotKnown;  ///< root mean square of the residuals' lengths [m]

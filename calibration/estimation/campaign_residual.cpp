@@ -15,58 +15,58 @@ using Eigen::Index, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::Ve
 namespace {
 
 /// Subtracts from whitened columns the components that the estimated positions of unknown points and surfaces absorb.
-void takePointsOff(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
+void takePointsOff(const MeasurementWeights& weights, Eigen::Ref<MatrixXd> columns) {
   for (const auto& point : weights.points) {
-    // All readings of a point have the same number of rows.
-    const Index rows = point.Q.rows() / static_cast<Index>(point.readings.size());
-    const auto rowsOfTouch = [&](int reading) {
-      return columns.middleRows(weights.first_row[static_cast<std::size_t>(reading)], rows);
+    // All measurements of a point have the same number of rows.
+    const Index rows = point.Q.rows() / static_cast<Index>(point.measurements.size());
+    const auto rowsOfTouch = [&](int measurement) {
+      return columns.middleRows(weights.first_row[static_cast<std::size_t>(measurement)], rows);
     };
     const auto basisOf = [&](std::size_t i) { return point.Q.middleRows(rows * static_cast<Index>(i), rows); };
     MatrixXd common = MatrixXd::Zero(point.Q.cols(), columns.cols());
-    for (std::size_t i = 0; i < point.readings.size(); ++i)
-      common.noalias() += basisOf(i).transpose().lazyProduct(rowsOfTouch(point.readings[i]));
-    for (std::size_t i = 0; i < point.readings.size(); ++i)
-      rowsOfTouch(point.readings[i]).noalias() -= basisOf(i).lazyProduct(common);
+    for (std::size_t i = 0; i < point.measurements.size(); ++i)
+      common.noalias() += basisOf(i).transpose().lazyProduct(rowsOfTouch(point.measurements[i]));
+    for (std::size_t i = 0; i < point.measurements.size(); ++i)
+      rowsOfTouch(point.measurements[i]).noalias() -= basisOf(i).lazyProduct(common);
   }
 }
 
 /// Subtracts from the errors the part that the estimated positions of unknown points and surfaces explain.
-void takeEstimatesOff(const ReadingWeights& weights, VectorXd& error) {
+void takeEstimatesOff(const MeasurementWeights& weights, VectorXd& error) {
   for (const auto& point : weights.points) {
-    const Index rows = point.Q.rows() / static_cast<Index>(point.readings.size());
-    const auto rowsOfTouch = [&](int reading) {
-      return error.segment(weights.first_row[static_cast<std::size_t>(reading)], rows);
+    const Index rows = point.Q.rows() / static_cast<Index>(point.measurements.size());
+    const auto rowsOfTouch = [&](int measurement) {
+      return error.segment(weights.first_row[static_cast<std::size_t>(measurement)], rows);
     };
     VectorXd estimate = VectorXd::Zero(point.estimate.rows());
-    for (std::size_t i = 0; i < point.readings.size(); ++i)
-      estimate += point.estimate.middleCols(rows * static_cast<Index>(i), rows) * rowsOfTouch(point.readings[i]);
-    for (const int k : point.readings)
+    for (std::size_t i = 0; i < point.measurements.size(); ++i)
+      estimate += point.estimate.middleCols(rows * static_cast<Index>(i), rows) * rowsOfTouch(point.measurements[i]);
+    for (const int k : point.measurements)
       rowsOfTouch(k) -= weights.by_place_numbers[static_cast<std::size_t>(k)] * estimate;
   }
 }
 
 }  // namespace
 
-std::vector<int> basePosesOf(const PlacedArm& placed, const std::vector<Measurement>& readings) {
+std::vector<int> basePosesOf(const PlacedArm& placed, const std::vector<Measurement>& measurements) {
   std::vector<int> base_poses;
-  for (const auto& reading : readings) base_poses.push_back(basePoseOf(placed, reading));
+  for (const auto& measurement : measurements) base_poses.push_back(basePoseOf(placed, measurement));
   return base_poses;
 }
 
-void takeSharedOff(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
+void takeSharedOff(const MeasurementWeights& weights, Eigen::Ref<MatrixXd> columns) {
   decorrelate(weights, columns);
   takePointsOff(weights, columns);
 }
 
-void takeOffWithin(const ReadingWeights& weights, const std::vector<int>& readings, MatrixXd& rows) {
-  decorrelateWithin(weights, readings, rows);
-  const auto first_row = rowsAlone(weights, readings).first;
+void takeOffWithin(const MeasurementWeights& weights, const std::vector<int>& measurements, MatrixXd& rows) {
+  decorrelateWithin(weights, measurements, rows);
+  const auto first_row = rowsAlone(weights, measurements).first;
   for (const auto& point : weights.points) {
-    if (!std::ranges::all_of(point.readings, [&](int k) { return first_row.contains(k); })) continue;
-    const Index rows_of_touch = point.Q.rows() / static_cast<Index>(point.readings.size());
+    if (!std::ranges::all_of(point.measurements, [&](int k) { return first_row.contains(k); })) continue;
+    const Index rows_of_touch = point.Q.rows() / static_cast<Index>(point.measurements.size());
     std::vector<Index> own;
-    for (const int k : point.readings)
+    for (const int k : point.measurements)
       for (Index i = 0; i < rows_of_touch; ++i) own.push_back(first_row.at(k) + i);
     const MatrixXd touches = rows(own, Eigen::all);
     rows(own, Eigen::all) = touches - point.Q * (point.Q.transpose() * touches);
@@ -74,17 +74,17 @@ void takeOffWithin(const ReadingWeights& weights, const std::vector<int>& readin
 }
 
 CampaignResidual::CampaignResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
-                                   const std::vector<Measurement>& readings, const ReadingWeights& weights,
+                                   const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
                                    Priors priors, StopQuestion stop)
     : start_(start),
       unknowns_(unknowns),
-      readings_(readings),
+      measurements_(measurements),
       weights_(weights),
       stop_(std::move(stop)),
       placed_(start) {
   if (priors == Priors::kAppended) prior_slopes_ = priorSlopes(unknowns);
-  base_pose_of_ = basePosesOf(start, readings);
-  if (touchSurfaces(readings)) settled_ = readings;
+  base_pose_of_ = basePosesOf(start, measurements);
+  if (touchSurfaces(measurements)) settled_ = measurements;
   bases_.resize(start.base_poses.size());
   for (std::size_t k = 0; k < unknowns.size(); ++k) {
     const Unknown& unknown = unknowns[k];
@@ -150,7 +150,7 @@ bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
 
 namespace {
 
-/// Computes `to` = `whitener` * `from`; uses fixed-size matrices for readings with three rows, which are the most
+/// Computes `to` = `whitener` * `from`; uses fixed-size matrices for measurements with three rows, which are the most
 /// common.
 void whiten(const MatrixXd& whitener, const Eigen::Ref<const MatrixXd>& from, Eigen::Ref<MatrixXd> to) {
   if (whitener.rows() == 3)
@@ -162,7 +162,7 @@ void whiten(const MatrixXd& whitener, const Eigen::Ref<const MatrixXd>& from, Ei
 }  // namespace
 
 void CampaignResidual::applyWeights(VectorXd& r, MatrixXd* jacobian) const {
-  for (std::size_t k = 0; k < readings_.size(); ++k) {
+  for (std::size_t k = 0; k < measurements_.size(); ++k) {
     const MatrixXd& whitener = weights_.whitener[k];
     const Index row = weights_.first_row[k], rows = whitener.rows();
     r.segment(row, rows) = whitener.lazyProduct(last_.error.segment(row, rows));
@@ -170,17 +170,17 @@ void CampaignResidual::applyWeights(VectorXd& r, MatrixXd* jacobian) const {
   }
 }
 
-/// Fills `last_` with the errors of all readings and, if requested, their Jacobian. Returns false if the arm's
+/// Fills `last_` with the errors of all measurements and, if requested, their Jacobian. Returns false if the arm's
 /// deflected shape does not converge or a stop is requested.
 bool CampaignResidual::fill(bool with_jacobian) {
   static const PredictionRequest kValues;
-  const auto& readings = taken();
+  const auto& measurements = taken();
   const auto put = [&](std::size_t k, const Prediction& prediction) {
     last_.error.segment(weights_.first_row[k], prediction.value.size()) =
-        prediction.value - kindOf(readings[k]).measured(readings[k]);
+        prediction.value - kindOf(measurements[k]).measured(measurements[k]);
     if (with_jacobian) scatter(base_pose_of_[k], prediction, weights_.first_row[k]);
   };
-  return predictAll(placed_, readings, base_pose_of_, with_jacobian ? slopes_asked_ : kValues, stop_, put,
+  return predictAll(placed_, measurements, base_pose_of_, with_jacobian ? slopes_asked_ : kValues, stop_, put,
                     prepared_ ? &*prepared_ : nullptr);
 }
 

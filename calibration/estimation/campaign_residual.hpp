@@ -1,26 +1,26 @@
-// Whitened residual of readings for repeated evaluation in a fit. Parts that do not depend on the variables are
+// Whitened residual of measurements for repeated evaluation in a fit. Parts that do not depend on the variables are
 // computed once. If only the weights have changed since the last evaluation, the model is not evaluated again.
 #pragma once
 
 #include "calibration/estimation/whitened_residual.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "deflection/kinematics.hpp"
 
 namespace tubeplan::calibration {
 
-/// Returns, for each reading, the index of its base pose in `placed.base_poses`.
-[[nodiscard]] std::vector<int> basePosesOf(const PlacedArm& placed, const std::vector<Measurement>& readings);
+/// Returns, for each measurement, the index of its base pose in `placed.base_poses`.
+[[nodiscard]] std::vector<int> basePosesOf(const PlacedArm& placed, const std::vector<Measurement>& measurements);
 
 class CampaignResidual {
  public:
-  /// Content of the residual vector: only the readings' rows, or also the priors' residuals after them, one per
+  /// Content of the residual vector: only the measurements' rows, or also the priors' residuals after them, one per
   /// unknown.
   enum class Priors { kNone, kAppended };
 
   /// The arguments passed by reference must outlive this object. If a stop is requested during an evaluation, the
   /// evaluation throws WorkStopped.
   CampaignResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
-                   const std::vector<Measurement>& readings, const ReadingWeights& weights,
+                   const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
                    Priors priors = Priors::kNone, StopQuestion stop = {});
   CampaignResidual(const CampaignResidual&) = delete;
   CampaignResidual& operator=(const CampaignResidual&) = delete;
@@ -50,19 +50,19 @@ class CampaignResidual {
   bool fill(bool with_jacobian);
   void scatter(int base_pose, const Prediction& prediction, Eigen::Index row);
 
-  /// Returns the readings; any touched surfaces in them are fitted to the arm at the last variables.
-  [[nodiscard]] const std::vector<Measurement>& taken() const { return settled_.empty() ? readings_ : settled_; }
+  /// Returns the measurements; any touched surfaces in them are fitted to the arm at the last variables.
+  [[nodiscard]] const std::vector<Measurement>& taken() const { return settled_.empty() ? measurements_ : settled_; }
 
   const PlacedArm& start_;
   const std::vector<Unknown>& unknowns_;
-  const std::vector<Measurement>& readings_;
-  const ReadingWeights& weights_;
+  const std::vector<Measurement>& measurements_;
+  const MeasurementWeights& weights_;
   /// Derivatives of the prior residuals with respect to the variables; empty if no priors are appended.
   Eigen::VectorXd prior_slopes_;
   StopQuestion stop_;
-  /// Readings with their touched surfaces as fitted; empty if no reading touches a surface.
+  /// Measurements with their touched surfaces as fitted; empty if no measurement touches a surface.
   std::vector<Measurement> settled_;
-  std::vector<int> base_pose_of_;   ///< index of each reading's base pose
+  std::vector<int> base_pose_of_;   ///< index of each measurement's base pose
   PredictionRequest slopes_asked_;  ///< derivatives to compute: by the free parameters, and by the base if one is free
   std::vector<Eigen::Index> numbers_;  ///< Jacobian column of each parameter
   /// For each base, Jacobian columns of its step, -1 for a fixed component; empty: known base.

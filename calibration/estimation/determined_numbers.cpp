@@ -42,15 +42,15 @@ std::string nameOf(const Unknown& unknown) {
 
 }  // namespace
 
-std::optional<ArmUncertainty> determinedNumbers(const Identification& fit, const std::vector<Measurement>& readings,
+std::optional<ArmUncertainty> determinedNumbers(const Identification& fit, const std::vector<Measurement>& measurements,
                                                 const ArmUncertainty& held_numbers) {
   const std::vector<Unknown> fitted = fittedUnknowns(fit);
   const UncertainNumbers held = heldNumbers(fit, fitted, held_numbers);
   std::vector<Unknown> all = fitted;
   all.insert(all.end(), held.unknowns.begin(), held.unknowns.end());
-  const auto weights = weighReadings(fit.fitted, readings, {}, fit.model_error);
+  const auto weights = weighMeasurements(fit.fitted, measurements, {}, fit.model_error);
   if (!weights) return std::nullopt;
-  const auto at = whitenedResidual(fit.fitted, all, readings, *weights, zerosOf(all), true);
+  const auto at = whitenedResidual(fit.fitted, all, measurements, *weights, zerosOf(all), true);
   if (!at.ok) return std::nullopt;
   // Variables: those of the fitted parameters, then independent standard normal variables for the parameters held
   // fixed.

@@ -8,11 +8,11 @@
 namespace tubeplan::calibration {
 
 /// Returns the covariance of all parameters about their values in the fitted arm, and of the base if there is only one.
-/// Parameters that the fit held fixed are included, with `held` as their prior; if the readings prefer another value of
-/// such a parameter, the difference increases its uncertainty. `readings` are the fitted readings. Empty if the model
-/// cannot be evaluated at these readings.
+/// Parameters that the fit held fixed are included, with `held` as their prior; if the measurements prefer another
+/// value of such a parameter, the difference increases its uncertainty. `readings` are the fitted measurements. Empty
+/// if the model cannot be evaluated at these measurements.
 [[nodiscard]] std::optional<ArmUncertainty> determinedNumbers(const Identification& fit,
-                                                              const std::vector<Measurement>& readings,
+                                                              const std::vector<Measurement>& measurements,
                                                               const ArmUncertainty& held);
 
 }  // namespace tubeplan::calibration

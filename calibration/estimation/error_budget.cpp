@@ -27,14 +27,14 @@ ErrorBudget errorBudget(const ErrorsBeforeAndAfter& held_out, const ErrorsBefore
   budget.explained = signedRoot(before * before - after * after);
   budget.noise = std::isfinite(noise_floor) ? std::min(noise_floor, after) : 0;
   budget.remainder = std::sqrt(std::max(0., after * after - budget.noise * budget.noise));
-  budget.readings = errors.after.readings;
+  budget.measurements = errors.after.measurements;
   budget.are_angles = errors.after.are_angles;
   return budget;
 }
 
-bool measureAnglesAlone(const std::vector<Measurement>& readings) {
-  return !readings.empty() && std::ranges::all_of(readings, [](const Measurement& reading) {
-    return kindOf(reading).turn_rows >= kindOf(reading).rows;
+bool measureAnglesAlone(const std::vector<Measurement>& measurements) {
+  return !measurements.empty() && std::ranges::all_of(measurements, [](const Measurement& measurement) {
+    return kindOf(measurement).turn_rows >= kindOf(measurement).rows;
   });
 }
 

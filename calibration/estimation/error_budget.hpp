@@ -2,8 +2,8 @@
 // errors in this form.
 //
 // The error is the root mean square of the distances between measured and predicted values (ErrorSize). A held-out
-// error is that of readings which the fit has not used, a fitted error that of readings which it has used. Readings set
-// aside as outliers are not counted.
+// error is that of measurements which the fit has not used, a fitted error that of measurements which it has used.
+// Measurements set aside as outliers are not counted.
 #pragma once
 
 #include <vector>
@@ -18,12 +18,12 @@ struct ErrorBudget {
   double explained = kNotKnown;  ///< part that the explanation removes; negative if it increases the error
   double remainder = kNotKnown;  ///< remaining error that noise does not account for
   double noise = kNotKnown;      ///< noise floor, but no more than the error with the explanation
-  int readings = 0;
+  int measurements = 0;
   bool is_held_out = false;
-  bool are_angles = false;  ///< true: all readings measure only angles
+  bool are_angles = false;  ///< true: all measurements measure only angles
 };
 
-/// Errors of a model on the same readings, before and after an explanation (such as a fitted effect) is added.
+/// Errors of a model on the same measurements, before and after an explanation (such as a fitted effect) is added.
 struct ErrorsBeforeAndAfter {
   ErrorSize before, after;
 };
@@ -32,7 +32,7 @@ struct ErrorsBeforeAndAfter {
 [[nodiscard]] ErrorBudget errorBudget(const ErrorsBeforeAndAfter& held_out, const ErrorsBeforeAndAfter& fitted,
                                       double noise_floor);
 
-/// Returns true if there are readings and all of them measure only angles.
-[[nodiscard]] bool measureAnglesAlone(const std::vector<Measurement>& readings);
+/// Returns true if there are measurements and all of them measure only angles.
+[[nodiscard]] bool measureAnglesAlone(const std::vector<Measurement>& measurements);
 
 }  // namespace tubeplan::calibration

@@ -8,7 +8,7 @@
 #include "calibration/estimation/identification.hpp"
 #include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_placement.hpp"
+#include "calibration/measurements/measurement_placement.hpp"
 
 namespace tubeplan::calibration {
 
@@ -27,10 +27,10 @@ void takeFit(const Identification& fit, Estimate& estimate) {
   estimate.model_error = std::max(fit.model_error, estimate.model_error);
 }
 
-/// Returns the information matrix of the readings, J^T J; zero if the model cannot be evaluated.
-MatrixXd informationOf(const Estimate& estimate, const std::vector<Measurement>& readings) {
-  const auto weights = weighReadings(placedAsEstimated(estimate), readings, {}, estimate.model_error);
-  const auto by_variables = weights ? sensitivityOf(estimate, readings, *weights) : std::nullopt;
+/// Returns the information matrix of the measurements, J^T J; zero if the model cannot be evaluated.
+MatrixXd informationOf(const Estimate& estimate, const std::vector<Measurement>& measurements) {
+  const auto weights = weighMeasurements(placedAsEstimated(estimate), measurements, {}, estimate.model_error);
+  const auto by_variables = weights ? sensitivityOf(estimate, measurements, *weights) : std::nullopt;
   if (!by_variables) return MatrixXd::Zero(estimate.information.rows(), estimate.information.cols());
   return by_variables->transpose() * *by_variables;
 }
@@ -44,13 +44,14 @@ VectorXd informationBeforehand(const Estimate& estimate) {
   return information;
 }
 
-/// Returns true if the only unknown is one base pose, and if all readings are touches that calibrateBase() accepts.
-bool placesByTouches(const Estimate& estimate, const std::vector<Measurement>& readings) {
+/// Returns true if the only unknown is one base pose, and if all measurements are touches that calibrateBase() accepts.
+bool placesByTouches(const Estimate& estimate, const std::vector<Measurement>& measurements) {
   const bool is_base_alone = std::ranges::all_of(
       estimate.unknowns, [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; });
   return is_base_alone && estimate.start.base_poses.size() == 1 &&
-         std::ranges::all_of(readings, [](const Measurement& reading) { return touchesKnownPoint(reading); }) &&
-         findTouchProblem(readings).empty();
+         std::ranges::all_of(measurements,
+                             [](const Measurement& measurement) { return touchesKnownPoint(measurement); }) &&
+         findTouchProblem(measurements).empty();
 }
 
 /// Fits the base together with the arm's uncertain parameters; returns false if the fit does not converge.
@@ -69,13 +70,13 @@ bool fitBaseByTouches(const std::vector<Measurement>& touches, Estimate& estimat
 }
 
 /// Fits the free parameters and takes all others as exact; returns false if the fit fails.
-bool fitFreeNumbers(const PlacedArm& placed, const std::vector<Measurement>& readings, const FreeChoice& free,
+bool fitFreeNumbers(const PlacedArm& placed, const std::vector<Measurement>& measurements, const FreeChoice& free,
                     Estimate& estimate) {
   IdentificationOptions options;
   options.free = free;
   options.folds = 0;
   options.intervals_by_profile = false;
-  const Identification fit = identify(placed, readings, options);
+  const Identification fit = identify(placed, measurements, options);
   estimate.note = fit.reason;
   if (fit.status != IdentificationStatus::kDone) return false;
   estimate.note.clear();
@@ -86,11 +87,11 @@ bool fitFreeNumbers(const PlacedArm& placed, const std::vector<Measurement>& rea
 }  // namespace
 
 Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
-                      const std::vector<Measurement>& readings, const FreeChoice& free, const DoubtBeside& doubt) {
-  std::vector<Measurement> used = readings;
-  std::erase_if(used, [](const Measurement& reading) { return reading.is_held_out; });
+                      const std::vector<Measurement>& measurements, const FreeChoice& free, const DoubtBeside& doubt) {
+  std::vector<Measurement> used = measurements;
+  std::erase_if(used, [](const Measurement& measurement) { return measurement.is_held_out; });
   Estimate estimate;
-  const PlacedArm placed = placeForReadings(arm, X_WB, base_known, used);
+  const PlacedArm placed = placeForMeasurements(arm, X_WB, base_known, used);
   estimate.start = placed;
   auto unknowns = chooseUnknowns(estimate.start, free);
   estimate.problems = unknowns.problems;
@@ -111,15 +112,15 @@ Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
 
 PlacedArm placedAsEstimated(const Estimate& estimate) { return applied(estimate.start, estimate.unknowns, estimate.x); }
 
-std::optional<MatrixXd> sensitivityOf(const Estimate& estimate, const std::vector<Measurement>& readings,
-                                      const ReadingWeights& weights) {
+std::optional<MatrixXd> sensitivityOf(const Estimate& estimate, const std::vector<Measurement>& measurements,
+                                      const MeasurementWeights& weights) {
   const auto& [numbers, root] = estimate.beside;
   const auto free = static_cast<Index>(estimate.unknowns.size()), beside = static_cast<Index>(numbers.size());
   std::vector<Unknown> all = estimate.unknowns;
   all.insert(all.end(), numbers.begin(), numbers.end());
   VectorXd x = VectorXd::Zero(free + beside);
   x.head(free) = estimate.x;
-  const auto residual = whitenedResidual(estimate.start, all, readings, weights, x, true);
+  const auto residual = whitenedResidual(estimate.start, all, measurements, weights, x, true);
   if (!residual.ok) return std::nullopt;
   MatrixXd by_variables(residual.jacobian.rows(), free + root.cols());
   by_variables.leftCols(free) = residual.jacobian.leftCols(free) * typicalsOf(estimate.unknowns).asDiagonal();
@@ -129,7 +130,7 @@ std::optional<MatrixXd> sensitivityOf(const Estimate& estimate, const std::vecto
 
 std::vector<MatrixXd> tipSensitivities(const Estimate& estimate, const std::vector<VectorXd>& postures, double load) {
   std::vector<Measurement> tips;
-  ReadingWeights weights;  // only with identity matrices as whiteners, so that the Jacobian stays in metres
+  MeasurementWeights weights;  // only with identity matrices as whiteners, so that the Jacobian stays in metres
   for (const auto& q : postures) {
     Measurement tip;
     tip.q = q;

@@ -23,15 +23,16 @@ std::string plural(int count, const char* noun) { return std::to_string(count) +
 
 }  // namespace
 
-std::optional<EvidenceProblem> findLackOfFreedom(const std::vector<Measurement>& readings, int degrees_of_freedom,
+std::optional<EvidenceProblem> findLackOfFreedom(const std::vector<Measurement>& measurements, int degrees_of_freedom,
                                                  int numbers_determined) {
-  const auto groups = groupByPose(readings);
+  const auto groups = groupByPose(measurements);
   const int postures = groups.empty() ? 0 : *std::ranges::max_element(groups) + 1;
   const int needed = std::max(kLeastPostures, numbers_determined / 2 + 1);
   if (postures >= needed && degrees_of_freedom >= kLeastFreedom) return std::nullopt;
-  return EvidenceProblem{plural(static_cast<int>(readings.size()), "reading") + " at " + plural(postures, "posture") +
-                             " determine " + plural(numbers_determined, "number") + " and leave " +
-                             plural(std::max(0, degrees_of_freedom), "degree") + " of freedom to test the model",
+  return EvidenceProblem{plural(static_cast<int>(measurements.size()), "reading") + " at " +
+                             plural(postures, "posture") + " determine " + plural(numbers_determined, "number") +
+                             " and leave " + plural(std::max(0, degrees_of_freedom), "degree") +
+                             " of freedom to test the model",
                          "readings at " + std::to_string(std::max(needed, postures + 1)) + " postures or more"};
 }
 

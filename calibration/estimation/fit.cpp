@@ -9,7 +9,7 @@
 #include "calibration/estimation/prior.hpp"
 #include "calibration/estimation/robust_loss.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -49,11 +49,11 @@ LeastSquaresProblem problemOf(const std::shared_ptr<CampaignResidual>& residual,
 }  // namespace
 
 LeastSquaresProblem fitProblem(const PlacedArm& start, const std::vector<Unknown>& unknowns,
-                               const std::vector<Measurement>& readings, const ReadingWeights& weights,
+                               const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
                                const VectorXd& x, const StopQuestion& stop) {
-  return problemOf(
-      std::make_shared<CampaignResidual>(start, unknowns, readings, weights, CampaignResidual::Priors::kAppended, stop),
-      unknowns, x);
+  return problemOf(std::make_shared<CampaignResidual>(start, unknowns, measurements, weights,
+                                                      CampaignResidual::Priors::kAppended, stop),
+                   unknowns, x);
 }
 
 LeastSquaresResult minimizeOrUnwind(const LeastSquaresProblem& problem, const LeastSquaresOptions& solver) {
@@ -67,13 +67,13 @@ namespace {
 /// State of a fit while its weights and model error are iterated.
 class Fitting {
  public:
-  Fitting(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& readings,
+  Fitting(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& measurements,
           const VectorXd& x, const FitOptions& options)
       : start_(start),
         unknowns_(unknowns),
-        readings_(readings),
+        measurements_(measurements),
         options_(options),
-        with_priors_(std::make_shared<CampaignResidual>(start, unknowns, readings, fit_.weights,
+        with_priors_(std::make_shared<CampaignResidual>(start, unknowns, measurements, fit_.weights,
                                                         CampaignResidual::Priors::kAppended, options.solver.stop)) {
     fit_.solution.x = x;
     fit_.weights.model_error = options.model_error.value_or(0);
@@ -84,9 +84,9 @@ class Fitting {
     if (options_.model_error || !(fit_.p_value < kLackOfFit)) return std::move(fit_);
     for (int round = 0; round < kMaxModelErrorRounds; ++round) {
       const double before = fit_.weights.model_error;
-      const double now = modelErrorOf(readings_, fit_.weights, fit_.residual.error, fit_.degrees_of_freedom);
+      const double now = modelErrorOf(measurements_, fit_.weights, fit_.residual.error, fit_.degrees_of_freedom);
       if (std::abs(now - before) <= kModelErrorConverged * now) break;
-      fit_.weights = reweighted(fit_.weights, readings_, now, fit_.factors);
+      fit_.weights = reweighted(fit_.weights, measurements_, now, fit_.factors);
       if (!minimize() || !weigh(false) || !describe()) break;
     }
     return std::move(fit_);
@@ -99,7 +99,8 @@ class Fitting {
       return true;
     }
     const PlacedArm placed = applied(start_, unknowns_, fit_.solution.x);
-    auto weights = weighReadings(placed, readings_, fit_.factors, fit_.weights.model_error, options_.solver.stop);
+    auto weights =
+        weighMeasurements(placed, measurements_, fit_.factors, fit_.weights.model_error, options_.solver.stop);
     if (!weights) return failed("the model cannot be evaluated at the readings: the arm is too compliant for its load");
     fit_.weights = std::move(*weights);
     return true;
@@ -122,7 +123,7 @@ class Fitting {
     return fit_.solution.status != LeastSquaresStatus::kFailed;
   }
 
-  /// Returns the residual of the readings at the solution, with the present weights but without the priors.
+  /// Returns the residual of the measurements at the solution, with the present weights but without the priors.
   WhitenedResidual residual(bool with_jacobian) {
     WhitenedResidual at;
     at.ok = with_priors_->evaluate(fit_.solution.x, at.r, with_jacobian ? &at.jacobian : nullptr, &at.error);
@@ -132,13 +133,14 @@ class Fitting {
     return at;
   }
 
-  /// Returns the chi-square of the readings relative to their stated noise, without the model error.
+  /// Returns the chi-square of the measurements relative to their stated noise, without the model error.
   [[nodiscard]] double statedChi2() const {
-    if (fit_.weights.model_error == 0) return comparableChi2(readings_, fit_.weights, fit_.residual.r, options_.loss);
-    const ReadingWeights stated = reweighted(fit_.weights, readings_, 0, fit_.factors);
+    if (fit_.weights.model_error == 0)
+      return comparableChi2(measurements_, fit_.weights, fit_.residual.r, options_.loss);
+    const MeasurementWeights stated = reweighted(fit_.weights, measurements_, 0, fit_.factors);
     const auto by_stated =
-        whitenedResidual(start_, unknowns_, readings_, stated, fit_.solution.x, false, options_.solver.stop);
-    return comparableChi2(readings_, stated, by_stated.r, options_.loss);
+        whitenedResidual(start_, unknowns_, measurements_, stated, fit_.solution.x, false, options_.solver.stop);
+    return comparableChi2(measurements_, stated, by_stated.r, options_.loss);
   }
 
   /// Repeats the fit until the weights converge. They depend on the solution: encoder noise acts through the
@@ -158,7 +160,7 @@ class Fitting {
       if (!at.ok) return failed("the model cannot be evaluated at the readings");
       before = at.r.squaredNorm();
       if (!is_robust) continue;
-      const VectorXd factors = robustFactors(readings_, fit_.weights, at, fit_.factors, options_.loss);
+      const VectorXd factors = robustFactors(measurements_, fit_.weights, at, fit_.factors, options_.loss);
       const bool rest = fit_.factors.size() && (factors - fit_.factors).cwiseAbs().maxCoeff() < 1e-3;
       fit_.factors = factors;
       if (rest) break;
@@ -193,7 +195,7 @@ class Fitting {
 
   const PlacedArm& start_;
   const std::vector<Unknown>& unknowns_;
-  const std::vector<Measurement>& readings_;
+  const std::vector<Measurement>& measurements_;
   const FitOptions& options_;
   Fit fit_;
   std::shared_ptr<CampaignResidual> with_priors_;  ///< residual including the priors; refers to the weights in `fit_`
@@ -201,16 +203,17 @@ class Fitting {
 
 }  // namespace
 
-Fit fitUnknowns(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& readings,
-                const VectorXd& x, const FitOptions& options) {
-  return Fitting(start, unknowns, readings, x, options).run();
+Fit fitUnknowns(const PlacedArm& start, const std::vector<Unknown>& unknowns,
+                const std::vector<Measurement>& measurements, const VectorXd& x, const FitOptions& options) {
+  return Fitting(start, unknowns, measurements, x, options).run();
 }
 
-ErrorSize errorSize(const std::vector<Measurement>& readings, const ReadingWeights& weights, const VectorXd& error) {
-  const VectorXd lengths = errorLengths(readings, weights, error);
+ErrorSize errorSize(const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
+                    const VectorXd& error) {
+  const VectorXd lengths = errorLengths(measurements, weights, error);
   ErrorSize size;
-  size.readings = static_cast<int>(readings.size());
-  size.are_angles = measureAnglesAlone(readings);
+  size.measurements = static_cast<int>(measurements.size());
+  size.are_angles = measureAnglesAlone(measurements);
   if (lengths.size() == 0) return size;
   size.rms = std::sqrt(lengths.squaredNorm() / static_cast<double>(lengths.size()));
   size.mean = lengths.mean();

@@ -4,14 +4,14 @@
 
 namespace tubeplan::calibration {
 
-FittedBasis basisOf(const Identification& baseline, const std::vector<Measurement>& readings,
+FittedBasis basisOf(const Identification& baseline, const std::vector<Measurement>& measurements,
                     const StopQuestion& stop) {
-  FittedBasis basis{readings, baseline.fitted, fittedUnknowns(baseline), {}, {}, stop};
-  settleSurfaces(basis.fitted, basis.readings);
-  if (auto weights = weighReadings(basis.fitted, readings, {}, 0, stop)) basis.weights = std::move(*weights);
+  FittedBasis basis{measurements, baseline.fitted, fittedUnknowns(baseline), {}, {}, stop};
+  settleSurfaces(basis.fitted, basis.measurements);
+  if (auto weights = weighMeasurements(basis.fitted, measurements, {}, 0, stop)) basis.weights = std::move(*weights);
   if (basis.weights.rows > 0)
-    basis.residual =
-        whitenedResidual(basis.fitted, basis.unknowns, readings, basis.weights, zerosOf(basis.unknowns), true, stop);
+    basis.residual = whitenedResidual(basis.fitted, basis.unknowns, measurements, basis.weights,
+                                      zerosOf(basis.unknowns), true, stop);
   return basis;
 }
 

@@ -11,7 +11,7 @@
 
 #include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/random_stream.hpp"
 
 namespace tubeplan::calibration {
@@ -19,52 +19,52 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr std::size_t kLeastLeft = 6;  // number of groups of a set-up that must remain, so that they determine its base
-// Readings whose joints differ by less than this [rad, m] count as taken at the same posture.
+// Measurements whose joints differ by less than this [rad, m] count as taken at the same posture.
 constexpr double kSamePosture = 0.01;
 
-/// Groups readings by posture: a reading belongs to a group if its posture is close to that of the group's first
-/// reading.
+/// Groups measurements by posture: a measurement belongs to a group if its posture is close to that of the group's
+/// first measurement.
 class PostureGroups {
  public:
-  /// Returns the index of the first reading in the group of `reading`; `reading` itself if the group is new.
-  int leaderOf(const std::vector<Measurement>& readings, int reading) {
-    const Measurement& m = readings[static_cast<std::size_t>(reading)];
+  /// Returns the index of the first measurement in the group of `reading`; `reading` itself if the group is new.
+  int leaderOf(const std::vector<Measurement>& measurements, int measurement) {
+    const Measurement& m = measurements[static_cast<std::size_t>(measurement)];
     const long cell = m.q.size() ? std::lround(m.q[0] / kSamePosture) : 0;
     for (const long near : {cell, cell - 1, cell + 1})
       for (const int leader : leaders_[{m.setup, near}])
-        if ((m.q - readings[static_cast<std::size_t>(leader)].q).lpNorm<Eigen::Infinity>() < kSamePosture)
+        if ((m.q - measurements[static_cast<std::size_t>(leader)].q).lpNorm<Eigen::Infinity>() < kSamePosture)
           return leader;
-    leaders_[{m.setup, cell}].push_back(reading);
-    return reading;
+    leaders_[{m.setup, cell}].push_back(measurement);
+    return measurement;
   }
 
  private:
-  // Indices of the groups' first readings, keyed by set-up and by the first joint's reading, rounded to a cell.
+  // Indices of the groups' first measurements, keyed by set-up and by the first joint's reading, rounded to a cell.
   std::map<std::pair<std::string, long>, std::vector<int>> leaders_;
 };
 
 void collect(ErrorSize& total, double& squares, double& lengths, const ErrorSize& part) {
-  if (part.readings == 0) return;
-  squares += part.rms * part.rms * part.readings;
-  lengths += part.mean * part.readings;
+  if (part.measurements == 0) return;
+  squares += part.rms * part.rms * part.measurements;
+  lengths += part.mean * part.measurements;
   total.max = std::isnan(total.max) ? part.max : std::max(total.max, part.max);
-  total.are_angles = part.are_angles && (total.are_angles || total.readings == 0);
-  total.readings += part.readings;
+  total.are_angles = part.are_angles && (total.are_angles || total.measurements == 0);
+  total.measurements += part.measurements;
 }
 
 }  // namespace
 
-std::vector<int> groupByPose(const std::vector<Measurement>& readings) {
+std::vector<int> groupByPose(const std::vector<Measurement>& measurements) {
   PostureGroups postures;
   std::map<std::string, int> index;
   std::vector<int> groups;
-  for (std::size_t k = 0; k < readings.size(); ++k) {
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
     // Only touches are grouped by `point`. In a measured tip position, `point` may name the reflector on the tool,
     // which is the same at every posture.
-    const bool is_touch = touchesKnownPoint(readings[k]) || touchesUnknownPoint(readings[k]);
-    const std::string key = is_touch && !readings[k].point.empty()
-                                ? "point " + readings[k].point
-                                : "posture " + std::to_string(postures.leaderOf(readings, static_cast<int>(k)));
+    const bool is_touch = touchesKnownPoint(measurements[k]) || touchesUnknownPoint(measurements[k]);
+    const std::string key = is_touch && !measurements[k].point.empty()
+                                ? "point " + measurements[k].point
+                                : "posture " + std::to_string(postures.leaderOf(measurements, static_cast<int>(k)));
     groups.push_back(index.emplace(key, static_cast<int>(index.size())).first->second);
   }
   return groups;
@@ -72,13 +72,13 @@ std::vector<int> groupByPose(const std::vector<Measurement>& readings) {
 
 namespace {
 
-/// Returns the groups of each set-up. A group with readings in several set-ups is listed only in the first one.
-std::map<std::string, std::vector<int>> groupsBySetup(const std::vector<Measurement>& readings,
+/// Returns the groups of each set-up. A group with measurements in several set-ups is listed only in the first one.
+std::map<std::string, std::vector<int>> groupsBySetup(const std::vector<Measurement>& measurements,
                                                       const std::vector<int>& groups) {
   std::map<std::string, std::vector<int>> by_setup;
   std::set<int> known;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    if (known.insert(groups[k]).second) by_setup[readings[k].setup].push_back(groups[k]);
+  for (std::size_t k = 0; k < measurements.size(); ++k)
+    if (known.insert(groups[k]).second) by_setup[measurements[k].setup].push_back(groups[k]);
   return by_setup;
 }
 
@@ -104,29 +104,29 @@ std::vector<int> dealt(std::map<std::string, std::vector<int>> by_setup, const s
 
 }  // namespace
 
-std::vector<int> foldsOf(const std::vector<Measurement>& readings, int folds, std::uint64_t seed) {
-  const std::vector<int> groups = groupByPose(readings);
+std::vector<int> foldsOf(const std::vector<Measurement>& measurements, int folds, std::uint64_t seed) {
+  const std::vector<int> groups = groupByPose(measurements);
   const int count = groups.empty() ? 0 : *std::ranges::max_element(groups) + 1;
   std::vector<int> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), 0);
   RandomStream(seed).shuffle(order);
-  const std::vector<int> fold_of_group = dealt(groupsBySetup(readings, groups), order, std::max(1, folds));
+  const std::vector<int> fold_of_group = dealt(groupsBySetup(measurements, groups), order, std::max(1, folds));
   std::vector<int> result;
   for (const int group : groups) result.push_back(fold_of_group[static_cast<std::size_t>(group)]);
   return result;
 }
 
-std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Measurement>& readings) {
-  ReadingPredictor predictor(placed.arm);
-  const std::vector<int> groups = groupByPose(readings);
+std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Measurement>& measurements) {
+  MeasurementPredictor predictor(placed.arm);
+  const std::vector<int> groups = groupByPose(measurements);
   // Largest distance between tip and base in each group [m], keyed by set-up, then by group.
   std::map<std::string, std::map<int, double>> reach;
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    Measurement tip = readings[k];
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
+    Measurement tip = measurements[k];
     tip.kind = MeasurementKind::kPosition;
     tip.row.reset();
     const auto predicted = predictor.predict(Eigen::Isometry3d::Identity(), tip);
-    double& farthest = reach[readings[k].setup].emplace(groups[k], 0).first->second;
+    double& farthest = reach[measurements[k].setup].emplace(groups[k], 0).first->second;
     if (predicted.ok) farthest = std::max(farthest, predicted.value.norm());
   }
   std::map<std::string, double> least;  // by set-up: distance [m] from which a group is in the farthest quarter
@@ -142,56 +142,56 @@ std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Meas
     least[setup] = *quarter;
   }
   std::vector<int> folds;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    folds.push_back(reach[readings[k].setup][groups[k]] >= least[readings[k].setup] ? 0 : -1);
+  for (std::size_t k = 0; k < measurements.size(); ++k)
+    folds.push_back(reach[measurements[k].setup][groups[k]] >= least[measurements[k].setup] ? 0 : -1);
   return folds;
 }
 
 std::vector<Measurement> judgeable(const PlacedArm& placed, const std::vector<Measurement>& fitted,
                                    const std::vector<Measurement>& held_out) {
   std::set<std::string> setups;
-  for (const auto& reading : fitted) setups.insert(reading.setup);
+  for (const auto& measurement : fitted) setups.insert(measurement.setup);
   std::map<std::string, int> touches;  // number of held-out touches of each unknown point or surface
-  for (const auto& reading : held_out) touches[placeOf(reading)] += hasUnknownPlace(reading) ? 1 : 0;
+  for (const auto& measurement : held_out) touches[placeOf(measurement)] += hasUnknownPlace(measurement) ? 1 : 0;
   std::vector<Measurement> kept = held_out;
-  std::erase_if(kept, [&](const Measurement& reading) {
-    const bool is_lone = hasUnknownPlace(reading) && touches[placeOf(reading)] < leastOfPlace(reading);
-    const auto& base = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))];
-    return is_lone || !(base.is_known || setups.contains(reading.setup));
+  std::erase_if(kept, [&](const Measurement& measurement) {
+    const bool is_lone = hasUnknownPlace(measurement) && touches[placeOf(measurement)] < leastOfPlace(measurement);
+    const auto& base = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, measurement))];
+    return is_lone || !(base.is_known || setups.contains(measurement.setup));
   });
   return kept;
 }
 
 ErrorSize judge(const PlacedArm& placed, const std::vector<Measurement>& judged) {
   if (judged.empty()) return {};
-  const auto weights = weighReadings(placed, judged);
+  const auto weights = weighMeasurements(placed, judged);
   if (!weights) return {};
   const auto residual = whitenedResidual(placed, {}, judged, *weights, {}, false);
   return residual.ok ? errorSize(judged, *weights, residual.error) : ErrorSize{};
 }
 
-ErrorSize judgeFolds(const std::vector<Measurement>& readings, const std::vector<int>& folds, const FitToReadings& fit,
-                     const WorkHooks& hooks) {
+ErrorSize judgeFolds(const std::vector<Measurement>& measurements, const std::vector<int>& folds,
+                     const FitToMeasurements& fit, const WorkHooks& hooks) {
   ErrorSize total;
   double squares = 0, lengths = 0;
   const int count = folds.empty() ? 0 : *std::ranges::max_element(folds) + 1;
   for (int fold = 0; fold < count; ++fold) {
     reportProgress(hooks, "readings kept out", static_cast<std::size_t>(fold), static_cast<std::size_t>(count));
     std::vector<Measurement> kept, out;
-    for (std::size_t k = 0; k < readings.size(); ++k) (folds[k] == fold ? out : kept).push_back(readings[k]);
+    for (std::size_t k = 0; k < measurements.size(); ++k) (folds[k] == fold ? out : kept).push_back(measurements[k]);
     if (kept.empty() || out.empty()) continue;
     const auto fitted = fit(kept);
     if (!fitted) return {};
     collect(total, squares, lengths, judge(*fitted, judgeable(*fitted, kept, out)));
   }
-  if (total.readings == 0) return {};
-  total.rms = std::sqrt(squares / total.readings);
-  total.mean = lengths / total.readings;
+  if (total.measurements == 0) return {};
+  total.rms = std::sqrt(squares / total.measurements);
+  total.mean = lengths / total.measurements;
   return total;
 }
 
 ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unknowns,
-                        const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
+                        const std::vector<Measurement>& measurements, const Eigen::VectorXd& x,
                         const std::vector<int>& folds, const FitOptions& options, const WorkHooks& hooks) {
   const auto fitted = [&](const std::vector<Measurement>& kept) -> std::optional<PlacedArm> {
     if (unknowns.empty()) return start;
@@ -199,19 +199,20 @@ ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unkn
     if (fit.solution.status == LeastSquaresStatus::kFailed) return {};
     return applied(start, unknowns, fit.solution.x);
   };
-  return judgeFolds(readings, folds, fitted, hooks);
+  return judgeFolds(measurements, folds, fitted, hooks);
 }
 
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Returns the row indices of all readings that are not in the fold.
-std::vector<Index> rowsOutside(int fold, const std::vector<int>& folds, const std::vector<Measurement>& readings,
-                               const ReadingWeights& weights) {
+/// Returns the row indices of all measurements that are not in the fold.
+std::vector<Index> rowsOutside(int fold, const std::vector<int>& folds, const std::vector<Measurement>& measurements,
+                               const MeasurementWeights& weights) {
   std::vector<Index> rows;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    for (int row = 0; folds[k] != fold && row < rowsOf(readings[k]); ++row) rows.push_back(weights.first_row[k] + row);
+  for (std::size_t k = 0; k < measurements.size(); ++k)
+    for (int row = 0; folds[k] != fold && row < rowsOf(measurements[k]); ++row)
+      rows.push_back(weights.first_row[k] + row);
   return rows;
 }
 
@@ -232,9 +233,9 @@ std::optional<VectorXd> stepTo(const std::vector<Index>& rows, const Fit& whole,
   return step;
 }
 
-/// Updates the errors of the readings in a fold, to first order, for the step to the fit without this fold.
+/// Updates the errors of the measurements in a fold, to first order, for the step to the fit without this fold.
 void moveErrors(int fold, const std::vector<int>& folds, const Fit& whole, const VectorXd& step, VectorXd& error) {
-  const ReadingWeights& weights = whole.weights;
+  const MeasurementWeights& weights = whole.weights;
   for (std::size_t k = 0; k < folds.size(); ++k) {
     if (folds[k] != fold) continue;
     const MatrixXd& whitener = weights.whitener[k];
@@ -247,37 +248,37 @@ void moveErrors(int fold, const std::vector<int>& folds, const Fit& whole, const
 /// Cross-validates without evaluating the model again. Not valid for touches of unknown points, because each fold would
 /// estimate the points' positions from its own readings.
 std::optional<ErrorSize> crossValidateToFirstOrder(const std::vector<Unknown>& unknowns,
-                                                   const std::vector<Measurement>& readings, const Fit& whole,
+                                                   const std::vector<Measurement>& measurements, const Fit& whole,
                                                    const std::vector<int>& folds, const WorkHooks& hooks) {
   const int count = folds.empty() ? 0 : *std::ranges::max_element(folds) + 1;
   VectorXd error = whole.residual.error;
   for (int fold = 0; fold < count; ++fold) {
     reportProgress(hooks, "readings kept out", static_cast<std::size_t>(fold), static_cast<std::size_t>(count));
-    const auto rows = rowsOutside(fold, folds, readings, whole.weights);
+    const auto rows = rowsOutside(fold, folds, measurements, whole.weights);
     if (rows.empty()) return std::nullopt;
     const auto step = stepTo(rows, whole, unknowns);
     if (!step) return std::nullopt;
     moveErrors(fold, folds, whole, *step, error);
   }
-  return errorSize(readings, whole.weights, error);
+  return errorSize(measurements, whole.weights, error);
 }
 
 }  // namespace
 
 std::optional<ErrorSize> crossValidateBySteps(const PlacedArm& start, const std::vector<Unknown>& unknowns,
-                                              const std::vector<Measurement>& readings, const Fit& whole,
+                                              const std::vector<Measurement>& measurements, const Fit& whole,
                                               const std::vector<int>& folds, const WorkHooks& hooks) {
   const bool is_judged_whole = std::ranges::all_of(folds, [](int fold) { return fold >= 0; });
   if (!whole.weights.shared.empty()) return std::nullopt;  // whitening shared noise mixes rows of different folds
   if (whole.weights.points.empty() && whole.residual.error.size() == whole.weights.rows && is_judged_whole)
-    return crossValidateToFirstOrder(unknowns, readings, whole, folds, hooks);
+    return crossValidateToFirstOrder(unknowns, measurements, whole, folds, hooks);
   int fold = 0;
   const auto stepped = [&](const std::vector<Measurement>&) -> std::optional<PlacedArm> {
-    const auto step = stepTo(rowsOutside(fold++, folds, readings, whole.weights), whole, unknowns);
+    const auto step = stepTo(rowsOutside(fold++, folds, measurements, whole.weights), whole, unknowns);
     return step ? std::optional(applied(start, unknowns, whole.solution.x + *step)) : std::nullopt;
   };
-  const ErrorSize size = judgeFolds(readings, folds, stepped, hooks);
-  return size.readings > 0 ? std::optional(size) : std::nullopt;
+  const ErrorSize size = judgeFolds(measurements, folds, stepped, hooks);
+  return size.measurements > 0 ? std::optional(size) : std::nullopt;
 }
 
 }  // namespace tubeplan::calibration

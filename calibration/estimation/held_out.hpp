@@ -1,5 +1,5 @@
-// Validation of a fit by readings that the fit has not used. Readings at the same posture or point are always held out
-// together.
+// Validation of a fit by measurements that the fit has not used. Measurements at the same posture or point are always
+// held out together.
 #pragma once
 
 #include <cstdint>
@@ -11,51 +11,52 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the group number of each reading. Touches of the same point form a group, and so do other readings at the
-/// same posture.
-[[nodiscard]] std::vector<int> groupByPose(const std::vector<Measurement>& readings);
+/// Returns the group number of each measurement. Touches of the same point form a group, and so do other measurements
+/// at the same posture.
+[[nodiscard]] std::vector<int> groupByPose(const std::vector<Measurement>& measurements);
 
-/// Returns the fold of each reading, 0 to folds - 1. Whole groups are assigned at random, and those of each set-up are
-/// spread evenly over the folds; there are fewer folds if there are fewer groups. Readings with fold -1 are never held
-/// out, because too few groups of their set-up would remain to determine its base.
-[[nodiscard]] std::vector<int> foldsOf(const std::vector<Measurement>& readings, int folds, std::uint64_t seed);
+/// Returns the fold of each measurement, 0 to folds - 1. Whole groups are assigned at random, and those of each set-up
+/// are spread evenly over the folds; there are fewer folds if there are fewer groups. Measurements with fold -1 are
+/// never held out, because too few groups of their set-up would remain to determine its base.
+[[nodiscard]] std::vector<int> foldsOf(const std::vector<Measurement>& measurements, int folds, std::uint64_t seed);
 
-/// Returns fold 0 for the readings of each set-up that are in the quarter of its groups reaching farthest from the
+/// Returns fold 0 for the measurements of each set-up that are in the quarter of its groups reaching farthest from the
 /// base, and -1 (never held out) for all others. With these folds, cross-validation tests how well a fit extrapolates.
-[[nodiscard]] std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Measurement>& readings);
+[[nodiscard]] std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Measurement>& measurements);
 
-/// Returns those of the readings `held_out` that a fit to the readings `fitted` can predict. Excludes single touches of
-/// an unmeasured point, because the point is estimated from the touch itself, and readings of a set-up whose base is
-/// neither known nor determined by fitted readings.
+/// Returns those of the measurements `held_out` that a fit to the measurements `fitted` can predict. Excludes single
+/// touches of an unmeasured point, because the point is estimated from the touch itself, and measurements of a set-up
+/// whose base is neither known nor determined by fitted measurements.
 [[nodiscard]] std::vector<Measurement> judgeable(const PlacedArm& placed, const std::vector<Measurement>& fitted,
                                                  const std::vector<Measurement>& held_out);
 
-/// Returns the errors of the readings `judged` relative to the model `placed`. The positions of touched points that
-/// were not measured are estimated from the same readings.
+/// Returns the errors of the measurements `judged` relative to the model `placed`. The positions of touched points that
+/// were not measured are estimated from the same measurements.
 [[nodiscard]] ErrorSize judge(const PlacedArm& placed, const std::vector<Measurement>& judged);
 
-/// Function that returns the model fitted to the readings `kept`; empty if they cannot be fitted.
-using FitToReadings = std::function<std::optional<PlacedArm>(const std::vector<Measurement>& kept)>;
+/// Function that returns the model fitted to the measurements `kept`; empty if they cannot be fitted.
+using FitToMeasurements = std::function<std::optional<PlacedArm>(const std::vector<Measurement>& kept)>;
 
-/// Predicts the readings of each fold by a fit to the other folds, and returns the errors of all folds together. If a
-/// fit fails, the number of readings in the result is 0. Throws WorkStopped if a stop is requested.
-[[nodiscard]] ErrorSize judgeFolds(const std::vector<Measurement>& readings, const std::vector<int>& folds,
-                                   const FitToReadings& fit, const WorkHooks& hooks = {});
+/// Predicts the measurements of each fold by a fit to the other folds, and returns the errors of all folds together. If
+/// a fit fails, the number of measurements in the result is 0. Throws WorkStopped if a stop is requested.
+[[nodiscard]] ErrorSize judgeFolds(const std::vector<Measurement>& measurements, const std::vector<int>& folds,
+                                   const FitToMeasurements& fit, const WorkHooks& hooks = {});
 
 /// Cross-validates by fits of the unknowns that start at `x`, and returns the held-out errors; if there are no
 /// unknowns, the errors are those of the model `start` itself.
 [[nodiscard]] ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unknowns,
-                                      const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
+                                      const std::vector<Measurement>& measurements, const Eigen::VectorXd& x,
                                       const std::vector<int>& folds, const FitOptions& options,
                                       const WorkHooks& hooks = {});
 
 /// Cross-validates like crossValidate(), but approximates each fold's fit by one Gauss-Newton step from `whole`, the
-/// fit to all readings. No robust loss is applied. Empty if readings share noise, or if a fold's step exceeds
+/// fit to all measurements. No robust loss is applied. Empty if measurements share noise, or if a fold's step exceeds
 /// kFarthestFold or leaves the bounds.
 [[nodiscard]] std::optional<ErrorSize> crossValidateBySteps(const PlacedArm& start,
                                                             const std::vector<Unknown>& unknowns,
-                                                            const std::vector<Measurement>& readings, const Fit& whole,
-                                                            const std::vector<int>& folds, const WorkHooks& hooks = {});
+                                                            const std::vector<Measurement>& measurements,
+                                                            const Fit& whole, const std::vector<int>& folds,
+                                                            const WorkHooks& hooks = {});
 
 /// Largest step that a parameter may take, in its standard deviations in the fit `whole`.
 inline constexpr double kFarthestFold = 4;

@@ -55,7 +55,7 @@ std::vector<NumberIdentifiability> judgeIdentifiability(const MatrixXd& jacobian
     numbers[n].with = partnersOf(k, covariance);
     if (!numbers[n].with.empty()) numbers[n].verdict = Identifiability::kInCombination;
   }
-  // A parameter that looks identifiable is not if the readings cannot distinguish it from one that is not.
+  // A parameter that looks identifiable is not if the measurements cannot distinguish it from one that is not.
   for (std::size_t n = 0; n < unknowns.size(); ++n) {
     if (numbers[n].verdict != Identifiability::kYes) continue;
     const auto k = static_cast<Index>(n);

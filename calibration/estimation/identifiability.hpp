@@ -1,9 +1,10 @@
-// Verdict for each free parameter on whether the readings determine it, or only its prior does.
+// Verdict for each free parameter on whether the measurements determine it, or only its prior does.
 //
-// Let C be the posterior covariance of the variables and J the whitened Jacobian of the readings. A parameter's sigma
-// is sqrt(C_kk) if all others are free, and 1 / sqrt(|J_k|^2 + 1 / s_k^2) if all others are known, where s_k is the
-// sigma of its prior. A parameter is identifiable if the first sigma is well below s_k. If only the second is, the
-// readings determine the parameter only in combination with those parameters whose errors are correlated with its own.
+// Let C be the posterior covariance of the variables and J the whitened Jacobian of the measurements. A parameter's
+// sigma is sqrt(C_kk) if all others are free, and 1 / sqrt(|J_k|^2 + 1 / s_k^2) if all others are known, where s_k is
+// the sigma of its prior. A parameter is identifiable if the first sigma is well below s_k. If only the second is, the
+// measurements determine the parameter only in combination with those parameters whose errors are correlated with its
+// own.
 #pragma once
 
 #include <Eigen/Core>

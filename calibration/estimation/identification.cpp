@@ -10,9 +10,9 @@
 #include "calibration/estimation/held_out.hpp"
 #include "calibration/estimation/identified_numbers.hpp"
 #include "calibration/estimation/outliers.hpp"
-#include "calibration/measurements/reading_placement.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
-#include "calibration/measurements/reading_problems.hpp"
+#include "calibration/measurements/measurement_placement.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
+#include "calibration/measurements/measurement_problems.hpp"
 #include "calibration/random_stream.hpp"
 #include "calibration/statistics.hpp"
 
@@ -23,8 +23,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr double kStrongCorrelation = 0.9;
-// With at least this many readings, each fold's fit is approximated by one step from the fit to all readings.
-constexpr std::size_t kManyReadings = 1000;
+// With at least this many measurements, each fold's fit is approximated by one step from the fit to all measurements.
+constexpr std::size_t kManyMeasurements = 1000;
 
 std::vector<int> placesOf(const std::vector<Measurement>& all, bool held_out) {
   std::vector<int> places;
@@ -70,7 +70,7 @@ void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& all,
   FitOptions options = fitOptions(model.options);
   options.model_error = result.model_error;
   const auto bases = basesOf(model.unknowns);
-  const bool is_by_steps = model.fitted.size() >= kManyReadings && model.options.loss == RobustLoss::kNone;
+  const bool is_by_steps = model.fitted.size() >= kManyMeasurements && model.options.loss == RobustLoss::kNone;
   const auto by_steps = is_by_steps ? crossValidateBySteps(model.start, model.unknowns, model.fitted, model.fit, folds,
                                                            model.options.hooks)
                                     : std::nullopt;
@@ -78,12 +78,13 @@ void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& all,
                             : crossValidate(model.start, model.unknowns, model.fitted, model.fit.solution.x, folds,
                                             options, model.options.hooks);
   // No base is fitted, so held-out errors equal the others.
-  const bool is_fixed = bases.empty() && result.heldout.readings > 0;
+  const bool is_fixed = bases.empty() && result.heldout.measurements > 0;
   result.heldout_before =
       is_fixed ? result.after_base : crossValidate(model.start, bases, model.fitted, zerosOf(bases), folds, options);
 }
 
-/// Returns the singular values of the readings' Jacobian with respect to the variables divided by their typical sizes.
+/// Returns the singular values of the measurements' Jacobian with respect to the variables divided by their typical
+/// sizes.
 VectorXd singularValues(MatrixXd jacobian, const std::vector<Unknown>& unknowns) {
   if (unknowns.empty()) return {};
   jacobian.array().rowwise() *= typicalsOf(unknowns).transpose().array();
@@ -95,7 +96,7 @@ VectorXd singularValues(MatrixXd jacobian, const std::vector<Unknown>& unknowns)
 /// of the robust loss.
 VectorXd errorsOf(const FittedModel& model) {
   if (model.fit.factors.size() == 0) return model.fit.residual.error;
-  const ReadingWeights plain = reweighted(model.fit.weights, model.fitted, model.fit.weights.model_error);
+  const MeasurementWeights plain = reweighted(model.fit.weights, model.fitted, model.fit.weights.model_error);
   return whitenedResidual(model.start, model.unknowns, model.fitted, plain, model.fit.solution.x, false,
                           model.options.hooks.stop)
       .error;
@@ -117,7 +118,8 @@ void summarize(const FittedModel& model, Identification& result) {
   describeNumbers(model, result);
   listCorrelations(result);
   result.outliers = findOutliers(model.fitted, fit, model.options.outlier_level);
-  for (auto& outlier : result.outliers) outlier.reading = result.used[static_cast<std::size_t>(outlier.reading)];
+  for (auto& outlier : result.outliers)
+    outlier.measurement = result.used[static_cast<std::size_t>(outlier.measurement)];
 }
 
 /// Fits only the unknown base poses, so that the fit of all unknowns then starts near its solution.
@@ -165,11 +167,11 @@ bool fitFromStarts(FittedModel& model, Identification& result) {
   return isUsable(model.fit);
 }
 
-/// Stores the errors of the model before the fit in `size`, and returns the readings' weights; empty if the model
+/// Stores the errors of the model before the fit in `size`, and returns the measurements' weights; empty if the model
 /// cannot be evaluated.
-std::optional<ReadingWeights> measureStart(const PlacedArm& placed, const std::vector<Measurement>& fitted,
-                                           ErrorSize& size) {
-  auto weights = weighReadings(placed, fitted);
+std::optional<MeasurementWeights> measureStart(const PlacedArm& placed, const std::vector<Measurement>& fitted,
+                                               ErrorSize& size) {
+  auto weights = weighMeasurements(placed, fitted);
   if (!weights) return weights;
   const auto residual = whitenedResidual(placed, {}, fitted, *weights, {}, false);
   if (!residual.ok) return std::nullopt;
@@ -177,13 +179,13 @@ std::optional<ReadingWeights> measureStart(const PlacedArm& placed, const std::v
   return weights;
 }
 
-void noteReadingProblem(const std::vector<Measurement>& fitted, const std::vector<Unknown>& unknowns,
-                        Identification& result) {
-  result.reading_problem = findReadingProblem(fitted, unknowns);
-  if (!result.reading_problem) return;
-  ReadingProblem& problem = *result.reading_problem;
+void noteMeasurementProblem(const std::vector<Measurement>& fitted, const std::vector<Unknown>& unknowns,
+                            Identification& result) {
+  result.measurement_problem = findMeasurementProblem(fitted, unknowns);
+  if (!result.measurement_problem) return;
+  MeasurementProblem& problem = *result.measurement_problem;
   result.reason = problem.what;
-  if (problem.reading >= 0) problem.reading = result.used[static_cast<std::size_t>(problem.reading)];
+  if (problem.measurement >= 0) problem.measurement = result.used[static_cast<std::size_t>(problem.measurement)];
 }
 
 /// Removes a parameter from the model: a stiffness becomes rigid, any other parameter returns to its start value.
@@ -211,18 +213,18 @@ int leastNeeded(const Identification& result, double level) {
   return least >= 0 && chiSquareTail(need * need, 1) > level ? least : -1;
 }
 
-Identification identifyOnce(const PlacedArm& start, const std::vector<Measurement>& readings,
+Identification identifyOnce(const PlacedArm& start, const std::vector<Measurement>& measurements,
                             const IdentificationOptions& options);
 
 /// Identifies once or, if `drop_level` is above 0, repeatedly, each time without the least significant parameter.
-Identification identifyNeeded(const PlacedArm& start, const std::vector<Measurement>& readings,
+Identification identifyNeeded(const PlacedArm& start, const std::vector<Measurement>& measurements,
                               const IdentificationOptions& options) {
   PlacedArm from = start;
   IdentificationOptions now = options;
   now.solver.stop = options.hooks.stop;
   std::vector<std::string> dropped;
   while (true) {
-    Identification result = identifyOnce(from, readings, now);
+    Identification result = identifyOnce(from, measurements, now);
     const int least = options.drop_level > 0 && result.status == IdentificationStatus::kDone
                           ? leastNeeded(result, options.drop_level)
                           : -1;
@@ -244,11 +246,11 @@ Identification identifyNeeded(const PlacedArm& start, const std::vector<Measurem
   }
 }
 
-Identification identifyOnce(const PlacedArm& start, const std::vector<Measurement>& readings,
+Identification identifyOnce(const PlacedArm& start, const std::vector<Measurement>& measurements,
                             const IdentificationOptions& options) {
   Identification result;
-  result.used = placesOf(readings, false);
-  const auto fitted = picked(readings, result.used), held_out = picked(readings, placesOf(readings, true));
+  result.used = placesOf(measurements, false);
+  const auto fitted = picked(measurements, result.used), held_out = picked(measurements, placesOf(measurements, true));
   FittedModel model{fitted, options, start, {}, {}, {}};
   auto unknowns = chooseUnknowns(model.start, options.free);
   result.problems = unknowns.problems;
@@ -256,7 +258,7 @@ Identification identifyOnce(const PlacedArm& start, const std::vector<Measuremen
   if (result.problems.empty() && model.unknowns.empty() && !options.may_hold_all)
     result.reason = "no free parameter: name one to identify";
   if (!result.problems.empty()) result.reason = result.problems.front().what;
-  if (result.reason.empty()) noteReadingProblem(fitted, model.unknowns, result);
+  if (result.reason.empty()) noteMeasurementProblem(fitted, model.unknowns, result);
   if (!result.reason.empty()) {
     result.status = IdentificationStatus::kRefused;
     return result;
@@ -286,10 +288,10 @@ Identification identifyOnce(const PlacedArm& start, const std::vector<Measuremen
 
 }  // namespace
 
-Identification identify(const PlacedArm& start, const std::vector<Measurement>& readings,
+Identification identify(const PlacedArm& start, const std::vector<Measurement>& measurements,
                         const IdentificationOptions& options) {
   return unlessStopped(&Identification::status, IdentificationStatus::kStopped,
-                       [&] { return identifyNeeded(start, readings, options); });
+                       [&] { return identifyNeeded(start, measurements, options); });
 }
 
 std::vector<Unknown> fittedUnknowns(const Identification& result) {
@@ -299,8 +301,8 @@ std::vector<Unknown> fittedUnknowns(const Identification& result) {
 }
 
 Identification identify(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
-                        const std::vector<Measurement>& readings, const IdentificationOptions& options) {
-  return identify(placeForReadings(arm, X_WB, base_known, readings), readings, options);
+                        const std::vector<Measurement>& measurements, const IdentificationOptions& options) {
+  return identify(placeForMeasurements(arm, X_WB, base_known, measurements), measurements, options);
 }
 
 }  // namespace tubeplan::calibration

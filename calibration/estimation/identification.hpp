@@ -1,11 +1,11 @@
-// Identification of a model's parameters from readings, each with its uncertainty and a verdict on whether the readings
-// determine it (Calkins 1994, chapter 3).
+// Identification of a model's parameters from measurements, each with its uncertainty and a verdict on whether the
+// measurements determine it (Calkins 1994, chapter 3).
 //
 // Example, compiled and run by tests/examples:
 //
 //     #include "calibration/estimation/identification.hpp"
-//     #include "calibration/measurements/reading_placement.hpp"
-//     #include "calibration/measurements/reading_prediction.hpp"
+//     #include "calibration/measurements/measurement_placement.hpp"
+//     #include "calibration/measurements/measurement_prediction.hpp"
 //     using namespace tubeplan;
 //     deflection::Arm arm;
 //     auto& row = (arm.rows.resize(1), arm.rows.front().name = "link", arm.rows.front());
@@ -16,9 +16,9 @@
 //     deflection::Arm real = arm;
 //     real.rows.front().joint_stiffness.z() = 8e4;
 //     const Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-//     std::vector<calibration::Measurement> readings;
+//     std::vector<calibration::Measurement> measurements;
 //     for (int k = 0; k < 12; ++k) {
-//       auto& reading = readings.emplace_back();
+//       auto& measurement = readings.emplace_back();
 //       reading.id = std::to_string(k);
 //       reading.q = Eigen::VectorXd::Constant(1, 0.1 * k);
 //       reading.load = 50 * (k % 3);  // N
@@ -27,8 +27,8 @@
 //     }
 //     calibration::IdentificationOptions options;
 //     options.free.names = {"link.joint_stiffness.z"};
-//     const auto start = calibration::placeForReadings(arm, X_WB, true, readings);
-//     const auto found = calibration::identify(start, readings, options);
+//     const auto start = calibration::placeForMeasurements(arm, X_WB, true, measurements);
+//     const auto found = calibration::identify(start, measurements, options);
 //     std::printf("%.0f\n", found.numbers.front().value);  // prints 80000
 #pragma once
 
@@ -41,7 +41,7 @@
 #include "calibration/estimation/identifiability.hpp"
 #include "calibration/estimation/least_squares.hpp"
 #include "calibration/estimation/whitened_residual.hpp"
-#include "calibration/measurements/reading_problems.hpp"
+#include "calibration/measurements/measurement_problems.hpp"
 
 namespace tubeplan::calibration {
 
@@ -53,9 +53,9 @@ struct IdentificationOptions {
   RobustLoss loss = RobustLoss::kNone;
   int starts = 1;          ///< number of starting points: the given one, and others drawn at random around it
   std::uint64_t seed = 1;  ///< seed of the random starts and of the assignment to folds
-  /// Number of folds of the cross-validation, which is done if no reading is marked as held out; 0: none.
+  /// Number of folds of the cross-validation, which is done if no measurement is marked as held out; 0: none.
   int folds = 5;
-  double outlier_level = 0.01;  ///< probability that some reading is reported as an outlier although there is none
+  double outlier_level = 0.01;  ///< probability that some measurement is reported as an outlier although there is none
   /// If above 0, parameters that are not significant at this level are dropped from the fit, one at a time.
   double drop_level = 0;
   bool intervals_by_profile = true;
@@ -63,7 +63,8 @@ struct IdentificationOptions {
   /// Uncertainty of the parameters that are held fixed; empty: Identification::uncertainty is not computed.
   std::optional<ArmUncertainty> uncertainty;
   WorkHooks hooks;  ///< progress report and stop request, which also stops the solver
-  /// Called at every iteration of a fit to all readings, from each start, but not in fits to a part of the readings.
+  /// Called at every iteration of a fit to all measurements, from each start, but not in fits to a part of the
+  /// measurements.
   IterationObserver observe = {};
 };
 
@@ -81,15 +82,15 @@ struct IdentifiedNumber {
   std::vector<std::string> with;
   double prior_deviation = 0;  ///< distance of the variable from its prior's mean, in standard deviations of the prior
   bool is_at_bound = false;
-  /// For the magnitude of an effect: values that explain the readings equally well, most probable first; empty if only
-  /// `value` does. The interval covers all of them.
+  /// For the magnitude of an effect: values that explain the measurements equally well, most probable first; empty if
+  /// only `value` does. The interval covers all of them.
   std::vector<double> modes;
   std::string note;  ///< note for the user, as a sentence; may be empty
 };
 
 struct Outlier {
-  int reading = -1;
-  double size = 0;    ///< error of the reading relative to the fit without it [m]
+  int measurement = -1;
+  double size = 0;    ///< error of the measurement relative to the fit without it [m]
   double sigmas = 0;  ///< `size` divided by the standard deviation of the noise
 };
 
@@ -98,34 +99,35 @@ struct StrongCorrelation {
   double value = 0;
 };
 
-/// Root mean square, mean and maximum of the errors of a set of readings [m]. The error of a measured position is its
-/// distance from the predicted position; that of an angle is the difference times kTurnLever.
+/// Root mean square, mean and maximum of the errors of a set of measurements [m]. The error of a measured position is
+/// its distance from the predicted position; that of an angle is the difference times kTurnLever.
 struct ErrorSize {
   double rms = kNotKnown;
   double mean = kNotKnown;
   double max = kNotKnown;
-  int readings = 0;
-  bool are_angles = false;  ///< true: all readings measure only angles
+  int measurements = 0;
+  bool are_angles = false;  ///< true: all measurements measure only angles
 };
 
 struct Identification {
   IdentificationStatus status = IdentificationStatus::kNotRun;
   std::string reason;
   std::vector<FreeProblem> problems;  ///< reasons why names cannot be freed, if the status is kRefused
-  /// Reason why the readings do not determine enough, if the status is kRefused.
-  std::optional<ReadingProblem> reading_problem;
-  std::vector<std::string> dropped;  ///< parameters dropped because the readings do not require them, as "NAME: why"
-  PlacedArm start, fitted;           ///< model before the fit, but with its bases placed, and model after the fit
+  /// Reason why the measurements do not determine enough, if the status is kRefused.
+  std::optional<MeasurementProblem> measurement_problem;
+  std::vector<std::string>
+      dropped;              ///< parameters dropped because the measurements do not require them, as "NAME: why"
+  PlacedArm start, fitted;  ///< model before the fit, but with its bases placed, and model after the fit
   std::vector<IdentifiedNumber> numbers;
   /// Covariance of the variables of `numbers`, in the same order (compliances for stiffnesses).
   Eigen::MatrixXd covariance;
   std::vector<StrongCorrelation> correlations;
-  /// Errors of the fitted readings relative to the model before any fit, with only the bases fitted, and with all
+  /// Errors of the fitted measurements relative to the model before any fit, with only the bases fitted, and with all
   /// unknowns fitted.
   ErrorSize before, after_base, after;
-  /// Errors of held-out readings relative to the model with only the bases fitted, and with all unknowns fitted.
+  /// Errors of held-out measurements relative to the model with only the bases fitted, and with all unknowns fitted.
   ErrorSize heldout_before, heldout;
-  int not_judged = 0;              ///< number of held-out readings that the fit cannot predict; see judgeable()
+  int not_judged = 0;              ///< number of held-out measurements that the fit cannot predict; see judgeable()
   double noise_floor = kNotKnown;  ///< rms error due to noise alone [m]
   double chi2 = kNotKnown;
   /// Number of rows less the number of parameters and unknown places that they determine; may be zero or negative.
@@ -134,12 +136,12 @@ struct Identification {
   /// Standard deviation of the model error of each coordinate [m], which the covariance takes into account; above 0 if
   /// the residuals are too large for the stated noise.
   double model_error = 0;
-  /// Uncertainty of all parameters of the arm, given the readings; empty if not requested.
+  /// Uncertainty of all parameters of the arm, given the measurements; empty if not requested.
   std::optional<ArmUncertainty> uncertainty;
   std::vector<Outlier> outliers;
-  Eigen::VectorXd errors;  ///< length of each fitted reading's error [m], in the order of `used`
-  std::vector<int> used;   ///< indices of the fitted readings
-  /// Singular values of the readings' Jacobian with respect to the parameters divided by their typical sizes.
+  Eigen::VectorXd errors;  ///< length of each fitted measurement's error [m], in the order of `used`
+  std::vector<int> used;   ///< indices of the fitted measurements
+  /// Singular values of the measurements' Jacobian with respect to the parameters divided by their typical sizes.
   Eigen::VectorXd singular_values;
   int iterations = 0, evaluations = 0, jacobian_evaluations = 0;
   int starts_agreeing = 1;
@@ -148,13 +150,14 @@ struct Identification {
 /// Returns the identified parameters in the order of `result.covariance`, as unknowns whose variables are 0 at the fit.
 [[nodiscard]] std::vector<Unknown> fittedUnknowns(const Identification& result);
 
-/// Identifies the free parameters and the unknown base poses. Readings marked held-out are not fitted, but used to
+/// Identifies the free parameters and the unknown base poses. Measurements marked held-out are not fitted, but used to
 /// validate the fit.
 [[nodiscard]] Identification identify(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
-                                      const std::vector<Measurement>& readings, const IdentificationOptions& options);
+                                      const std::vector<Measurement>& measurements,
+                                      const IdentificationOptions& options);
 
-/// One stage of an identification: names of the parameters that it frees, and the set-up whose readings it uses (empty:
-/// all readings).
+/// One stage of an identification: names of the parameters that it frees, and the set-up whose measurements it uses
+/// (empty: all measurements).
 struct IdentificationStage {
   std::vector<std::string> names;
   std::string setup;
@@ -164,12 +167,12 @@ struct IdentificationStage {
 /// stages are held at their values, and their uncertainty contributes to the sigmas of later stages. Returns one result
 /// per stage, up to the first stage that is refused or stopped.
 [[nodiscard]] std::vector<Identification> identifyInStages(const PlacedArm& start,
-                                                           const std::vector<Measurement>& readings,
+                                                           const std::vector<Measurement>& measurements,
                                                            const std::vector<IdentificationStage>& stages,
                                                            const IdentificationOptions& options);
 
 /// Identifies like identify() above, but starts from an arm that already has a base pose for every set-up.
-[[nodiscard]] Identification identify(const PlacedArm& start, const std::vector<Measurement>& readings,
+[[nodiscard]] Identification identify(const PlacedArm& start, const std::vector<Measurement>& measurements,
                                       const IdentificationOptions& options);
 
 }  // namespace tubeplan::calibration

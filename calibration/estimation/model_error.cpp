@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "calibration/estimation/fit.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -12,25 +12,26 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// Probability that some reading counts as a gross error although there is none.
+// Probability that some measurement counts as a gross error although there is none.
 constexpr double kGrossErrorLevel = 0.01;
 
-/// Squared errors of readings relative to the sum of their noise variance and an additional variance of every
+/// Squared errors of measurements relative to the sum of their noise variance and an additional variance of every
 /// coordinate.
 class ErrorVariance {
  public:
-  ErrorVariance(const std::vector<Measurement>& readings, const ReadingWeights& weights, const VectorXd& error) {
-    for (std::size_t k = 0; k < readings.size(); ++k) {
+  ErrorVariance(const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
+                const VectorXd& error) {
+    for (std::size_t k = 0; k < measurements.size(); ++k) {
       const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(weights.noise[k]);
       noise_.push_back(axes.eigenvalues().cwiseMax(0));
       squares_.push_back(
-          (axes.eigenvectors().transpose() * error.segment(weights.first_row[k], rowsOf(readings[k]))).cwiseAbs2());
+          (axes.eigenvectors().transpose() * error.segment(weights.first_row[k], rowsOf(measurements[k]))).cwiseAbs2());
     }
   }
 
-  /// Returns the mean over a reading's rows of its squared error divided by the noise variance plus `variance`.
-  [[nodiscard]] double meanSquare(std::size_t reading, double variance) const {
-    return (squares_[reading].array() / (noise_[reading].array() + variance)).mean();
+  /// Returns the mean over a measurement's rows of its squared error divided by the noise variance plus `variance`.
+  [[nodiscard]] double meanSquare(std::size_t measurement, double variance) const {
+    return (squares_[measurement].array() / (noise_[measurement].array() + variance)).mean();
   }
 
   /// Returns the root of the function `size`, which decreases with the variance; 0 if size(0) is not positive.
@@ -47,7 +48,7 @@ class ErrorVariance {
     return high;
   }
 
-  /// Returns the median of meanSquare() over the readings, divided by the median expected for normal noise.
+  /// Returns the median of meanSquare() over the measurements, divided by the median expected for normal noise.
   [[nodiscard]] double usualSquare(double variance) const {
     std::vector<double> squares;
     for (std::size_t k = 0; k < squares_.size(); ++k)
@@ -61,18 +62,18 @@ class ErrorVariance {
 
 }  // namespace
 
-double modelErrorOf(const std::vector<Measurement>& readings, const ReadingWeights& weights, const VectorXd& error,
-                    int degrees_of_freedom) {
+double modelErrorOf(const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
+                    const VectorXd& error, int degrees_of_freedom) {
   if (degrees_of_freedom <= 0) return 0;
-  const ErrorVariance errors(readings, weights, error);
+  const ErrorVariance errors(measurements, weights, error);
   // Errors that are far larger than the typical one are gross errors. They are excluded, because the model does not
   // cause them.
   const double usual = errors.solve([&](double v) { return errors.usualSquare(v) - 1; });
-  ChiSquareLimit limitOf(kGrossErrorLevel / static_cast<double>(readings.size()));
+  ChiSquareLimit limitOf(kGrossErrorLevel / static_cast<double>(measurements.size()));
   std::vector<std::size_t> kept;
   int freedom = degrees_of_freedom;
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    const int rows = rowsOf(readings[k]);
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
+    const int rows = rowsOf(measurements[k]);
     if (rows * errors.meanSquare(k, usual) <= limitOf(rows))
       kept.push_back(k);
     else
@@ -81,7 +82,7 @@ double modelErrorOf(const std::vector<Measurement>& readings, const ReadingWeigh
   if (freedom <= 0) return 0;
   const auto chi2At = [&](double variance) {
     double chi2 = 0;
-    for (const std::size_t k : kept) chi2 += rowsOf(readings[k]) * errors.meanSquare(k, variance);
+    for (const std::size_t k : kept) chi2 += rowsOf(measurements[k]) * errors.meanSquare(k, variance);
     return chi2;
   };
   if (!(chiSquareTail(chi2At(0), freedom) < kLackOfFit)) return 0;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -12,27 +12,28 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Error of a reading relative to a fit without it.
+/// Error of a measurement relative to a fit without it.
 struct Alone {
-  VectorXd error;     // error of the reading [m]
+  VectorXd error;     // error of the measurement [m]
   double square = 0;  // error^T covariance^-1 error: chi-square with one degree of freedom per row
 };
 
-/// Returns for each reading its rows of the matrix Q of its unknown point; empty for readings without an unknown point.
-std::vector<MatrixXd> pointBlocks(const ReadingWeights& weights, std::size_t readings) {
-  std::vector<MatrixXd> blocks(readings);
+/// Returns for each reading its rows of the matrix Q of its unknown point; empty for measurements without an unknown
+/// point.
+std::vector<MatrixXd> pointBlocks(const MeasurementWeights& weights, std::size_t measurements) {
+  std::vector<MatrixXd> blocks(measurements);
   for (const auto& point : weights.points)
-    for (std::size_t i = 0; i < point.readings.size(); ++i) {
-      const Index rows = point.Q.rows() / static_cast<Index>(point.readings.size());
-      blocks[static_cast<std::size_t>(point.readings[i])] = point.Q.middleRows(rows * static_cast<Index>(i), rows);
+    for (std::size_t i = 0; i < point.measurements.size(); ++i) {
+      const Index rows = point.Q.rows() / static_cast<Index>(point.measurements.size());
+      blocks[static_cast<std::size_t>(point.measurements[i])] = point.Q.middleRows(rows * static_cast<Index>(i), rows);
     }
   return blocks;
 }
 
-/// Returns the error of a reading relative to a fit without it. With H the reading's block of the projection onto the
-/// fitted unknowns, this error is (I - H)^-1 r and its covariance (I - H)^-1, both whitened. The weight factor f of a
-/// robust fit is undone: the reading's own part of the covariance stays I, the part due to other readings is divided by
-/// f.
+/// Returns the error of a measurement relative to a fit without it. With H the measurement's block of the projection
+/// onto the fitted unknowns, this error is (I - H)^-1 r and its covariance (I - H)^-1, both whitened. The weight factor
+/// f of a robust fit is undone: the measurement's own part of the covariance stays I, the part due to other
+/// measurements is divided by f.
 Alone judgeAlone(const VectorXd& r, const MatrixXd& H, double factor, const MatrixXd& covariance) {
   const Index n = r.size();
   const auto left = (MatrixXd::Identity(n, n) - H).completeOrthogonalDecomposition();
@@ -42,12 +43,12 @@ Alone judgeAlone(const VectorXd& r, const MatrixXd& H, double factor, const Matr
   return {covariance.llt().matrixL() * error, error.dot(spread.ldlt().solve(error))};
 }
 
-std::vector<Alone> judgeAll(const std::vector<Measurement>& readings, const Fit& fit) {
-  const auto points = pointBlocks(fit.weights, readings.size());
+std::vector<Alone> judgeAll(const std::vector<Measurement>& measurements, const Fit& fit) {
+  const auto points = pointBlocks(fit.weights, measurements.size());
   const MatrixXd& J = fit.residual.jacobian;
   std::vector<Alone> all;
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    const Index row = fit.weights.first_row[k], rows = rowsOf(readings[k]);
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
+    const Index row = fit.weights.first_row[k], rows = rowsOf(measurements[k]);
     MatrixXd H = MatrixXd::Zero(rows, rows);
     if (J.cols()) H += J.middleRows(row, rows) * fit.covariance * J.middleRows(row, rows).transpose();
     if (points[k].size()) H += points[k] * points[k].transpose();
@@ -58,10 +59,10 @@ std::vector<Alone> judgeAll(const std::vector<Measurement>& readings, const Fit&
 }
 
 /// Returns the square of the factor by which the typical error exceeds the noise, but at least 1.
-double usualSquare(const std::vector<Measurement>& readings, const std::vector<Alone>& all) {
+double usualSquare(const std::vector<Measurement>& measurements, const std::vector<Alone>& all) {
   std::vector<double> sizes;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const int rows = rowsOf(readings[k]);
+    const int rows = rowsOf(measurements[k]);
     sizes.push_back(all[k].square / (rows * medianOfMeanSquare(rows)));
   }
   return std::max(1., median(std::move(sizes)));
@@ -69,14 +70,14 @@ double usualSquare(const std::vector<Measurement>& readings, const std::vector<A
 
 }  // namespace
 
-std::vector<Outlier> findOutliers(const std::vector<Measurement>& readings, const Fit& fit, double level) {
-  const auto all = judgeAll(readings, fit);
+std::vector<Outlier> findOutliers(const std::vector<Measurement>& measurements, const Fit& fit, double level) {
+  const auto all = judgeAll(measurements, fit);
   std::vector<Outlier> outliers;
   if (all.empty()) return outliers;
-  const double usual = usualSquare(readings, all);
+  const double usual = usualSquare(measurements, all);
   ChiSquareLimit limitOf(level / static_cast<double>(all.size()));
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k].square > limitOf(rowsOf(readings[k])) * usual)
+    if (all[k].square > limitOf(rowsOf(measurements[k])) * usual)
       outliers.push_back({static_cast<int>(k), all[k].error.norm(), std::sqrt(all[k].square)});
   }
   std::ranges::stable_sort(outliers, std::greater{}, &Outlier::sigmas);

@@ -1,8 +1,8 @@
 // How prior knowledge enters a fit and the resulting uncertainty. Every free parameter has a normal prior
 // (Unknown::prior_sigma), which enters least squares as one more residual, (x - mean) / sigma. The minimum is then the
 // most probable state. Its posterior covariance C is the inverse of J^T J + Lambda, with Lambda = diag(1 / sigma^2). Of
-// the n parameters, the readings determine p = tr(C J^T J), the effective number of parameters (Spiegelhalter et al.
-// 2002, "Bayesian measures of model complexity and fit").
+// the n parameters, the measurements determine p = tr(C J^T J), the effective number of parameters (Spiegelhalter et
+// al. 2002, "Bayesian measures of model complexity and fit").
 #pragma once
 
 #include <Eigen/Core>
@@ -22,8 +22,8 @@ namespace tubeplan::calibration {
 /// sigma)^2.
 [[nodiscard]] Eigen::VectorXd priorInformation(const std::vector<Unknown>& unknowns);
 
-/// Returns the posterior covariance of the variables, given the whitened Jacobian of the readings. It is zero for a
-/// variable that neither the readings nor its prior determine.
+/// Returns the posterior covariance of the variables, given the whitened Jacobian of the measurements. It is zero for a
+/// variable that neither the measurements nor its prior determine.
 [[nodiscard]] Eigen::MatrixXd posteriorCovariance(const Eigen::MatrixXd& jacobian,
                                                   const std::vector<Unknown>& unknowns);
 
@@ -31,11 +31,11 @@ namespace tubeplan::calibration {
 /// differ widely.
 [[nodiscard]] Eigen::MatrixXd inverseOfInformation(const Eigen::MatrixXd& information);
 
-/// Returns the effective number of parameters that the readings determine, from 0 to all, given the posterior
+/// Returns the effective number of parameters that the measurements determine, from 0 to all, given the posterior
 /// covariance.
 [[nodiscard]] double effectiveNumbers(const Eigen::MatrixXd& covariance, const std::vector<Unknown>& unknowns);
 
-/// Returns the rounded effective number of parameters, which is subtracted from the readings' degrees of freedom.
+/// Returns the rounded effective number of parameters, which is subtracted from the measurements' degrees of freedom.
 [[nodiscard]] int numbersDetermined(const Eigen::MatrixXd& covariance, const std::vector<Unknown>& unknowns);
 
 }  // namespace tubeplan::calibration

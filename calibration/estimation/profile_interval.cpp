@@ -23,10 +23,10 @@ LeastSquaresOptions nearby(const StopQuestion& stop) {
 struct Profile {
   const PlacedArm& start;
   const std::vector<Unknown>& unknowns;
-  const std::vector<Measurement>& readings;
+  const std::vector<Measurement>& measurements;
   const Fit& best;
   int variable;
-  double least;  ///< chi-square of readings and priors at the optimum
+  double least;  ///< chi-square of measurements and priors at the optimum
   LeastSquaresOptions solver;
 
   /// Refits with the variable fixed at `offset` from the optimum, and returns sqrt(rise of chi-square / kRise) - 1: -1
@@ -36,7 +36,8 @@ struct Profile {
     const double value = best.solution.x[variable] + offset;
     fixed[static_cast<std::size_t>(variable)].lower = fixed[static_cast<std::size_t>(variable)].upper = value;
     x[variable] = value;
-    const auto solution = minimizeOrUnwind(fitProblem(start, fixed, readings, best.weights, x, solver.stop), solver);
+    const auto solution =
+        minimizeOrUnwind(fitProblem(start, fixed, measurements, best.weights, x, solver.stop), solver);
     if (solution.status == LeastSquaresStatus::kFailed) return kNotKnown;
     x = solution.x;
     return std::sqrt(std::max(0., solution.chi2 - least) / kRise) - 1;
@@ -71,10 +72,10 @@ struct Profile {
 }  // namespace
 
 ProfileInterval profileInterval(const PlacedArm& start, const std::vector<Unknown>& unknowns,
-                                const std::vector<Measurement>& readings, const Fit& best, int variable, double sigma,
-                                const StopQuestion& stop) {
+                                const std::vector<Measurement>& measurements, const Fit& best, int variable,
+                                double sigma, const StopQuestion& stop) {
   const double least = best.solution.chi2 + priorResiduals(unknowns, best.solution.x).squaredNorm();
-  const Profile profile{start, unknowns, readings, best, variable, least, nearby(stop)};
+  const Profile profile{start, unknowns, measurements, best, variable, least, nearby(stop)};
   const double at = best.solution.x[variable];
   return {at + profile.end(-1, sigma), at + profile.end(1, sigma)};
 }

@@ -13,9 +13,9 @@ struct ProfileInterval {
 };
 
 /// Returns the profile interval of `variable`, an index among the unknowns. `best` is a fit of all unknowns, and
-/// `sigma` the variable's standard deviation in that fit. The chi-square includes readings and priors.
+/// `sigma` the variable's standard deviation in that fit. The chi-square includes measurements and priors.
 [[nodiscard]] ProfileInterval profileInterval(const PlacedArm& start, const std::vector<Unknown>& unknowns,
-                                              const std::vector<Measurement>& readings, const Fit& best, int variable,
-                                              double sigma, const StopQuestion& stop = {});
+                                              const std::vector<Measurement>& measurements, const Fit& best,
+                                              int variable, double sigma, const StopQuestion& stop = {});
 
 }  // namespace tubeplan::calibration

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -29,8 +29,10 @@ bool areAlike(const Measurement& a, const Measurement& b) {
          a.wrench == b.wrench && areClose(a.q, b.q) && areClose(a.side_q, b.side_q);
 }
 
-/// Returns the chi-square of the errors in a group of repeated readings relative to the weighted mean of these errors.
-double scatterOf(const std::vector<int>& members, const ReadingWeights& weights, const VectorXd& error, Index rows) {
+/// Returns the chi-square of the errors in a group of repeated measurements relative to the weighted mean of these
+/// errors.
+double scatterOf(const std::vector<int>& members, const MeasurementWeights& weights, const VectorXd& error,
+                 Index rows) {
   const auto n = static_cast<Index>(members.size());
   MatrixXd design(n * rows, rows);
   VectorXd whitened(n * rows);
@@ -44,35 +46,35 @@ double scatterOf(const std::vector<int>& members, const ReadingWeights& weights,
 
 }  // namespace
 
-std::vector<int> groupRepeats(const std::vector<Measurement>& readings) {
-  // To avoid comparing all pairs, each reading is compared only with those whose first joint reading, rounded to a
+std::vector<int> groupRepeats(const std::vector<Measurement>& measurements) {
+  // To avoid comparing all pairs, each measurement is compared only with those whose first joint reading, rounded to a
   // cell, is in the same or a neighbouring cell.
   std::map<std::tuple<std::string, std::string, long>, std::vector<int>> firsts;
   std::vector<int> groups;
   int count = 0;
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    const Measurement& reading = readings[k];
-    const long cell = reading.q.size() ? std::lround(reading.q[0] / (2 * kSameJoint)) : 0;
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
+    const Measurement& measurement = measurements[k];
+    const long cell = measurement.q.size() ? std::lround(measurement.q[0] / (2 * kSameJoint)) : 0;
     int found = -1;
     for (const long near : {cell - 1, cell, cell + 1})
-      for (const int first : firsts[{reading.setup, reading.point, near}])
-        if (areAlike(readings[static_cast<std::size_t>(first)], reading) &&
+      for (const int first : firsts[{measurement.setup, measurement.point, near}])
+        if (areAlike(measurements[static_cast<std::size_t>(first)], measurement) &&
             (found < 0 || groups[static_cast<std::size_t>(first)] < found))
           found = groups[static_cast<std::size_t>(first)];
     if (found < 0) {
       found = count++;
-      firsts[{reading.setup, reading.point, cell}].push_back(static_cast<int>(k));
+      firsts[{measurement.setup, measurement.point, cell}].push_back(static_cast<int>(k));
     }
     groups.push_back(found);
   }
   return groups;
 }
 
-Repeats judgeRepeats(const std::vector<Measurement>& readings, const ReadingWeights& weights, const VectorXd& error,
-                     double chi2, int freedom) {
+Repeats judgeRepeats(const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
+                     const VectorXd& error, double chi2, int freedom) {
   Repeats result;
   std::vector<std::vector<int>> members;
-  const std::vector<int> groups = groupRepeats(readings);
+  const std::vector<int> groups = groupRepeats(measurements);
   for (std::size_t k = 0; k < groups.size(); ++k) {
     members.resize(std::max(members.size(), static_cast<std::size_t>(groups[k]) + 1));
     members[static_cast<std::size_t>(groups[k])].push_back(static_cast<int>(k));
@@ -80,10 +82,10 @@ Repeats judgeRepeats(const std::vector<Measurement>& readings, const ReadingWeig
   double scatter = 0;
   for (const auto& group : members) {
     if (group.size() < 2) continue;
-    const Index rows = rowsOf(readings[static_cast<std::size_t>(group.front())]);
+    const Index rows = rowsOf(measurements[static_cast<std::size_t>(group.front())]);
     scatter += scatterOf(group, weights, error, rows);
     result.pure_freedom += static_cast<int>((static_cast<Index>(group.size()) - 1) * rows);
-    result.readings += static_cast<int>(group.size());
+    result.measurements += static_cast<int>(group.size());
     ++result.groups;
   }
   if (result.groups == 0) return result;

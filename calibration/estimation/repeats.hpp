@@ -1,4 +1,4 @@
-// Estimate of the noise from the scatter of repeated readings, which does not depend on the model, and a test of
+// Estimate of the noise from the scatter of repeated measurements, which does not depend on the model, and a test of
 // whether the model's errors exceed this noise.
 //
 // The estimate may correct the stated noise by a factor of three at most, because users can state their noise to that
@@ -15,12 +15,12 @@ namespace tubeplan::calibration {
 /// Largest accepted ratio of the noise estimated from repeats to the stated noise.
 inline constexpr double kMostNoiseRatio = 3;
 
-/// Statistics of repeated readings. Chi-squares are relative to the stated noise; values are NaN if no reading was
-/// repeated.
+/// Statistics of repeated measurements. Chi-squares are relative to the stated noise; values are NaN if no measurement
+/// was repeated.
 struct Repeats {
-  int groups = 0;                 ///< number of groups of repeated readings
-  int readings = 0;               ///< number of readings in the groups
-  double pure_error = kNotKnown;  ///< chi-square of the repeated readings relative to the means of their groups
+  int groups = 0;                 ///< number of groups of repeated measurements
+  int measurements = 0;           ///< number of measurements in the groups
+  double pure_error = kNotKnown;  ///< chi-square of the repeated measurements relative to the means of their groups
   int pure_freedom = 0;
   double noise_ratio = kNotKnown;    ///< noise estimated from repeats divided by the stated noise
   double noise_p_value = kNotKnown;  ///< two-sided p-value of the hypothesis that the stated noise is right
@@ -30,22 +30,22 @@ struct Repeats {
   double lack_of_fit_p_value = kNotKnown;
 };
 
-/// Returns the group number of each reading. Readings are repeats, and share a group, if they agree in kind, set-up,
-/// point, position on the tool, load and approach, and if their joint readings agree as closely as a posture can be
-/// repeated by hand. Readings of the same point in different postures are not repeats.
-[[nodiscard]] std::vector<int> groupRepeats(const std::vector<Measurement>& readings);
+/// Returns the group number of each measurement. Measurements are repeats, and share a group, if they agree in kind,
+/// set-up, point, position on the tool, load and approach, and if their joint readings agree as closely as a posture
+/// can be repeated by hand. Measurements of the same point in different postures are not repeats.
+[[nodiscard]] std::vector<int> groupRepeats(const std::vector<Measurement>& measurements);
 
-/// Compares the scatter of repeated readings with the stated noise and with the readings' errors `error` [m] relative
-/// to a fitted model, whose chi-square is `chi2` with `freedom` degrees of freedom.
-[[nodiscard]] Repeats judgeRepeats(const std::vector<Measurement>& readings, const ReadingWeights& weights,
+/// Compares the scatter of repeated measurements with the stated noise and with the measurements' errors `error` [m]
+/// relative to a fitted model, whose chi-square is `chi2` with `freedom` degrees of freedom.
+[[nodiscard]] Repeats judgeRepeats(const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
                                    const Eigen::VectorXd& error, double chi2, int freedom);
 
 /// Returns true if, at this significance level, the scatter of the repeats contradicts the stated noise. The lack of
 /// fit is then tested against the noise estimated from the repeats.
 [[nodiscard]] bool disagreesWithStatedNoise(const Repeats& repeats, double level);
 
-/// Returns true if repeated readings scatter by more than kMostNoiseRatio times the stated noise, so that noise cannot
-/// be the cause.
+/// Returns true if repeated measurements scatter by more than kMostNoiseRatio times the stated noise, so that noise
+/// cannot be the cause.
 [[nodiscard]] inline bool areBeyondNoise(const Repeats& repeats) {
   return repeats.groups > 0 && repeats.noise_ratio > kMostNoiseRatio;
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -13,15 +13,15 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-/// Returns the weight factor of a reading; `length` is the length of its whitened residual divided by the typical
+/// Returns the weight factor of a measurement; `length` is the length of its whitened residual divided by the typical
 /// length.
 double robustFactor(double length, RobustLoss loss) {
   if (loss == RobustLoss::kNone) return 1;
   return loss == RobustLoss::kHuber ? (length > 1.6 ? 1.6 / length : 1) : 1 / (1 + length * length / 6);
 }
 
-/// Returns the expected fraction of a reading's chi-square that remains after weighting by a robust loss, for normal
-/// noise.
+/// Returns the expected fraction of a measurement's chi-square that remains after weighting by a robust loss, for
+/// normal noise.
 double shareLeft(int rows, RobustLoss loss) {
   constexpr int kSteps = 400;
   double sum = 0;
@@ -34,30 +34,30 @@ double shareLeft(int rows, RobustLoss loss) {
 
 }  // namespace
 
-VectorXd robustFactors(const std::vector<Measurement>& readings, const ReadingWeights& weights,
+VectorXd robustFactors(const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
                        const WhitenedResidual& residual, const VectorXd& old, RobustLoss loss) {
-  VectorXd size(static_cast<Index>(readings.size()));
-  for (std::size_t k = 0; k < readings.size(); ++k) {
+  VectorXd size(static_cast<Index>(measurements.size()));
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
     const double weight = old.size() ? old[static_cast<Index>(k)] : 1;
-    size[static_cast<Index>(k)] =
-        residual.r.segment(weights.first_row[k], rowsOf(readings[k])).norm() / std::sqrt(weight * rowsOf(readings[k]));
+    size[static_cast<Index>(k)] = residual.r.segment(weights.first_row[k], rowsOf(measurements[k])).norm() /
+                                  std::sqrt(weight * rowsOf(measurements[k]));
   }
   std::vector<double> sizes;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    sizes.push_back(size[static_cast<Index>(k)] / std::sqrt(medianOfMeanSquare(rowsOf(readings[k]))));
+  for (std::size_t k = 0; k < measurements.size(); ++k)
+    sizes.push_back(size[static_cast<Index>(k)] / std::sqrt(medianOfMeanSquare(rowsOf(measurements[k]))));
   const double spread = std::max(1., median(std::move(sizes)));
   VectorXd factors(size.size());
   for (Index k = 0; k < size.size(); ++k) factors[k] = robustFactor(size[k] / spread, loss);
   return factors;
 }
 
-double comparableChi2(const std::vector<Measurement>& readings, const ReadingWeights& weights, const VectorXd& r,
-                      RobustLoss loss) {
+double comparableChi2(const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
+                      const VectorXd& r, RobustLoss loss) {
   if (loss == RobustLoss::kNone) return r.squaredNorm();
   std::map<int, double> left;
   double chi2 = 0;
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    const int rows = rowsOf(readings[k]);
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
+    const int rows = rowsOf(measurements[k]);
     if (!left.contains(rows)) left[rows] = shareLeft(rows, loss);
     chi2 += r.segment(weights.first_row[k], rows).squaredNorm() / left[rows];
   }

@@ -5,58 +5,60 @@
 
 #include "calibration/estimation/fit.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kFewOutliers = 10;  // at most one reading in this many may be an outlier
+constexpr std::size_t kFewOutliers = 10;  // at most one measurement in this many may be an outlier
 
 /// Returns, for each unknown point or surface, the number of its touches that are neither held out nor set aside.
-std::map<std::string, int> touchesLeft(const std::vector<int>& set_aside, const std::vector<Measurement>& readings) {
+std::map<std::string, int> touchesLeft(const std::vector<int>& set_aside,
+                                       const std::vector<Measurement>& measurements) {
   std::map<std::string, int> left;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    if (!readings[k].is_held_out && hasUnknownPlace(readings[k]))
-      left[placeOf(readings[k])] += !std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
+  for (std::size_t k = 0; k < measurements.size(); ++k)
+    if (!measurements[k].is_held_out && hasUnknownPlace(measurements[k]))
+      left[placeOf(measurements[k])] += !std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
   return left;
 }
 
-std::vector<int> othersThan(const std::vector<int>& set_aside, std::size_t readings) {
+std::vector<int> othersThan(const std::vector<int>& set_aside, std::size_t measurements) {
   std::vector<int> others;
-  for (int k = 0; k < static_cast<int>(readings); ++k)
+  for (int k = 0; k < static_cast<int>(measurements); ++k)
     if (!std::binary_search(set_aside.begin(), set_aside.end(), k)) others.push_back(k);
   return others;
 }
 
 std::vector<int> outliersOf(const Identification& fit) {
   std::vector<int> places;
-  for (const auto& outlier : fit.outliers) places.push_back(outlier.reading);
+  for (const auto& outlier : fit.outliers) places.push_back(outlier.measurement);
   return places;
 }
 
-/// Returns those of the readings set aside that the fit to the others mispredicts, because a robust fit may also have
-/// named readings that are no outliers. Only measured tip positions are checked; all other readings are returned.
+/// Returns those of the measurements set aside that the fit to the others mispredicts, because a robust fit may also
+/// have named measurements that are no outliers. Only measured tip positions are checked; all other measurements are
+/// returned.
 std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set_aside,
-                          const std::vector<Measurement>& readings, double level) {
+                          const std::vector<Measurement>& measurements, double level) {
   std::vector<int> missed;
   for (const int k : set_aside) {
-    const Measurement& reading = readings[static_cast<std::size_t>(k)];
-    const auto rows = rowsOf(reading);
-    if (!statesPlace(reading) || rows != 3) {
+    const Measurement& measurement = measurements[static_cast<std::size_t>(k)];
+    const auto rows = rowsOf(measurement);
+    if (!statesPlace(measurement) || rows != 3) {
       missed.push_back(k);
       continue;
     }
-    const auto predicted = predictReading(fit.fitted, reading, {.by_joints = true});
+    const auto predicted = predictMeasurement(fit.fitted, measurement, {.by_joints = true});
     if (!predicted.ok) {
       missed.push_back(k);
       continue;
     }
-    Eigen::MatrixXd covariance = readingCovariance(fit.fitted.arm, reading, predicted.by_joints);
+    Eigen::MatrixXd covariance = measurementCovariance(fit.fitted.arm, measurement, predicted.by_joints);
     covariance.diagonal().array() += fit.model_error * fit.model_error;
-    const Eigen::VectorXd error = predicted.value - *reading.p_W;
-    const double limit = chiSquareQuantile(level / static_cast<double>(readings.size()), rows);
+    const Eigen::VectorXd error = predicted.value - *measurement.p_W;
+    const double limit = chiSquareQuantile(level / static_cast<double>(measurements.size()), rows);
     if (error.dot(covariance.llt().solve(error)) > limit) missed.push_back(k);
   }
   return missed;
@@ -64,14 +66,15 @@ std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set
 
 /// Returns the outliers together with any remaining touches of unknown points that are too few without the outliers to
 /// give any information.
-std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector<Measurement>& readings) {
+std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector<Measurement>& measurements) {
   const auto isLeft = [&](std::size_t k) {
-    return !readings[k].is_held_out && !std::binary_search(outliers.begin(), outliers.end(), static_cast<int>(k));
+    return !measurements[k].is_held_out && !std::binary_search(outliers.begin(), outliers.end(), static_cast<int>(k));
   };
-  const auto touches = touchesLeft(outliers, readings);
+  const auto touches = touchesLeft(outliers, measurements);
   std::vector<int> all = outliers;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    if (isLeft(k) && hasUnknownPlace(readings[k]) && touches.at(placeOf(readings[k])) < leastOfPlace(readings[k]))
+  for (std::size_t k = 0; k < measurements.size(); ++k)
+    if (isLeft(k) && hasUnknownPlace(measurements[k]) &&
+        touches.at(placeOf(measurements[k])) < leastOfPlace(measurements[k]))
       all.push_back(static_cast<int>(k));
   std::ranges::sort(all);
   return all;
@@ -79,44 +82,44 @@ std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector
 
 }  // namespace
 
-std::vector<int> placesFitted(const std::vector<Measurement>& readings, const std::vector<int>& set_aside) {
-  auto places = othersThan(set_aside, readings.size());
-  std::erase_if(places, [&](int k) { return readings[static_cast<std::size_t>(k)].is_held_out; });
+std::vector<int> placesFitted(const std::vector<Measurement>& measurements, const std::vector<int>& set_aside) {
+  auto places = othersThan(set_aside, measurements.size());
+  std::erase_if(places, [&](int k) { return measurements[static_cast<std::size_t>(k)].is_held_out; });
   return places;
 }
 
-double countOutliers(const std::vector<int>& set_aside, const std::vector<Measurement>& readings) {
-  const auto left = touchesLeft(set_aside, readings);
+double countOutliers(const std::vector<int>& set_aside, const std::vector<Measurement>& measurements) {
+  const auto left = touchesLeft(set_aside, measurements);
   const auto gone = std::ranges::count_if(left, [](const auto& point) { return point.second == 0; });
   return static_cast<double>(set_aside.size()) - static_cast<double>(gone);
 }
 
-std::optional<WithoutOutliers> withoutOutliers(const std::vector<Measurement>& readings, const Identification& baseline,
-                                               double level, const BaselineFit& fit) {
+std::optional<WithoutOutliers> withoutOutliers(const std::vector<Measurement>& measurements,
+                                               const Identification& baseline, double level, const BaselineFit& fit) {
   std::optional<WithoutOutliers> found;
   std::vector<int> outliers = outliersOf(baseline);
-  if (outliers.empty() && baseline.p_value < kLackOfFit) outliers = outliersOf(fit(readings, RobustLoss::kHuber));
+  if (outliers.empty() && baseline.p_value < kLackOfFit) outliers = outliersOf(fit(measurements, RobustLoss::kHuber));
   while (found ? outliers.size() > found->set_aside.size() : !outliers.empty()) {
     std::ranges::sort(outliers);
-    if (outliers.size() > readings.size() / kFewOutliers) return std::nullopt;
-    const std::vector<int> set_aside = withOrphans(outliers, readings);
-    Identification rest = fit(withoutReadings(readings, set_aside), RobustLoss::kNone);
+    if (outliers.size() > measurements.size() / kFewOutliers) return std::nullopt;
+    const std::vector<int> set_aside = withOrphans(outliers, measurements);
+    Identification rest = fit(withoutMeasurements(measurements, set_aside), RobustLoss::kNone);
     if (rest.status == IdentificationStatus::kRefused) return found;
     if (!found)
-      if (auto missed = missedBy(rest, outliers, readings, level); missed.size() < outliers.size()) {
+      if (auto missed = missedBy(rest, outliers, measurements, level); missed.size() < outliers.size()) {
         outliers = std::move(missed);
         continue;
       }
     outliers = set_aside;
-    const std::vector<int> left = othersThan(set_aside, readings.size());
+    const std::vector<int> left = othersThan(set_aside, measurements.size());
     for (const int place : outliersOf(rest)) outliers.push_back(left.at(static_cast<std::size_t>(place)));
     found = WithoutOutliers{set_aside, std::move(rest)};
   }
   return found;
 }
 
-std::vector<int> readingsToSetAside(const PlacedArm& start, const std::vector<Measurement>& readings,
-                                    const Identification& baseline, const IdentificationOptions& options) {
+std::vector<int> measurementsToSetAside(const PlacedArm& start, const std::vector<Measurement>& measurements,
+                                        const Identification& baseline, const IdentificationOptions& options) {
   const BaselineFit fit = [&](const std::vector<Measurement>& some, RobustLoss loss) {
     IdentificationOptions cheap = options;
     cheap.folds = 0;
@@ -127,7 +130,7 @@ std::vector<int> readingsToSetAside(const PlacedArm& start, const std::vector<Me
     cheap.may_hold_all = true;
     return identify(start, some, cheap);
   };
-  const auto without = withoutOutliers(readings, baseline, options.outlier_level, fit);
+  const auto without = withoutOutliers(measurements, baseline, options.outlier_level, fit);
   return without ? without->set_aside : std::vector<int>();
 }
 

@@ -20,31 +20,32 @@ namespace {
 /// Set-up and joint readings of a measurement. Measurements at the same station share their encoder errors.
 using Station = std::pair<std::string, std::vector<double>>;
 
-Station stationOf(const std::string& setup, const Measurement& reading) {
-  std::vector<double> joints(reading.q.begin(), reading.q.end());
-  joints.insert(joints.end(), reading.side_q.begin(), reading.side_q.end());
+Station stationOf(const std::string& setup, const Measurement& measurement) {
+  std::vector<double> joints(measurement.q.begin(), measurement.q.end());
+  joints.insert(joints.end(), measurement.side_q.begin(), measurement.side_q.end());
   return {setup, std::move(joints)};
 }
 
-/// A reading at a station, and the first of the columns in its matrix `by_joints` that belong to this station.
+/// A measurement at a station, and the first of the columns in its matrix `by_joints` that belong to this station.
 struct Share {
-  int reading = 0;
+  int measurement = 0;
   Index first = 0;
 };
 
-/// Returns the indices of the rows of these readings; `first_row_of` gives the index of each reading's first row.
+/// Returns the indices of the rows of these measurements; `first_row_of` gives the index of each measurement's first
+/// row.
 template <class FirstRow>
-std::vector<Index> rowsOfThese(const ReadingWeights& weights, const std::vector<int>& readings,
+std::vector<Index> rowsOfThese(const MeasurementWeights& weights, const std::vector<int>& measurements,
                                const FirstRow& first_row_of) {
   std::vector<Index> rows;
-  for (const int k : readings)
+  for (const int k : measurements)
     for (Index row = 0; row < weights.whitener[static_cast<std::size_t>(k)].rows(); ++row)
       rows.push_back(first_row_of(k) + row);
   return rows;
 }
 
-std::vector<Index> rowsOfThese(const ReadingWeights& weights, const std::vector<int>& readings) {
-  return rowsOfThese(weights, readings, [&](int k) { return weights.first_row[static_cast<std::size_t>(k)]; });
+std::vector<Index> rowsOfThese(const MeasurementWeights& weights, const std::vector<int>& measurements) {
+  return rowsOfThese(weights, measurements, [&](int k) { return weights.first_row[static_cast<std::size_t>(k)]; });
 }
 
 void takeOff(const SharedNoise& shared, const std::vector<Index>& rows, Eigen::Ref<MatrixXd> columns) {
@@ -52,11 +53,11 @@ void takeOff(const SharedNoise& shared, const std::vector<Index>& rows, Eigen::R
   columns(rows, Eigen::all) = own - shared.Q * (shared.shrink.asDiagonal() * (shared.Q.transpose() * own));
 }
 
-/// Returns true if the noise that these readings share can be taken into account. Each unknown point is eliminated
+/// Returns true if the noise that these measurements share can be taken into account. Each unknown point is eliminated
 /// separately, so its touches may share noise only with one another.
-bool canShare(const std::vector<Share>& shares, const std::vector<Measurement>& readings) {
+bool canShare(const std::vector<Share>& shares, const std::vector<Measurement>& measurements) {
   const auto at = [&](const Share& share) -> const Measurement& {
-    return readings[static_cast<std::size_t>(share.reading)];
+    return measurements[static_cast<std::size_t>(share.measurement)];
   };
   const bool is_blind = hasUnknownPlace(at(shares.front()));
   return std::ranges::all_of(shares, [&](const Share& share) {
@@ -65,11 +66,11 @@ bool canShare(const std::vector<Share>& shares, const std::vector<Measurement>& 
 }
 
 /// Returns, for each station, whether its shared noise can be computed at an acceptable cost. Long chains of
-/// displacements connect many stations, so that the matrices Q would have the rows of all their readings.
+/// displacements connect many stations, so that the matrices Q would have the rows of all their measurements.
 std::vector<bool> areAffordable(const std::vector<const std::vector<Share>*>& stations,
-                                const std::vector<Measurement>& readings, Index joints) {
+                                const std::vector<Measurement>& measurements, Index joints) {
   constexpr double kMostNumbers = 5e6;  // largest total number of entries in the matrices Q of connected stations
-  std::vector<int> leader(readings.size());
+  std::vector<int> leader(measurements.size());
   std::iota(leader.begin(), leader.end(), 0);
   const auto leaderOf = [&](int k) {
     while (leader[static_cast<std::size_t>(k)] != k)
@@ -78,13 +79,13 @@ std::vector<bool> areAffordable(const std::vector<const std::vector<Share>*>& st
   };
   for (const auto* shares : stations)
     for (const Share& share : *shares)
-      leader[static_cast<std::size_t>(leaderOf(share.reading))] = leaderOf(shares->front().reading);
+      leader[static_cast<std::size_t>(leaderOf(share.measurement))] = leaderOf(shares->front().measurement);
   std::map<int, double> rows, stations_of;
-  for (std::size_t k = 0; k < readings.size(); ++k) rows[leaderOf(static_cast<int>(k))] += rowsOf(readings[k]);
-  for (const auto* shares : stations) stations_of[leaderOf(shares->front().reading)] += 1;
+  for (std::size_t k = 0; k < measurements.size(); ++k) rows[leaderOf(static_cast<int>(k))] += rowsOf(measurements[k]);
+  for (const auto* shares : stations) stations_of[leaderOf(shares->front().measurement)] += 1;
   std::vector<bool> affordable;
   for (const auto* shares : stations) {
-    const int group = leaderOf(shares->front().reading);
+    const int group = leaderOf(shares->front().measurement);
     affordable.push_back(rows[group] * stations_of[group] * static_cast<double>(joints) <= kMostNumbers);
   }
   return affordable;
@@ -92,16 +93,16 @@ std::vector<bool> areAffordable(const std::vector<const std::vector<Share>*>& st
 
 SharedNoise sharedBy(const std::vector<Share>& shares, const VectorXd& sigmas, std::vector<MatrixXd>& by_joints) {
   SharedNoise shared;
-  for (const auto& [reading, first] : shares) {
-    auto columns = by_joints[static_cast<std::size_t>(reading)].middleCols(first, sigmas.size());
+  for (const auto& [measurement, first] : shares) {
+    auto columns = by_joints[static_cast<std::size_t>(measurement)].middleCols(first, sigmas.size());
     const MatrixXd slopes = columns * sigmas.asDiagonal();
     columns.setZero();
     // A displacement that ends at its reference posture is listed twice in succession; its derivatives are added up.
-    if (!shared.readings.empty() && shared.readings.back() == reading) {
+    if (!shared.measurements.empty() && shared.measurements.back() == measurement) {
       shared.slopes.back() += slopes;
       continue;
     }
-    shared.readings.push_back(reading);
+    shared.measurements.push_back(measurement);
     shared.slopes.push_back(slopes);
   }
   return shared;
@@ -116,59 +117,61 @@ VectorXd encoderSigmas(const deflection::Arm& arm) {
   return sigmas;
 }
 
-std::pair<std::map<int, Index>, Index> rowsAlone(const ReadingWeights& weights, const std::vector<int>& readings) {
+std::pair<std::map<int, Index>, Index> rowsAlone(const MeasurementWeights& weights,
+                                                 const std::vector<int>& measurements) {
   std::map<int, Index> first_row;
   Index rows = 0;
-  for (const int k : readings) {
+  for (const int k : measurements) {
     first_row[k] = rows;
     rows += weights.whitener[static_cast<std::size_t>(k)].rows();
   }
   return {std::move(first_row), rows};
 }
 
-std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm, const std::vector<Measurement>& readings,
+std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm, const std::vector<Measurement>& measurements,
                                              std::vector<MatrixXd>& by_joints) {
   const VectorXd sigmas = encoderSigmas(arm);
   if (sigmas.isZero(0)) return {};
   std::map<Station, std::vector<Share>> stations;
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    stations[stationOf(readings[k].setup, readings[k])].push_back({static_cast<int>(k), 0});
-    if (const Measurement* from = referenceOf(readings[k]))
-      stations[stationOf(readings[k].setup, *from)].push_back({static_cast<int>(k), sigmas.size()});
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
+    stations[stationOf(measurements[k].setup, measurements[k])].push_back({static_cast<int>(k), 0});
+    if (const Measurement* from = referenceOf(measurements[k]))
+      stations[stationOf(measurements[k].setup, *from)].push_back({static_cast<int>(k), sigmas.size()});
   }
   std::vector<const std::vector<Share>*> common;
   for (const auto& [station, shares] : stations)
-    if (shares.size() > 1 && canShare(shares, readings)) common.push_back(&shares);
-  const std::vector<bool> is_affordable = areAffordable(common, readings, sigmas.size());
+    if (shares.size() > 1 && canShare(shares, measurements)) common.push_back(&shares);
+  const std::vector<bool> is_affordable = areAffordable(common, measurements, sigmas.size());
   std::vector<SharedNoise> all;
   for (std::size_t s = 0; s < common.size(); ++s)
     if (is_affordable[s]) all.push_back(sharedBy(*common[s], sigmas, by_joints));
-  std::ranges::stable_sort(all, [](const auto& a, const auto& b) { return a.readings.size() < b.readings.size(); });
+  std::ranges::stable_sort(all,
+                           [](const auto& a, const auto& b) { return a.measurements.size() < b.measurements.size(); });
   return all;
 }
 
 namespace {
 
-/// The groups of shared noise placed earlier that affect certain readings, in order, and all readings that these groups
-/// mix.
+/// The groups of shared noise placed earlier that affect certain measurements, in order, and all measurements that
+/// these groups mix.
 struct Reach {
   std::vector<std::size_t> before;
   std::vector<int> mixed;
 };
 
-Reach reachOf(const std::vector<SharedNoise>& shared, const std::vector<int>& readings,
+Reach reachOf(const std::vector<SharedNoise>& shared, const std::vector<int>& measurements,
               const std::vector<std::vector<std::size_t>>& placed) {
   Reach reach;
-  std::set<int> mixed(readings.begin(), readings.end());
+  std::set<int> mixed(measurements.begin(), measurements.end());
   std::set<std::size_t> open;
-  for (const int k : readings)
+  for (const int k : measurements)
     open.insert(placed[static_cast<std::size_t>(k)].begin(), placed[static_cast<std::size_t>(k)].end());
   while (!open.empty()) {
     const std::size_t next = *open.begin();
     open.erase(open.begin());
     reach.before.push_back(next);
     for (const int k : shared[next].mixed)
-      // The rows of U of this reading are zero before group `next`, so only later groups matter.
+      // The rows of U of this measurement are zero before group `next`, so only later groups matter.
       if (mixed.insert(k).second)
         for (const std::size_t other : placed[static_cast<std::size_t>(k)])
           if (other > next) open.insert(other);
@@ -179,20 +182,20 @@ Reach reachOf(const std::vector<SharedNoise>& shared, const std::vector<int>& re
 
 }  // namespace
 
-void placeSharedNoise(ReadingWeights& weights) {
+void placeSharedNoise(MeasurementWeights& weights) {
   constexpr double kSeen = 1e-9;  // eigenvalues of U U^T below this are negligible beside the unit variance
-  // For each reading, indices of the groups already placed that mix it.
+  // For each measurement, indices of the groups already placed that mix it.
   std::vector<std::vector<std::size_t>> placed(weights.whitener.size());
   for (std::size_t s = 0; s < weights.shared.size(); ++s) {
     SharedNoise& shared = weights.shared[s];
-    const Reach reach = reachOf(weights.shared, shared.readings, placed);
+    const Reach reach = reachOf(weights.shared, shared.measurements, placed);
     shared.mixed = reach.mixed;
     const auto [first_row, rows] = rowsAlone(weights, shared.mixed);
     const auto firstOf = [&](int k) { return first_row.at(k); };
     MatrixXd U = MatrixXd::Zero(rows, shared.slopes.front().cols());
-    for (std::size_t i = 0; i < shared.readings.size(); ++i) {
-      const MatrixXd& whitener = weights.whitener[static_cast<std::size_t>(shared.readings[i])];
-      U.middleRows(firstOf(shared.readings[i]), whitener.rows()) = whitener * shared.slopes[i];
+    for (std::size_t i = 0; i < shared.measurements.size(); ++i) {
+      const MatrixXd& whitener = weights.whitener[static_cast<std::size_t>(shared.measurements[i])];
+      U.middleRows(firstOf(shared.measurements[i]), whitener.rows()) = whitener * shared.slopes[i];
     }
     for (const std::size_t other : reach.before)
       takeOff(weights.shared[other], rowsOfThese(weights, weights.shared[other].mixed, firstOf), U);
@@ -205,13 +208,14 @@ void placeSharedNoise(ReadingWeights& weights) {
   }
 }
 
-void decorrelate(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
+void decorrelate(const MeasurementWeights& weights, Eigen::Ref<MatrixXd> columns) {
   for (const auto& shared : weights.shared) takeOff(shared, rowsOfThese(weights, shared.mixed), columns);
 }
 
-void decorrelateWithin(const ReadingWeights& weights, const std::vector<int>& readings, Eigen::Ref<MatrixXd> rows) {
+void decorrelateWithin(const MeasurementWeights& weights, const std::vector<int>& measurements,
+                       Eigen::Ref<MatrixXd> rows) {
   if (weights.shared.empty()) return;
-  const auto first_row = rowsAlone(weights, readings).first;
+  const auto first_row = rowsAlone(weights, measurements).first;
   for (const auto& shared : weights.shared)
     if (std::ranges::all_of(shared.mixed, [&](int k) { return first_row.contains(k); }))
       takeOff(shared, rowsOfThese(weights, shared.mixed, [&](int k) { return first_row.at(k); }), rows);

@@ -9,7 +9,7 @@
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 
 namespace tubeplan::calibration {
 
@@ -17,13 +17,13 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// Largest number of readings used in the search; more would hardly resolve an ambiguity that these leave.
-constexpr std::size_t kMostReadings = 400;
-// Sizes explain the readings equally well if their chi-squares (with priors) differ by no more than this.
+// Largest number of measurements used in the search; more would hardly resolve an ambiguity that these leave.
+constexpr std::size_t kMostMeasurements = 400;
+// Sizes explain the measurements equally well if their chi-squares (with priors) differ by no more than this.
 constexpr double kAsGood = 4;
 constexpr double kPromising = 0.5;  // a start is fitted if its chi-square falls by this fraction of the best fall
 constexpr double kApart = 3;        // modes closer than this many standard deviations count as one
-// A reading distinguishes two modes if its predictions differ by more than this many of its standard deviations.
+// A measurement distinguishes two modes if its predictions differ by more than this many of its standard deviations.
 constexpr double kDecides = 4;
 constexpr int kIterations = 20;
 constexpr double kExact = 1e-6;  // standard deviation of the tip assumed if no encoder noise is stated [m]
@@ -42,9 +42,10 @@ struct Direction {
 class SizeSearch {
  public:
   explicit SizeSearch(const SizeModesQuestion& question) : asked_(question) {
-    const std::size_t step = std::max<std::size_t>(1, (asked_.readings.size() + kMostReadings - 1) / kMostReadings);
-    for (std::size_t k = 0; k < asked_.readings.size(); k += step) readings_.push_back(asked_.readings[k]);
-    if (auto weights = weighReadings(asked_.placed, readings_, {}, asked_.model_error, asked_.stop))
+    const std::size_t step =
+        std::max<std::size_t>(1, (asked_.measurements.size() + kMostMeasurements - 1) / kMostMeasurements);
+    for (std::size_t k = 0; k < asked_.measurements.size(); k += step) measurements_.push_back(asked_.measurements[k]);
+    if (auto weights = weighMeasurements(asked_.placed, measurements_, {}, asked_.model_error, asked_.stop))
       weights_ = *std::move(weights);
     VectorXd neutral = zerosOf(asked_.unknowns);
     for (std::size_t k = 0; k < asked_.unknowns.size(); ++k)
@@ -104,7 +105,7 @@ class SizeSearch {
 
   [[nodiscard]] LeastSquaresProblem problemAt(const PlacedArm& from, const std::vector<Unknown>& unknowns,
                                               const VectorXd& x) const {
-    return fitProblem(from, unknowns, readings_, weights_, x, asked_.stop);
+    return fitProblem(from, unknowns, measurements_, weights_, x, asked_.stop);
   }
   [[nodiscard]] double costOf(const PlacedArm& from, const std::vector<Unknown>& unknowns, const VectorXd& x) const {
     VectorXd r;
@@ -188,28 +189,28 @@ class SizeSearch {
     return state;
   }
 
-  /// Returns the chi-square of the readings at a state. A step count contributes only the distance by which its limits
-  /// of the centring error are violated, relative to encoder noise.
+  /// Returns the chi-square of the measurements at a state. A step count contributes only the distance by which its
+  /// limits of the centring error are violated, relative to encoder noise.
   [[nodiscard]] double disagreementOf(const PlacedArm& state) const {
     double sum = 0;
-    for (std::size_t k = 0; k < readings_.size(); ++k) {
-      const Measurement& reading = readings_[k];
-      if (hasUnknownPlace(reading)) continue;
-      const Prediction predicted = predictReading(state, reading, {.by_joints = true});
+    for (std::size_t k = 0; k < measurements_.size(); ++k) {
+      const Measurement& measurement = measurements_[k];
+      if (hasUnknownPlace(measurement)) continue;
+      const Prediction predicted = predictMeasurement(state, measurement, {.by_joints = true});
       if (!predicted.ok) return std::numeric_limits<double>::infinity();
-      if (!kindOf(reading).counts_steps) {
-        sum += (weights_.whitener[k] * (predicted.value - kindOf(reading).measured(reading))).squaredNorm();
+      if (!kindOf(measurement).counts_steps) {
+        sum += (weights_.whitener[k] * (predicted.value - kindOf(measurement).measured(measurement))).squaredNorm();
         continue;
       }
       const double variance = encoderCovariance(state.arm, predicted.by_joints).trace();
       const double error = predicted.value.norm();
-      const double beyond = std::max({0., reading.own[1] - error, error - reading.own[2]});
+      const double beyond = std::max({0., measurement.own[1] - error, error - measurement.own[2]});
       if (beyond > 0) sum += beyond * beyond / std::max(variance, kExact * kExact);
     }
     return sum;
   }
 
-  /// Sets the limits of each size, by multiplying all sizes by a common factor as long as the readings are still
+  /// Sets the limits of each size, by multiplying all sizes by a common factor as long as the measurements are still
   /// explained.
   void findRange(SizeMode& mode) const {
     const double limit = disagreementOf(mode.state) + kAsGood;
@@ -244,20 +245,21 @@ class SizeSearch {
   const SizeModesQuestion& asked_;
   PlacedArm bare_;  ///< state of the fit, but with the effect's sizes at their neutral values
   std::vector<Unknown> others_;
-  std::vector<Measurement> readings_;
-  ReadingWeights weights_;
+  std::vector<Measurement> measurements_;
+  MeasurementWeights weights_;
 };
 
-/// Returns the kinds of measurement of which one reading, at a posture of `readings`, would distinguish the two states.
+/// Returns the kinds of measurement of which one measurement, at a posture of `readings`, would distinguish the two
+/// states.
 std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm& other,
-                                           const std::vector<Measurement>& readings) {
+                                           const std::vector<Measurement>& measurements) {
   std::vector<MeasurementKind> kinds;
   for (const auto& kind : measurementKinds()) {
     const bool needs_more =
         kind.has_direction || kind.is_to_gravity || kind.departure || kind.has_anchor || kind.settle;
     if (needs_more || kind.counts_steps) continue;
-    for (std::size_t k = 0; k < readings.size(); k += std::max<std::size_t>(1, readings.size() / 20)) {
-      Measurement asked = readings[k];
+    for (std::size_t k = 0; k < measurements.size(); k += std::max<std::size_t>(1, measurements.size() / 20)) {
+      Measurement asked = measurements[k];
       asked.kind = kind.kind;
       if (kind.names_hole && !asked.p_W) continue;
       const auto here = toolAt(one, asked), there = toolAt(other, asked);
@@ -267,7 +269,7 @@ std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm
       kind.record(*here, 1, MeasuredValue::Zero(6), asked);
       const double apart = kind.is_touch ? (here->p_W - there->p_W).norm()
                                          : (predictedValue(asked, *there) - predictedValue(asked, *here)).norm();
-      if (!(apart > kDecides * readings[k].sigma)) continue;
+      if (!(apart > kDecides * measurements[k].sigma)) continue;
       kinds.push_back(kind.kind);
       break;
     }
@@ -287,11 +289,11 @@ std::string decidedByText(const std::vector<MeasurementKind>& kinds) {
 SizeModes findSizeModes(const SizeModesQuestion& question) {
   SizeModes result;
   if (question.sizes.empty() ||
-      std::ranges::none_of(question.readings, [](const Measurement& m) { return kindOf(m).counts_steps; }))
+      std::ranges::none_of(question.measurements, [](const Measurement& m) { return kindOf(m).counts_steps; }))
     return result;
   result.modes = SizeSearch(question).find();
   if (result.modes.size() > 1)
-    result.decided_by = decidingKinds(result.modes.front().state, result.modes.back().state, question.readings);
+    result.decided_by = decidingKinds(result.modes.front().state, result.modes.back().state, question.measurements);
   return result;
 }
 

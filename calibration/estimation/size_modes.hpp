@@ -1,8 +1,8 @@
-// Search for all magnitudes ("sizes") of an effect that explain the readings equally well.
+// Search for all magnitudes ("sizes") of an effect that explain the measurements equally well.
 //
-// Readings of kind `steps` do not show on which side of the hole the tip is. The likelihood of the sizes of an effect
-// that moves the tip therefore has several maxima, or a ring of them, and a fit finds only one of these. To find the
-// others, one or two sizes at a time are searched again in every direction.
+// Measurements of kind `steps` do not show on which side of the hole the tip is. The likelihood of the sizes of an
+// effect that moves the tip therefore has several maxima, or a ring of them, and a fit finds only one of these. To find
+// the others, one or two sizes at a time are searched again in every direction.
 #pragma once
 
 #include <limits>
@@ -19,13 +19,13 @@ struct SizeModesQuestion {
   const std::vector<Unknown>& unknowns;  ///< unknowns of the fit, whose variables are 0 at `placed`
   std::vector<std::size_t> sizes;        ///< indices of the effect's sizes in `unknowns`
   Eigen::VectorXd sigma;                 ///< standard deviation of each size in the fit; 0 if the size was held fixed
-  const std::vector<Measurement>& readings;
+  const std::vector<Measurement>& measurements;
   double model_error = 0;  ///< standard deviation of the model error per coordinate [m]
   StopQuestion stop = {};
 };
 
-/// A set of sizes that explains the readings, with limits. A step count limits the centring error to an interval whose
-/// middle is no likelier than the rest. The limits therefore do not shrink however often the same count is read.
+/// A set of sizes that explains the measurements, with limits. A step count limits the centring error to an interval
+/// whose middle is no likelier than the rest. The limits therefore do not shrink however often the same count is read.
 struct SizeMode {
   PlacedArm state;
   /// Value and standard deviation of each size; the standard deviation is 0 for a size that was not searched.
@@ -38,17 +38,17 @@ struct SizeMode {
 };
 
 struct SizeModes {
-  /// Sets of sizes that explain the readings equally well, most probable first; empty: not searched.
+  /// Sets of sizes that explain the measurements equally well, most probable first; empty: not searched.
   std::vector<SizeMode> modes;
-  /// Kinds of measurement for which a single reading would distinguish the first mode from the last one.
+  /// Kinds of measurement for which a single measurement would distinguish the first mode from the last one.
   std::vector<MeasurementKind> decided_by;
 };
 
-/// Returns the modes of the effect's sizes. Searches only if there are readings of kind `steps`, because no other kind
-/// has this ambiguity. Throws WorkStopped if a stop is requested.
+/// Returns the modes of the effect's sizes. Searches only if there are measurements of kind `steps`, because no other
+/// kind has this ambiguity. Throws WorkStopped if a stop is requested.
 [[nodiscard]] SizeModes findSizeModes(const SizeModesQuestion& question);
 
-/// Returns a phrase such as "one reading of kind position or offset decides" for SizeModes::decided_by.
+/// Returns a phrase such as "one measurement of kind position or offset decides" for SizeModes::decided_by.
 [[nodiscard]] std::string decidedByText(const std::vector<MeasurementKind>& kinds);
 
 }  // namespace tubeplan::calibration

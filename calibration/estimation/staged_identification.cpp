@@ -18,7 +18,7 @@ struct Found {
   MatrixXd covariance;
 };
 
-/// Returns the indices of the readings of a set-up; of all readings if `setup` is empty.
+/// Returns the indices of the measurements of a set-up; of all measurements if `setup` is empty.
 std::vector<int> placesOf(const std::vector<Measurement>& all, const std::string& setup) {
   std::vector<int> places;
   for (std::size_t k = 0; k < all.size(); ++k)
@@ -26,12 +26,13 @@ std::vector<int> placesOf(const std::vector<Measurement>& all, const std::string
   return places;
 }
 
-/// Converts indices in a stage's result, which refer to the stage's own readings, to indices among all readings.
+/// Converts indices in a stage's result, which refer to the stage's own readings, to indices among all measurements.
 void countAmongAll(const std::vector<int>& places, Identification& stage) {
-  const auto rename = [&](int& reading) { reading = places[static_cast<std::size_t>(reading)]; };
-  for (auto& outlier : stage.outliers) rename(outlier.reading);
-  for (int& reading : stage.used) rename(reading);
-  if (stage.reading_problem && stage.reading_problem->reading >= 0) rename(stage.reading_problem->reading);
+  const auto rename = [&](int& measurement) { measurement = places[static_cast<std::size_t>(measurement)]; };
+  for (auto& outlier : stage.outliers) rename(outlier.measurement);
+  for (int& measurement : stage.used) rename(measurement);
+  if (stage.measurement_problem && stage.measurement_problem->measurement >= 0)
+    rename(stage.measurement_problem->measurement);
 }
 
 /// Recomputes sigmas and intervals after the covariance of the stage has been increased.
@@ -48,13 +49,13 @@ void inflateCovariance(Identification& stage) {
 
 /// Adds the effect of held parameters' uncertainty to a stage's covariance. Errors e of these parameters move the
 /// stage's optimum by A e, where A = -C J^T J_held and C is the posterior covariance of the stage.
-void carry(const std::vector<Measurement>& readings, Found& found, Identification& stage) {
+void carry(const std::vector<Measurement>& measurements, Found& found, Identification& stage) {
   auto own = fittedUnknowns(stage);
-  const auto weights = weighReadings(stage.fitted, readings, {}, stage.model_error);
+  const auto weights = weighMeasurements(stage.fitted, measurements, {}, stage.model_error);
   std::vector<Unknown> both = own;
   both.insert(both.end(), found.unknowns.begin(), found.unknowns.end());
   if (!weights) return;
-  const auto residual = whitenedResidual(stage.fitted, both, readings, *weights, zerosOf(both), true);
+  const auto residual = whitenedResidual(stage.fitted, both, measurements, *weights, zerosOf(both), true);
   if (!residual.ok) return;
   const auto n = static_cast<Index>(own.size()), held = static_cast<Index>(found.unknowns.size());
   const MatrixXd J = residual.jacobian.leftCols(n), J_held = residual.jacobian.rightCols(held);
@@ -76,7 +77,7 @@ bool isFreed(const Identification& stage, const Unknown& number) {
 
 }  // namespace
 
-std::vector<Identification> identifyInStages(const PlacedArm& start, const std::vector<Measurement>& readings,
+std::vector<Identification> identifyInStages(const PlacedArm& start, const std::vector<Measurement>& measurements,
                                              const std::vector<IdentificationStage>& stages,
                                              const IdentificationOptions& options) {
   std::vector<Identification> results;
@@ -86,12 +87,12 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
   for (const auto& stage : stages) {
     IdentificationOptions now = options;
     now.free.names = stage.names;
-    now.uncertainty.reset();  // one stage's readings cannot give the uncertainty after all readings
-    const auto places = placesOf(readings, stage.setup);
+    now.uncertainty.reset();  // one stage's measurements cannot give the uncertainty after all measurements
+    const auto places = placesOf(measurements, stage.setup);
     PlacedArm from{state.arm, {}};
     for (const auto& base_pose : state.base_poses)
       if (stage.setup.empty() || base_pose.setup == stage.setup) from.base_poses.push_back(base_pose);
-    results.push_back(identify(from, picked(readings, places), now));
+    results.push_back(identify(from, picked(measurements, places), now));
     Identification& result = results.back();
     countAmongAll(places, result);
     if (result.status == IdentificationStatus::kRefused || result.fitted.arm.rows.empty()) return results;
@@ -108,7 +109,7 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
       carried.unknowns = fittedUnknowns(result);
       deflection::takeSized(carried.covariance, result.covariance);
     } else {
-      carry(picked(readings, result.used), carried, result);
+      carry(picked(measurements, result.used), carried, result);
     }
     found = std::move(carried);
     state.arm = result.fitted.arm;

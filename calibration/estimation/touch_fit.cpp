@@ -4,8 +4,8 @@
 
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/prior.hpp"
-#include "calibration/measurements/reading_placement.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_placement.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 #include "deflection/rotation.hpp"
 
@@ -46,7 +46,7 @@ class TouchProblem {
   bool weigh(const VectorXd& x, double model_error) {
     const deflection::Arm arm = armAt(x);
     const Isometry3d X_WB = baseAt(x);
-    ReadingPredictor predictor(arm);
+    MeasurementPredictor predictor(arm);
     PredictionRequest by_joints;
     by_joints.by_joints = true;
     noise_.clear();
@@ -54,7 +54,7 @@ class TouchProblem {
     for (const Measurement& touch : touches_) {
       const Prediction tip = predictor.predict(X_WB, touch, by_joints);
       if (!tip.ok) return false;
-      noise_.emplace_back(readingCovariance(arm, touch, tip.by_joints));
+      noise_.emplace_back(measurementCovariance(arm, touch, tip.by_joints));
       const Matrix3d covariance = noise_.back() + model_error * model_error * Matrix3d::Identity();
       whitener_.emplace_back(covariance.llt().matrixL().solve(Matrix3d::Identity()));
     }
@@ -66,7 +66,7 @@ class TouchProblem {
   bool evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobian, Eigen::Matrix3Xd* error = nullptr) const {
     const deflection::Arm arm = armAt(x);
     const Isometry3d X_WB = baseAt(x);
-    ReadingPredictor predictor(arm);
+    MeasurementPredictor predictor(arm);
     const Index numbers = x.size() - 6;
     r.resize(rows() + numbers);
     r.tail(numbers) = x.tail(numbers);
@@ -204,7 +204,7 @@ void describe(const TouchProblem& problem, const VectorXd& x, TouchFit& fit) {
 TouchFit fitTouches(const deflection::Arm& arm, const UncertainNumbers& numbers,
                     const std::vector<Measurement>& touches, const Isometry3d& X_WB_start,
                     const TouchFitOptions& options) {
-  PlacedArm aligned = placeForReadings(arm, X_WB_start, false, touches);
+  PlacedArm aligned = placeForMeasurements(arm, X_WB_start, false, touches);
   alignBases(aligned, touches);
   TouchProblem problem(arm, numbers, touches, aligned.base_poses.front().X_WB);
   TouchFit fit;

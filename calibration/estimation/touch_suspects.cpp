@@ -27,9 +27,9 @@ double rmsOf(const Eigen::Matrix3Xd& error_W) {
 }
 
 /// Fits the touches with a correction applied to one joint reading of one touch.
-class CorrectedReading {
+class CorrectedMeasurement {
  public:
-  CorrectedReading(const TouchesToExplain& asked, std::size_t touch, Eigen::Index joint)
+  CorrectedMeasurement(const TouchesToExplain& asked, std::size_t touch, Eigen::Index joint)
       : asked_(asked), touches_(asked.touches), touch_(touch), joint_(joint) {}
 
   /// Returns the chi-square of a fit with `added` added to the joint reading; infinite if the fit does not converge.
@@ -84,7 +84,7 @@ OddTouch findOddTouch(const TouchesToExplain& asked) {
   if (asked.touches.size() < kLeastOthers) return {};
   std::vector<OddTouch> found;
   for (int k = 0; k < static_cast<int>(asked.touches.size()); ++k) {
-    const auto others = withoutReadings(asked.touches, {k});
+    const auto others = withoutMeasurements(asked.touches, {k});
     if (!findTouchProblem(others, asked.options).empty()) continue;
     const TouchFit fit = fitOf(asked, others, asked.options.model_error);
     if (fit.p_value >= kLackOfFit) found.push_back({k, rmsOf(fit.error_W)});
@@ -92,17 +92,17 @@ OddTouch findOddTouch(const TouchesToExplain& asked) {
   return found.size() == 1 ? found.front() : OddTouch{};
 }
 
-std::vector<SuspectReading> findSuspectReadings(const TouchesToExplain& asked) {
-  std::vector<SuspectReading> found;
+std::vector<SuspectMeasurement> findSuspectMeasurements(const TouchesToExplain& asked) {
+  std::vector<SuspectMeasurement> found;
   const int freedom = 3 * static_cast<int>(asked.touches.size()) - 7;
   for (std::size_t k = 0; k < asked.touches.size(); ++k)
     for (Eigen::Index j = 0; j < asked.arm.jointCount(); ++j) {
-      CorrectedReading reading(asked, k, j);
-      const double added = reading.best();
-      const double p_value = chiSquareTail(reading.chi2At(added), freedom);
+      CorrectedMeasurement measurement(asked, k, j);
+      const double added = measurement.best();
+      const double p_value = chiSquareTail(measurement.chi2At(added), freedom);
       if (p_value >= kLackOfFit) found.push_back({asked.touches[k].id, j, -added, p_value});
     }
-  std::ranges::stable_sort(found, std::greater{}, &SuspectReading::p_value);
+  std::ranges::stable_sort(found, std::greater{}, &SuspectMeasurement::p_value);
   if (found.size() > kMostSuspected) found.resize(kMostSuspected);
   return found;
 }

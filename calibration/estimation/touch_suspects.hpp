@@ -33,6 +33,6 @@ struct OddTouch {
 
 /// Returns the joint readings that, if any one of them is corrected, make all touches fit: at most three, likeliest
 /// first.
-[[nodiscard]] std::vector<SuspectReading> findSuspectReadings(const TouchesToExplain& asked);
+[[nodiscard]] std::vector<SuspectMeasurement> findSuspectMeasurements(const TouchesToExplain& asked);
 
 }  // namespace tubeplan::calibration

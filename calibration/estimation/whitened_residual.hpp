@@ -1,5 +1,5 @@
-// Whitened residual of all readings of a measurement campaign, of any kind and in any number of set-ups. Touched points
-// of unknown position are eliminated exactly.
+// Whitened residual of all measurements of a measurement campaign, of any kind and in any number of set-ups. Touched
+// points of unknown position are eliminated exactly.
 #pragma once
 
 #include <optional>
@@ -14,28 +14,28 @@
 
 namespace tubeplan::calibration {
 
-/// Rows of each reading, their weights, and the groups of readings that touched the same unknown point.
+/// Rows of each measurement, their weights, and the groups of measurements that touched the same unknown point.
 ///
 /// Elimination: touches of an unknown point P have the residuals W_i (p_i - P), where W_i is the whitener and p_i the
 /// predicted tip. Let Q be an orthonormal basis of the stacked W_i. With the best P, the residual is (I - Q Q^T) W p,
 /// so that the point costs 3 degrees of freedom but adds no variable. For a touched surface, the stacked rows are W_i
-/// C_i, where C_i is the reading's derivative with respect to the surface's parameters. Undetermined directions cost no
-/// degree of freedom.
-struct ReadingWeights {
+/// C_i, where C_i is the measurement's derivative with respect to the surface's parameters. Undetermined directions
+/// cost no degree of freedom.
+struct MeasurementWeights {
   struct UnknownPoint {
     std::string name;
-    std::vector<int> readings;
-    /// Basis: one row per row of the point's readings, at most one column per parameter of the place.
+    std::vector<int> measurements;
+    /// Basis: one row per row of the point's measurements, at most one column per parameter of the place.
     Eigen::MatrixXd Q;
     Eigen::MatrixXd estimate;  ///< matrix that maps the stacked errors to the parameters of the place
   };
-  std::vector<int> first_row;  ///< index of the first row of each reading
-  /// L^-1 of each reading's own covariance L L^T, times the square root of its robust weight factor.
+  std::vector<int> first_row;  ///< index of the first row of each measurement
+  /// L^-1 of each measurement's own covariance L L^T, times the square root of its robust weight factor.
   std::vector<Eigen::MatrixXd> whitener;
-  std::vector<Eigen::MatrixXd> noise;  ///< covariance of each reading due to its own noise and encoder noise [m^2]
-  /// Covariance of each reading without the part shared with other readings [m^2].
+  std::vector<Eigen::MatrixXd> noise;  ///< covariance of each measurement due to its own noise and encoder noise [m^2]
+  /// Covariance of each measurement without the part shared with other measurements [m^2].
   std::vector<Eigen::MatrixXd> own_noise;
-  /// C_i of each reading; empty for readings that touch no unknown point or surface.
+  /// C_i of each measurement; empty for measurements that touch no unknown point or surface.
   std::vector<Eigen::MatrixXd> by_place_numbers;
   std::vector<SharedNoise> shared;
   double model_error = 0;  ///< standard deviation of the model error of each coordinate, added to every covariance [m]
@@ -43,25 +43,27 @@ struct ReadingWeights {
   int rows = 0;
   int degrees_of_freedom = 0;  ///< number of rows minus the degrees of freedom that unknown points and surfaces cost
 
-  /// Returns the covariance of one reading [m^2], which is the sum of its noise and the model error.
-  [[nodiscard]] Eigen::MatrixXd covariance(std::size_t reading) const;
+  /// Returns the covariance of one measurement [m^2], which is the sum of its noise and the model error.
+  [[nodiscard]] Eigen::MatrixXd covariance(std::size_t measurement) const;
 };
 
-/// Returns the weights of the readings from their covariances, which include the effect of encoder noise at the state
-/// `placed`. `factors`, if not empty, are the weight factors of a robust fit, one per reading. Empty if the model
-/// cannot be evaluated; throws WorkStopped if a stop is requested.
-[[nodiscard]] std::optional<ReadingWeights> weighReadings(const PlacedArm& placed,
-                                                          const std::vector<Measurement>& readings,
-                                                          const Eigen::VectorXd& factors = {}, double model_error = 0,
-                                                          const StopQuestion& stop = {});
+/// Returns the weights of the measurements from their covariances, which include the effect of encoder noise at the
+/// state `placed`. `factors`, if not empty, are the weight factors of a robust fit, one per measurement. Empty if the
+/// model cannot be evaluated; throws WorkStopped if a stop is requested.
+[[nodiscard]] std::optional<MeasurementWeights> weighMeasurements(const PlacedArm& placed,
+                                                                  const std::vector<Measurement>& measurements,
+                                                                  const Eigen::VectorXd& factors = {},
+                                                                  double model_error = 0,
+                                                                  const StopQuestion& stop = {});
 
 /// Returns `weights` recomputed for another model error and other robust weight factors, with the same noise.
-[[nodiscard]] ReadingWeights reweighted(const ReadingWeights& weights, const std::vector<Measurement>& readings,
-                                        double model_error, const Eigen::VectorXd& factors = {});
+[[nodiscard]] MeasurementWeights reweighted(const MeasurementWeights& weights,
+                                            const std::vector<Measurement>& measurements, double model_error,
+                                            const Eigen::VectorXd& factors = {});
 
 struct WhitenedResidual {
   bool ok = false;
-  Eigen::VectorXd r;         ///< whitened residual, predicted minus measured; its rows are those of ReadingWeights
+  Eigen::VectorXd r;         ///< whitened residual, predicted minus measured; its rows are those of MeasurementWeights
   Eigen::MatrixXd jacobian;  ///< Jacobian of r with respect to the variables of the unknowns, if requested
   /// Residual before whitening, predicted minus measured [m]; for touches of an unknown point, relative to its
   /// estimate.
@@ -71,28 +73,28 @@ struct WhitenedResidual {
 /// Returns the residual at the values x of the unknowns' variables, which are 0 at `start`; throws WorkStopped if a
 /// stop is requested.
 [[nodiscard]] WhitenedResidual whitenedResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
-                                                const std::vector<Measurement>& readings, const ReadingWeights& weights,
-                                                const Eigen::VectorXd& x, bool with_jacobian,
-                                                const StopQuestion& stop = {});
+                                                const std::vector<Measurement>& measurements,
+                                                const MeasurementWeights& weights, const Eigen::VectorXd& x,
+                                                bool with_jacobian, const StopQuestion& stop = {});
 
-/// Completes the whitening of `columns`, whose rows are those of `weights`, already whitened reading by reading:
-/// removes the correlation due to shared encoder noise, and the components that unknown points absorb.
-void takeSharedOff(const ReadingWeights& weights, Eigen::Ref<Eigen::MatrixXd> columns);
+/// Completes the whitening of `columns`, whose rows are those of `weights`, already whitened measurement by
+/// measurement: removes the correlation due to shared encoder noise, and the components that unknown points absorb.
+void takeSharedOff(const MeasurementWeights& weights, Eigen::Ref<Eigen::MatrixXd> columns);
 
-/// Acts like takeSharedOff(), but on a matrix that stacks only the rows of these readings; parts that they share with
-/// other readings are not removed.
-void takeOffWithin(const ReadingWeights& weights, const std::vector<int>& readings, Eigen::MatrixXd& rows);
+/// Acts like takeSharedOff(), but on a matrix that stacks only the rows of these measurements; parts that they share
+/// with other measurements are not removed.
+void takeOffWithin(const MeasurementWeights& weights, const std::vector<int>& measurements, Eigen::MatrixXd& rows);
 
-/// Returns the Euclidean norm of each reading's error over its rows [m].
-[[nodiscard]] Eigen::VectorXd errorLengths(const std::vector<Measurement>& readings, const ReadingWeights& weights,
-                                           const Eigen::VectorXd& error);
+/// Returns the Euclidean norm of each measurement's error over its rows [m].
+[[nodiscard]] Eigen::VectorXd errorLengths(const std::vector<Measurement>& measurements,
+                                           const MeasurementWeights& weights, const Eigen::VectorXd& error);
 
-/// Returns the square root of the mean number of rows per reading: the rms of the readings' error lengths if the error
-/// of every row is 1.
-[[nodiscard]] double lengthOfRows(const std::vector<Measurement>& readings);
+/// Returns the square root of the mean number of rows per measurement: the rms of the measurements' error lengths if
+/// the error of every row is 1.
+[[nodiscard]] double lengthOfRows(const std::vector<Measurement>& measurements);
 
-/// Returns the expected rms of the readings' error lengths [m] if noise is the only error, after touched points of
+/// Returns the expected rms of the measurements' error lengths [m] if noise is the only error, after touched points of
 /// unknown position have been estimated.
-[[nodiscard]] double noiseFloor(const std::vector<Measurement>& readings, const ReadingWeights& weights);
+[[nodiscard]] double noiseFloor(const std::vector<Measurement>& measurements, const MeasurementWeights& weights);
 
 }  // namespace tubeplan::calibration

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "calibration/estimation/estimate.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/random_stream.hpp"
 
 namespace tubeplan::calibration {

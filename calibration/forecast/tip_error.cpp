@@ -3,7 +3,7 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -53,8 +53,8 @@ std::vector<std::vector<TipErrorCase>> findTipError(const TipErrorQuestion& ques
   const auto parts = modelVariances(question.model_error);
   const auto request = byEverything(numbers);
   const Eigen::Vector3d gravity_B = deflection::gravityInBase(question.arm, question.X_WB);
-  oneapi::tbb::enumerable_thread_specific<std::unique_ptr<ReadingPredictor>> of_thread(
-      [&] { return std::make_unique<ReadingPredictor>(question.arm); });
+  oneapi::tbb::enumerable_thread_specific<std::unique_ptr<MeasurementPredictor>> of_thread(
+      [&] { return std::make_unique<MeasurementPredictor>(question.arm); });
   std::vector<std::vector<TipErrorCase>> errors(question.postures.size());
   oneapi::tbb::parallel_for(std::size_t{0}, errors.size(), [&](std::size_t k) {
     const Prediction tip =

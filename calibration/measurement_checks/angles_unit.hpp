@@ -1,4 +1,4 @@
-// Mistake: joint readings are in radians although their columns state degrees, or vice versa. Readings of prismatic
+// Mistake: joint readings are in radians although their columns state degrees, or vice versa. Measurements of prismatic
 // joints are not affected.
 #pragma once
 
@@ -6,11 +6,11 @@
 
 namespace tubeplan::calibration::mistakes::angles_unit {
 
-inline std::vector<std::string> values(const CheckedReadings& checked) {
+inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   return otherNames(checked.units.angle_units, checked.units.angles);
 }
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
   const auto factor = factorOf(checked.units.angle_units, checked.units.angles, value);
   if (!factor) return std::nullopt;
   Mend mend{
@@ -19,8 +19,8 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   Eigen::VectorXd factors = Eigen::VectorXd::Ones(checked.start.arm.jointCount());
   for (Eigen::Index j = 0; j < factors.size(); ++j)
     if (checked.start.arm.joint(j).type == deflection::JointType::kRevolute) factors[j] = *factor;
-  mend.change = [factors](std::vector<Measurement>& readings) {
-    for (auto& reading : readings) reading.q = reading.q.cwiseProduct(factors);
+  mend.change = [factors](std::vector<Measurement>& measurements) {
+    for (auto& measurement : measurements) measurement.q = measurement.q.cwiseProduct(factors);
   };
   return mend;
 }

@@ -29,22 +29,23 @@ inline std::optional<Eigen::Matrix3d> matrixOf(const std::string& value) {
   return to_world;
 }
 
-/// Returns true if at least one reading has coordinates written in the file. Positions looked up by the name of a hole
-/// do not count: for them, sheet_mirrored.hpp tries a mirrored sheet.
-inline bool areWritten(const CheckedReadings& checked) {
-  return std::ranges::any_of(
-      checked.readings, [&](const Measurement& reading) { return reading.p_W && !isPlacedBySheet(checked, reading); });
+/// Returns true if at least one measurement has coordinates written in the file. Positions looked up by the name of a
+/// hole do not count: for them, sheet_mirrored.hpp tries a mirrored sheet.
+inline bool areWritten(const CheckedMeasurements& checked) {
+  return std::ranges::any_of(checked.measurements, [&](const Measurement& measurement) {
+    return measurement.p_W && !isPlacedBySheet(checked, measurement);
+  });
 }
 
 /// Applies `to_world` to all measured positions, whether written in the file or looked up in the tube sheet, and to
 /// their sigmas and correlations.
-inline void turn(const Eigen::Matrix3d& to_world, std::vector<Measurement>& readings) {
-  for (auto& reading : readings) {
-    if (reading.p_W) *reading.p_W = to_world * *reading.p_W;
-    if (reading.sigma_W) *reading.sigma_W = (to_world * *reading.sigma_W).cwiseAbs();
-    if (reading.correlation_W)
-      reading.correlation_W =
-          correlationNumbers(to_world * correlationMatrix(*reading.correlation_W) * to_world.transpose());
+inline void turn(const Eigen::Matrix3d& to_world, std::vector<Measurement>& measurements) {
+  for (auto& measurement : measurements) {
+    if (measurement.p_W) *measurement.p_W = to_world * *measurement.p_W;
+    if (measurement.sigma_W) *measurement.sigma_W = (to_world * *measurement.sigma_W).cwiseAbs();
+    if (measurement.correlation_W)
+      measurement.correlation_W =
+          correlationNumbers(to_world * correlationMatrix(*measurement.correlation_W) * to_world.transpose());
   }
 }
 
@@ -63,7 +64,7 @@ inline std::vector<std::string> signedOrders() {
   return texts;
 }
 
-inline std::vector<std::string> values(const CheckedReadings& checked) {
+inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   if (!areWritten(checked)) return {};
   std::vector<std::string> texts = signedOrders();
   std::erase_if(texts, [](const std::string& text) {
@@ -73,11 +74,11 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return texts;
 }
 
-inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedMeasurements&, const std::string& value) {
   const auto to_world = matrixOf(value);
   if (!to_world) return std::nullopt;
   Mend mend{"axes", value, "the columns x, y and z contain " + value + " of the cell's world"};
-  mend.change = [to_world = *to_world](std::vector<Measurement>& readings) { turn(to_world, readings); };
+  mend.change = [to_world = *to_world](std::vector<Measurement>& measurements) { turn(to_world, measurements); };
   return mend;
 }
 

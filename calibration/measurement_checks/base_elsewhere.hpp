@@ -1,36 +1,36 @@
-// Mistake: the base is not at the pose that the cell states as known, or it was displaced between two readings.
+// Mistake: the base is not at the pose that the cell states as known, or it was displaced between two measurements.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/measurement_checks/from_reading.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurement_checks/from_measurement.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 
 namespace tubeplan::calibration::mistakes::base_elsewhere {
 
-inline std::vector<std::string> values(const CheckedReadings& checked) {
+inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   const bool is_known = std::ranges::any_of(checked.start.base_poses, &BasePose::is_known);
   return is_known ? std::vector<std::string>{"unknown"} : std::vector<std::string>{};
 }
 
-/// Returns the correction that assigns reading `from` and all later readings of its set-up to a new set-up, whose base
-/// pose is fitted separately; nullopt if there is no such reading.
-inline std::optional<Mend> mendFrom(const CheckedReadings& checked, const std::string& from) {
-  const auto first = std::ranges::find(checked.readings, from, &Measurement::id);
-  if (first == checked.readings.end()) return std::nullopt;
+/// Returns the correction that assigns measurement `from` and all later measurements of its set-up to a new set-up,
+/// whose base pose is fitted separately; nullopt if there is no such measurement.
+inline std::optional<Mend> mendFrom(const CheckedMeasurements& checked, const std::string& from) {
+  const auto first = std::ranges::find(checked.measurements, from, &Measurement::id);
+  if (first == checked.measurements.end()) return std::nullopt;
   Mend mend{"base", "unknown", "the base or the tracker stands elsewhere: it was bumped there, and is found anew"};
   mend.new_setup = NewSetup{first->setup + (first->setup.empty() ? "" : "-") + "from-" + from, first->setup};
-  mend.change = toEach([setup = *mend.new_setup](Measurement& reading) {
-    if (reading.setup == setup.within) reading.setup = setup.name;
+  mend.change = toEach([setup = *mend.new_setup](Measurement& measurement) {
+    if (measurement.setup == setup.within) measurement.setup = setup.name;
   });
   mend.frees_base = std::ranges::any_of(checked.start.base_poses, &BasePose::is_known);
   mend.numbers_fitted = 6;
-  return fromReading(checked, std::move(mend), from);
+  return fromMeasurement(checked, std::move(mend), from);
 }
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& text) {
-  const auto [value, from] = partedAtReading(text);
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& text) {
+  const auto [value, from] = partedAtMeasurement(text);
   if (value != "unknown") return std::nullopt;
   if (from) return mendFrom(checked, *from);
   Mend mend{"base", value, "the base does not stand where the cell says that it is known to stand"};
@@ -38,11 +38,11 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   return mend;
 }
 
-/// Returns one step form per set-up: a displacement of its base. If all readings state a time, the step counts as an
-/// effect, since the catalogue of effects then describes it (`base-slip`).
-inline std::vector<StepForm> steps(const CheckedReadings& checked) {
+/// Returns one step form per set-up: a displacement of its base. If all measurements state a time, the step counts as
+/// an effect, since the catalogue of effects then describes it (`base-slip`).
+inline std::vector<StepForm> steps(const CheckedMeasurements& checked) {
   const bool are_timed =
-      std::ranges::all_of(checked.readings, [](const auto& m) { return m.conditions.states(Condition::kTime); });
+      std::ranges::all_of(checked.measurements, [](const auto& m) { return m.conditions.states(Condition::kTime); });
   std::vector<StepForm> forms;
   for (const BasePose& base_pose : checked.start.base_poses)
     forms.push_back({.numbers = 6,

@@ -1,4 +1,4 @@
-// Lists of reading ids, as text for the messages of checks.
+// Lists of measurement ids, as text for the messages of checks.
 #pragma once
 
 #include <string>
@@ -14,7 +14,8 @@ namespace tubeplan::calibration {
   return ids.size() > kMostListed ? text + " and " + std::to_string(ids.size() - kMostListed) + " more" : text;
 }
 
-/// Returns the value of `--assume` that excludes the readings with these ids; empty if there are too many for one line.
+/// Returns the value of `--assume` that excludes the measurements with these ids; empty if there are too many for one
+/// line.
 [[nodiscard]] inline std::string assumeWithout(const std::vector<std::string>& ids) {
   constexpr std::size_t kMostAssumed = 20;
   if (ids.size() > kMostAssumed) return "";

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "calibration/measurement_checks/from_reading.hpp"
+#include "calibration/measurement_checks/from_measurement.hpp"
 #include "calibration/statistics.hpp"
 #include "tubesheets/csv_table.hpp"
 
@@ -16,8 +16,8 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr std::size_t kFewestTimes = 8;  // with fewer times, the rows do not show whether they are in time order
-// Rows are not considered to be in time order if more than this fraction of the readings is earlier than the reading
-// before.
+// Rows are not considered to be in time order if more than this fraction of the measurements is earlier than the
+// measurement before.
 constexpr double kMostBack = 0.05;
 constexpr double kSlow = 3;        // gaps above this multiple of the usual gap are conspicuous
 constexpr double kHour = 3600;     // [s]
@@ -25,13 +25,13 @@ constexpr double kMostHours = 14;  // largest shift of a clock by time zones and
 constexpr double kNearHour = 120;  // jumps this close to whole hours [s], and closer than the usual gap, count as whole
 constexpr double kDay = 24 * kHour, kMonth = 30 * kDay;
 
-double timeOf(const Measurement& reading) { return reading.conditions[deflection::Condition::kTime]; }
+double timeOf(const Measurement& measurement) { return measurement.conditions[deflection::Condition::kTime]; }
 
-/// Returns the readings that state a time.
-std::vector<const Measurement*> timedAmong(const std::vector<Measurement>& readings) {
+/// Returns the measurements that state a time.
+std::vector<const Measurement*> timedAmong(const std::vector<Measurement>& measurements) {
   std::vector<const Measurement*> timed;
-  for (const Measurement& reading : readings)
-    if (std::isfinite(timeOf(reading))) timed.push_back(&reading);
+  for (const Measurement& measurement : measurements)
+    if (std::isfinite(timeOf(measurement))) timed.push_back(&measurement);
   return timed;
 }
 
@@ -44,10 +44,10 @@ std::string durationText(double seconds) {
   return fmt::format("{:.3g} s", size);
 }
 
-/// Search for jumps in the times of readings.
+/// Search for jumps in the times of measurements.
 class Clock {
  public:
-  explicit Clock(const std::vector<Measurement>& readings) : timed_(timedAmong(readings)) {
+  explicit Clock(const std::vector<Measurement>& measurements) : timed_(timedAmong(measurements)) {
     std::vector<double> forward;
     for (std::size_t k = 1; k < timed_.size(); ++k) {
       if (gap(k) > 0) forward.push_back(gap(k));
@@ -98,7 +98,7 @@ class Clock {
       if (gap(k) > std::max(kSlow * usual_, kHour)) longest.push_back(k);
     if (longest.size() != 1) return std::nullopt;
     const std::size_t k = longest.front();
-    const bool is_of_next = k + 1 < timed_.size() && gap(k + 1) < 0;  // then only reading k has a wrong time
+    const bool is_of_next = k + 1 < timed_.size() && gap(k + 1) < 0;  // then only measurement k has a wrong time
     const bool is_set = jumpAt(k) != gap(k) - usual_ || gap(k) > kMonth;
     return is_set && !is_of_next ? std::optional(k) : std::nullopt;
   }
@@ -135,14 +135,14 @@ class Clock {
   }
 
   std::vector<const Measurement*> timed_;
-  std::vector<std::size_t> back_;  ///< indices of readings whose time is before that of the preceding reading
-  double usual_ = 0;               ///< usual (median) gap between readings [s]
+  std::vector<std::size_t> back_;  ///< indices of measurements whose time is before that of the preceding measurement
+  double usual_ = 0;               ///< usual (median) gap between measurements [s]
 };
 
 }  // namespace
 
-std::vector<MeasurementCheck> clockJumps(const CheckedReadings& checked) {
-  const Clock clock(checked.readings);
+std::vector<MeasurementCheck> clockJumps(const CheckedMeasurements& checked) {
+  const Clock clock(checked.measurements);
   return clock.isOrdered() ? clock.jumps() : std::vector<MeasurementCheck>{};
 }
 
@@ -150,15 +150,15 @@ namespace mistakes::clock {
 
 namespace {
 
-std::optional<Mend> mendOf(const CheckedReadings& checked, const std::string& text) {
-  const auto [value, from] = partedAtReading(text);
+std::optional<Mend> mendOf(const CheckedMeasurements& checked, const std::string& text) {
+  const auto [value, from] = partedAtMeasurement(text);
   const auto seconds = tubesheets::parseNumber(value);
   if (!seconds || !from) return std::nullopt;
   Mend mend{"clock", value, "the clock is off: " + value + " s to be added to the times"};
-  mend.change = [by = *seconds](std::vector<Measurement>& readings) {
-    for (auto& reading : readings) reading.conditions[deflection::Condition::kTime] += by;
+  mend.change = [by = *seconds](std::vector<Measurement>& measurements) {
+    for (auto& measurement : measurements) measurement.conditions[deflection::Condition::kTime] += by;
   };
-  return fromReading(checked, std::move(mend), *from);
+  return fromMeasurement(checked, std::move(mend), *from);
 }
 
 }  // namespace

@@ -10,22 +10,23 @@ namespace tubeplan::calibration::mistakes::coordinate_unit {
 
 inline constexpr std::string_view kAxes = "xyz";
 
-inline std::vector<std::string> values(const CheckedReadings& checked) {
+inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   std::vector<std::string> values;
   for (const auto& unit : coordinates_unit::values(checked))
     for (const char axis : kAxes) values.push_back(std::string(1, axis) + ":" + unit);
   return values;
 }
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
   const auto [axis, unit] = partedAtColon(value);
   const auto at = axis.size() == 1 ? kAxes.find(axis.front()) : std::string_view::npos;
   const auto factor = factorOf(checked.units.lengths, checked.units.coordinates, unit);
   if (at == std::string_view::npos || !factor) return std::nullopt;
   Mend mend{"coordinate-unit", value,
             "the unit of " + axis + " is " + unit + ", not " + checked.units.coordinates.name + " as its column says"};
-  mend.change = toEach([checked = &checked, at, factor = *factor](Measurement& reading) {
-    if (coordinates_unit::areWritten(*checked, reading)) (*reading.p_W)[static_cast<Eigen::Index>(at)] *= factor;
+  mend.change = toEach([checked = &checked, at, factor = *factor](Measurement& measurement) {
+    if (coordinates_unit::areWritten(*checked, measurement))
+      (*measurement.p_W)[static_cast<Eigen::Index>(at)] *= factor;
   });
   mend.change_sigma = sigmaAlong(checked, *factor, static_cast<Eigen::Index>(at));
   return mend;

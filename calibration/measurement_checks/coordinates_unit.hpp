@@ -7,27 +7,27 @@
 
 namespace tubeplan::calibration::mistakes::coordinates_unit {
 
-inline bool areWritten(const CheckedReadings& checked, const Measurement& reading) {
-  return reading.p_W && !isPlacedBySheet(checked, reading);
+inline bool areWritten(const CheckedMeasurements& checked, const Measurement& measurement) {
+  return measurement.p_W && !isPlacedBySheet(checked, measurement);
 }
 
-inline std::vector<std::string> values(const CheckedReadings& checked) {
-  for (const auto& reading : checked.readings)
-    if (areWritten(checked, reading)) return otherNames(checked.units.lengths, checked.units.coordinates);
+inline std::vector<std::string> values(const CheckedMeasurements& checked) {
+  for (const auto& measurement : checked.measurements)
+    if (areWritten(checked, measurement)) return otherNames(checked.units.lengths, checked.units.coordinates);
   return {};
 }
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
   const auto factor = factorOf(checked.units.lengths, checked.units.coordinates, value);
   if (!factor) return std::nullopt;
   Mend mend{
       "coordinates", value,
       "the unit of the coordinates is " + value + ", not " + checked.units.coordinates.name + " as their columns say"};
-  mend.change = toEach([checked = &checked, factor = *factor](Measurement& reading) {
-    if (areWritten(*checked, reading)) *reading.p_W *= factor;
-    const auto columns = kindOf(reading).columns;
+  mend.change = toEach([checked = &checked, factor = *factor](Measurement& measurement) {
+    if (areWritten(*checked, measurement)) *measurement.p_W *= factor;
+    const auto columns = kindOf(measurement).columns;
     for (std::size_t k = 0; k < columns.size(); ++k)
-      if (columns[k].quantity == deflection::Quantity::kLength) reading.own[static_cast<Eigen::Index>(k)] *= factor;
+      if (columns[k].quantity == deflection::Quantity::kLength) measurement.own[static_cast<Eigen::Index>(k)] *= factor;
   });
   mend.change_sigma = sigmaAlong(checked, *factor);
   return mend;

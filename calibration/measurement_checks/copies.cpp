@@ -12,7 +12,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Returns the values of a reading that must all be equal for it to count as a copy of another reading.
+/// Returns the values of a measurement that must all be equal for it to count as a copy of another measurement.
 auto contentOf(const Measurement& m) {
   const Eigen::Vector3d p = m.p_W.value_or(Eigen::Vector3d::Zero());
   const Eigen::Vector3d tool = m.p_TQ.value_or(Eigen::Vector3d::Zero());
@@ -43,29 +43,30 @@ auto contentOf(const Measurement& m) {
                     conditions};
 }
 
-/// Index of a reading, and index of the earlier reading with the same values.
+/// Index of a measurement, and index of the earlier measurement with the same values.
 struct Copy {
-  std::size_t reading = 0, of = 0;
+  std::size_t measurement = 0, of = 0;
 };
 
-std::vector<Copy> copiesIn(const std::vector<Measurement>& readings) {
-  std::map<decltype(contentOf(readings.front())), std::size_t> first;
+std::vector<Copy> copiesIn(const std::vector<Measurement>& measurements) {
+  std::map<decltype(contentOf(measurements.front())), std::size_t> first;
   std::vector<Copy> copies;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    if (const auto [at, is_new] = first.emplace(contentOf(readings[k]), k); !is_new) copies.push_back({k, at->second});
+  for (std::size_t k = 0; k < measurements.size(); ++k)
+    if (const auto [at, is_new] = first.emplace(contentOf(measurements[k]), k); !is_new)
+      copies.push_back({k, at->second});
   return copies;
 }
 
 /// Returns the resolution of the written coordinates [m]: the largest power of ten of their unit of which all
 /// coordinates are whole multiples.
-double stepOfCoordinates(const CheckedReadings& checked) {
+double stepOfCoordinates(const CheckedMeasurements& checked) {
   constexpr double kCoarsest = 1, kFinest = 1e-7;
   for (double step = kCoarsest; step > kFinest; step /= 10) {
     const auto isWhole = [&](double metres) {
       const double steps = metres / checked.units.coordinates.factor / step;
       return std::abs(steps - std::round(steps)) < 1e-3;
     };
-    const bool are_whole = std::ranges::all_of(checked.readings, [&](const Measurement& m) {
+    const bool are_whole = std::ranges::all_of(checked.measurements, [&](const Measurement& m) {
       return !m.p_W || !kindOf(m).has_coordinates || std::all_of(m.p_W->begin(), m.p_W->end(), isWhole);
     });
     if (are_whole) return step * checked.units.coordinates.factor;
@@ -73,34 +74,34 @@ double stepOfCoordinates(const CheckedReadings& checked) {
   return kFinest * checked.units.coordinates.factor;
 }
 
-std::string copiesText(const CheckedReadings& checked, const std::vector<Copy>& copies) {
+std::string copiesText(const CheckedMeasurements& checked, const std::vector<Copy>& copies) {
   std::vector<std::string> names;
   for (const Copy& copy : copies)
-    names.push_back(checked.readings[copy.reading].id + " (as " + checked.readings[copy.of].id + ")");
+    names.push_back(checked.measurements[copy.measurement].id + " (as " + checked.measurements[copy.of].id + ")");
   return listOf(names);
 }
 
 }  // namespace
 
-std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked) {
-  const auto copies = copiesIn(checked.readings);
+std::optional<MeasurementCheck> duplicates(const CheckedMeasurements& checked) {
+  const auto copies = copiesIn(checked.measurements);
   if (copies.empty()) return std::nullopt;
   std::vector<std::string> ids;
-  for (const Copy& copy : copies) ids.push_back(checked.readings[copy.reading].id);
+  for (const Copy& copy : copies) ids.push_back(checked.measurements[copy.measurement].id);
   return remarkOf("duplicates",
                   std::string(ids.size() == 1 ? "a reading occurs" : "readings occur") +
                       " twice with identical numbers: " + copiesText(checked, copies),
                   assumeWithout(ids));
 }
 
-std::optional<MeasurementCheck> takeCopiesOut(CheckedReadings& checked) {
+std::optional<MeasurementCheck> takeCopiesOut(CheckedMeasurements& checked) {
   // Equal coordinates indicate a copy only if their resolution is finer than this fraction of sigma: two separate
-  // readings then agree in all three coordinates in fewer than one of 10^4 cases.
+  // measurements then agree in all three coordinates in fewer than one of 10^4 cases.
   constexpr double kFine = 0.1;
   const double step = stepOfCoordinates(checked);
-  auto copies = copiesIn(checked.readings);
+  auto copies = copiesIn(checked.measurements);
   std::erase_if(copies, [&](const Copy& copy) {
-    const Measurement& m = checked.readings[copy.reading];
+    const Measurement& m = checked.measurements[copy.measurement];
     return !m.p_W || !kindOf(m).has_coordinates || !(step < kFine * m.sigma);
   });
   if (copies.empty()) return std::nullopt;
@@ -110,8 +111,8 @@ std::optional<MeasurementCheck> takeCopiesOut(CheckedReadings& checked) {
                    " of another in all numbers and counted once: " + copiesText(checked, copies) +
                    "; --assume as-is counts every row";
   std::vector<int> places;
-  for (const Copy& copy : copies) places.push_back(static_cast<int>(copy.reading));
-  checked.readings = withoutReadings(std::move(checked.readings), places);
+  for (const Copy& copy : copies) places.push_back(static_cast<int>(copy.measurement));
+  checked.measurements = withoutMeasurements(std::move(checked.measurements), places);
   return check;
 }
 

@@ -1,4 +1,4 @@
-// Detection and removal of duplicate readings.
+// Detection and removal of duplicate measurements.
 #pragma once
 
 #include <optional>
@@ -7,13 +7,13 @@
 
 namespace tubeplan::calibration {
 
-/// Returns a remark that lists the readings whose values all equal those of an earlier reading; nullopt if there are
-/// none.
-[[nodiscard]] std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked);
+/// Returns a remark that lists the measurements whose values all equal those of an earlier measurement; nullopt if
+/// there are none.
+[[nodiscard]] std::optional<MeasurementCheck> duplicates(const CheckedMeasurements& checked);
 
-/// Removes copies of earlier readings and returns a remark on them; nullopt if there are none. A reading is a copy if
-/// all of its values are equal and its coordinates have so many digits that noise would make two separate readings
-/// differ. Copies would make the noise appear too small.
-std::optional<MeasurementCheck> takeCopiesOut(CheckedReadings& checked);
+/// Removes copies of earlier measurements and returns a remark on them; nullopt if there are none. A measurement is a
+/// copy if all of its values are equal and its coordinates have so many digits that noise would make two separate
+/// measurements differ. Copies would make the noise appear too small.
+std::optional<MeasurementCheck> takeCopiesOut(CheckedMeasurements& checked);
 
 }  // namespace tubeplan::calibration

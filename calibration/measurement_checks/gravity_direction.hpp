@@ -1,5 +1,5 @@
-// Mistake: in the world frame of the readings, gravity does not have the direction that the cell states. For example,
-// the arm hangs from a ceiling or a wall, or stands on a tilted pedestal.
+// Mistake: in the world frame of the measurements, gravity does not have the direction that the cell states. For
+// example, the arm hangs from a ceiling or a wall, or stands on a tilted pedestal.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace tubeplan::calibration {
 
-/// Returns a mistake if the model fits the readings only with a direction of gravity other than the stated one. This
-/// direction is found to within a few tenths of a degree. Returns nullopt if no direction fits, or if several fit
+/// Returns a mistake if the model fits the measurements only with a direction of gravity other than the stated one.
+/// This direction is found to within a few tenths of a degree. Returns nullopt if no direction fits, or if several fit
 /// equally well, as for an arm without compliance. A tilt below 26 deg is left to the diagnosis (`gravity-tilt`). The
 /// correction has to be made in the cell's file.
 [[nodiscard]] std::optional<FoundMistake> gravityElsewhere(const MistakeTrials& trials);

@@ -1,5 +1,5 @@
-// Mistake: holes were counted from the wrong first row or column, so the hole that each reading names is one or more
-// rows or columns away from the touched hole.
+// Mistake: holes were counted from the wrong first row or column, so the hole that each measurement names is one or
+// more rows or columns away from the touched hole.
 #pragma once
 
 #include <algorithm>
@@ -10,37 +10,37 @@
 
 namespace tubeplan::calibration::mistakes::holes_off {
 
-inline std::vector<std::string> values(const CheckedReadings& checked) {
+inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   const bool names_holes = std::ranges::any_of(
-      checked.readings, [&](const Measurement& reading) { return isPlacedBySheet(checked, reading); });
+      checked.measurements, [&](const Measurement& measurement) { return isPlacedBySheet(checked, measurement); });
   if (!names_holes) return {};
   return {"R+1", "R-1", "C+1", "C-1"};
 }
 
-/// Function that returns the hole that was actually touched if a reading names the hole `named`; null if the sheet has
-/// no hole there.
+/// Function that returns the hole that was actually touched if a measurement names the hole `named`; null if the sheet
+/// has no hole there.
 using OtherHole = std::function<const tubesheets::Tube*(const tubesheets::RowAndColumn& named)>;
 
 /// Returns true if every hole that `other` returns exists on the sheet. A single missing hole refutes the hypothesis,
 /// since a tip cannot have touched it.
-inline bool areAllThere(const CheckedReadings& checked, const OtherHole& other) {
-  return std::ranges::all_of(checked.readings, [&](const Measurement& reading) {
-    return !isPlacedBySheet(checked, reading) || other(*tubesheets::parseTubeName(reading.point)) != nullptr;
+inline bool areAllThere(const CheckedMeasurements& checked, const OtherHole& other) {
+  return std::ranges::all_of(checked.measurements, [&](const Measurement& measurement) {
+    return !isPlacedBySheet(checked, measurement) || other(*tubesheets::parseTubeName(measurement.point)) != nullptr;
   });
 }
 
-/// In every reading whose position is that of the hole it names, replaces the hole by the one that `other` returns.
-inline void rename(const CheckedReadings& checked, const OtherHole& other, std::vector<Measurement>& readings) {
-  for (Measurement& reading : readings) {
-    if (!isPlacedBySheet(checked, reading)) continue;
-    const auto* tube = other(*tubesheets::parseTubeName(reading.point));
+/// In every measurement whose position is that of the hole it names, replaces the hole by the one that `other` returns.
+inline void rename(const CheckedMeasurements& checked, const OtherHole& other, std::vector<Measurement>& measurements) {
+  for (Measurement& measurement : measurements) {
+    if (!isPlacedBySheet(checked, measurement)) continue;
+    const auto* tube = other(*tubesheets::parseTubeName(measurement.point));
     if (!tube) continue;
-    reading.point = tubesheets::tubeName(tube->row, tube->column);
-    reading.p_W = Eigen::Vector3d(tube->x, tube->y, 0);
+    measurement.point = tubesheets::tubeName(tube->row, tube->column);
+    measurement.p_W = Eigen::Vector3d(tube->x, tube->y, 0);
   }
 }
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
   char way = 0;
   int by = 0, used = 0;
   const bool is_read =
@@ -54,7 +54,9 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   Mend mend{"holes", value,
             "the holes' names are " + std::to_string(std::abs(by)) + (way == 'R' ? " row" : " column") +
                 (by > 0 ? " too low" : " too high")};
-  mend.change = [checked = &checked, other](std::vector<Measurement>& readings) { rename(*checked, other, readings); };
+  mend.change = [checked = &checked, other](std::vector<Measurement>& measurements) {
+    rename(*checked, other, measurements);
+  };
   return mend;
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kLooked = 20;        // maximum number of readings in the quick comparison
+constexpr std::size_t kLooked = 20;        // maximum number of measurements in the quick comparison
 constexpr std::size_t kMostTogether = 16;  // maximum number of hypotheses that are returned
 constexpr int kMostSigns = 8;              // maximum number of joints for which all sets of signs are tried
 constexpr int kMostOrdered = 7;            // maximum number of joints for which all orders are tried
@@ -32,10 +32,10 @@ constexpr std::size_t kMostSettled = 100;  // maximum number of hypotheses whose
 constexpr double kZerosApart = std::numbers::pi / 12;  // range on either side of a tried zero [rad]
 constexpr int kZeroSteps = 10;                         // number of golden-section steps
 
-/// Corrections of one mistake or of a set of joints, with the corrected readings and their score.
+/// Corrections of one mistake or of a set of joints, with the corrected measurements and their score.
 struct TriedQuickly {
   JoinedMends mends;
-  std::vector<Measurement> readings;
+  std::vector<Measurement> measurements;
   std::vector<Vector3d> tips;
   double score = 0;
   bool turns_joints = false;
@@ -45,7 +45,7 @@ struct TriedQuickly {
 struct Likely {
   const TriedQuickly *first = nullptr, *then = nullptr;
   double score = 0;
-  /// The same corrections with the zeros that bring the readings closest to the drawing; empty: zeros not refined.
+  /// The same corrections with the zeros that bring the measurements closest to the drawing; empty: zeros not refined.
   JoinedMends settled = {};
 
   [[nodiscard]] JoinedMends mends() const {
@@ -80,16 +80,16 @@ class JoinedSearch {
   explicit JoinedSearch(const MistakeTrials& trials)
       : trials_(trials), alignment_(trials.checked().start, trials.reach()) {
     const auto& pool = trials.pool();
-    for (const auto& reading : pool.readings)
-      if (statesPlace(reading) && pool.counted_quickly.contains(reading.id) && ids_.size() < kLooked)
-        ids_.insert(reading.id);
-    // The neighbours of the compared readings are kept until the first correction is applied, since it may move
+    for (const auto& measurement : pool.measurements)
+      if (statesPlace(measurement) && pool.counted_quickly.contains(measurement.id) && ids_.size() < kLooked)
+        ids_.insert(measurement.id);
+    // The neighbours of the compared measurements are kept until the first correction is applied, since it may move
     // measured values between rows.
-    for (std::size_t k = 0; k < pool.readings.size(); ++k) {
+    for (std::size_t k = 0; k < pool.measurements.size(); ++k) {
       const auto is_looked = [&](std::size_t near) {
-        return near < pool.readings.size() && ids_.contains(pool.readings[near].id);
+        return near < pool.measurements.size() && ids_.contains(pool.measurements[near].id);
       };
-      if (is_looked(k - 1) || is_looked(k) || is_looked(k + 1)) near_.push_back(pool.readings[k]);
+      if (is_looked(k - 1) || is_looked(k) || is_looked(k + 1)) near_.push_back(pool.measurements[k]);
     }
   }
 
@@ -112,33 +112,33 @@ class JoinedSearch {
   }
 
  private:
-  /// Applies the corrections to the readings and all their neighbours, and scores the compared readings.
+  /// Applies the corrections to the measurements and all their neighbours, and scores the compared measurements.
   TriedQuickly looked(JoinedMends mends) {
     TriedQuickly one{std::move(mends), near_, {}, 0, false};
-    for (const Mend& mend : one.mends) mend.change(one.readings);
-    std::erase_if(one.readings, [&](const Measurement& reading) { return !ids_.contains(reading.id); });
-    one.tips = alignment_.tips(one.readings);
-    one.score = alignment_.score(one.readings, one.tips, {.frees_base = freeBase(one.mends)});
-    one.turns_joints = !haveSameJoints(one.readings, as_is_.readings);
+    for (const Mend& mend : one.mends) mend.change(one.measurements);
+    std::erase_if(one.measurements, [&](const Measurement& measurement) { return !ids_.contains(measurement.id); });
+    one.tips = alignment_.tips(one.measurements);
+    one.score = alignment_.score(one.measurements, one.tips, {.frees_base = freeBase(one.mends)});
+    one.turns_joints = !haveSameJoints(one.measurements, as_is_.measurements);
     return one;
   }
 
   void lookAlone() {
-    const CheckedReadings& checked = trials_.checked();
+    const CheckedMeasurements& checked = trials_.checked();
     for (const auto& kind : mistakeKinds())
       for (const auto& value : (kind.values_beside ? kind.values_beside : kind.values)(checked)) {
         goOn(trials_.options().stop);
         auto mend = kind.mend(checked, value);
         if (!mend || mend->parts_setups) continue;
         alone_.push_back(looked({std::move(*mend)}));
-        if (alone_.back().readings.empty()) alone_.pop_back();
+        if (alone_.back().measurements.empty()) alone_.pop_back();
       }
     lookAtSigns();
   }
 
   /// Tries all sets of two or more joints with reversed signs.
   void lookAtSigns() {
-    const CheckedReadings& checked = trials_.checked();
+    const CheckedMeasurements& checked = trials_.checked();
     const auto joints = mistakes::joint_sign::values(checked);
     if (joints.size() > kMostSigns) return;
     for (unsigned set = 1; set < 1U << joints.size(); ++set) {
@@ -153,7 +153,7 @@ class JoinedSearch {
   /// Tries scales for all joints whose readings exceed the range of any real joint, if there are at least two such
   /// joints.
   void lookAtScales() {
-    const CheckedReadings& checked = trials_.checked();
+    const CheckedMeasurements& checked = trials_.checked();
     const auto joints = mistakes::joint_scale::jointsBeyondTurns(checked);
     if (joints.size() < 2) return;
     for (const auto& values : likelyScales(checked, joints)) {
@@ -167,7 +167,7 @@ class JoinedSearch {
   /// Tries all permutations of the columns of joints of the same type. An exchange of only two columns is excluded,
   /// since it is a single mistake.
   void lookAtOrders() {
-    const CheckedReadings& checked = trials_.checked();
+    const CheckedMeasurements& checked = trials_.checked();
     const auto& arm = checked.start.arm;
     if (arm.jointCount() > kMostOrdered) return;
     std::vector<int> order(static_cast<std::size_t>(arm.jointCount()));
@@ -210,16 +210,16 @@ class JoinedSearch {
   }
 
   void lookAtPair(const TriedQuickly& first, const TriedQuickly& then) {
-    auto readings = first.readings;
-    for (const Mend& mend : then.mends) mend.change(readings);
+    auto measurements = first.measurements;
+    for (const Mend& mend : then.mends) mend.change(measurements);
     const bool is_new = first.turns_joints && then.turns_joints;
-    const auto tips = is_new ? alignment_.tips(readings) : std::vector<Vector3d>{};
+    const auto tips = is_new ? alignment_.tips(measurements) : std::vector<Vector3d>{};
     const auto& of_pair = is_new ? tips : then.turns_joints ? then.tips : first.tips;
-    if (readings.size() != of_pair.size()) return;
+    if (measurements.size() != of_pair.size()) return;
     const double least = std::min({first.score, then.score, as_is_.score}) - kNearer;
     const double promising = std::min(least, worst_kept_) + kByWeights;
     const double score = alignment_.score(
-        readings, of_pair, {.frees_base = freeBase(first.mends) || freeBase(then.mends), .promising = promising});
+        measurements, of_pair, {.frees_base = freeBase(first.mends) || freeBase(then.mends), .promising = promising});
     if (score > std::min(least, worst_kept_)) return;
     found_.push_back({&first, &then, score});
     if (found_.size() < 2 * kKept) return;
@@ -228,8 +228,8 @@ class JoinedSearch {
     found_.resize(kKept);
   }
 
-  /// Refines the zeros of the most promising hypotheses to the values that bring the readings closest to the drawing,
-  /// since tried zeros are widely spaced.
+  /// Refines the zeros of the most promising hypotheses to the values that bring the measurements closest to the
+  /// drawing, since tried zeros are widely spaced.
   void settleZeros() {
     std::ranges::stable_sort(found_, {}, &Likely::score);
     std::set<std::string> keys;
@@ -251,21 +251,22 @@ class JoinedSearch {
       const double zero = mistakes::joint_zero::zeroOf(trials_.checked(), mend.value) + shift;
       mend =
           *mistakes::joint_zero::mend(trials_.checked(), mistakes::joint_zero::textOf(trials_.checked(), joint, zero));
-      for (Measurement& reading : tried.readings) reading.q[joint] += shift;
+      for (Measurement& measurement : tried.measurements) measurement.q[joint] += shift;
     }
     one.score = std::min(one.score, scoreOf(tried));
     one.settled = std::move(tried.mends);
   }
 
   [[nodiscard]] double scoreOf(const TriedQuickly& tried) {
-    return alignment_.score(tried.readings, alignment_.tips(tried.readings), {.frees_base = freeBase(tried.mends)});
+    return alignment_.score(tried.measurements, alignment_.tips(tried.measurements),
+                            {.frees_base = freeBase(tried.mends)});
   }
 
   /// Returns the additional offset of a joint's zero that gives the best score [rad], by golden-section search.
   double bestShift(const TriedQuickly& tried, int joint) {
     const auto scoreAt = [&](double shift) {
       TriedQuickly shifted = tried;
-      for (Measurement& reading : shifted.readings) reading.q[joint] += shift;
+      for (Measurement& measurement : shifted.measurements) measurement.q[joint] += shift;
       return scoreOf(shifted);
     };
     return leastOf(scoreAt, -kZerosApart, kZerosApart, kZeroSteps);

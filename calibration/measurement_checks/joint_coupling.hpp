@@ -1,6 +1,6 @@
 // Mistake: the reading of a joint contains the angle of another joint, as on controllers that show the elbow relative
 // to the horizontal, or with a parallel linkage. With the value theta3:theta2:-1, the angle of the arm's joint theta3
-// is column theta3 minus column theta2 of the readings.
+// is column theta3 minus column theta2 of the measurements.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace tubeplan::calibration::mistakes::joint_coupling {
 
 /// Returns two values for every ordered pair of revolute joints: the second joint's reading is subtracted from the
 /// first joint's, or added to it. Neighbouring joints come first.
-inline std::vector<std::string> values(const CheckedReadings& checked) {
+inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   const auto& arm = checked.start.arm;
   std::vector<std::string> texts;
   for (int apart = 1; apart < arm.jointCount(); ++apart)
@@ -25,7 +25,7 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return texts;
 }
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
   const auto [joints, number] = partedAtColon(value);
   const auto [name, of_name] = partedAtColon(joints);
   const int joint = jointNamed(checked.start.arm, name), of = jointNamed(checked.start.arm, of_name);
@@ -35,7 +35,8 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
                             : share == 1 ? name + " - " + of_name
                                          : fmt::format("{} - {:g} {}", name, share, of_name);
   Mend mend{"joint-coupling", value, "the column of " + name + " contains " + shown + " of the arm's joints"};
-  mend.change = toEach([joint, of, share](Measurement& reading) { reading.q[joint] += share * reading.q[of]; });
+  mend.change =
+      toEach([joint, of, share](Measurement& measurement) { measurement.q[joint] += share * measurement.q[of]; });
   return mend;
 }
 

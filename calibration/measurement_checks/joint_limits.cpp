@@ -18,13 +18,13 @@ namespace {
 constexpr double kFullTurn = 2 * std::numbers::pi;
 
 /// Returns the unit of a joint's column; the common unit of angles or coordinates if no unit is known for the column.
-NamedUnit columnUnitOf(const CheckedReadings& checked, int joint) {
+NamedUnit columnUnitOf(const CheckedMeasurements& checked, int joint) {
   const auto& units = checked.units;
   if (static_cast<std::size_t>(joint) < units.joints.size()) return units.joints[static_cast<std::size_t>(joint)];
   return checked.start.arm.joint(joint).type == deflection::JointType::kRevolute ? units.angles : units.coordinates;
 }
 
-/// Returns how far a reading lies beyond the nearer limit [rad or m]; negative within both limits.
+/// Returns how far a measurement lies beyond the nearer limit [rad or m]; negative within both limits.
 double pastLimit(const deflection::Joint<double>& joint, double q) {
   return std::max(joint.lower - q, q - joint.upper);
 }
@@ -32,12 +32,13 @@ double pastLimit(const deflection::Joint<double>& joint, double q) {
 /// Returns by how much encoder noise may move a joint's reading beyond a limit [rad or m].
 double usualNoiseOf(const deflection::Joint<double>& joint) { return 1e-9 + 5 * joint.encoder_sigma; }
 
-/// Returns the indices of readings beyond a joint's limits; empty unless a turn brings all of them within the limits.
-std::vector<std::size_t> readingsToUnwind(const CheckedReadings& checked, int j) {
+/// Returns the indices of measurements beyond a joint's limits; empty unless a turn brings all of them within the
+/// limits.
+std::vector<std::size_t> measurementsToUnwind(const CheckedMeasurements& checked, int j) {
   const auto& joint = checked.start.arm.joint(j);
   std::vector<std::size_t> past;
-  for (std::size_t k = 0; k < checked.readings.size(); ++k) {
-    const double q = checked.readings[k].q[j];
+  for (std::size_t k = 0; k < checked.measurements.size(); ++k) {
+    const double q = checked.measurements[k].q[j];
     if (!isPastLimit(joint, q)) continue;
     if (!oneTurnBack(joint, q)) return {};
     past.push_back(k);
@@ -53,17 +54,17 @@ bool isPastLimit(const deflection::Joint<double>& joint, double q) {
   return !(pastLimit(joint, q) <= std::max(usualNoiseOf(joint), std::isfinite(range) ? kHair * range : 0));
 }
 
-std::optional<MeasurementCheck> hairPastLimits(const CheckedReadings& checked) {
+std::optional<MeasurementCheck> hairPastLimits(const CheckedMeasurements& checked) {
   const auto& arm = checked.start.arm;
   std::vector<std::string> told;
-  for (const auto& reading : checked.readings)
+  for (const auto& measurement : checked.measurements)
     for (int j = 0; j < arm.jointCount(); ++j) {
       const auto& joint = arm.joint(j);
-      const double past = pastLimit(joint, reading.q[j]);
-      if (!(past > usualNoiseOf(joint)) || isPastLimit(joint, reading.q[j])) continue;
+      const double past = pastLimit(joint, measurement.q[j]);
+      if (!(past > usualNoiseOf(joint)) || isPastLimit(joint, measurement.q[j])) continue;
       const auto unit = columnUnitOf(checked, j);
-      const double limit = reading.q[j] > joint.upper ? joint.upper : joint.lower;
-      told.push_back(fmt::format("{} of reading {} by {:.2g} {} (limit {:.6g})", joint.name, reading.id,
+      const double limit = measurement.q[j] > joint.upper ? joint.upper : joint.lower;
+      told.push_back(fmt::format("{} of reading {} by {:.2g} {} (limit {:.6g})", joint.name, measurement.id,
                                  past / unit.factor, unit.name, limit / unit.factor));
     }
   if (told.empty()) return std::nullopt;
@@ -76,21 +77,22 @@ std::optional<double> oneTurnBack(const deflection::Joint<double>& joint, double
   return isPastLimit(joint, back) ? std::nullopt : std::optional(back);
 }
 
-std::optional<MeasurementCheck> unwindJoints(CheckedReadings& checked) {
+std::optional<MeasurementCheck> unwindJoints(CheckedMeasurements& checked) {
   const auto& arm = checked.start.arm;
   std::vector<std::string> told;
   for (int j = 0; j < arm.jointCount(); ++j) {
-    const auto past = readingsToUnwind(checked, j);
+    const auto past = measurementsToUnwind(checked, j);
     if (past.empty()) continue;
     const auto unit = columnUnitOf(checked, j);
-    const Measurement& first = checked.readings[past.front()];
+    const Measurement& first = checked.measurements[past.front()];
     const double back = *oneTurnBack(arm.joint(j), first.q[j]);
     told.push_back(fmt::format("{} of {} (reading {}: {:.6g} is {:.6g} {})", past.size(), arm.joint(j).name, first.id,
                                first.q[j] / unit.factor, back / unit.factor, unit.name));
-    for (const std::size_t k : past) checked.readings[k].q[j] = *oneTurnBack(arm.joint(j), checked.readings[k].q[j]);
+    for (const std::size_t k : past)
+      checked.measurements[k].q[j] = *oneTurnBack(arm.joint(j), checked.measurements[k].q[j]);
   }
   if (told.empty()) return std::nullopt;
-  linkReferences(checked.readings);
+  linkReferences(checked.measurements);
   return remarkOf("whole-turn",
                   fmt::format("joint readings past their limits are taken a whole turn back, which is the same "
                               "posture: {}",

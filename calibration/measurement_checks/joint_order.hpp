@@ -1,5 +1,6 @@
 // Mistake: two joint columns are exchanged, or several are permuted cyclically. In the latter case, the column of each
-// joint of the cycle contains the readings of the next joint; the last column contains the readings of the first joint.
+// joint of the cycle contains the measurements of the next joint; the last column contains the measurements of the
+// first joint.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 namespace tubeplan::calibration::mistakes::joint_order {
 
 /// Returns one value for each pair of joints of the same type; joined_mistakes.cpp tries longer cycles.
-inline std::vector<std::string> values(const CheckedReadings& checked) {
+inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   std::vector<std::string> texts;
   const auto& arm = checked.start.arm;
   const int joints = arm.jointCount();
@@ -43,24 +44,24 @@ inline std::string sentenceOf(const deflection::Arm& arm, const std::vector<int>
   return "the columns of " + named(0) + (ring.size() == 2 ? " are swapped" : " contain " + named(1) + " in this order");
 }
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
   const auto ring = ringOf(checked.start.arm, value);
   if (ring.empty()) return std::nullopt;
   Mend mend{"joint-order", value, sentenceOf(checked.start.arm, ring)};
-  mend.change = toEach([ring](Measurement& reading) {
+  mend.change = toEach([ring](Measurement& measurement) {
     for (std::size_t k = ring.size() - 1; k > 0; --k) {
-      std::swap(reading.q[ring[k]], reading.q[ring[k - 1]]);
-      if (!reading.approach_directions.empty())
-        std::swap(reading.approach_directions[static_cast<std::size_t>(ring[k])],
-                  reading.approach_directions[static_cast<std::size_t>(ring[k - 1])]);
+      std::swap(measurement.q[ring[k]], measurement.q[ring[k - 1]]);
+      if (!measurement.approach_directions.empty())
+        std::swap(measurement.approach_directions[static_cast<std::size_t>(ring[k])],
+                  measurement.approach_directions[static_cast<std::size_t>(ring[k - 1])]);
     }
   });
   return mend;
 }
 
-/// Returns one correction for each cycle of the permutation in which column `k` contains the readings of joint
+/// Returns one correction for each cycle of the permutation in which column `k` contains the measurements of joint
 /// `order[k]`.
-inline std::vector<Mend> ringsOf(const CheckedReadings& checked, const std::vector<int>& order) {
+inline std::vector<Mend> ringsOf(const CheckedMeasurements& checked, const std::vector<int>& order) {
   std::vector<Mend> rings;
   std::vector<bool> is_seen(order.size(), false);
   for (std::size_t first = 0; first < order.size(); ++first) {

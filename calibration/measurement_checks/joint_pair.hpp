@@ -38,7 +38,7 @@ inline std::optional<Pair> pairOf(const deflection::Arm& arm, const std::string&
 /// difference of the motor angles. Either joint may be the sum, and either motor may come first in the difference.
 /// `sizes` are the tried magnitudes of the coefficients: 0.5 if the motors turn by the sum and the difference of the
 /// joint angles, 1 if they turn by half of these.
-inline std::vector<std::string> valuesOf(const CheckedReadings& checked, const std::vector<double>& sizes) {
+inline std::vector<std::string> valuesOf(const CheckedMeasurements& checked, const std::vector<double>& sizes) {
   static constexpr std::array<std::array<int, 4>, 4> kSigns{
       {{1, 1, 1, -1}, {1, 1, -1, 1}, {1, -1, 1, 1}, {-1, 1, 1, 1}}};
   const auto& arm = checked.start.arm;
@@ -52,8 +52,8 @@ inline std::vector<std::string> valuesOf(const CheckedReadings& checked, const s
                                       s[0] * size, s[1] * size, s[2] * size, s[3] * size));
   return texts;
 }
-inline std::vector<std::string> values(const CheckedReadings& checked) { return valuesOf(checked, {0.5, 1}); }
-inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) { return valuesOf(checked, {0.5}); }
+inline std::vector<std::string> values(const CheckedMeasurements& checked) { return valuesOf(checked, {0.5, 1}); }
+inline std::vector<std::string> valuesBeside(const CheckedMeasurements& checked) { return valuesOf(checked, {0.5}); }
 
 /// Returns a linear combination of two joint angles as text, such as "0.5 J5 - 0.5 J6" or "J5 - J6".
 inline std::string mixtureText(const Eigen::RowVector2d& shares, const std::string& first, const std::string& second) {
@@ -72,19 +72,19 @@ inline int senseOf(const Eigen::RowVector2d& shares, int first, int second) {
   return a == b || shares[1] == 0 ? a : shares[0] == 0 ? b : 0;
 }
 
-inline void unmix(const Pair& pair, Measurement& reading) {
-  const Eigen::Vector2d q = pair.shares * Eigen::Vector2d(reading.q[pair.first], reading.q[pair.second]);
-  reading.q[pair.first] = q[0];
-  reading.q[pair.second] = q[1];
-  if (reading.approach_directions.empty()) return;
-  int& first = reading.approach_directions[static_cast<std::size_t>(pair.first)];
-  int& second = reading.approach_directions[static_cast<std::size_t>(pair.second)];
+inline void unmix(const Pair& pair, Measurement& measurement) {
+  const Eigen::Vector2d q = pair.shares * Eigen::Vector2d(measurement.q[pair.first], measurement.q[pair.second]);
+  measurement.q[pair.first] = q[0];
+  measurement.q[pair.second] = q[1];
+  if (measurement.approach_directions.empty()) return;
+  int& first = measurement.approach_directions[static_cast<std::size_t>(pair.first)];
+  int& second = measurement.approach_directions[static_cast<std::size_t>(pair.second)];
   const int sense = senseOf(pair.shares.row(0), first, second);
   second = senseOf(pair.shares.row(1), first, second);
   first = sense;
 }
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
   const auto& arm = checked.start.arm;
   const auto pair = pairOf(arm, value);
   if (!pair) return std::nullopt;
@@ -94,7 +94,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
       fmt::format("the columns of {0} and {1} contain the motors of a differential: {0} is {2} of them, {1} is {3}",
                   first, second, mixtureText(pair->shares.row(0), first, second),
                   mixtureText(pair->shares.row(1), first, second))};
-  mend.change = toEach([pair = *pair](Measurement& reading) { unmix(pair, reading); });
+  mend.change = toEach([pair = *pair](Measurement& measurement) { unmix(pair, measurement); });
   return mend;
 }
 

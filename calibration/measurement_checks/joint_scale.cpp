@@ -18,13 +18,13 @@ constexpr double kTurns = 2.5;           // maximum number of turns of a real jo
 constexpr double kLeastMotion = 0.2;     // smallest accepted range of a joint's readings after scaling [rad]
 constexpr int kScales = 400;             // number of scales that are tried for each sign, in a geometric series
 constexpr int kFiner = 40;               // number of golden-section steps
-constexpr std::size_t kMostScaled = 60;  // maximum number of readings in the comparison
+constexpr std::size_t kMostScaled = 60;  // maximum number of measurements in the comparison
 // Values of QuickAlignmentOptions::share while the series is tried, and while its best factor is refined.
 constexpr double kCoarse = 1, kFine = 0.01;
 
 /// Returns the factor with the best score between `from` and `to`: the best of a geometric series, refined between its
 /// two neighbours.
-double bestFactor(ScaledReadings& scaled, double from, double to) {
+double bestFactor(ScaledMeasurements& scaled, double from, double to) {
   const double ratio = std::pow(to / from, 1. / kScales);
   double best = from, least_score = std::numeric_limits<double>::infinity();
   for (int k = 0; k <= kScales; ++k)
@@ -33,7 +33,7 @@ double bestFactor(ScaledReadings& scaled, double from, double to) {
   return leastOf([&](double factor) { return scaled.score({factor}, kFine); }, best / ratio, best * ratio, kFiner);
 }
 
-std::vector<std::string> valuesOf(const CheckedReadings& checked) {
+std::vector<std::string> valuesOf(const CheckedMeasurements& checked) {
   std::vector<std::string> texts;
   const auto joints = jointsBeyondTurns(checked);
   if (joints.size() != 1) return texts;  // likelyScales() finds the scales of several joints together
@@ -45,13 +45,13 @@ std::vector<std::string> valuesOf(const CheckedReadings& checked) {
       std::min(std::max(std::abs(limits.lower), std::abs(limits.upper)), kTurns * turn) / range.largest();
   const double least = kLeastMotion / (range.highest - range.lowest);
   if (!(least < most)) return texts;
-  ScaledReadings scaled(checked, joints, kMostScaled);
+  ScaledMeasurements scaled(checked, joints, kMostScaled);
   for (const int sign : {1, -1})
     texts.push_back(fmt::format("{}:{:.8g}", limits.name, bestFactor(scaled, sign * least, sign * most)));
   return texts;
 }
 
-std::optional<Mend> mendOf(const CheckedReadings& checked, const std::string& value) {
+std::optional<Mend> mendOf(const CheckedMeasurements& checked, const std::string& value) {
   const auto [name, number] = partedAtColon(value);
   const int joint = jointNamed(checked.start.arm, name);
   const double factor = tubesheets::parseNumber(number).value_or(0);
@@ -61,10 +61,10 @@ std::optional<Mend> mendOf(const CheckedReadings& checked, const std::string& va
       fmt::format("the readings of {} are no angles: multiplied by {:.6g} they are, as pulses of an encoder would "
                   "be ({:.6g} to one {})",
                   name, factor, 1 / std::abs(factor), checked.units.angles.name)};
-  mend.change = toEach([joint, factor](Measurement& reading) {
-    reading.q[joint] *= factor;
-    if (factor < 0 && !reading.approach_directions.empty())
-      reading.approach_directions[static_cast<std::size_t>(joint)] *= -1;
+  mend.change = toEach([joint, factor](Measurement& measurement) {
+    measurement.q[joint] *= factor;
+    if (factor < 0 && !measurement.approach_directions.empty())
+      measurement.approach_directions[static_cast<std::size_t>(joint)] *= -1;
   });
   mend.numbers_fitted = 1;
   return mend;
@@ -72,28 +72,29 @@ std::optional<Mend> mendOf(const CheckedReadings& checked, const std::string& va
 
 }  // namespace
 
-JointRange rangeOf(const CheckedReadings& checked, int joint) {
-  const auto [lowest, highest] =
-      std::ranges::minmax(checked.readings, {}, [joint](const Measurement& reading) { return reading.q[joint]; });
+JointRange rangeOf(const CheckedMeasurements& checked, int joint) {
+  const auto [lowest, highest] = std::ranges::minmax(
+      checked.measurements, {}, [joint](const Measurement& measurement) { return measurement.q[joint]; });
   return {lowest.q[joint], highest.q[joint]};
 }
 
-ScaledReadings::ScaledReadings(const CheckedReadings& checked, std::vector<int> joints, std::size_t most)
+ScaledMeasurements::ScaledMeasurements(const CheckedMeasurements& checked, std::vector<int> joints, std::size_t most)
     : joints_(std::move(joints)), alignment_(checked.start, deflection::reachOf(checked.start.arm)) {
-  const std::size_t stride = (checked.readings.size() + most - 1) / most;
-  for (std::size_t k = 0; k < checked.readings.size(); k += stride) readings_.push_back(checked.readings[k]);
+  const std::size_t stride = (checked.measurements.size() + most - 1) / most;
+  for (std::size_t k = 0; k < checked.measurements.size(); k += stride)
+    measurements_.push_back(checked.measurements[k]);
 }
 
-double ScaledReadings::score(const std::vector<double>& factors, double share) {
-  auto scaled = readings_;
-  for (auto& reading : scaled)
-    for (std::size_t j = 0; j < joints_.size(); ++j) reading.q[joints_[j]] *= factors[j];
+double ScaledMeasurements::score(const std::vector<double>& factors, double share) {
+  auto scaled = measurements_;
+  for (auto& measurement : scaled)
+    for (std::size_t j = 0; j < joints_.size(); ++j) measurement.q[joints_[j]] *= factors[j];
   return alignment_.score(scaled, alignment_.tips(scaled), {.share = share});
 }
 
-std::vector<int> jointsBeyondTurns(const CheckedReadings& checked) {
+std::vector<int> jointsBeyondTurns(const CheckedMeasurements& checked) {
   std::vector<int> joints;
-  if (checked.readings.empty()) return joints;
+  if (checked.measurements.empty()) return joints;
   const auto& arm = checked.start.arm;
   for (const int j : turningJoints(arm)) {
     const double allowed = std::max(std::abs(arm.joint(j).lower), std::abs(arm.joint(j).upper));

@@ -1,4 +1,5 @@
-// Mistake: the readings of a joint are in encoder pulses or in another unknown unit, so their scale factor is unknown.
+// Mistake: the readings of a joint are in encoder pulses or in another unknown unit, so their scale factor is
+// unknown.
 #pragma once
 
 #include <algorithm>
@@ -11,20 +12,20 @@
 namespace tubeplan::calibration::mistakes::joint_scale {
 
 /// Returns the indices of joints whose readings exceed the range of any real joint.
-[[nodiscard]] std::vector<int> jointsBeyondTurns(const CheckedReadings& checked);
+[[nodiscard]] std::vector<int> jointsBeyondTurns(const CheckedMeasurements& checked);
 
 /// Lowest and highest reading of a joint [internal units].
 struct JointRange {
   double lowest = 0, highest = 0;
   [[nodiscard]] double largest() const { return std::max(std::abs(lowest), std::abs(highest)); }
 };
-[[nodiscard]] JointRange rangeOf(const CheckedReadings& checked, int joint);
+[[nodiscard]] JointRange rangeOf(const CheckedMeasurements& checked, int joint);
 
-/// Comparison of at most `most` readings with the rigid arm as drawn, with the readings of each of `joints` multiplied
-/// by a trial factor.
-class ScaledReadings {
+/// Comparison of at most `most` measurements with the rigid arm as drawn, with the measurements of each of `joints`
+/// multiplied by a trial factor.
+class ScaledMeasurements {
  public:
-  ScaledReadings(const CheckedReadings& checked, std::vector<int> joints, std::size_t most);
+  ScaledMeasurements(const CheckedMeasurements& checked, std::vector<int> joints, std::size_t most);
 
   /// Returns the score for these factors, one per joint; a smaller score is a better fit. `share` is
   /// QuickAlignmentOptions::share.
@@ -33,7 +34,7 @@ class ScaledReadings {
  private:
   std::vector<int> joints_;
   QuickAlignment alignment_;
-  std::vector<Measurement> readings_;
+  std::vector<Measurement> measurements_;
 };
 
 [[nodiscard]] MistakeKind kind();

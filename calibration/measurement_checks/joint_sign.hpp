@@ -5,17 +5,18 @@
 
 namespace tubeplan::calibration::mistakes::joint_sign {
 
-inline std::vector<std::string> values(const CheckedReadings& checked) {
+inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   return deflection::jointNames(checked.start.arm);
 }
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
   const int joint = jointNamed(checked.start.arm, value);
   if (joint < 0) return std::nullopt;
   Mend mend{"joint-sign", value, value + " is read with the other sign"};
-  mend.change = toEach([joint](Measurement& reading) {
-    reading.q[joint] = -reading.q[joint];
-    if (!reading.approach_directions.empty()) reading.approach_directions[static_cast<std::size_t>(joint)] *= -1;
+  mend.change = toEach([joint](Measurement& measurement) {
+    measurement.q[joint] = -measurement.q[joint];
+    if (!measurement.approach_directions.empty())
+      measurement.approach_directions[static_cast<std::size_t>(joint)] *= -1;
   });
   return mend;
 }

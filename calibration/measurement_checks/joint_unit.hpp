@@ -7,16 +7,16 @@
 namespace tubeplan::calibration::mistakes::joint_unit {
 
 /// Returns the units that a joint's column may have.
-inline const std::vector<NamedUnit>& unitsOf(const CheckedReadings& checked, int joint) {
+inline const std::vector<NamedUnit>& unitsOf(const CheckedMeasurements& checked, int joint) {
   const bool turns = checked.start.arm.joint(joint).type == deflection::JointType::kRevolute;
   return turns ? checked.units.angle_units : checked.units.lengths;
 }
 
-inline const NamedUnit& unitOf(const CheckedReadings& checked, int joint) {
+inline const NamedUnit& unitOf(const CheckedMeasurements& checked, int joint) {
   return checked.units.joints.at(static_cast<std::size_t>(joint));
 }
 
-inline std::vector<std::string> values(const CheckedReadings& checked) {
+inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   std::vector<std::string> values;
   const int joints = static_cast<int>(checked.units.joints.size());
   for (int j = 0; joints > 1 && j < joints; ++j)
@@ -25,7 +25,7 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return values;
 }
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
   const auto [name, unit] = partedAtColon(value);
   const int joint = jointNamed(checked.start.arm, name);
   if (joint < 0 || joint >= static_cast<int>(checked.units.joints.size())) return std::nullopt;
@@ -33,7 +33,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   if (!factor) return std::nullopt;
   Mend mend{"joint-unit", value,
             "the unit of " + name + " is " + unit + ", not " + unitOf(checked, joint).name + " as its column says"};
-  mend.change = toEach([joint, factor = *factor](Measurement& reading) { reading.q[joint] *= factor; });
+  mend.change = toEach([joint, factor = *factor](Measurement& measurement) { measurement.q[joint] *= factor; });
   return mend;
 }
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "calibration/measurement_checks/from_reading.hpp"
+#include "calibration/measurement_checks/from_measurement.hpp"
 #include "calibration/measurement_checks/joint_limits.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::calibration::mistakes::joint_zero {
@@ -18,16 +18,16 @@ namespace tubeplan::calibration::mistakes::joint_zero {
 /// joint's offset.
 inline constexpr double kLeast = 0.1;
 
-inline std::string textOf(const CheckedReadings& checked, int joint, double offset) {
+inline std::string textOf(const CheckedMeasurements& checked, int joint, double offset) {
   return fmt::format("{}:{:.6g}", checked.start.arm.joint(joint).name, offset / checked.units.angles.factor);
 }
 
 /// Returns the offset [rad] that the value "JOINT:ANGLE" adds to the joint's readings.
-inline double zeroOf(const CheckedReadings& checked, const std::string& value) {
+inline double zeroOf(const CheckedMeasurements& checked, const std::string& value) {
   return tubesheets::parseNumber(partedAtColon(value).second).value_or(0) * checked.units.angles.factor;
 }
 
-inline std::vector<std::string> values(const CheckedReadings& checked) {
+inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   std::vector<std::string> texts;
   for (const int j : turningJoints(checked.start.arm))
     for (const int quarters : {-1, 1, 2}) texts.push_back(textOf(checked, j, quarters * std::numbers::pi / 2));
@@ -38,7 +38,7 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
 
 /// Returns the values that are tried together with another mistake: offsets of +-15 deg and of multiples of 30 deg. The
 /// best of them is refined later, by a fit of the zero.
-inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) {
+inline std::vector<std::string> valuesBeside(const CheckedMeasurements& checked) {
   std::vector<std::string> texts;
   for (const int j : turningJoints(checked.start.arm))
     for (const int part : {-10, -8, -6, -4, -2, -1, 1, 2, 4, 6, 8, 10, 12})
@@ -46,8 +46,8 @@ inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) {
   return texts;
 }
 
-/// Returns a reading [rad] wrapped by whole turns into its joint's limits; unchanged if it is within them already or if
-/// no number of turns brings it there.
+/// Returns a measurement [rad] wrapped by whole turns into its joint's limits; unchanged if it is within them already
+/// or if no number of turns brings it there.
 inline double wound(const deflection::Joint<double>& joint, double q) {
   if (!isPastLimit(joint, q)) return q;
   constexpr double kTurn = 2 * std::numbers::pi;
@@ -55,8 +55,8 @@ inline double wound(const deflection::Joint<double>& joint, double q) {
   return isPastLimit(joint, back) ? q : back;
 }
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& text) {
-  const auto [value, from] = partedAtReading(text);
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& text) {
+  const auto [value, from] = partedAtMeasurement(text);
   const auto [name, number] = partedAtColon(value);
   const int joint = jointNamed(checked.start.arm, name);
   const auto offset = tubesheets::parseNumber(number);
@@ -66,17 +66,17 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
       "joint-zero", value,
       "the zero of " + name + " is off: " + number + " " + checked.units.angles.name + " to be added to its readings"};
   mend.change = toEach([joint, of = checked.start.arm.joint(joint), by = *offset * checked.units.angles.factor](
-                           Measurement& reading) { reading.q[joint] = wound(of, reading.q[joint] + by); });
+                           Measurement& measurement) { measurement.q[joint] = wound(of, measurement.q[joint] + by); });
   mend.numbers_fitted = 1;
   if (from) {
     mend.sentence += "; a turn or counts of its encoder were lost there, or it was knocked or homed anew";
-    return fromReading(checked, std::move(mend), *from);
+    return fromMeasurement(checked, std::move(mend), *from);
   }
   mend.zeros_of = {joint};
   return mend;
 }
 
-inline std::vector<StepForm> steps(const CheckedReadings& checked) {
+inline std::vector<StepForm> steps(const CheckedMeasurements& checked) {
   std::vector<StepForm> forms;
   for (const int j : turningJoints(checked.start.arm))
     forms.push_back(

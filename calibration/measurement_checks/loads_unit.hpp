@@ -7,18 +7,18 @@
 
 namespace tubeplan::calibration::mistakes::loads_unit {
 
-inline std::vector<std::string> values(const CheckedReadings& checked) {
+inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   const bool has_load =
-      std::ranges::any_of(checked.readings, [](const Measurement& reading) { return reading.load > 0; });
+      std::ranges::any_of(checked.measurements, [](const Measurement& measurement) { return measurement.load > 0; });
   return has_load ? otherNames(checked.units.forces, checked.units.loads) : std::vector<std::string>{};
 }
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
   const auto factor = factorOf(checked.units.forces, checked.units.loads, value);
   if (!factor) return std::nullopt;
   Mend mend{"loads", value,
             "the unit of the loads is " + value + ", not " + checked.units.loads.name + " as their column says"};
-  mend.change = toEach([factor = *factor](Measurement& reading) { reading.load *= factor; });
+  mend.change = toEach([factor = *factor](Measurement& measurement) { measurement.load *= factor; });
   return mend;
 }
 

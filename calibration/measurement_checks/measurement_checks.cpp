@@ -29,7 +29,7 @@ struct SigmaUnit {
   double chi2_per_freedom = kNoFigure;
 };
 std::optional<SigmaUnit> likeliestSigma(const MistakeTrials& trials, bool is_smaller) {
-  const CheckedReadings& checked = trials.checked();
+  const CheckedMeasurements& checked = trials.checked();
   std::optional<SigmaUnit> best;
   const auto& units = checked.units;
   for (const auto& unit : units.sigmas) {
@@ -45,10 +45,10 @@ std::optional<SigmaUnit> likeliestSigma(const MistakeTrials& trials, bool is_sma
 }
 
 void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& checks) {
-  const CheckedReadings& checked = trials.checked();
+  const CheckedMeasurements& checked = trials.checked();
   const Trial& as_is = trials.asIs();
-  // Chi-square per degree of freedom below which the readings agree more than five times better than their stated noise
-  // allows.
+  // Chi-square per degree of freedom below which the measurements agree more than five times better than their stated
+  // noise allows.
   constexpr double kFarBelow = 1. / 30;
   // Chi-square per degree of freedom may differ from 1 by this factor, since stated sigmas are usually rough.
   constexpr double kAgrees = 5;
@@ -56,9 +56,9 @@ void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& chec
   constexpr double kFinest = 2e-7;
   constexpr std::size_t kFew = 6;
   std::vector<double> sigmas;
-  for (const auto& reading : checked.readings) sigmas.push_back(reading.sigma);
+  for (const auto& measurement : checked.measurements) sigmas.push_back(measurement.sigma);
   const double sigma = median(std::move(sigmas));
-  const bool is_large = checked.readings.size() >= kFew && as_is.chi2_per_freedom < kFarBelow;
+  const bool is_large = checked.measurements.size() >= kFew && as_is.chi2_per_freedom < kFarBelow;
   const bool is_fine = sigma < kFinest * trials.reach();
   if (!is_large && !is_fine) return;
   const auto likeliest = likeliestSigma(trials, is_large);
@@ -91,7 +91,7 @@ bool isElsewhere(const MistakeTrials& trials) {
 /// Adds a remark on the base's distance from its nominal place, if this distance is large or if a miscounted row or
 /// column of holes explains it.
 void checkBase(const MistakeTrials& trials, std::vector<MeasurementCheck>& checks) {
-  const CheckedReadings& checked = trials.checked();
+  const CheckedMeasurements& checked = trials.checked();
   const Trial& as_is = trials.asIs();
   constexpr double kNearlyAPitch = 0.7, kBack = 3;
   const bool is_far = trials.isBaseFar(as_is);
@@ -127,7 +127,7 @@ bool leavesNothing(const MistakeTrials& trials, const FoundMistake& mistake) {
   return mistake.drawn.error < kAboveNoise * trials.noise({}) && !trials.isBaseFar(mistake.drawn);
 }
 
-/// Returns the mistake or the gravity direction, whichever fits the readings better. Both may fit: exchanged axes
+/// Returns the mistake or the gravity direction, whichever fits the measurements better. Both may fit: exchanged axes
 /// rotate an unknown base, and gravity with it in the base frame. In this case, returns the finding whose base is near
 /// its nominal place, and mentions the other finding in its sentence.
 MeasurementCheck likelier(const MistakeTrials& trials, FoundMistake mistake, FoundMistake gravity) {
@@ -144,8 +144,8 @@ MeasurementCheck likelier(const MistakeTrials& trials, FoundMistake mistake, Fou
   return std::move(named.check);
 }
 
-/// Returns the likeliest mistake: a common mistake in the readings, reversed twists or another direction of gravity;
-/// nullopt if none is found.
+/// Returns the likeliest mistake: a common mistake in the measurements, reversed twists or another direction of
+/// gravity; nullopt if none is found.
 std::optional<MeasurementCheck> mistakeOrGravity(const MistakeTrials& trials) {
   auto found = findMistake(trials);
   const bool is_mistake = found && found->check.severity == CheckSeverity::kMistake;
@@ -160,10 +160,10 @@ std::optional<MeasurementCheck> mistakeOrGravity(const MistakeTrials& trials) {
 
 }  // namespace
 
-MeasurementChecks checkMeasurements(const CheckedReadings& checked, const CheckOptions& options) {
+MeasurementChecks checkMeasurements(const CheckedMeasurements& checked, const CheckOptions& options) {
   MeasurementChecks result;
-  result.missing = missingColumns(checked.readings);
-  if (checked.readings.empty()) return result;
+  result.missing = missingColumns(checked.measurements);
+  if (checked.measurements.empty()) return result;
   const MistakeTrials trials(checked, options);
   const Trial& as_is = trials.asIs();
   result.base_shift = as_is.base_shift;
@@ -174,7 +174,7 @@ MeasurementChecks checkMeasurements(const CheckedReadings& checked, const CheckO
   if (mistake) result.checks.push_back(std::move(*mistake));
   if (as_is.ok && !grossMistake(result)) {
     checkBase(trials, result.checks);
-    for (auto& stale : staleReadings(checked, as_is.placed)) result.checks.push_back(std::move(stale));
+    for (auto& stale : staleMeasurements(checked, as_is.placed)) result.checks.push_back(std::move(stale));
     if (auto rounded = roundedJoints(trials)) result.checks.push_back(std::move(*rounded));
     if (auto far = placesOutOfReach(checked, as_is.placed)) result.checks.push_back(std::move(*far));
     for (auto& hole : mistakenHoles(checked, as_is.placed)) result.checks.push_back(std::move(hole));

@@ -1,10 +1,10 @@
-// Checks of readings before any physical effect is considered: common mistakes (mistake.hpp) are tried one by one.
+// Checks of measurements before any physical effect is considered: common mistakes (mistake.hpp) are tried one by one.
 //
-// Method. Two kinds of fit are made, each with the readings as stated and as corrected for the mistake. The first keeps
-// the arm as drawn and frees only the tip, and the base if it is unknown; it gives the error in metres. The second
-// frees, within their priors, every stiffness and all other parameters that the drawing leaves open, with a prior that
-// keeps the base near its nominal place; it gives the probability (robust_fit.hpp). A mistake is suspected if both fits
-// support it:
+// Method. Two kinds of fit are made, each with the measurements as stated and as corrected for the mistake. The first
+// keeps the arm as drawn and frees only the tip, and the base if it is unknown; it gives the error in metres. The
+// second frees, within their priors, every stiffness and all other parameters that the drawing leaves open, with a
+// prior that keeps the base near its nominal place; it gives the probability (robust_fit.hpp). A mistake is suspected
+// if both fits support it:
 // - The error relative to the drawing falls to a third or less. A physical effect follows its own law and is not
 //   removed by another unit, sign or order. A wrong hypothesis may remove some of the error by chance, but not two
 //   thirds of it in all rows and directions.
@@ -13,7 +13,8 @@
 //   20 mrad, softer or stiffer members) is therefore not a mistake.
 //
 // A mistake is also reported if the fitted base is far from its nominal place (20 deg, a quarter of the reach) and the
-// mistake brings the base back without a larger error. This report is a remark: the readings' errors do not require it.
+// mistake brings the base back without a larger error. This report is a remark: the measurements' errors do not require
+// it.
 #pragma once
 
 #include <cstdint>
@@ -33,15 +34,16 @@ enum class CheckSeverity {
   kRemark,
 };
 
-/// Finding of one check: a suspected mistake in the readings, or a remark.
+/// Finding of one check: a suspected mistake in the measurements, or a remark.
 struct MeasurementCheck {
   std::string name;
   CheckSeverity severity = CheckSeverity::kRemark;
   std::string sentence;
-  double error_as_is = kNoFigure;      ///< error of the readings as stated [m]; NaN: the check does not concern errors
-  double error_if_mended = kNoFigure;  ///< error of the corrected readings [m]; NaN: the check does not concern errors
-  std::string assume;                  ///< value of `--assume` that corrects the mistake; empty: none
-  std::vector<std::string> equally;    ///< further values of `--assume` that explain the readings equally well
+  double error_as_is = kNoFigure;  ///< error of the measurements as stated [m]; NaN: the check does not concern errors
+  double error_if_mended =
+      kNoFigure;       ///< error of the corrected measurements [m]; NaN: the check does not concern errors
+  std::string assume;  ///< value of `--assume` that corrects the mistake; empty: none
+  std::vector<std::string> equally;  ///< further values of `--assume` that explain the measurements equally well
 };
 
 /// Returns a remark without error figures.
@@ -49,7 +51,7 @@ struct MeasurementCheck {
   return {std::move(name), CheckSeverity::kRemark, std::move(sentence), kNoFigure, kNoFigure, std::move(assume), {}};
 }
 
-/// Column that the readings lack, with a sentence on the effects that it would reveal.
+/// Column that the measurements lack, with a sentence on the effects that it would reveal.
 struct MissingColumn {
   std::string column, sentence;
 };
@@ -57,20 +59,20 @@ struct MissingColumn {
 struct MeasurementChecks {
   std::vector<MeasurementCheck> checks;  ///< findings, mistakes before remarks
   std::vector<MissingColumn> missing;
-  bool is_overruled = false;  ///< true: the user has stated that all readings count as they are
+  bool is_overruled = false;  ///< true: the user has stated that all measurements count as they are
   /// Shift [m] and rotation [rad] of the fitted base relative to its nominal pose; largest values over all set-ups.
   double base_shift = 0, base_turn = 0;
 };
 
 struct CheckOptions {
-  /// Largest number of readings used; if there are more, a subset is drawn randomly with `seed`.
-  std::size_t most_readings = 100;
+  /// Largest number of measurements used; if there are more, a subset is drawn randomly with `seed`.
+  std::size_t most_measurements = 100;
   std::uint64_t seed = 1;
   StopQuestion stop = {};
 };
 
-/// Checks the readings without changing them. Throws WorkStopped if `options.stop` requests a stop.
-[[nodiscard]] MeasurementChecks checkMeasurements(const CheckedReadings& checked, const CheckOptions& options = {});
+/// Checks the measurements without changing them. Throws WorkStopped if `options.stop` requests a stop.
+[[nodiscard]] MeasurementChecks checkMeasurements(const CheckedMeasurements& checked, const CheckOptions& options = {});
 
 /// Returns the first finding of severity kMistake, which must be corrected before the model is judged; null if there is
 /// none.

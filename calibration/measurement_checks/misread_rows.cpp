@@ -26,8 +26,8 @@ double errorAsIs(const MistakeTrials& trials) {
   return trials.asIs().ok ? trials.asIs().error : std::numeric_limits<double>::infinity();
 }
 
-/// Returns the error of the readings if the arm had these rows, with base and tip free [m]; infinite if the readings
-/// cannot be fitted.
+/// Returns the error of the measurements if the arm had these rows, with base and tip free [m]; infinite if the
+/// measurements cannot be fitted.
 double errorBy(const MistakeTrials& trials, Rows rows) {
   PlacedArm start = trials.checked().start;
   start.arm.rows = std::move(rows);

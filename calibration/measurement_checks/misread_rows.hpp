@@ -13,7 +13,7 @@ namespace tubeplan::calibration {
 /// correction has to be made in the arm's file.
 [[nodiscard]] std::optional<MeasurementCheck> standardRows(const MistakeTrials& trials);
 
-/// Returns a mistake if the readings fit when the sign of one row's twist, or of every row's twist, is reversed. If
+/// Returns a mistake if the measurements fit when the sign of one row's twist, or of every row's twist, is reversed. If
 /// several of these variants fit, the one with the smallest error is reported. Returns nullopt if no variant fits.
 [[nodiscard]] std::optional<MeasurementCheck> negatedTwists(const MistakeTrials& trials);
 

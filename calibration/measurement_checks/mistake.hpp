@@ -1,6 +1,6 @@
-// Common mistakes in readings, as an extensible table. Each kind of mistake is a file in this folder and a row of the
-// table in mistakes.cpp; no other code refers to it. A kind states which values are worth trying, and how to correct
-// the readings for each value. measurement_checks.cpp finds the mistake that explains the readings.
+// Common mistakes in measurements, as an extensible table. Each kind of mistake is a file in this folder and a row of
+// the table in mistakes.cpp; no other code refers to it. A kind states which values are worth trying, and how to
+// correct the measurements for each value. measurement_checks.cpp finds the mistake that explains the measurements.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ struct NamedUnit {
 };
 
 /// Units that a file's columns state, and the units that they may have instead.
-struct ReadingUnits {
+struct MeasurementUnits {
   NamedUnit coordinates{"m", 1}, loads{"N", 1}, angles{"rad", 1}, sigma{"m", 1};
   /// Units of the noise columns: one common column for all coordinates, and columns for x, y and z. An empty name means
   /// that there is no such column.
@@ -31,12 +31,12 @@ struct ReadingUnits {
   std::vector<NamedUnit> joints;  ///< unit of each joint's column; empty if unknown
 };
 
-/// Readings of a file, with the arm, the units and the sheet against which they are checked.
-struct CheckedReadings {
+/// Measurements of a file, with the arm, the units and the sheet against which they are checked.
+struct CheckedMeasurements {
   PlacedArm start;  ///< arm as stated by the cell, with one base pose for every set-up
-  std::vector<Measurement> readings;
+  std::vector<Measurement> measurements;
   FreeChoice free;
-  ReadingUnits units;
+  MeasurementUnits units;
   const tubesheets::Sheet* sheet = nullptr;  ///< null: no sheet; must outlive this struct
 };
 
@@ -47,7 +47,7 @@ struct NewSetup {
   std::string name, within;
 };
 
-/// Correction of the readings for one mistake.
+/// Correction of the measurements for one mistake.
 struct Mend {
   std::string mistake, value;  ///< the two parts of `--assume MISTAKE=VALUE`
   std::string sentence;  ///< description, such as "the unit of the coordinates is mm, not in as their columns say"
@@ -56,39 +56,39 @@ struct Mend {
   std::function<void(std::vector<Measurement>&)> change_sigma = {};
   bool frees_base = false;         ///< true: the base counts as unknown
   bool parts_setups = false;       ///< true: every set-up is fitted separately, with a separate tip
-  bool is_of_part = false;         ///< true: applies to some of the readings only
+  bool is_of_part = false;         ///< true: applies to some of the measurements only
   std::vector<int> zeros_of = {};  ///< joints whose zeros are fitted, starting from the tried values
   int numbers_fitted = 0;          ///< number of parameters of the correction that are fitted, such as zeros
   std::optional<NewSetup> new_setup = {};
-  double against = 0;  ///< prior log odds against a mistake that may begin at any reading; otherwise 0
+  double against = 0;  ///< prior log odds against a mistake that may begin at any measurement; otherwise 0
 
-  /// Applies the corrections and updates the references between readings.
-  void apply(std::vector<Measurement>& readings) const {
-    change(readings);
-    if (change_sigma) change_sigma(readings);
-    linkReferences(readings);
+  /// Applies the corrections and updates the references between measurements.
+  void apply(std::vector<Measurement>& measurements) const {
+    change(measurements);
+    if (change_sigma) change_sigma(measurements);
+    linkReferences(measurements);
   }
 };
 
-/// Returns a function that applies `change` to each reading.
+/// Returns a function that applies `change` to each measurement.
 template <class Change>
 [[nodiscard]] auto toEach(Change change) {
-  return [change = std::move(change)](std::vector<Measurement>& readings) {
-    for (Measurement& reading : readings) change(reading);
+  return [change = std::move(change)](std::vector<Measurement>& measurements) {
+    for (Measurement& measurement : measurements) change(measurement);
   };
 }
 
-/// Form of a mistake that may begin at any reading and is constant from then on, such as a displaced base
+/// Form of a mistake that may begin at any measurement and is constant from then on, such as a displaced base
 /// (step_search.hpp).
 struct StepForm {
   int numbers = 1;
-  /// Returns the derivatives of a reading with respect to the step's parameters (rows x parameters). The prediction
+  /// Returns the derivatives of a measurement with respect to the step's parameters (rows x parameters). The prediction
   /// passed to it has derivatives with respect to the tip's x, y, z, to the joints and to the base.
   std::function<Eigen::MatrixXd(const Prediction&)> slopes;
   std::function<std::string(const Eigen::VectorXd& size, const std::string& from)> value;
   std::optional<std::string> setup = {};  ///< set-up to which the mistake is limited; nullopt: not limited
   /// True if an effect of the catalogue describes this step. It is then left to the diagnosis, and a step of another
-  /// form is proposed only if it explains the readings clearly better.
+  /// form is proposed only if it explains the measurements clearly better.
   bool is_effect = false;
   bool is_of_tip = false;  ///< true: a step of the tip, such as a tool that was mounted again for a set-up
 };
@@ -97,15 +97,15 @@ struct MistakeKind {
   const char* name;
   const char* value;     ///< form of a value, after the equals sign, such as "UNIT"
   const char* expected;  ///< description of a value for messages, such as "a unit of length"
-  std::vector<std::string> (*values)(const CheckedReadings&);  ///< values worth trying
+  std::vector<std::string> (*values)(const CheckedMeasurements&);  ///< values worth trying
   /// Returns the correction for a value; nullopt if there is no such value.
-  std::optional<Mend> (*mend)(const CheckedReadings&, const std::string& value);
+  std::optional<Mend> (*mend)(const CheckedMeasurements&, const std::string& value);
   bool settles_sigma = false;  ///< true: its correction sets the noise, which other corrections then do not change
   bool joins_itself = false;   ///< true: the mistake may occur several times, each for another joint or column
   /// Values worth trying together with another mistake; null: the same as `values`.
-  std::vector<std::string> (*values_beside)(const CheckedReadings&) = nullptr;
-  /// Step forms of the mistake that may begin at any reading; null: none.
-  std::vector<StepForm> (*steps)(const CheckedReadings&) = nullptr;
+  std::vector<std::string> (*values_beside)(const CheckedMeasurements&) = nullptr;
+  /// Step forms of the mistake that may begin at any measurement; null: none.
+  std::vector<StepForm> (*steps)(const CheckedMeasurements&) = nullptr;
   bool is_of_turns = false;  ///< true: concerns rotations of a measured frame, which positions do not show
 };
 
@@ -121,9 +121,9 @@ const std::vector<MistakeKind>& mistakeKinds();
 
 [[nodiscard]] const MistakeKind* findMistakeKind(const std::string& name);
 
-/// Returns true if the reading's position is that of the hole it names; its coordinates then count as taken from the
-/// sheet, not from the file.
-[[nodiscard]] bool isPlacedBySheet(const CheckedReadings& checked, const Measurement& reading);
+/// Returns true if the measurement's position is that of the hole it names; its coordinates then count as taken from
+/// the sheet, not from the file.
+[[nodiscard]] bool isPlacedBySheet(const CheckedMeasurements& checked, const Measurement& measurement);
 
 /// Returns the index of the joint with this name; -1 if there is none.
 [[nodiscard]] int jointNamed(const deflection::Arm& arm, const std::string& name);
@@ -141,6 +141,6 @@ const std::vector<MistakeKind>& mistakeKinds();
 [[nodiscard]] std::optional<std::vector<double>> numbersAtColons(const std::string& text, std::size_t count);
 
 /// Returns no values: for mistakes that are searched for elsewhere, or that are not tried together with others.
-[[nodiscard]] inline std::vector<std::string> noValues(const CheckedReadings&) { return {}; }
+[[nodiscard]] inline std::vector<std::string> noValues(const CheckedMeasurements&) { return {}; }
 
 }  // namespace tubeplan::calibration

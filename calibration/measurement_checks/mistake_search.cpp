@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kFinalists = 8;
 constexpr double kLimitSlack = 0.05;    // accepted distance beyond a joint's limit [rad or m]
-constexpr double kShareOutside = 0.02;  // accepted fraction of corrected readings that are beyond joint limits
+constexpr double kShareOutside = 0.02;  // accepted fraction of corrected measurements that are beyond joint limits
 
 class MistakeSearch {
  public:
@@ -58,8 +58,8 @@ class MistakeSearch {
       if (judgement_.explainsError(suspect) && judgement_.isAllNeeded(suspect)) suspects.push_back(std::move(suspect));
   }
 
-  /// Returns suspects with a step: in the readings as stated and, if `beside` is true, also in the readings corrected
-  /// for each of `suspects`.
+  /// Returns suspects with a step: in the measurements as stated and, if `beside` is true, also in the measurements
+  /// corrected for each of `suspects`.
   std::vector<Suspect> withSteps(const std::vector<Suspect>& suspects, bool beside) const {
     std::vector<Suspect> begun;
     const auto add = [&](const JoinedMends& parts, const Mend& before, const Trial& open) {
@@ -79,7 +79,7 @@ class MistakeSearch {
   }
 
   /// Returns the first suspect as a finding, together with the values of `--assume` for other suspects that explain the
-  /// readings equally well.
+  /// measurements equally well.
   FoundMistake checkOf(std::vector<Suspect> suspects) const {
     Suspect& best = suspects.front();
     MeasurementCheck check;
@@ -113,26 +113,26 @@ class MistakeSearch {
     best.open = trial;
   }
 
-  /// Returns the number of readings with at least one joint beyond its limits.
-  [[nodiscard]] std::size_t countOutside(const std::vector<Measurement>& readings) const {
+  /// Returns the number of measurements with at least one joint beyond its limits.
+  [[nodiscard]] std::size_t countOutside(const std::vector<Measurement>& measurements) const {
     const auto& arm = trials_.checked().start.arm;
-    return static_cast<std::size_t>(std::ranges::count_if(readings, [&](const Measurement& reading) {
-      for (int j = 0; j < reading.q.size(); ++j)
-        if (reading.q[j] < arm.joint(j).lower - kLimitSlack || reading.q[j] > arm.joint(j).upper + kLimitSlack)
+    return static_cast<std::size_t>(std::ranges::count_if(measurements, [&](const Measurement& measurement) {
+      for (int j = 0; j < measurement.q.size(); ++j)
+        if (measurement.q[j] < arm.joint(j).lower - kLimitSlack || measurement.q[j] > arm.joint(j).upper + kLimitSlack)
           return true;
       return false;
     }));
   }
 
-  /// Returns true if nearly all corrected readings are within the joint limits, or if the correction involves no
-  /// joint's zero and moves no further readings beyond the limits.
+  /// Returns true if nearly all corrected measurements are within the joint limits, or if the correction involves no
+  /// joint's zero and moves no further measurements beyond the limits.
   [[nodiscard]] bool isWithinLimits(const Mend& mend) const {
-    auto readings = trials_.pool().readings;
-    mend.apply(readings);
-    if (readings.empty()) return false;
-    const std::size_t outside = countOutside(readings);
-    return static_cast<double>(outside) <= kShareOutside * static_cast<double>(readings.size()) ||
-           (mend.zeros_of.empty() && outside <= countOutside(trials_.pool().readings));
+    auto measurements = trials_.pool().measurements;
+    mend.apply(measurements);
+    if (measurements.empty()) return false;
+    const std::size_t outside = countOutside(measurements);
+    return static_cast<double>(outside) <= kShareOutside * static_cast<double>(measurements.size()) ||
+           (mend.zeros_of.empty() && outside <= countOutside(trials_.pool().measurements));
   }
 
   std::vector<Suspect> screened() const {
@@ -187,10 +187,10 @@ class MistakeSearch {
   }
 
   /// States in `check` the errors before and after the correction, at the depth of fit where they differ most: relative
-  /// to the drawing, with the tip as drawn, or with all open parameters free. If only some readings are corrected, the
-  /// error over all readings is considered as well, since the nine tenths with the smallest errors may exclude the
-  /// corrected readings. A fit with as many parameters as measured values yields no error, and no error is stated below
-  /// the noise.
+  /// to the drawing, with the tip as drawn, or with all open parameters free. If only some measurements are corrected,
+  /// the error over all measurements is considered as well, since the nine tenths with the smallest errors may exclude
+  /// the corrected measurements. A fit with as many parameters as measured values yields no error, and no error is
+  /// stated below the noise.
   void stateErrors(const Suspect& best, MeasurementCheck& check) const {
     struct Fall {
       TrialDepth depth;
@@ -221,7 +221,7 @@ class MistakeSearch {
 std::optional<FoundMistake> findMistake(const MistakeTrials& trials) { return MistakeSearch(trials).find(); }
 
 std::string baseText(const MistakeTrials& trials) {
-  const CheckedReadings& checked = trials.checked();
+  const CheckedMeasurements& checked = trials.checked();
   const Trial& trial = trials.asIs();
   const auto& length = checked.units.coordinates;
   const bool has_pitch = checked.sheet && checked.sheet->pitch > 0;

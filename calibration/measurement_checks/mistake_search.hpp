@@ -1,5 +1,5 @@
-// Search for the common mistake that explains the readings' error or the base's displacement. Every value of every kind
-// of mistake is tried quickly; the best few are then fitted with all parameters free that the drawing leaves open.
+// Search for the common mistake that explains the measurements' error or the base's displacement. Every value of every
+// kind of mistake is tried quickly; the best few are then fitted with all parameters free that the drawing leaves open.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace tubeplan::calibration {
 
-/// Suspected mistake, with the fit of the corrected readings to the arm as drawn.
+/// Suspected mistake, with the fit of the corrected measurements to the arm as drawn.
 struct FoundMistake {
   MeasurementCheck check;
   Trial drawn;

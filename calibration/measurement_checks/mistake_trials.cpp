@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "calibration/measurements/reading_prediction.hpp"
-#include "calibration/measurements/reading_problems.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
+#include "calibration/measurements/measurement_problems.hpp"
 #include "calibration/random_stream.hpp"
 
 namespace tubeplan::calibration {
@@ -14,14 +14,15 @@ namespace {
 
 constexpr double kUsualTurn = 0.05;   // usual rotation of a base from its nominal place [rad]
 constexpr double kUsualShift = 0.05;  // usual shift of a base from its nominal place, relative to the reach
-constexpr std::size_t kQuickReadings = 40;
+constexpr std::size_t kQuickMeasurements = 40;
 
-/// Returns the indices of the readings to use: all of them, or at most `most`, drawn randomly with `seed`. Readings of
-/// one unknown point are drawn together.
-std::vector<std::size_t> drawReadings(const std::vector<Measurement>& readings, std::size_t most, std::uint64_t seed) {
-  auto groups = groupsByPlace(readings);
+/// Returns the indices of the measurements to use: all of them, or at most `most`, drawn randomly with `seed`.
+/// Measurements of one unknown point are drawn together.
+std::vector<std::size_t> drawMeasurements(const std::vector<Measurement>& measurements, std::size_t most,
+                                          std::uint64_t seed) {
+  auto groups = groupsByPlace(measurements);
   std::vector<std::size_t> drawn;
-  if (readings.size() > most) RandomStream(seed).shuffle(groups);
+  if (measurements.size() > most) RandomStream(seed).shuffle(groups);
   for (const auto& group : groups) {
     if (!drawn.empty() && drawn.size() + group.size() > most) continue;
     drawn.insert(drawn.end(), group.begin(), group.end());
@@ -30,33 +31,33 @@ std::vector<std::size_t> drawReadings(const std::vector<Measurement>& readings, 
   return drawn;
 }
 
-ReadingPool poolOf(const std::vector<Measurement>& readings, const CheckOptions& options) {
-  ReadingPool pool;
+MeasurementPool poolOf(const std::vector<Measurement>& measurements, const CheckOptions& options) {
+  MeasurementPool pool;
   std::set<std::size_t> kept;
-  const auto drawn = drawReadings(readings, options.most_readings, options.seed);
+  const auto drawn = drawMeasurements(measurements, options.most_measurements, options.seed);
   std::vector<Measurement> of_drawn;
   for (const std::size_t k : drawn) {
-    pool.counted.insert(readings[k].id);
-    of_drawn.push_back(readings[k]);
+    pool.counted.insert(measurements[k].id);
+    of_drawn.push_back(measurements[k]);
     for (const std::size_t near : {k - 1, k, k + 1})
-      if (near < readings.size()) kept.insert(near);
+      if (near < measurements.size()) kept.insert(near);
   }
-  for (const std::size_t k : drawReadings(of_drawn, kQuickReadings, options.seed))
+  for (const std::size_t k : drawMeasurements(of_drawn, kQuickMeasurements, options.seed))
     pool.counted_quickly.insert(of_drawn[k].id);
   for (const std::size_t k : kept) {
-    pool.readings.push_back(readings[k]);
-    pool.readings.back().is_held_out = false;
+    pool.measurements.push_back(measurements[k]);
+    pool.measurements.back().is_held_out = false;
   }
   return pool;
 }
 
-std::vector<Measurement> only(std::vector<Measurement> readings, const std::set<std::string>& ids) {
-  std::erase_if(readings, [&](const Measurement& reading) { return !ids.contains(reading.id); });
-  return readings;
+std::vector<Measurement> only(std::vector<Measurement> measurements, const std::set<std::string>& ids) {
+  std::erase_if(measurements, [&](const Measurement& measurement) { return !ids.contains(measurement.id); });
+  return measurements;
 }
 
 /// Returns all parameters that the drawing leaves open: the cell's free parameters, the geometry, and every stiffness.
-FreeChoice allThatIsOpen(const CheckedReadings& checked) {
+FreeChoice allThatIsOpen(const CheckedMeasurements& checked) {
   FreeChoice open = checked.free;
   open.base = true;  // frees base poses that are not known
   std::vector<std::string> names;
@@ -90,11 +91,11 @@ double turnOf(const PlacedArm& found, const PlacedArm& nominal, std::size_t p) {
 
 /// Returns the root-mean-square spread of tips that touched unknown points [m]; 0 if there are fewer than two. A
 /// correction that contracts these tips lowers their error even if it is wrong.
-double extentOfTips(const PlacedArm& placed, const std::vector<Measurement>& readings) {
+double extentOfTips(const PlacedArm& placed, const std::vector<Measurement>& measurements) {
   std::vector<Eigen::Vector3d> tips;
-  for (const auto& reading : readings)
-    if (touchesUnknownPoint(reading))
-      if (const auto tip = predictReading(placed, reading); tip.ok) tips.push_back(tip.value);
+  for (const auto& measurement : measurements)
+    if (touchesUnknownPoint(measurement))
+      if (const auto tip = predictMeasurement(placed, measurement); tip.ok) tips.push_back(tip.value);
   if (tips.size() < 2) return 0;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const auto& tip : tips) mean += tip / static_cast<double>(tips.size());
@@ -105,24 +106,24 @@ double extentOfTips(const PlacedArm& placed, const std::vector<Measurement>& rea
 
 }  // namespace
 
-MistakeTrials::MistakeTrials(const CheckedReadings& checked, const CheckOptions& options)
+MistakeTrials::MistakeTrials(const CheckedMeasurements& checked, const CheckOptions& options)
     : checked_(checked),
       options_(options),
-      pool_(poolOf(checked.readings, options)),
+      pool_(poolOf(checked.measurements, options)),
       open_(allThatIsOpen(checked)),
       drawn_{{"tool.tip"}, true, checked.free.priors},
       held_{{}, true, checked.free.priors},
       reach_(deflection::reachOf(checked.start.arm)),
-      has_places_(std::ranges::any_of(checked.readings,
-                                      [](const Measurement& reading) { return statedPlace(reading).has_value(); })) {
-  if (checked.readings.empty()) return;
+      has_places_(std::ranges::any_of(
+          checked.measurements, [](const Measurement& measurement) { return statedPlace(measurement).has_value(); })) {
+  if (checked.measurements.empty()) return;
   as_is_ = tried({}, TrialDepth::kOpen);
   const Trial drawn = tried({}, TrialDepth::kDrawn);
   as_is_.error = drawn.error;
   const Trial held = tried({}, TrialDepth::kHeld);
   as_is_.held_error = held.error;
-  // In a fit with all open parameters free, these absorb part of the base's displacement; with few readings, so does
-  // the tip. With the tip as drawn, in turn, a wrong tip displaces the base. The smaller of the two displacements
+  // In a fit with all open parameters free, these absorb part of the base's displacement; with few measurements, so
+  // does the tip. With the tip as drawn, in turn, a wrong tip displaces the base. The smaller of the two displacements
   // relative to the drawing is therefore used.
   const Trial& nearer = held.ok && (!drawn.ok || held.base_shift < drawn.base_shift) ? held : drawn;
   as_is_.base_shift = nearer.base_shift;
@@ -133,8 +134,9 @@ const FreeChoice& MistakeTrials::freeAt(TrialDepth depth) const {
   return depth == TrialDepth::kOpen ? open_ : depth == TrialDepth::kDrawn ? drawn_ : held_;
 }
 
-/// Fits the readings with the parameters of this depth free: an unknown base, the tip as well, or all open parameters.
-RobustFit MistakeTrials::fit(PlacedArm start, const std::vector<Measurement>& readings, TrialDepth depth,
+/// Fits the measurements with the parameters of this depth free: an unknown base, the tip as well, or all open
+/// parameters.
+RobustFit MistakeTrials::fit(PlacedArm start, const std::vector<Measurement>& measurements, TrialDepth depth,
                              const std::vector<std::string>& zeros) const {
   RobustFitOptions options;
   options.free = freeAt(depth);
@@ -145,13 +147,13 @@ RobustFit MistakeTrials::fit(PlacedArm start, const std::vector<Measurement>& re
     options.free.names.push_back(zero);
     options.free.priors.named[zero] = std::numbers::pi;
   }
-  return fitRobustly(std::move(start), readings, options);
+  return fitRobustly(std::move(start), measurements, options);
 }
 
 std::vector<Measurement> MistakeTrials::mended(const Mend& mend, TrialDepth depth) const {
-  auto readings = pool_.readings;
-  mend.apply(readings);
-  return only(std::move(readings), depth == TrialDepth::kOpen ? pool_.counted : pool_.counted_quickly);
+  auto measurements = pool_.measurements;
+  mend.apply(measurements);
+  return only(std::move(measurements), depth == TrialDepth::kOpen ? pool_.counted : pool_.counted_quickly);
 }
 
 PlacedArm MistakeTrials::startOf(const Mend& mend) const {
@@ -168,12 +170,12 @@ PlacedArm MistakeTrials::startOf(const Mend& mend) const {
 Trial MistakeTrials::tried(const Mend& mend, TrialDepth depth) const {
   if (mend.parts_setups) return triedApart(depth);
   const PlacedArm start = startOf(mend);
-  const auto readings = mended(mend, depth);
-  return judged(fit(start, readings, depth), start, readings);
+  const auto measurements = mended(mend, depth);
+  return judged(fit(start, measurements, depth), start, measurements);
 }
 
 Trial MistakeTrials::judged(const RobustFit& fit, const PlacedArm& nominal,
-                            const std::vector<Measurement>& readings) const {
+                            const std::vector<Measurement>& measurements) const {
   if (!fit.ok) return {};
   Trial trial{fit};
   trial.open_error = fit.error;
@@ -183,7 +185,7 @@ Trial MistakeTrials::judged(const RobustFit& fit, const PlacedArm& nominal,
     trial.base_shift = std::max(trial.base_shift, shift);
     trial.base_turn = std::max(trial.base_turn, turn);
   }
-  trial.extent = extentOfTips(fit.placed, readings);
+  trial.extent = extentOfTips(fit.placed, measurements);
   return trial;
 }
 
@@ -195,16 +197,16 @@ Trial MistakeTrials::triedApart(TrialDepth depth) const {
   double squares = 0;
   std::size_t count = 0;
   for (const auto& base_pose : checked_.start.base_poses) {
-    auto readings = only(pool_.readings, depth == TrialDepth::kOpen ? pool_.counted : pool_.counted_quickly);
-    std::erase_if(readings, [&](const Measurement& reading) { return reading.setup != base_pose.setup; });
-    if (readings.empty()) continue;
+    auto measurements = only(pool_.measurements, depth == TrialDepth::kOpen ? pool_.counted : pool_.counted_quickly);
+    std::erase_if(measurements, [&](const Measurement& measurement) { return measurement.setup != base_pose.setup; });
+    if (measurements.empty()) continue;
     PlacedArm alone = checked_.start;
     alone.base_poses = {base_pose};
-    const Trial part = judged(fit(alone, readings, depth), alone, readings);
+    const Trial part = judged(fit(alone, measurements, depth), alone, measurements);
     if (!part.ok) return part;
     whole.lack_of_fit += part.lack_of_fit;
-    squares += part.error * part.error * static_cast<double>(readings.size());
-    count += readings.size();
+    squares += part.error * part.error * static_cast<double>(measurements.size());
+    count += measurements.size();
   }
   whole.error = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(count, 1)));
   whole.extent = as_is_.extent;
@@ -221,22 +223,22 @@ Trial MistakeTrials::triedBy(PlacedArm drawing) const {
   RobustFitOptions options;
   options.free = drawn_;
   options.stop = options_.stop;
-  const auto readings = only(pool_.readings, pool_.counted);
-  return judged(fitRobustly(std::move(drawing), readings, options), checked_.start, readings);
+  const auto measurements = only(pool_.measurements, pool_.counted);
+  return judged(fitRobustly(std::move(drawing), measurements, options), checked_.start, measurements);
 }
 
 int MistakeTrials::freedom(const Mend& mend, TrialDepth depth) const {
   PlacedArm start = startOf(mend);
   const auto found = chooseUnknowns(start, freeAt(depth)).list.size();
-  const auto readings = mended(mend.parts_setups ? Mend{} : mend, depth);
-  return numbersMeasured(readings) - static_cast<int>(found) - mend.numbers_fitted;
+  const auto measurements = mended(mend.parts_setups ? Mend{} : mend, depth);
+  return numbersMeasured(measurements) - static_cast<int>(found) - mend.numbers_fitted;
 }
 
 double MistakeTrials::noise(const Mend& mend) const {
   double squares = 0;
-  const auto readings = mended(mend, TrialDepth::kOpen);
-  for (const auto& reading : readings) squares += rowsOf(reading) * reading.sigma * reading.sigma;
-  return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, readings.size())));
+  const auto measurements = mended(mend, TrialDepth::kOpen);
+  for (const auto& measurement : measurements) squares += rowsOf(measurement) * measurement.sigma * measurement.sigma;
+  return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, measurements.size())));
 }
 
 double MistakeTrials::shrinkage(const Trial& trial) const {

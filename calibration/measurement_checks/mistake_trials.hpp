@@ -1,5 +1,5 @@
-// Fits of the readings, as stated or as corrected for one mistake, at three depths: with arm and tip as drawn, with the
-// arm as drawn and the tip free, and with all parameters free that the drawing leaves open.
+// Fits of the measurements, as stated or as corrected for one mistake, at three depths: with arm and tip as drawn, with
+// the arm as drawn and the tip free, and with all parameters free that the drawing leaves open.
 #pragma once
 
 #include <limits>
@@ -17,8 +17,8 @@ inline constexpr double kFarTurn = 0.35;
 /// A base that is shifted by more than this from its nominal place, relative to the arm's reach, counts as far from it.
 inline constexpr double kFarShift = 0.25;
 
-/// Fit of the readings, as stated or as corrected for one mistake. The lack of fit includes the base's prior. For the
-/// readings as stated, `error` is that of the arm as drawn, with base and tip free.
+/// Fit of the measurements, as stated or as corrected for one mistake. The lack of fit includes the base's prior. For
+/// the measurements as stated, `error` is that of the arm as drawn, with base and tip free.
 struct Trial : RobustFit {
   double held_error = std::numeric_limits<double>::infinity();  // error with base free, tip as drawn [m]
   double open_error = std::numeric_limits<double>::infinity();  // error with all open parameters free [m]
@@ -32,37 +32,38 @@ enum class TrialDepth {
   kOpen,   ///< all parameters free that the drawing leaves open
 };
 
-/// Randomly drawn readings together with their neighbours, which are needed to correct mistakes in the order of rows.
-/// `counted` and `counted_quickly` are the ids of the drawn readings that are used in full fits and in quick fits.
-struct ReadingPool {
-  std::vector<Measurement> readings;
+/// Randomly drawn measurements together with their neighbours, which are needed to correct mistakes in the order of
+/// rows. `counted` and `counted_quickly` are the ids of the drawn measurements that are used in full fits and in quick
+/// fits.
+struct MeasurementPool {
+  std::vector<Measurement> measurements;
   std::set<std::string> counted, counted_quickly;
 };
 
-/// Fits the readings, as stated and as corrected, at several depths. Both `checked` and `options` must outlive the
+/// Fits the measurements, as stated and as corrected, at several depths. Both `checked` and `options` must outlive the
 /// object.
 class MistakeTrials {
  public:
-  MistakeTrials(const CheckedReadings& checked, const CheckOptions& options);
+  MistakeTrials(const CheckedMeasurements& checked, const CheckOptions& options);
 
-  /// Returns the fit of the readings as stated, with the errors at all three depths.
+  /// Returns the fit of the measurements as stated, with the errors at all three depths.
   [[nodiscard]] const Trial& asIs() const { return as_is_; }
   [[nodiscard]] Trial tried(const Mend& mend, TrialDepth depth) const;
-  /// Fits the corrected readings to the arm as drawn, with the joint offsets named in `zeros` free as well.
+  /// Fits the corrected measurements to the arm as drawn, with the joint offsets named in `zeros` free as well.
   [[nodiscard]] RobustFit fitZeros(const Mend& mend, PlacedArm start, const std::vector<std::string>& zeros) const;
   /// Returns the cell's arm; its base poses count as unknown if the mistake frees the base, and a new set-up is added
   /// if the mistake begins one.
   [[nodiscard]] PlacedArm startOf(const Mend& mend) const;
-  /// Returns the readings that are included in the fit, with the given mistake corrected. At depths other than kOpen,
-  /// only the subset for quick fits is returned.
+  /// Returns the measurements that are included in the fit, with the given mistake corrected. At depths other than
+  /// kOpen, only the subset for quick fits is returned.
   [[nodiscard]] std::vector<Measurement> mended(const Mend& mend, TrialDepth depth) const;
-  /// Fits the readings as stated to the arm of another drawing, with base and tip free.
+  /// Fits the measurements as stated to the arm of another drawing, with base and tip free.
   [[nodiscard]] Trial triedBy(PlacedArm drawing) const;
   /// Returns the names of all parameters that the drawing leaves open.
   [[nodiscard]] const FreeChoice& open() const { return open_; }
 
   /// Returns the number of measured values minus the number of parameters that a fit of this depth determines. If the
-  /// difference is not positive, the fit can reproduce any readings.
+  /// difference is not positive, the fit can reproduce any measurements.
   [[nodiscard]] int freedom(const Mend& mend, TrialDepth depth) const;
   /// Returns the root-mean-square length of the errors that the stated noise alone causes [m].
   [[nodiscard]] double noise(const Mend& mend) const;
@@ -71,30 +72,30 @@ class MistakeTrials {
   /// at least 1.
   [[nodiscard]] double shrinkage(const Trial& trial) const;
   /// Returns by how much the correction of a mistake decreases the lack of fit, without the part that is due to
-  /// contracted tips; very large if the readings as stated cannot be fitted.
+  /// contracted tips; very large if the measurements as stated cannot be fitted.
   [[nodiscard]] double gain(const Trial& trial) const;
   /// Returns true if the base of a trial is far from its nominal place. Returns false if there are only touches of
   /// unknown points, which give no information on the base.
   [[nodiscard]] bool isBaseFar(const Trial& trial) const;
 
-  [[nodiscard]] const CheckedReadings& checked() const { return checked_; }
+  [[nodiscard]] const CheckedMeasurements& checked() const { return checked_; }
   [[nodiscard]] const CheckOptions& options() const { return options_; }
-  [[nodiscard]] const ReadingPool& pool() const { return pool_; }
+  [[nodiscard]] const MeasurementPool& pool() const { return pool_; }
   [[nodiscard]] double reach() const { return reach_; }
-  /// Returns true if at least one reading states the position of the tip.
+  /// Returns true if at least one measurement states the position of the tip.
   [[nodiscard]] bool hasPlaces() const { return has_places_; }
 
  private:
-  [[nodiscard]] RobustFit fit(PlacedArm start, const std::vector<Measurement>& readings, TrialDepth depth,
+  [[nodiscard]] RobustFit fit(PlacedArm start, const std::vector<Measurement>& measurements, TrialDepth depth,
                               const std::vector<std::string>& zeros = {}) const;
   [[nodiscard]] const FreeChoice& freeAt(TrialDepth depth) const;
   [[nodiscard]] Trial judged(const RobustFit& fit, const PlacedArm& nominal,
-                             const std::vector<Measurement>& readings) const;
+                             const std::vector<Measurement>& measurements) const;
   [[nodiscard]] Trial triedApart(TrialDepth depth) const;
 
-  const CheckedReadings& checked_;
+  const CheckedMeasurements& checked_;
   const CheckOptions& options_;
-  ReadingPool pool_;
+  MeasurementPool pool_;
   FreeChoice open_, drawn_, held_;
   double reach_;
   bool has_places_;

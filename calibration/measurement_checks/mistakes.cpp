@@ -104,24 +104,24 @@ Mend joined(const std::vector<Mend>& parts) {
     all.against += part.against;
     if (part.new_setup) all.new_setup = part.new_setup;
   }
-  all.change = [parts](std::vector<Measurement>& readings) {
-    for (const Mend& part : parts) part.change(readings);
+  all.change = [parts](std::vector<Measurement>& measurements) {
+    for (const Mend& part : parts) part.change(measurements);
   };
   all.change_sigma = {};
   if (std::ranges::any_of(parts, [](const Mend& part) { return static_cast<bool>(part.change_sigma); }))
-    all.change_sigma = [parts](std::vector<Measurement>& readings) {
+    all.change_sigma = [parts](std::vector<Measurement>& measurements) {
       for (const Mend& part : parts)
-        if (part.change_sigma) part.change_sigma(readings);
+        if (part.change_sigma) part.change_sigma(measurements);
     };
   return all;
 }
 
-bool isPlacedBySheet(const CheckedReadings& checked, const Measurement& reading) {
-  if (!checked.sheet || !touchesKnownPoint(reading)) return false;
-  const auto hole = tubesheets::parseTubeName(reading.point);
+bool isPlacedBySheet(const CheckedMeasurements& checked, const Measurement& measurement) {
+  if (!checked.sheet || !touchesKnownPoint(measurement)) return false;
+  const auto hole = tubesheets::parseTubeName(measurement.point);
   const auto* tube = hole ? checked.sheet->find(hole->row, hole->column) : nullptr;
   constexpr double kRounding = 5e-5;  // rounding of coordinates that are written in addition to the hole's name [m]
-  return tube && (*reading.p_W - Eigen::Vector3d(tube->x, tube->y, 0)).norm() < kRounding;
+  return tube && (*measurement.p_W - Eigen::Vector3d(tube->x, tube->y, 0)).norm() < kRounding;
 }
 
 int jointNamed(const deflection::Arm& arm, const std::string& name) {

@@ -1,19 +1,19 @@
-// Mistake: one reading names a hole other than the touched one. mistakenHoles() in plain_checks.hpp searches for this
-// mistake reading by reading.
+// Mistake: one measurement names a hole other than the touched one. mistakenHoles() in plain_checks.hpp searches for
+// this mistake measurement by measurement.
 #pragma once
 
 #include "calibration/measurement_checks/mistake.hpp"
 
 namespace tubeplan::calibration::mistakes::one_hole {
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
   const auto [id, name] = partedAtColon(value);
   const auto hole = tubesheets::parseTubeName(name);
   const auto* tube = hole && checked.sheet ? checked.sheet->find(hole->row, hole->column) : nullptr;
   if (!tube) return std::nullopt;
   Mend mend{"hole", value, "reading " + id + " touched " + name};
-  mend.change = toEach([id, name, place = Eigen::Vector3d(tube->x, tube->y, 0)](Measurement& reading) {
-    if (reading.id == id) reading.point = name, reading.p_W = place;
+  mend.change = toEach([id, name, place = Eigen::Vector3d(tube->x, tube->y, 0)](Measurement& measurement) {
+    if (measurement.id == id) measurement.point = name, measurement.p_W = place;
   });
   return mend;
 }

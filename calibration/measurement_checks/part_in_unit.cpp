@@ -5,7 +5,7 @@
 
 #include "calibration/measurement_checks/angles_unit.hpp"
 #include "calibration/measurement_checks/coordinates_unit.hpp"
-#include "calibration/measurement_checks/from_reading.hpp"
+#include "calibration/measurement_checks/from_measurement.hpp"
 #include "calibration/measurement_checks/row_comparison.hpp"
 
 namespace tubeplan::calibration::mistakes::part_in_unit {
@@ -13,7 +13,7 @@ namespace tubeplan::calibration::mistakes::part_in_unit {
 namespace {
 
 constexpr std::size_t kMostLooked = 2000;
-constexpr std::size_t kShortest = 2;  // in rows; a single wrong reading may have any cause
+constexpr std::size_t kShortest = 2;  // in rows; a single wrong measurement may have any cause
 
 /// Returns the run of rows with the largest sum of RowComparison::at() (Kadane's algorithm), searched at a fixed stride
 /// and then extended row by row at both ends; nullopt if no run is significant.
@@ -36,37 +36,37 @@ std::optional<Run> bestRun(RowComparison& comparison, std::size_t count) {
   return length >= kShortest && length < count ? std::optional(found) : std::nullopt;
 }
 
-std::vector<std::string> valuesOf(const MistakeKind& whole, const CheckedReadings& checked) {
+std::vector<std::string> valuesOf(const MistakeKind& whole, const CheckedMeasurements& checked) {
   std::vector<std::string> values;
   const auto units = whole.values(checked);
   if (units.empty()) return values;
   const double reach = deflection::reachOf(checked.start.arm);
   for (const PlacedArm& placed : likelyPlacings(checked)) {
-    RowErrors as_is(placed, checked.readings);
+    RowErrors as_is(placed, checked.measurements);
     for (const auto& unit : units) {
-      auto readings = checked.readings;
-      whole.mend(checked, unit)->change(readings);
-      RowErrors mended(placed, readings);
+      auto measurements = checked.measurements;
+      whole.mend(checked, unit)->change(measurements);
+      RowErrors mended(placed, measurements);
       RowComparison comparison(as_is, mended, reach);
-      const auto run = bestRun(comparison, readings.size());
+      const auto run = bestRun(comparison, measurements.size());
       if (!run) continue;
-      auto value = textOf(*run, checked.readings) + ":" + unit;
+      auto value = textOf(*run, checked.measurements) + ":" + unit;
       if (std::ranges::find(values, value) == values.end()) values.push_back(std::move(value));
     }
   }
   return values;
 }
 
-std::optional<Mend> mendOf(const MistakeKind& whole, const CheckedReadings& checked, const std::string& value) {
+std::optional<Mend> mendOf(const MistakeKind& whole, const CheckedMeasurements& checked, const std::string& value) {
   const auto [part, unit] = partedAtColon(value);
-  const auto run = runNamed(checked.readings, part);
+  const auto run = runNamed(checked.measurements, part);
   const auto all = whole.mend(checked, unit);
   if (!run || !all) return std::nullopt;
-  const std::string &first = checked.readings[run->first].id, &last = checked.readings[run->last].id;
+  const std::string &first = checked.measurements[run->first].id, &last = checked.measurements[run->last].id;
   Mend mend{all->mistake + "-of", value,
             "in reading" + (first == last ? " " + first : "s " + first + " to " + last) + " " + all->sentence};
   mend.is_of_part = true;
-  const auto ids = idsOf(*run, checked.readings);
+  const auto ids = idsOf(*run, checked.measurements);
   mend.change = changeOf(ids, all->change);
   if (all->change_sigma) mend.change_sigma = changeOf(ids, all->change_sigma);
   return mend;
@@ -76,16 +76,16 @@ std::optional<Mend> mendOf(const MistakeKind& whole, const CheckedReadings& chec
 
 MistakeKind coordinates() {
   return {"coordinates-of", "FIRST..LAST:UNIT", "two readings and a unit of length, such as 81..120:mm",
-          [](const CheckedReadings& checked) { return valuesOf(coordinates_unit::kind(), checked); },
-          [](const CheckedReadings& checked, const std::string& value) {
+          [](const CheckedMeasurements& checked) { return valuesOf(coordinates_unit::kind(), checked); },
+          [](const CheckedMeasurements& checked, const std::string& value) {
             return mendOf(coordinates_unit::kind(), checked, value);
           }};
 }
 
 MistakeKind angles() {
   return {"angles-of", "FIRST..LAST:UNIT", "two readings and a unit of angle, such as 81..120:rad",
-          [](const CheckedReadings& checked) { return valuesOf(angles_unit::kind(), checked); },
-          [](const CheckedReadings& checked, const std::string& value) {
+          [](const CheckedMeasurements& checked) { return valuesOf(angles_unit::kind(), checked); },
+          [](const CheckedMeasurements& checked, const std::string& value) {
             return mendOf(angles_unit::kind(), checked, value);
           }};
 }

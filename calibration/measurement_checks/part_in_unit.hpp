@@ -1,5 +1,5 @@
-// Mistake: a run of readings is not in the unit that its columns state, because one file was appended to another or the
-// unit of a display was switched in between.
+// Mistake: a run of measurements is not in the unit that its columns state, because one file was appended to another or
+// the unit of a display was switched in between.
 #pragma once
 
 #include "calibration/measurement_checks/mistake.hpp"

@@ -11,8 +11,8 @@
 #include "calibration/measurement_checks/joint_limits.hpp"
 #include "calibration/measurement_checks/joint_scale.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
-#include "calibration/measurements/reading_problems.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
+#include "calibration/measurements/measurement_problems.hpp"
 #include "deflection/discretisation.hpp"
 #include "deflection/weights.hpp"
 
@@ -22,17 +22,17 @@ namespace {
 
 /// Returns a remark if all joint readings are as small as angles in radians, and would be within the joint limits if
 /// they were in radians. Touches of unknown points fit in either unit, so their errors do not reveal this mistake.
-std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
+std::optional<MeasurementCheck> smallAngles(const CheckedMeasurements& checked) {
   constexpr double kTurn = 2 * std::numbers::pi;
   constexpr std::size_t kFew = 4;
   const auto& arm = checked.start.arm;
   const double factor = checked.units.angles.factor;
-  if (checked.readings.size() < kFew || factor == 1) return std::nullopt;
+  if (checked.measurements.size() < kFew || factor == 1) return std::nullopt;
   double largest = 0;
   for (const int j : turningJoints(arm)) {
     const auto& joint = arm.joint(j);
-    for (const auto& reading : checked.readings) {
-      const double number = reading.q[j] / factor;
+    for (const auto& measurement : checked.measurements) {
+      const double number = measurement.q[j] / factor;
       if (std::abs(number) > kTurn || number < joint.lower || number > joint.upper) return std::nullopt;
       largest = std::max(largest, std::abs(number));
     }
@@ -44,9 +44,9 @@ std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
       "angles=rad");
 }
 
-/// Returns a remark on joints whose readings exceed the range of any real joint. It asks the user for their scales, in
-/// case no fit has found them.
-std::optional<MeasurementCheck> pulses(const CheckedReadings& checked) {
+/// Returns a remark on joints whose readings exceed the range of any real joint. It asks the user for their scales,
+/// in case no fit has found them.
+std::optional<MeasurementCheck> pulses(const CheckedMeasurements& checked) {
   const auto joints = mistakes::joint_scale::jointsBeyondTurns(checked);
   if (joints.empty()) return std::nullopt;
   std::vector<std::string> names;
@@ -60,12 +60,12 @@ std::optional<MeasurementCheck> pulses(const CheckedReadings& checked) {
           listOf(names), unit.name, names.front()));
 }
 
-std::optional<MeasurementCheck> heavyLoad(const CheckedReadings& checked) {
+std::optional<MeasurementCheck> heavyLoad(const CheckedMeasurements& checked) {
   constexpr double kTimesTheArm = 10;
   const auto& arm = checked.start.arm;
   const double weight = deflection::weightOf(arm);
   double heaviest = 0;
-  for (const auto& reading : checked.readings) heaviest = std::max(heaviest, reading.load);
+  for (const auto& measurement : checked.measurements) heaviest = std::max(heaviest, measurement.load);
   if (weight == 0 || heaviest < kTimesTheArm * weight) return std::nullopt;
   const auto& unit = checked.units.loads;
   return remarkOf(
@@ -75,23 +75,23 @@ std::optional<MeasurementCheck> heavyLoad(const CheckedReadings& checked) {
 }
 
 /// Returns a remark on beams that are divided into too few segments, so that the discretisation error exceeds half the
-/// noise of the readings. It is evaluated at the reading with the heaviest load and at several others.
-std::optional<MeasurementCheck> fewSegments(const CheckedReadings& checked) {
+/// noise of the measurements. It is evaluated at the measurement with the heaviest load and at several others.
+std::optional<MeasurementCheck> fewSegments(const CheckedMeasurements& checked) {
   constexpr std::size_t kMostSolved = 8;
   constexpr double kOfNoise = 0.5;
   const auto& placed = checked.start;
   if (deflection::mostSegments(placed.arm) == 0) return std::nullopt;
   std::vector<const Measurement*> heaviest;
-  for (const auto& reading : checked.readings) heaviest.push_back(&reading);
+  for (const auto& measurement : checked.measurements) heaviest.push_back(&measurement);
   std::ranges::stable_sort(heaviest, [](const auto* a, const auto* b) { return a->load > b->load; });
   double worst = 0, allowed_there = 0;
   int factor = 1;
   for (std::size_t k = 0; k < heaviest.size(); k += std::max<std::size_t>(1, heaviest.size() / kMostSolved)) {
-    const Measurement& reading = *heaviest[k];
-    const double allowed = kOfNoise * reading.sigma;
+    const Measurement& measurement = *heaviest[k];
+    const double allowed = kOfNoise * measurement.sigma;
     if (!(allowed > 0)) continue;
-    const auto& X_WB = basePoseAt(placed, reading);
-    const auto found = deflection::discretisationOf(placed.arm, postureOf(reading, placed.arm, X_WB), allowed);
+    const auto& X_WB = basePoseAt(placed, measurement);
+    const auto found = deflection::discretisationOf(placed.arm, postureOf(measurement, placed.arm, X_WB), allowed);
     if (!(found.tip_error > allowed) || found.tip_error <= worst) continue;
     worst = found.tip_error, allowed_there = allowed, factor = found.factor;
   }
@@ -106,17 +106,17 @@ std::optional<MeasurementCheck> fewSegments(const CheckedReadings& checked) {
   return remarkOf("segments", std::move(sentence));
 }
 
-/// Returns a remark if there are too few readings for their errors to reveal a mistake.
-std::optional<MeasurementCheck> fewReadings(const CheckedReadings& checked) {
+/// Returns a remark if there are too few measurements for their errors to reveal a mistake.
+std::optional<MeasurementCheck> fewMeasurements(const CheckedMeasurements& checked) {
   constexpr int kLeastFreedom = 6;
   PlacedArm placed = checked.start;
   FreeChoice named = checked.free;
   std::erase(named.names, "geometry");
   const int free = static_cast<int>(chooseUnknowns(placed, named).list.size());
-  const int measured = numbersMeasured(checked.readings);
+  const int measured = numbersMeasured(checked.measurements);
   if (measured - free >= kLeastFreedom) return std::nullopt;
-  return remarkOf("few-readings", std::to_string(checked.readings.size()) +
-                                      (checked.readings.size() == 1 ? " reading holds " : " readings hold ") +
+  return remarkOf("few-readings", std::to_string(checked.measurements.size()) +
+                                      (checked.measurements.size() == 1 ? " reading holds " : " readings hold ") +
                                       std::to_string(measured) + " numbers for the " + std::to_string(free) +
                                       " free parameters: a model error would hardly show; measure more, or free fewer");
 }
@@ -133,9 +133,9 @@ std::string effectsOf(Condition condition) {
 
 }  // namespace
 
-std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readings) {
+std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& measurements) {
   std::vector<MissingColumn> missing;
-  const auto none = [&](auto has) { return std::ranges::none_of(readings, has); };
+  const auto none = [&](auto has) { return std::ranges::none_of(measurements, has); };
   if (none([](const Measurement& m) {
         return std::ranges::any_of(m.approach_directions, [](int s) { return s != 0; });
       }))
@@ -151,17 +151,17 @@ std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readin
   return missing;
 }
 
-std::vector<MeasurementCheck> plainChecks(const CheckedReadings& checked,
+std::vector<MeasurementCheck> plainChecks(const CheckedMeasurements& checked,
                                           const std::vector<MeasurementCheck>& suspected) {
   std::vector<MeasurementCheck> found;
-  for (const auto& look : {duplicates, hairPastLimits, smallAngles, pulses, heavyLoad, fewSegments, fewReadings})
+  for (const auto& look : {duplicates, hairPastLimits, smallAngles, pulses, heavyLoad, fewSegments, fewMeasurements})
     if (auto check = look(checked);
         check && std::ranges::none_of(suspected, [&](const auto& other) { return other.name == check->name; }))
       found.push_back(std::move(*check));
   return found;
 }
 
-std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked, const PlacedArm& found) {
+std::optional<MeasurementCheck> placesOutOfReach(const CheckedMeasurements& checked, const PlacedArm& found) {
   constexpr double kSlack = 1.02;  // accepted distance relative to the reach: an arm may sag slightly beyond its length
   for (int j = 0; j < checked.start.arm.jointCount(); ++j) {
     const auto& joint = checked.start.arm.joint(j);
@@ -171,11 +171,11 @@ std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked,
   }
   const double reach = kSlack * deflection::reachOf(checked.start.arm);
   std::vector<std::string> ids;
-  for (const auto& reading : checked.readings) {
-    const auto place = statedPlace(reading);
+  for (const auto& measurement : checked.measurements) {
+    const auto place = statedPlace(measurement);
     if (!place) continue;
-    const auto& X_WB = basePoseAt(found, reading);
-    if (!((*place - X_WB.translation()).norm() <= reach + 5 * reading.sigma)) ids.push_back(reading.id);
+    const auto& X_WB = basePoseAt(found, measurement);
+    if (!((*place - X_WB.translation()).norm() <= reach + 5 * measurement.sigma)) ids.push_back(measurement.id);
   }
   if (ids.empty()) return std::nullopt;
   const auto& unit = checked.units.coordinates;
@@ -185,16 +185,16 @@ std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked,
                   assumeWithout(ids));
 }
 
-std::vector<MeasurementCheck> mistakenHoles(const CheckedReadings& checked, const PlacedArm& found) {
+std::vector<MeasurementCheck> mistakenHoles(const CheckedMeasurements& checked, const PlacedArm& found) {
   constexpr std::size_t kMostTried = 2000;
   std::vector<MeasurementCheck> mistaken;
   if (!checked.sheet) return mistaken;
   std::size_t tried = 0;
-  for (const auto& reading : checked.readings) {
-    const auto hole = tubesheets::parseTubeName(reading.point);
-    if (!hole || !touchesKnownPoint(reading) || ++tried > kMostTried) continue;
-    const auto tip = predictReading(found, reading);
-    if (!tip.ok || !((tip.value - *reading.p_W).norm() > checked.sheet->pitch / 2)) continue;
+  for (const auto& measurement : checked.measurements) {
+    const auto hole = tubesheets::parseTubeName(measurement.point);
+    if (!hole || !touchesKnownPoint(measurement) || ++tried > kMostTried) continue;
+    const auto tip = predictMeasurement(found, measurement);
+    if (!tip.ok || !((tip.value - *measurement.p_W).norm() > checked.sheet->pitch / 2)) continue;
     const tubesheets::Tube* nearest = nullptr;
     double least = checked.sheet->pitch / 2;
     for (const auto& tube : checked.sheet->tubes)
@@ -205,13 +205,13 @@ std::vector<MeasurementCheck> mistakenHoles(const CheckedReadings& checked, cons
     mistaken.push_back(
         {"hole",
          CheckSeverity::kRemark,
-         "reading " + reading.id + " named " + reading.point + " fits " + name + ": was the hole mistaken?",
-         (tip.value - *reading.p_W).norm(),
+         "reading " + measurement.id + " named " + measurement.point + " fits " + name + ": was the hole mistaken?",
+         (tip.value - *measurement.p_W).norm(),
          std::hypot(least, tip.value[2]),
-         "hole=" + reading.id + ":" + name,
+         "hole=" + measurement.id + ":" + name,
          {}});
   }
-  // If many touches lie at other holes, the cause is not the name in a single reading.
+  // If many touches lie at other holes, the cause is not the name in a single measurement.
   return mistaken.size() * 3 > tried ? std::vector<MeasurementCheck>{} : mistaken;
 }
 

@@ -13,7 +13,7 @@ using Eigen::Matrix3d, Eigen::Matrix4d, Eigen::Vector3d;
 namespace {
 
 constexpr double kBlindShare = 0.01;  // usual error of a rigid drawing, relative to the reach
-constexpr double kRows = 3;           // number of measured coordinates of a reading
+constexpr double kRows = 3;           // number of measured coordinates of a measurement
 // Usual displacement of a base: rotation [rad], and shift relative to the reach.
 constexpr double kUsualTurnOfBase = 0.05, kUsualShiftOfBase = 0.05;
 constexpr int kReweighings = 3;
@@ -140,20 +140,20 @@ double alignedSum(const Cloud& cloud, const Eigen::Isometry3d& nominal, double b
 QuickAlignment::QuickAlignment(const PlacedArm& start, double reach)
     : rigid_{deflection::rigidCopy(start.arm), start.base_poses}, arm_(rigid_.arm), blind_(kBlindShare * reach) {}
 
-std::vector<Vector3d> QuickAlignment::tips(const std::vector<Measurement>& readings) {
-  std::vector<Vector3d> tips(readings.size(), Vector3d::Constant(kNotKnown));
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    const Measurement& reading = readings[k];
-    if (!statesPlace(reading)) continue;
-    const auto& X_WB = basePoseAt(rigid_, reading);
-    if (arm_.solve(postureOf(reading, rigid_.arm, X_WB)) != deflection::KinematicsStatus::kConverged) continue;
+std::vector<Vector3d> QuickAlignment::tips(const std::vector<Measurement>& measurements) {
+  std::vector<Vector3d> tips(measurements.size(), Vector3d::Constant(kNotKnown));
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
+    const Measurement& measurement = measurements[k];
+    if (!statesPlace(measurement)) continue;
+    const auto& X_WB = basePoseAt(rigid_, measurement);
+    if (arm_.solve(postureOf(measurement, rigid_.arm, X_WB)) != deflection::KinematicsStatus::kConverged) continue;
     tips[k] = arm_.X_BD().p;
-    if (reading.p_TQ) tips[k] += arm_.X_BD().R * *reading.p_TQ;
+    if (measurement.p_TQ) tips[k] += arm_.X_BD().R * *measurement.p_TQ;
   }
   return tips;
 }
 
-double QuickAlignment::score(const std::vector<Measurement>& readings, const std::vector<Vector3d>& tips,
+double QuickAlignment::score(const std::vector<Measurement>& measurements, const std::vector<Vector3d>& tips,
                              const QuickAlignmentOptions& options) const {
   const double blind = options.share * blind_;
   double sum = 0;
@@ -163,10 +163,11 @@ double QuickAlignment::score(const std::vector<Measurement>& readings, const std
     const BasePose& base_pose = rigid_.base_poses[p];
     const bool is_known = base_pose.is_known && !options.frees_base;
     Cloud cloud;
-    for (std::size_t k = 0; k < readings.size(); ++k) {
-      if (!tips[k].allFinite() || !readings[k].p_W || basePoseOf(rigid_, readings[k]) != static_cast<int>(p)) continue;
+    for (std::size_t k = 0; k < measurements.size(); ++k) {
+      if (!tips[k].allFinite() || !measurements[k].p_W || basePoseOf(rigid_, measurements[k]) != static_cast<int>(p))
+        continue;
       cloud.tips.push_back(tips[k]);
-      cloud.places.push_back(*readings[k].p_W);
+      cloud.places.push_back(*measurements[k].p_W);
     }
     const std::size_t of_this = cloud.tips.size();
     if (of_this < (is_known ? 1 : kLeastPlaces)) continue;

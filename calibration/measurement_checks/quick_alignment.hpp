@@ -23,14 +23,15 @@ class QuickAlignment {
   /// Prepares the alignment for an arm with this `reach` [m].
   QuickAlignment(const PlacedArm& start, double reach);
 
-  /// Returns the tip positions in the base frame [m], one for each reading; NaN for readings that state no position.
-  [[nodiscard]] std::vector<Eigen::Vector3d> tips(const std::vector<Measurement>& readings);
+  /// Returns the tip positions in the base frame [m], one for each measurement; NaN for measurements that state no
+  /// position.
+  [[nodiscard]] std::vector<Eigen::Vector3d> tips(const std::vector<Measurement>& measurements);
 
-  /// Returns the mean over all readings of log(1 + e^2 / b^2) / 2, where e is the error and b the error that counts as
-  /// zero. Infinite if too few readings state a position. An unknown base is placed in closed form; if the score is
-  /// then below `promising`, the placement is repeated with weights that decrease with the error. The score of an
+  /// Returns the mean over all measurements of log(1 + e^2 / b^2) / 2, where e is the error and b the error that counts
+  /// as zero. Infinite if too few measurements state a position. An unknown base is placed in closed form; if the score
+  /// is then below `promising`, the placement is repeated with weights that decrease with the error. The score of an
   /// unknown base includes a penalty for its distance from its nominal place.
-  [[nodiscard]] double score(const std::vector<Measurement>& readings, const std::vector<Eigen::Vector3d>& tips,
+  [[nodiscard]] double score(const std::vector<Measurement>& measurements, const std::vector<Eigen::Vector3d>& tips,
                              const QuickAlignmentOptions& options = {}) const;
 
  private:

@@ -8,7 +8,7 @@
 #include "calibration/estimation/campaign_residual.hpp"
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/prior.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -17,7 +17,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kBest = 0.9;  // RobustFit::error covers this fraction of the readings, those with the smallest errors
+constexpr double kBest =
+    0.9;  // RobustFit::error covers this fraction of the measurements, those with the smallest errors
 constexpr int kScaleSteps = 40;
 constexpr double kTellingFreedom = 12;  // with fewer degrees of freedom, chi-square says little about the noise
 constexpr double kConverged = 0.05;     // the fit ends if a step decreases the lack of fit by less than this
@@ -35,20 +36,20 @@ std::pair<double, std::size_t> sumOfLeast(std::vector<double> values, double sha
 /// Likelihood of the whitened residuals under Student's t distribution with a common scale.
 class StudentLoss {
  public:
-  StudentLoss(const std::vector<Measurement>& readings, const ReadingWeights& weights)
-      : readings_(readings), weights_(weights), square_(readings.size()), weight_(readings.size()) {}
+  StudentLoss(const std::vector<Measurement>& measurements, const MeasurementWeights& weights)
+      : measurements_(measurements), weights_(weights), square_(measurements.size()), weight_(measurements.size()) {}
 
   /// Finds and stores the most likely scale, with the weights that belong to it; returns the negative log likelihood.
   double settle(const VectorXd& r) {
     for (std::size_t k = 0; k < square_.size(); ++k)
-      square_[k] = r.segment(weights_.first_row[k], rowsOf(readings_[k])).squaredNorm();
+      square_[k] = r.segment(weights_.first_row[k], rowsOf(measurements_[k])).squaredNorm();
     variance_ = std::max(1., median(square_) / 3);
     for (int step = 0; step < kScaleSteps; ++step) {
       const double before = variance_;
       double sum = 0;
       int rows = 0;
       for (std::size_t k = 0; k < square_.size(); ++k) {
-        const int d = rowsOf(readings_[k]);
+        const int d = rowsOf(measurements_[k]);
         weight_[k] = studentWeight(square_[k], d, variance_);
         sum += weight_[k] * square_[k];
         rows += d;
@@ -58,7 +59,7 @@ class StudentLoss {
     }
     double value = 0;
     for (std::size_t k = 0; k < square_.size(); ++k) {
-      const int d = rowsOf(readings_[k]);
+      const int d = rowsOf(measurements_[k]);
       value += d * std::log(variance_) / 2 +
                (kStudentFreedom + d) / 2 * std::log1p(square_[k] / (kStudentFreedom * variance_));
     }
@@ -69,21 +70,21 @@ class StudentLoss {
   [[nodiscard]] VectorXd rowWeights() const {
     VectorXd rows(weights_.rows);
     for (std::size_t k = 0; k < weight_.size(); ++k)
-      rows.segment(weights_.first_row[k], rowsOf(readings_[k])).setConstant(std::sqrt(weight_[k] / variance_));
+      rows.segment(weights_.first_row[k], rowsOf(measurements_[k])).setConstant(std::sqrt(weight_[k] / variance_));
     return rows;
   }
 
-  /// Returns chi-square of the readings with the smallest errors, divided by its expectation. `degrees_of_freedom` are
-  /// those of all readings.
+  /// Returns chi-square of the measurements with the smallest errors, divided by its expectation. `degrees_of_freedom`
+  /// are those of all measurements.
   [[nodiscard]] double chi2PerFreedom(double degrees_of_freedom) const {
-    // If noise is normal, the worst tenth of readings with three rows contributes a quarter of the chi-square.
+    // If noise is normal, the worst tenth of measurements with three rows contributes a quarter of the chi-square.
     constexpr double kShareOfBest = 0.74;
     return sumOfLeast(square_, kBest).first / (degrees_of_freedom * kShareOfBest);
   }
 
  private:
-  const std::vector<Measurement>& readings_;
-  const ReadingWeights& weights_;
+  const std::vector<Measurement>& measurements_;
+  const MeasurementWeights& weights_;
   std::vector<double> square_, weight_;
   double variance_ = 1;
 };
@@ -101,12 +102,12 @@ double priorLackOfFit(const std::vector<Unknown>& unknowns, const VectorXd& x) {
 /// Damped Gauss-Newton iteration within the bounds of the unknowns.
 class Descent {
  public:
-  Descent(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& readings,
-          const ReadingWeights& weights, const RobustFitOptions& options)
+  Descent(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& measurements,
+          const MeasurementWeights& weights, const RobustFitOptions& options)
       : unknowns_(unknowns),
         options_(options),
-        residual_(start, unknowns, readings, weights, CampaignResidual::Priors::kNone, options.stop),
-        loss_(readings, weights),
+        residual_(start, unknowns, measurements, weights, CampaignResidual::Priors::kNone, options.stop),
+        loss_(measurements, weights),
         x_(zerosOf(unknowns)) {}
 
   bool run() {
@@ -190,21 +191,21 @@ class Descent {
 
 }  // namespace
 
-RobustFit fitRobustly(PlacedArm start, const std::vector<Measurement>& readings, const RobustFitOptions& options) {
+RobustFit fitRobustly(PlacedArm start, const std::vector<Measurement>& measurements, const RobustFitOptions& options) {
   RobustFit fit;
-  if (readings.empty()) return fit;
-  alignBases(start, readings);
+  if (measurements.empty()) return fit;
+  alignBases(start, measurements);
   auto unknowns = chooseUnknowns(start, options.free);
-  const auto weights = weighReadings(start, readings, {}, 0, options.stop);
+  const auto weights = weighMeasurements(start, measurements, {}, 0, options.stop);
   if (!weights) return fit;
-  Descent descent(start, unknowns.list, readings, *weights, options);
+  Descent descent(start, unknowns.list, measurements, *weights, options);
   if (!descent.run()) return fit;
   fit.placed = applied(start, unknowns.list, descent.x());
   const auto at =
-      whitenedResidual(start, unknowns.list, readings, *weights, descent.x(), options.judges_noise, options.stop);
+      whitenedResidual(start, unknowns.list, measurements, *weights, descent.x(), options.judges_noise, options.stop);
   if (!at.ok) return fit;
   fit.lack_of_fit = descent.lack_of_fit();
-  const VectorXd lengths = errorLengths(readings, *weights, at.error);
+  const VectorXd lengths = errorLengths(measurements, *weights, at.error);
   fit.error = bestError(lengths, kBest);
   fit.whole_error = bestError(lengths, 1);
   if (options.judges_noise) {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <set>
 
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 
 namespace tubeplan::calibration {
 
@@ -18,7 +18,7 @@ constexpr double kDisplayDegrees[] = {1, 0.5, 0.1, 0.05, 0.01};                /
 constexpr double kDisplayRadians[] = {0.1, 0.05, 0.01, 0.005, 0.001, 0.0005};  // display resolutions [rad]
 // Largest deviation of a reading from a multiple of the step, relative to the step, if it is written with few digits.
 constexpr double kNearStep = 0.02;
-constexpr std::size_t kLeastReadings = 8, kLeastStops = 4;
+constexpr std::size_t kLeastMeasurements = 8, kLeastStops = 4;
 // The errors, and those that rounding causes, may differ by at most the reciprocal of this factor.
 constexpr double kShareOfError = 1. / 3;
 
@@ -36,27 +36,27 @@ std::vector<DisplayStep> displaySteps() {
   return steps;
 }
 
-/// Returns true if a joint's readings are whole multiples of a step and take several different values, since a joint
-/// that hardly moves may have a round value by chance.
-bool areMultiples(const std::vector<Measurement>& readings, int joint, double step) {
+/// Returns true if a joint's readings are whole multiples of a step and take several different values, since a
+/// joint that hardly moves may have a round value by chance.
+bool areMultiples(const std::vector<Measurement>& measurements, int joint, double step) {
   std::set<double> places;
-  for (const auto& reading : readings) {
-    const double steps = reading.q[joint] / step;
+  for (const auto& measurement : measurements) {
+    const double steps = measurement.q[joint] / step;
     if (std::abs(steps - std::round(steps)) >= kNearStep) return false;
     places.insert(std::round(steps));
   }
   return places.size() >= kLeastStops;
 }
 
-/// For each joint, returns the coarsest display resolution of which all its readings are multiples; size 0 if there is
-/// none that is coarser than the encoder.
-std::vector<DisplayStep> stepsOf(const CheckedReadings& checked) {
+/// For each joint, returns the coarsest display resolution of which all its measurements are multiples; size 0 if there
+/// is none that is coarser than the encoder.
+std::vector<DisplayStep> stepsOf(const CheckedMeasurements& checked) {
   const auto& arm = checked.start.arm;
   const auto steps = displaySteps();
   std::vector<DisplayStep> of_joints(static_cast<std::size_t>(arm.jointCount()));
   for (const int j : turningJoints(arm)) {
     const auto found = std::ranges::find_if(steps, [&](const DisplayStep& step) {
-      return arm.joint(j).encoder_sigma < step.size / std::sqrt(12) && areMultiples(checked.readings, j, step.size);
+      return arm.joint(j).encoder_sigma < step.size / std::sqrt(12) && areMultiples(checked.measurements, j, step.size);
     });
     if (found != steps.end()) of_joints[static_cast<std::size_t>(j)] = *found;
   }
@@ -68,9 +68,9 @@ double motionOfRounding(const std::vector<DisplayStep>& steps, const MistakeTria
   const PlacedArm& placed = trials.asIs().placed;
   double squares = 0;
   int count = 0;
-  for (const auto& reading : trials.checked().readings) {
-    if (!statedPlace(reading)) continue;
-    const auto predicted = predictReading(placed, reading, {.by_joints = true});
+  for (const auto& measurement : trials.checked().measurements) {
+    if (!statedPlace(measurement)) continue;
+    const auto predicted = predictMeasurement(placed, measurement, {.by_joints = true});
     if (!predicted.ok) continue;
     for (std::size_t j = 0; j < steps.size(); ++j)
       squares +=
@@ -81,17 +81,17 @@ double motionOfRounding(const std::vector<DisplayStep>& steps, const MistakeTria
 }
 
 /// Returns the fraction of the sum of squares of random scatter that remains after a fit of all open parameters; small
-/// if there are few readings.
+/// if there are few measurements.
 double shareLeft(const MistakeTrials& trials) {
   double rows = 0;
-  for (const auto& reading : trials.pool().readings)
-    if (trials.pool().counted.contains(reading.id)) rows += rowsOf(reading);
+  for (const auto& measurement : trials.pool().measurements)
+    if (trials.pool().counted.contains(measurement.id)) rows += rowsOf(measurement);
   return std::clamp(trials.freedom({}, TrialDepth::kOpen) / std::max(1., rows), 0., 1.);
 }
 
-/// Returns a phrase such as "all joint readings are multiples of 0.1 deg", or "the readings of q1 and q2 are multiples
-/// of 0.1 deg, of q3 of 0.001 rad".
-std::string stepsText(const CheckedReadings& checked, const std::vector<DisplayStep>& steps) {
+/// Returns a phrase such as "all joint readings are multiples of 0.1 deg", or "the measurements of q1 and q2 are
+/// multiples of 0.1 deg, of q3 of 0.001 rad".
+std::string stepsText(const CheckedMeasurements& checked, const std::vector<DisplayStep>& steps) {
   const auto is_alike = [&](const DisplayStep& step) { return step.text == steps.front().text; };
   if (std::ranges::all_of(steps, is_alike)) return "all joint readings are multiples of " + steps.front().text;
   std::string text;
@@ -109,10 +109,10 @@ std::string stepsText(const CheckedReadings& checked, const std::vector<DisplayS
 }  // namespace
 
 std::optional<MeasurementCheck> roundedJoints(const MistakeTrials& trials) {
-  const CheckedReadings& checked = trials.checked();
+  const CheckedMeasurements& checked = trials.checked();
   const Trial& as_is = trials.asIs();
   constexpr double kMisfit = 2;  // chi-square per degree of freedom above which the fit is inadequate
-  if (checked.readings.size() < kLeastReadings || !(as_is.chi2_per_freedom > kMisfit)) return std::nullopt;
+  if (checked.measurements.size() < kLeastMeasurements || !(as_is.chi2_per_freedom > kMisfit)) return std::nullopt;
   const auto steps = stepsOf(checked);
   if (std::ranges::none_of(steps, [](const DisplayStep& step) { return step.size > 0; })) return std::nullopt;
   const double motion = motionOfRounding(steps, trials);

@@ -15,12 +15,12 @@ constexpr std::size_t kEndRows = 20;
 
 }  // namespace
 
-std::vector<PlacedArm> likelyPlacings(const CheckedReadings& checked) {
+std::vector<PlacedArm> likelyPlacings(const CheckedMeasurements& checked) {
   std::vector<PlacedArm> placed{checked.start};
   const auto& bases = checked.start.base_poses;
   if (std::ranges::all_of(bases, &BasePose::is_known)) return placed;
-  const auto count = static_cast<std::ptrdiff_t>(std::min(kEndRows, checked.readings.size()));
-  const auto begin = checked.readings.begin(), end = checked.readings.end();
+  const auto count = static_cast<std::ptrdiff_t>(std::min(kEndRows, checked.measurements.size()));
+  const auto begin = checked.measurements.begin(), end = checked.measurements.end();
   for (const auto& part : {std::vector(begin, begin + count), std::vector(end - count, end)}) {
     RobustFitOptions options;
     options.free.priors = checked.free.priors;
@@ -35,11 +35,11 @@ double RowErrors::at(std::size_t k) {
 }
 
 double RowErrors::errorOf(std::size_t k) {
-  const Measurement& reading = readings_[k];
-  if (!statesPlace(reading)) return kNotKnown;
-  const auto found = predictor_.predict(basePoseAt(placed_, reading), reading);
+  const Measurement& measurement = measurements_[k];
+  if (!statesPlace(measurement)) return kNotKnown;
+  const auto found = predictor_.predict(basePoseAt(placed_, measurement), measurement);
   if (!found.ok || found.value.size() < 3) return kNotKnown;
-  return (found.value.head<3>() - *reading.p_W).norm();
+  return (found.value.head<3>() - *measurement.p_W).norm();
 }
 
 RowComparison::RowComparison(RowErrors& as_is, RowErrors& mended, double reach)

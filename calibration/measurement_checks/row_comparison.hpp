@@ -1,4 +1,4 @@
-// Row-by-row comparison of two versions of the readings, as stated and as corrected, with an arm's predictions. It
+// Row-by-row comparison of two versions of the measurements, as stated and as corrected, with an arm's predictions. It
 // shows at which row a mistake begins.
 #pragma once
 
@@ -6,30 +6,30 @@
 #include <vector>
 
 #include "calibration/measurement_checks/mistake.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 
 namespace tubeplan::calibration {
 
 /// Returns arms with possible base poses: the nominal poses and, if a base is unknown, poses fitted to the first and to
-/// the last readings. A mistake that begins or ends in the middle leaves at least one of these two fits correct.
-[[nodiscard]] std::vector<PlacedArm> likelyPlacings(const CheckedReadings& checked);
+/// the last measurements. A mistake that begins or ends in the middle leaves at least one of these two fits correct.
+[[nodiscard]] std::vector<PlacedArm> likelyPlacings(const CheckedMeasurements& checked);
 
-/// Distances between readings and an arm's predictions, each computed on first use. Arm and readings must outlive the
-/// object.
+/// Distances between measurements and an arm's predictions, each computed on first use. Arm and measurements must
+/// outlive the object.
 class RowErrors {
  public:
-  RowErrors(const PlacedArm& placed, const std::vector<Measurement>& readings)
-      : placed_(placed), readings_(readings), predictor_(placed.arm), known_(readings.size()) {}
+  RowErrors(const PlacedArm& placed, const std::vector<Measurement>& measurements)
+      : placed_(placed), measurements_(measurements), predictor_(placed.arm), known_(measurements.size()) {}
 
-  /// Returns the error of row `k` [m]; NaN if the reading states no position.
+  /// Returns the error of row `k` [m]; NaN if the measurement states no position.
   double at(std::size_t k);
 
  private:
   [[nodiscard]] double errorOf(std::size_t k);
 
   const PlacedArm& placed_;
-  const std::vector<Measurement>& readings_;
-  ReadingPredictor predictor_;
+  const std::vector<Measurement>& measurements_;
+  MeasurementPredictor predictor_;
   std::vector<std::optional<double>> known_;
 };
 

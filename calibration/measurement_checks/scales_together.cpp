@@ -19,7 +19,7 @@ constexpr double kSharesOfLimit[] = {0.95, 0.7, 0.5, 0.36};
 constexpr double kHalfTurn = 3.2;          // replaces limits of joints that are farther than this from zero [rad]
 constexpr double kPastByScale = 0.05;      // largest accepted excess over a limit [rad]
 constexpr std::size_t kMostTried = 5000;   // maximum number of combinations that are tried
-constexpr std::size_t kMostLookedAt = 20;  // maximum number of readings in the comparison
+constexpr std::size_t kMostLookedAt = 20;  // maximum number of measurements in the comparison
 // Number of combinations that are improved, and number of those that are finally proposed.
 constexpr std::size_t kBettered = 16, kProposed = 2;
 constexpr int kScaleTurns = 3, kSectionSteps = 8, kFitRepeats = 3;
@@ -31,7 +31,7 @@ struct Scales {
 
 class ScalesTogether {
  public:
-  ScalesTogether(const CheckedReadings& checked, const std::vector<int>& joints)
+  ScalesTogether(const CheckedMeasurements& checked, const std::vector<int>& joints)
       : checked_(checked), joints_(joints), scaled_(checked, joints, kMostLookedAt) {}
 
   std::vector<Scales> find() {
@@ -45,8 +45,8 @@ class ScalesTogether {
   }
 
  private:
-  /// Returns the scales to be tried for a joint: those of either sign with which its readings stay within its limits
-  /// and cover much of its range.
+  /// Returns the scales to be tried for a joint: those of either sign with which its readings stay within its
+  /// limits and cover much of its range.
   [[nodiscard]] std::vector<double> worthTrying(int j) const {
     const auto& joint = checked_.start.arm.joint(j);
     const auto [lowest, highest] = mistakes::joint_scale::rangeOf(checked_, j);
@@ -109,11 +109,11 @@ class ScalesTogether {
   /// Fits the factors to the arm as drawn, together with the base if it is unknown.
   void fit(Scales& scales) const {
     for (int repeat = 0; repeat < kFitRepeats; ++repeat) {
-      auto readings = checked_.readings;
+      auto measurements = checked_.measurements;
       PlacedArm start = checked_.start;
       RobustFitOptions options{{{}, true, checked_.free.priors}};
       for (std::size_t j = 0; j < joints_.size(); ++j) {
-        for (auto& reading : readings) reading.q[joints_[j]] *= scales.factors[j];
+        for (auto& measurement : measurements) measurement.q[joints_[j]] *= scales.factors[j];
         const std::string& name = start.arm.joint(joints_[j]).name;
         auto made = deflection::makeEffect(start.arm, "joint-scale", name);
         if (made.status != deflection::EffectStatus::kMade) return;
@@ -122,7 +122,7 @@ class ScalesTogether {
         options.free.names.push_back("joint-scale@" + name + ".scale");
         options.free.priors.named[options.free.names.back()] = 0.5;
       }
-      const auto found = fitRobustly(start, readings, options);
+      const auto found = fitRobustly(start, measurements, options);
       if (!found.ok) return;
       const auto& effects = found.placed.arm.effects;
       for (std::size_t j = 0; j < joints_.size(); ++j)
@@ -130,14 +130,14 @@ class ScalesTogether {
     }
   }
 
-  const CheckedReadings& checked_;
+  const CheckedMeasurements& checked_;
   const std::vector<int>& joints_;
-  mistakes::joint_scale::ScaledReadings scaled_;
+  mistakes::joint_scale::ScaledMeasurements scaled_;
 };
 
 }  // namespace
 
-std::vector<std::vector<std::string>> likelyScales(const CheckedReadings& checked, const std::vector<int>& joints) {
+std::vector<std::vector<std::string>> likelyScales(const CheckedMeasurements& checked, const std::vector<int>& joints) {
   std::vector<std::vector<std::string>> values;
   for (const Scales& scales : ScalesTogether(checked, joints).find()) {
     if (!std::isfinite(scales.score)) continue;

@@ -13,8 +13,8 @@
 namespace tubeplan::calibration {
 
 /// Returns the most probable scales, best first: for each solution, one value of `joint-scale` per joint [rad per unit
-/// read]. Empty if too few readings state a position, or if there are too many joints.
-[[nodiscard]] std::vector<std::vector<std::string>> likelyScales(const CheckedReadings& checked,
+/// read]. Empty if too few measurements state a position, or if there are too many joints.
+[[nodiscard]] std::vector<std::vector<std::string>> likelyScales(const CheckedMeasurements& checked,
                                                                  const std::vector<int>& joints);
 
 }  // namespace tubeplan::calibration

@@ -8,19 +8,19 @@
 
 namespace tubeplan::calibration::mistakes::setup_alone {
 
-inline std::vector<std::string> values(const CheckedReadings& checked) {
+inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   if (checked.start.base_poses.size() < 2) return {};
   return {checked.start.base_poses.front().setup};
 }
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
   const auto& base_poses = checked.start.base_poses;
   if (std::ranges::none_of(base_poses, [&](const BasePose& base_pose) { return base_pose.setup == value; }))
     return std::nullopt;
   Mend mend{"setup", value,
             "the tip was remounted between the set-ups: each has its own tip offset and must be fitted separately"};
-  mend.change = [value](std::vector<Measurement>& readings) {
-    std::erase_if(readings, [&](const Measurement& reading) { return reading.setup != value; });
+  mend.change = [value](std::vector<Measurement>& measurements) {
+    std::erase_if(measurements, [&](const Measurement& measurement) { return measurement.setup != value; });
   };
   mend.parts_setups = true;
   return mend;

@@ -8,11 +8,11 @@
 
 namespace tubeplan::calibration::mistakes::sheet_mirrored {
 
-inline std::vector<std::string> values(const CheckedReadings& checked) {
+inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   return holes_off::values(checked).empty() ? std::vector<std::string>{} : std::vector<std::string>{"columns", "rows"};
 }
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
   if ((value != "rows" && value != "columns") || !checked.sheet) return std::nullopt;
   const holes_off::OtherHole other = [sheet = checked.sheet, of_rows = value == "rows"](const auto& named) {
     return of_rows ? sheet->find(sheet->rows + 1 - named.row, named.column)
@@ -20,8 +20,8 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   };
   if (!holes_off::areAllThere(checked, other)) return std::nullopt;
   Mend mend{"sheet-mirrored", value, "the sheet is mirrored: its " + value + " are counted from the other side"};
-  mend.change = [checked = &checked, other](std::vector<Measurement>& readings) {
-    holes_off::rename(*checked, other, readings);
+  mend.change = [checked = &checked, other](std::vector<Measurement>& measurements) {
+    holes_off::rename(*checked, other, measurements);
   };
   return mend;
 }

@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-#include "calibration/measurement_checks/from_reading.hpp"
+#include "calibration/measurement_checks/from_measurement.hpp"
 #include "calibration/measurement_checks/row_comparison.hpp"
 #include "tubesheets/csv_table.hpp"
 
@@ -18,7 +18,7 @@ constexpr std::size_t kFewest = 3;  // smallest number of rows before and after 
 constexpr int kTried[] = {-1, 1};   // tried shifts [rows] that begin within the table
 constexpr double kFits = 0.03;      // a row with a smaller error, relative to the reach, counts as not shifted
 
-/// Copies the measured values of a reading, but not its joints and loads.
+/// Copies the measured values of a measurement, but not its joints and loads.
 void takeMeasured(const Measurement& from, Measurement& to) {
   to.kind = from.kind;
   to.point = from.point;
@@ -34,29 +34,29 @@ void takeMeasured(const Measurement& from, Measurement& to) {
   to.turn_sigma = from.turn_sigma;
 }
 
-/// Parsed value such as "-1" or "-1@P37": by how many rows values are shifted, and from which reading on; nullopt: in
-/// the whole table.
+/// Parsed value such as "-1" or "-1@P37": by how many rows values are shifted, and from which measurement on; nullopt:
+/// in the whole table.
 struct Shift {
   int by = 0;
   std::optional<std::string> from;
 };
 
 std::optional<Shift> shiftNamed(const std::string& value) {
-  const auto [rows, from] = partedAtReading(value);
+  const auto [rows, from] = partedAtMeasurement(value);
   const auto by = tubesheets::parseInteger(rows);
   if (!by || *by == 0 || std::abs(*by) > 1000) return std::nullopt;
   return Shift{*by, from};
 }
 
-/// Returns all readings, each with the measured values from `by` rows further down. Unlike shift(), keeps readings
-/// without such a row, but without a position.
-std::vector<Measurement> inPlace(int by, const std::vector<Measurement>& readings) {
-  auto moved = readings;
-  const auto count = static_cast<int>(readings.size());
+/// Returns all measurements, each with the measured values from `by` rows further down. Unlike shift(), keeps
+/// measurements without such a row, but without a position.
+std::vector<Measurement> inPlace(int by, const std::vector<Measurement>& measurements) {
+  auto moved = measurements;
+  const auto count = static_cast<int>(measurements.size());
   for (int k = 0; k < count; ++k) {
     Measurement& to = moved[static_cast<std::size_t>(k)];
     if (k + by >= 0 && k + by < count)
-      takeMeasured(readings[static_cast<std::size_t>(k + by)], to);
+      takeMeasured(measurements[static_cast<std::size_t>(k + by)], to);
     else
       to.p_W.reset();
   }
@@ -81,20 +81,20 @@ std::optional<std::size_t> startOf(RowComparison& comparison, RowErrors& as_is, 
   return start >= kFewest && start + kFewest <= count ? std::optional(start) : std::nullopt;
 }
 
-std::vector<std::string> values(const CheckedReadings& checked) {
-  const auto& readings = checked.readings;
-  if (readings.size() <= 3) return {};
+std::vector<std::string> values(const CheckedMeasurements& checked) {
+  const auto& measurements = checked.measurements;
+  if (measurements.size() <= 3) return {};
   std::vector<std::string> values{"-1", "1"};
   const double reach = deflection::reachOf(checked.start.arm);
   for (const PlacedArm& placed : likelyPlacings(checked)) {
-    RowErrors as_is(placed, readings);
+    RowErrors as_is(placed, measurements);
     for (const int by : kTried) {
-      const auto moved = inPlace(by, readings);
+      const auto moved = inPlace(by, measurements);
       RowErrors mended(placed, moved);
       RowComparison comparison(as_is, mended, reach);
-      const auto start = startOf(comparison, as_is, readings.size(), kFits * reach);
+      const auto start = startOf(comparison, as_is, measurements.size(), kFits * reach);
       if (!start) continue;
-      auto value = std::to_string(by) + "@" + readings[*start].id;
+      auto value = std::to_string(by) + "@" + measurements[*start].id;
       if (std::ranges::find(values, value) == values.end()) values.push_back(std::move(value));
     }
   }
@@ -102,17 +102,17 @@ std::vector<std::string> values(const CheckedReadings& checked) {
 }
 
 std::function<void(std::vector<Measurement>&)> changeFrom(int by, std::set<std::string> moved) {
-  return [by, moved = std::move(moved)](std::vector<Measurement>& readings) {
-    const auto first =
-        std::ranges::find_if(readings, [&](const Measurement& reading) { return moved.contains(reading.id); });
-    std::vector<Measurement> rest(std::make_move_iterator(first), std::make_move_iterator(readings.end()));
-    readings.erase(first, readings.end());
+  return [by, moved = std::move(moved)](std::vector<Measurement>& measurements) {
+    const auto first = std::ranges::find_if(
+        measurements, [&](const Measurement& measurement) { return moved.contains(measurement.id); });
+    std::vector<Measurement> rest(std::make_move_iterator(first), std::make_move_iterator(measurements.end()));
+    measurements.erase(first, measurements.end());
     shift(by, rest);
-    std::ranges::move(rest, std::back_inserter(readings));
+    std::ranges::move(rest, std::back_inserter(measurements));
   };
 }
 
-std::optional<Mend> mendOf(const CheckedReadings& checked, const std::string& value) {
+std::optional<Mend> mendOf(const CheckedMeasurements& checked, const std::string& value) {
   const auto named = shiftNamed(value);
   if (!named) return std::nullopt;
   const int by = named->by;
@@ -120,9 +120,9 @@ std::optional<Mend> mendOf(const CheckedReadings& checked, const std::string& va
   Mend mend{
       "shift", value,
       "the measured values stand " + rows + (by > 0 ? " below" : " above") + " the joint readings they belong to"};
-  mend.change = [by](std::vector<Measurement>& readings) { shift(by, readings); };
+  mend.change = [by](std::vector<Measurement>& measurements) { shift(by, measurements); };
   if (!named->from) return mend;
-  auto moved = idsFrom(checked.readings, *named->from);
+  auto moved = idsFrom(checked.measurements, *named->from);
   if (moved.empty()) return std::nullopt;
   mend.sentence = "from reading " + *named->from + " on " + mend.sentence +
                   (by < 0 ? ": a measured point was lost there" : ": a measured point is there twice, or too many");
@@ -133,17 +133,17 @@ std::optional<Mend> mendOf(const CheckedReadings& checked, const std::string& va
 
 }  // namespace
 
-void shift(int by, std::vector<Measurement>& readings) {
+void shift(int by, std::vector<Measurement>& measurements) {
   std::vector<Measurement> shifted;
-  const auto count = static_cast<int>(readings.size());
+  const auto count = static_cast<int>(measurements.size());
   for (int k = 0; k < count; ++k) {
     if (k + by < 0 || k + by >= count) continue;
-    const Measurement& measured = readings[static_cast<std::size_t>(k + by)];
-    if (measured.setup != readings[static_cast<std::size_t>(k)].setup) continue;
-    shifted.push_back(readings[static_cast<std::size_t>(k)]);
+    const Measurement& measured = measurements[static_cast<std::size_t>(k + by)];
+    if (measured.setup != measurements[static_cast<std::size_t>(k)].setup) continue;
+    shifted.push_back(measurements[static_cast<std::size_t>(k)]);
     takeMeasured(measured, shifted.back());
   }
-  readings = std::move(shifted);
+  measurements = std::move(shifted);
 }
 
 MistakeKind kind() {

@@ -11,42 +11,42 @@
 #include <vector>
 
 #include "calibration/measurement_checks/check_words.hpp"
-#include "calibration/measurement_checks/from_reading.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurement_checks/from_measurement.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 
 namespace {
 
-// Smallest ratio of a gross error to the usual error and to the noise; no physical law leaves a single reading so far
-// off.
+// Smallest ratio of a gross error to the usual error and to the noise; no physical law leaves a single measurement so
+// far off.
 constexpr double kGross = 10;
 constexpr std::size_t kLeast = 6;  // with fewer errors, the usual error is not determined
-// If more than this fraction of the readings is stale, copied joints are not the cause, unless the readings are
+// If more than this fraction of the measurements is stale, copied joints are not the cause, unless the measurements are
 // consecutive.
 constexpr double kMostOfThem = 0.2;
-constexpr double kMostOfRun = 0.4;  // largest accepted fraction of stale readings if these are consecutive
+constexpr double kMostOfRun = 0.4;  // largest accepted fraction of stale measurements if these are consecutive
 
-/// Values of a reading that are compared with those of another one, and the set-up.
+/// Values of a measurement that are compared with those of another one, and the set-up.
 using Station = std::pair<std::vector<double>, std::string>;
 
 /// Returns the joint values and the load, which together determine the posture.
-std::optional<Station> jointsOf(const Measurement& reading) {
-  std::vector<double> numbers(reading.q.begin(), reading.q.end());
-  numbers.insert(numbers.end(), reading.side_q.begin(), reading.side_q.end());
-  numbers.push_back(reading.load);
-  return Station{std::move(numbers), reading.setup};
+std::optional<Station> jointsOf(const Measurement& measurement) {
+  std::vector<double> numbers(measurement.q.begin(), measurement.q.end());
+  numbers.insert(numbers.end(), measurement.side_q.begin(), measurement.side_q.end());
+  numbers.push_back(measurement.load);
+  return Station{std::move(numbers), measurement.setup};
 }
 
 /// Returns the position that an instrument measured; nullopt for touches, since a point may be touched repeatedly.
-std::optional<Station> placeMeasured(const Measurement& reading) {
-  const auto& kind = kindOf(reading);
-  if (!reading.p_W || !kind.is_place || kind.is_touch || kind.has_anchor) return std::nullopt;
-  return Station{{reading.p_W->begin(), reading.p_W->end()}, reading.setup};
+std::optional<Station> placeMeasured(const Measurement& measurement) {
+  const auto& kind = kindOf(measurement);
+  if (!measurement.p_W || !kind.is_place || kind.is_touch || kind.has_anchor) return std::nullopt;
+  return Station{{measurement.p_W->begin(), measurement.p_W->end()}, measurement.setup};
 }
 
-/// Part of a reading, its joints or its measured position, that may be stale, with the wording of its messages.
+/// Part of a measurement, its joints or its measured position, that may be stale, with the wording of its messages.
 struct Side {
   const char *name, *one, *several, *cause;
   std::optional<Station> (*of)(const Measurement&);
@@ -60,29 +60,29 @@ constexpr Side kSides[] = {
      "readings state the place of another reading, to the last digit, and the arm is not there",
      "the tracker stood still while the arm moved on, or the place was copied", placeMeasured}};
 
-/// Returns the norm of a reading's residual [m]; NaN for touches of unknown points, and if the model cannot be
+/// Returns the norm of a measurement's residual [m]; NaN for touches of unknown points, and if the model cannot be
 /// evaluated.
-double errorOf(const PlacedArm& placed, const Measurement& reading) {
-  if (hasUnknownPlace(reading)) return kNotKnown;
-  const Prediction predicted = predictReading(placed, reading);
-  return predicted.ok ? (predicted.value - kindOf(reading).measured(reading)).norm() : kNotKnown;
+double errorOf(const PlacedArm& placed, const Measurement& measurement) {
+  if (hasUnknownPlace(measurement)) return kNotKnown;
+  const Prediction predicted = predictMeasurement(placed, measurement);
+  return predicted.ok ? (predicted.value - kindOf(measurement).measured(measurement)).norm() : kNotKnown;
 }
 
-/// Index of a stale reading, and index of the reading whose values it repeats.
+/// Index of a stale measurement, and index of the measurement whose values it repeats.
 struct Stale {
-  std::size_t reading = 0, of = 0;
+  std::size_t measurement = 0, of = 0;
 };
 
-std::vector<Stale> staleAmong(const std::vector<Measurement>& readings, const std::vector<double>& errors,
+std::vector<Stale> staleAmong(const std::vector<Measurement>& measurements, const std::vector<double>& errors,
                               const Side& side) {
   std::vector<double> known;
   std::ranges::copy_if(errors, std::back_inserter(known), [](double e) { return std::isfinite(e); });
   if (known.size() < kLeast) return {};
   const double usual = median(std::move(known));
-  const auto isGross = [&](std::size_t k) { return errors[k] > kGross * std::max(usual, readings[k].sigma); };
+  const auto isGross = [&](std::size_t k) { return errors[k] > kGross * std::max(usual, measurements[k].sigma); };
   std::map<Station, std::vector<std::size_t>> stations;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    if (auto station = side.of(readings[k])) stations[std::move(*station)].push_back(k);
+  for (std::size_t k = 0; k < measurements.size(); ++k)
+    if (auto station = side.of(measurements[k])) stations[std::move(*station)].push_back(k);
   std::vector<Stale> stale;
   for (const auto& [station, members] : stations)
     for (const std::size_t k : members) {
@@ -92,23 +92,23 @@ std::vector<Stale> staleAmong(const std::vector<Measurement>& readings, const st
       });
       if (near != members.rend()) stale.push_back({k, *near});
     }
-  std::ranges::sort(stale, {}, &Stale::reading);
+  std::ranges::sort(stale, {}, &Stale::measurement);
   return stale;
 }
 
-std::string distanceText(const CheckedReadings& checked, const Stale& stale) {
-  const Measurement &reading = checked.readings[stale.reading], &of = checked.readings[stale.of];
-  if (!statesPlace(reading) || !statesPlace(of) || *reading.p_W == *of.p_W) return "";
+std::string distanceText(const CheckedMeasurements& checked, const Stale& stale) {
+  const Measurement &measurement = checked.measurements[stale.measurement], &of = checked.measurements[stale.of];
+  if (!statesPlace(measurement) || !statesPlace(of) || *measurement.p_W == *of.p_W) return "";
   const auto& unit = checked.units.coordinates;
-  return fmt::format(", {:.3g} {} from there", (*reading.p_W - *of.p_W).norm() / unit.factor, unit.name);
+  return fmt::format(", {:.3g} {} from there", (*measurement.p_W - *of.p_W).norm() / unit.factor, unit.name);
 }
 
-/// Returns the root mean square of the finite errors [m], except those of the given stale readings.
+/// Returns the root mean square of the finite errors [m], except those of the given stale measurements.
 double rmsOf(const std::vector<double>& errors, const std::vector<Stale>& without) {
   double sum = 0;
   int count = 0;
   for (std::size_t k = 0; k < errors.size(); ++k) {
-    if (!std::isfinite(errors[k]) || std::ranges::find(without, k, &Stale::reading) != without.end()) continue;
+    if (!std::isfinite(errors[k]) || std::ranges::find(without, k, &Stale::measurement) != without.end()) continue;
     sum += errors[k] * errors[k];
     ++count;
   }
@@ -116,18 +116,18 @@ double rmsOf(const std::vector<double>& errors, const std::vector<Stale>& withou
 }
 
 bool isRun(const std::vector<Stale>& stale) {
-  return stale.size() > 1 && stale.back().reading - stale.front().reading + 1 == stale.size();
+  return stale.size() > 1 && stale.back().measurement - stale.front().measurement + 1 == stale.size();
 }
 
-std::optional<MeasurementCheck> staleOf(const Side& side, const CheckedReadings& checked,
+std::optional<MeasurementCheck> staleOf(const Side& side, const CheckedMeasurements& checked,
                                         const std::vector<double>& errors) {
-  const auto stale = staleAmong(checked.readings, errors, side);
+  const auto stale = staleAmong(checked.measurements, errors, side);
   const double most = isRun(stale) ? kMostOfRun : kMostOfThem;
-  if (stale.empty() || static_cast<double>(stale.size()) > most * static_cast<double>(checked.readings.size()))
+  if (stale.empty() || static_cast<double>(stale.size()) > most * static_cast<double>(checked.measurements.size()))
     return std::nullopt;
   std::vector<std::string> ids, pairs;
   for (const Stale& one : stale) {
-    const std::string &id = checked.readings[one.reading].id, &of = checked.readings[one.of].id;
+    const std::string &id = checked.measurements[one.measurement].id, &of = checked.measurements[one.of].id;
     ids.push_back(id);
     pairs.push_back(id + (side.of == jointsOf ? " those of " : " that of ") + of + distanceText(checked, one));
   }
@@ -137,16 +137,16 @@ std::optional<MeasurementCheck> staleOf(const Side& side, const CheckedReadings&
       fmt::format("{}: {}; {}", ids.size() == 1 ? side.one : side.several, listOf(pairs), side.cause),
       rmsOf(errors, {}),
       rmsOf(errors, stale),
-      isRun(stale) ? "without=" + textOf({stale.front().reading, stale.back().reading}, checked.readings)
+      isRun(stale) ? "without=" + textOf({stale.front().measurement, stale.back().measurement}, checked.measurements)
                    : assumeWithout(ids),
       {}};
 }
 
 }  // namespace
 
-std::vector<MeasurementCheck> staleReadings(const CheckedReadings& checked, const PlacedArm& found) {
+std::vector<MeasurementCheck> staleMeasurements(const CheckedMeasurements& checked, const PlacedArm& found) {
   std::vector<double> errors;
-  for (const auto& reading : checked.readings) errors.push_back(errorOf(found, reading));
+  for (const auto& measurement : checked.measurements) errors.push_back(errorOf(found, measurement));
   std::vector<MeasurementCheck> checks;
   for (const Side& side : kSides)
     if (auto check = staleOf(side, checked, errors)) checks.push_back(std::move(*check));

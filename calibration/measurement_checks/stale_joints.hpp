@@ -1,6 +1,6 @@
-// Mistake: readings repeat the joints of another reading, because they were logged too early or copied from the row
-// above, or repeat its position, because the tracker stood still. Either may happen to a single reading or to several
-// consecutive ones.
+// Mistake: measurements repeat the joints of another measurement, because they were logged too early or copied from the
+// row above, or repeat its position, because the tracker stood still. Either may happen to a single measurement or to
+// several consecutive ones.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,10 @@
 
 namespace tubeplan::calibration {
 
-/// Returns mistakes for readings whose joints, or whose measured position, are exactly those of another reading, if the
-/// prediction of `found`, the model of a robust fit, is far from this reading but close to the other one.
-[[nodiscard]] std::vector<MeasurementCheck> staleReadings(const CheckedReadings& checked, const PlacedArm& found);
+/// Returns mistakes for measurements whose joints, or whose measured position, are exactly those of another
+/// measurement, if the prediction of `found`, the model of a robust fit, is far from this measurement but close to the
+/// other one.
+[[nodiscard]] std::vector<MeasurementCheck> staleMeasurements(const CheckedMeasurements& checked,
+                                                              const PlacedArm& found);
 
 }  // namespace tubeplan::calibration

@@ -6,7 +6,7 @@
 #include "calibration/estimation/prior.hpp"
 #include "calibration/estimation/whitened_residual.hpp"
 #include "calibration/measurement_checks/robust_fit.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 #include "deflection/parameters.hpp"
 
@@ -16,21 +16,21 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Weights under Student's t distribution, whose scale is that of the majority of the readings but at least that of the
-/// noise; `roots` are the square roots of the weights, one per row.
+/// Weights under Student's t distribution, whose scale is that of the majority of the measurements but at least that of
+/// the noise; `roots` are the square roots of the weights, one per row.
 struct RowWeights {
   VectorXd roots;
   double variance = 1;
 };
-RowWeights weightsOf(const std::vector<Measurement>& readings, const std::vector<int>& first_row,
+RowWeights weightsOf(const std::vector<Measurement>& measurements, const std::vector<int>& first_row,
                      const VectorXd& residual) {
   std::vector<double> squares;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    squares.push_back(residual.segment(first_row[k], rowsOf(readings[k])).squaredNorm() / rowsOf(readings[k]));
+  for (std::size_t k = 0; k < measurements.size(); ++k)
+    squares.push_back(residual.segment(first_row[k], rowsOf(measurements[k])).squaredNorm() / rowsOf(measurements[k]));
   const double variance = std::max(1., median(squares));
   VectorXd roots(residual.size());
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    const int rows = rowsOf(readings[k]);
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
+    const int rows = rowsOf(measurements[k]);
     roots.segment(first_row[k], rows).setConstant(std::sqrt(studentWeight(rows * squares[k], rows, variance)));
   }
   return {roots, variance};
@@ -47,25 +47,25 @@ PredictionRequest slopesOfSteps(const deflection::Arm& arm) {
 
 }  // namespace
 
-double priceOfStep(int numbers, const std::vector<Measurement>& readings) {
-  const auto count = static_cast<double>(readings.size());
+double priceOfStep(int numbers, const std::vector<Measurement>& measurements) {
+  const auto count = static_cast<double>(measurements.size());
   return numbers / 2. * std::log(3 * count) + std::log(count);
 }
 
-StepScan::StepScan(PlacedArm fitted, const FreeChoice& open, const std::vector<Measurement>& readings,
+StepScan::StepScan(PlacedArm fitted, const FreeChoice& open, const std::vector<Measurement>& measurements,
                    const std::vector<StepForm>& forms)
-    : readings_(readings), forms_(forms) {
-  ok_ = readings.size() >= 2 * kFewestOfStep && linearize(std::move(fitted), open);
+    : measurements_(measurements), forms_(forms) {
+  ok_ = measurements.size() >= 2 * kFewestOfStep && linearize(std::move(fitted), open);
 }
 
 bool StepScan::linearize(PlacedArm fitted, const FreeChoice& open) {
   const auto unknowns = chooseUnknowns(fitted, open);
-  const auto weights = weighReadings(fitted, readings_);
+  const auto weights = weighMeasurements(fitted, measurements_);
   if (!weights) return false;
-  const auto at = whitenedResidual(fitted, unknowns.list, readings_, *weights, zerosOf(unknowns.list), true);
+  const auto at = whitenedResidual(fitted, unknowns.list, measurements_, *weights, zerosOf(unknowns.list), true);
   if (!at.ok || !at.r.allFinite() || !at.jacobian.allFinite()) return false;
   first_row_ = weights->first_row;
-  const auto [roots, variance] = weightsOf(readings_, first_row_, at.r);
+  const auto [roots, variance] = weightsOf(measurements_, first_row_, at.r);
   residual_ = roots.cwiseProduct(at.r);
   const MatrixXd J = roots.asDiagonal() * at.jacobian;
   MatrixXd A = J.transpose() * J;
@@ -79,13 +79,13 @@ bool StepScan::linearize(PlacedArm fitted, const FreeChoice& open) {
   by_fit_ = factor.matrixL().solve(J.transpose());
   residual_by_fit_ = by_fit_ * residual_;
 
-  ReadingPredictor predictor(fitted.arm);
+  MeasurementPredictor predictor(fitted.arm);
   const PredictionRequest request = slopesOfSteps(fitted.arm);
   for (const StepForm& form : forms_) by_step_.emplace_back(MatrixXd::Zero(residual_.size(), form.numbers));
-  for (std::size_t k = 0; k < readings_.size(); ++k) {
-    if (hasUnknownPlace(readings_[k])) continue;  // the unknown place absorbs any step
-    const auto& X_WB = basePoseAt(fitted, readings_[k]);
-    const Prediction predicted = predictor.predict(X_WB, readings_[k], request);
+  for (std::size_t k = 0; k < measurements_.size(); ++k) {
+    if (hasUnknownPlace(measurements_[k])) continue;  // the unknown place absorbs any step
+    const auto& X_WB = basePoseAt(fitted, measurements_[k]);
+    const Prediction predicted = predictor.predict(X_WB, measurements_[k], request);
     if (!predicted.ok) return false;
     for (std::size_t f = 0; f < forms_.size(); ++f) {
       if (!isOf(forms_[f], k)) continue;
@@ -97,8 +97,8 @@ bool StepScan::linearize(PlacedArm fitted, const FreeChoice& open) {
   return std::ranges::all_of(by_step_, [](const MatrixXd& S) { return S.allFinite(); });
 }
 
-bool StepScan::isOf(const StepForm& form, std::size_t reading) const {
-  return !form.setup || *form.setup == readings_[reading].setup;
+bool StepScan::isOf(const StepForm& form, std::size_t measurement) const {
+  return !form.setup || *form.setup == measurements_[measurement].setup;
 }
 
 std::optional<StepScan::Explained> StepScan::explained(const Sums& sums) const {
@@ -135,7 +135,7 @@ double StepScan::gainOf(double fall) const {
 std::optional<FoundStep> StepScan::bestStep(std::size_t form) const {
   const int numbers = forms_[form].numbers;
   std::vector<std::size_t> members;
-  for (std::size_t k = 0; k < readings_.size(); ++k)
+  for (std::size_t k = 0; k < measurements_.size(); ++k)
     if (isOf(forms_[form], k)) members.push_back(k);
   const std::size_t fewest = std::max<std::size_t>(kFewestOfStep, static_cast<std::size_t>(2 * numbers + 2) / 3);
   if (members.size() < 2 * fewest) return std::nullopt;
@@ -144,7 +144,7 @@ std::optional<FoundStep> StepScan::bestStep(std::size_t form) const {
   double most = 0;
   for (std::size_t m = members.size(); m-- > fewest;) {
     const std::size_t k = members[m];
-    const Index first = first_row_[k], rows = rowsOf(readings_[k]);
+    const Index first = first_row_[k], rows = rowsOf(measurements_[k]);
     const auto columns = by_step_[form].middleRows(first, rows);
     sums.by_fit += by_fit_.middleCols(first, rows) * columns;
     sums.by_step += columns.transpose() * columns;
@@ -156,7 +156,7 @@ std::optional<FoundStep> StepScan::bestStep(std::size_t form) const {
     best = {form, k, 0, here->size};
   }
   if (!(most > 0)) return std::nullopt;
-  best.merit = gainOf(most) - priceOfStep(numbers, readings_);
+  best.merit = gainOf(most) - priceOfStep(numbers, measurements_);
   return best;
 }
 
@@ -168,9 +168,9 @@ std::vector<FoundStep> StepScan::steps() const {
   return found;
 }
 
-VectorXd StepScan::sizeAt(std::size_t form, std::size_t reading) const {
+VectorXd StepScan::sizeAt(std::size_t form, std::size_t measurement) const {
   MatrixXd columns = by_step_[form];
-  columns.topRows(first_row_[reading]).setZero();
+  columns.topRows(first_row_[measurement]).setZero();
   const auto here = explained(sumsOf(columns));
   return here ? here->size : VectorXd::Zero(forms_[form].numbers);
 }
@@ -179,19 +179,19 @@ MatrixXd StepScan::creeping(std::size_t form, const std::vector<VectorXd>& along
   const MatrixXd& S = by_step_[form];
   MatrixXd columns(S.rows(), S.cols() * static_cast<Index>(along.size()));
   for (std::size_t c = 0; c < along.size(); ++c)
-    for (std::size_t k = 0; k < readings_.size(); ++k)
-      columns.block(first_row_[k], static_cast<Index>(c) * S.cols(), rowsOf(readings_[k]), S.cols()) =
-          along[c][static_cast<Index>(k)] * S.middleRows(first_row_[k], rowsOf(readings_[k]));
+    for (std::size_t k = 0; k < measurements_.size(); ++k)
+      columns.block(first_row_[k], static_cast<Index>(c) * S.cols(), rowsOf(measurements_[k]), S.cols()) =
+          along[c][static_cast<Index>(k)] * S.middleRows(first_row_[k], rowsOf(measurements_[k]));
   return columns;
 }
 
 /// Returns the functions of conditions (such as time), load, joints and row that a creep may follow, each with one
 /// column per parameter.
 std::vector<std::vector<VectorXd>> StepScan::courses(const StepForm& form) const {
-  const auto count = static_cast<Index>(readings_.size());
+  const auto count = static_cast<Index>(measurements_.size());
   const auto by = [&](auto number) {
     VectorXd values(count);
-    for (Index k = 0; k < count; ++k) values[k] = number(readings_[static_cast<std::size_t>(k)], k);
+    for (Index k = 0; k < count; ++k) values[k] = number(measurements_[static_cast<std::size_t>(k)], k);
     return values;
   };
   const auto centred = [](VectorXd values) {
@@ -217,7 +217,7 @@ std::vector<std::vector<VectorXd>> StepScan::courses(const StepForm& form) const
           return std::exp(-static_cast<double>(k) / (share * static_cast<double>(count)));
         }),
         false);
-  for (Index j = 0; j < readings_.front().q.size(); ++j) {
+  for (Index j = 0; j < measurements_.front().q.size(); ++j) {
     add(by([&](const auto& m, Index) { return m.q[j]; }), false);
     add(by([&](const auto& m, Index) { return std::sin(m.q[j]); }), false);
     add(by([&](const auto& m, Index) { return std::cos(m.q[j]); }), false);
@@ -229,7 +229,7 @@ std::vector<std::vector<VectorXd>> StepScan::courses(const StepForm& form) const
   }
   if (form.is_of_tip) {
     std::vector<std::string> setups;
-    for (const auto& m : readings_)
+    for (const auto& m : measurements_)
       if (std::ranges::find(setups, m.setup) == setups.end()) setups.push_back(m.setup);
     for (std::size_t s = 1; s < setups.size(); ++s)
       add(by([&](const auto& m, Index) { return m.setup == setups[s] ? 1. : 0.; }), false);
@@ -243,7 +243,7 @@ double StepScan::bestCreep() const {
     for (const auto& along : courses(forms_[f])) {
       const MatrixXd columns = creeping(f, along);
       if (const auto here = explained(sumsOf(columns)))
-        best = std::max(best, gainOf(here->gain) - priceOfStep(static_cast<int>(columns.cols()), readings_));
+        best = std::max(best, gainOf(here->gain) - priceOfStep(static_cast<int>(columns.cols()), measurements_));
     }
   return best;
 }

@@ -1,4 +1,4 @@
-// Search for a step, or for a gradual change (creep), in the errors of a fit. A step is tried at every reading.
+// Search for a step, or for a gradual change (creep), in the errors of a fit. A step is tried at every measurement.
 #pragma once
 
 #include <Eigen/Dense>
@@ -10,30 +10,30 @@
 
 namespace tubeplan::calibration {
 
-inline constexpr std::size_t kFewestOfStep = 4;  ///< smallest number of readings before and after a step
+inline constexpr std::size_t kFewestOfStep = 4;  ///< smallest number of measurements before and after a step
 
-/// Best step of one form: the reading at which it begins, and its size, one number per parameter.
+/// Best step of one form: the measurement at which it begins, and its size, one number per parameter.
 struct FoundStep {
-  std::size_t form = 0, reading = 0;  ///< `reading` is the first reading after the step
-  double merit = 0;                   ///< log odds gained, minus the penalty of the step
+  std::size_t form = 0, measurement = 0;  ///< `reading` is the first measurement after the step
+  double merit = 0;                       ///< log odds gained, minus the penalty of the step
   Eigen::VectorXd size;
 };
 
-/// Returns the penalty, in log odds, of a step with `numbers` parameters that may begin at any of the readings.
-[[nodiscard]] double priceOfStep(int numbers, const std::vector<Measurement>& readings);
+/// Returns the penalty, in log odds, of a step with `numbers` parameters that may begin at any of the measurements.
+[[nodiscard]] double priceOfStep(int numbers, const std::vector<Measurement>& measurements);
 
 class StepScan {
  public:
   /// Linearises the model at the state of a fit. `readings` and `forms` must outlive the object. ok() is false if the
-  /// model cannot be evaluated or there are too few readings.
-  StepScan(PlacedArm fitted, const FreeChoice& open, const std::vector<Measurement>& readings,
+  /// model cannot be evaluated or there are too few measurements.
+  StepScan(PlacedArm fitted, const FreeChoice& open, const std::vector<Measurement>& measurements,
            const std::vector<StepForm>& forms);
 
   [[nodiscard]] bool ok() const { return ok_; }
   /// Returns the best step of each form, most probable first.
   [[nodiscard]] std::vector<FoundStep> steps() const;
-  /// Returns the least-squares size of a step of this form that begins at this reading.
-  [[nodiscard]] Eigen::VectorXd sizeAt(std::size_t form, std::size_t reading) const;
+  /// Returns the least-squares size of a step of this form that begins at this measurement.
+  [[nodiscard]] Eigen::VectorXd sizeAt(std::size_t form, std::size_t measurement) const;
   /// Returns the log odds gained by the best creep, minus its penalty; comparable with FoundStep::merit.
   [[nodiscard]] double bestCreep() const;
 
@@ -52,13 +52,13 @@ class StepScan {
   [[nodiscard]] Sums sumsOf(const Eigen::MatrixXd& columns) const;
   [[nodiscard]] Eigen::MatrixXd creeping(std::size_t form, const std::vector<Eigen::VectorXd>& along) const;
   [[nodiscard]] std::vector<std::vector<Eigen::VectorXd>> courses(const StepForm& form) const;
-  [[nodiscard]] bool isOf(const StepForm& form, std::size_t reading) const;
+  [[nodiscard]] bool isOf(const StepForm& form, std::size_t measurement) const;
   [[nodiscard]] std::optional<FoundStep> bestStep(std::size_t form) const;
   /// Returns the log odds gained if half of chi-square decreases by `fall`. The scale of the errors is unknown, but at
   /// least that of the noise.
   [[nodiscard]] double gainOf(double fall) const;
 
-  const std::vector<Measurement>& readings_;
+  const std::vector<Measurement>& measurements_;
   const std::vector<StepForm>& forms_;
   bool ok_ = false;
   std::vector<int> first_row_;

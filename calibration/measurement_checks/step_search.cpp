@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "calibration/measurement_checks/from_reading.hpp"
+#include "calibration/measurement_checks/from_measurement.hpp"
 #include "calibration/measurement_checks/row_comparison.hpp"
 #include "calibration/measurement_checks/step_scan.hpp"
 
@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr std::size_t kMostSteps = 3;  // maximum number of steps that are proposed for the readings as stated
-constexpr int kTurns = 4;              // maximum number of passes: fit of the size, then search for the reading
+constexpr std::size_t kMostSteps = 3;  // maximum number of steps that are proposed for the measurements as stated
+constexpr int kTurns = 4;              // maximum number of passes: fit of the size, then search for the measurement
 constexpr double kBeyondCreep = 5;     // smallest log odds of a step against a creep
 constexpr double kDrasticFall = 8;     // a step that reduces the error by more than this factor cannot be a creep
 
@@ -31,13 +31,13 @@ class StepSearch {
           forms_.push_back(std::move(form));
           kinds_.push_back(&kind);
         }
-    all_ = trials.checked().readings;
+    all_ = trials.checked().measurements;
     before_.apply(all_);
   }
 
   std::vector<Mend> find() {
-    const auto readings = trials_.mended(before_, TrialDepth::kOpen);
-    const StepScan scan(without_.placed, trials_.open(), readings, forms_);
+    const auto measurements = trials_.mended(before_, TrialDepth::kOpen);
+    const StepScan scan(without_.placed, trials_.open(), measurements, forms_);
     if (!scan.ok()) return {};
     const double creep = scan.bestCreep();
     double rival = creep;
@@ -48,7 +48,7 @@ class StepSearch {
         rival = std::max(rival, step.merit);
         continue;
       }
-      auto mend = refined(step, readings[step.reading].id);
+      auto mend = refined(step, measurements[step.measurement].id);
       if (!mend) continue;
       if (step.merit < rival + kBeyondCreep && !isDrastic(*mend)) continue;
       found.push_back(std::move(*mend));
@@ -68,8 +68,8 @@ class StepSearch {
     return mend;
   }
 
-  /// Refines the size and the first reading of a step by alternating between a fit of the size and a search for the
-  /// reading; nullopt if a fit fails.
+  /// Refines the size and the first measurement of a step by alternating between a fit of the size and a search for the
+  /// measurement; nullopt if a fit fails.
   [[nodiscard]] std::optional<Mend> refined(const FoundStep& step, std::string from) const {
     VectorXd size = step.size;
     auto mend = mendOf(step.form, size, from);
@@ -78,8 +78,8 @@ class StepSearch {
       const Mend both = joined({before_, *mend});
       const Trial fit = trials_.tried(both, TrialDepth::kOpen);
       if (!fit.ok) return std::nullopt;
-      const auto readings = trials_.mended(both, TrialDepth::kOpen);
-      if (!mend->new_setup) size += change(step.form, size, fit.placed, readings, from);
+      const auto measurements = trials_.mended(both, TrialDepth::kOpen);
+      if (!mend->new_setup) size += change(step.form, size, fit.placed, measurements, from);
       const std::string there = beginning(step.form, size, from, fit);
       const bool rests = there == from && turn > 0;
       from = there;
@@ -91,16 +91,16 @@ class StepSearch {
 
   /// Returns by how much the step's size changes in a linear fit of the size together with all open parameters.
   [[nodiscard]] VectorXd change(std::size_t form, const VectorXd& size, const PlacedArm& placed,
-                                const std::vector<Measurement>& readings, const std::string& from) const {
+                                const std::vector<Measurement>& measurements, const std::string& from) const {
     const auto ids = idsFrom(all_, from);
     const std::vector<StepForm> one{forms_[form]};
-    const StepScan scan(placed, trials_.open(), readings, one);
-    const auto first = std::ranges::find_if(readings, [&](const auto& m) { return ids.contains(m.id); });
-    if (!scan.ok() || first == readings.end()) return VectorXd::Zero(size.size());
-    return scan.sizeAt(0, static_cast<std::size_t>(first - readings.begin()));
+    const StepScan scan(placed, trials_.open(), measurements, one);
+    const auto first = std::ranges::find_if(measurements, [&](const auto& m) { return ids.contains(m.id); });
+    if (!scan.ok() || first == measurements.end()) return VectorXd::Zero(size.size());
+    return scan.sizeAt(0, static_cast<std::size_t>(first - measurements.begin()));
   }
 
-  /// Returns the id of the reading for which the errors are smallest if the step begins there.
+  /// Returns the id of the measurement for which the errors are smallest if the step begins there.
   [[nodiscard]] std::string beginning(std::size_t form, const VectorXd& size, const std::string& from,
                                       const Trial& fit) const {
     std::vector<std::size_t> members;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "calibration/measurements/reading_problems.hpp"
+#include "calibration/measurements/measurement_problems.hpp"
 
 namespace tubeplan::calibration {
 
@@ -13,10 +13,11 @@ constexpr double kLeastFall = 3;  // smallest factor by which a mistake must red
 constexpr double kOdds = 14;      // required log odds: log of a million
 // A reduction of the error by this factor is more than a fit of the drawing's open parameters plausibly achieves.
 constexpr double kDrastic = 8;
-constexpr double kAsGood = 3;         // log odds within which another mistake explains the readings equally well
-constexpr double kAsGoodError = 1.5;  // ratio of errors within which another mistake explains the readings equally well
+constexpr double kAsGood = 3;  // log odds within which another mistake explains the measurements equally well
+constexpr double kAsGoodError =
+    1.5;  // ratio of errors within which another mistake explains the measurements equally well
 constexpr double kNoisePerRow = 0.6;  // lack of fit per row due to noise alone
-constexpr double kFits = 0.05;        // readings with a larger error, relative to the reach, contain a mistake
+constexpr double kFits = 0.05;        // measurements with a larger error, relative to the reach, contain a mistake
 // Error, relative to the reach, above which several mistakes are tried after one is corrected.
 constexpr double kLeftOver = 0.001;
 constexpr double kBent = 0.005;     // error with the tip as drawn that exceeds any sag, relative to the reach
@@ -61,9 +62,9 @@ bool SuspectJudgement::isAllNeeded(const Suspect& suspect) const {
 bool SuspectJudgement::asksForMistakes() const {
   if (!trials_.asIs().ok) return true;
   const double noise = trials_.noise({});
-  if (trials_.asIs().whole_error > kFits * trials_.reach()) return true;  // some of the readings contain a mistake
+  if (trials_.asIs().whole_error > kFits * trials_.reach()) return true;  // some of the measurements contain a mistake
   const bool is_bent =
-      // The readings fit only if the arm's dimensions depart implausibly far from the drawing.
+      // The measurements fit only if the arm's dimensions depart implausibly far from the drawing.
       trials_.asIs().held_error > kDrastic * trials_.asIs().open_error;
   return trials_.isBaseFar(trials_.asIs()) ||
          (trials_.asIs().held_error > kLeastFall * noise && (isLackOfFit() || is_bent));
@@ -76,20 +77,20 @@ bool SuspectJudgement::asksForSteps() const {
 
 bool SuspectJudgement::isLackOfFit() const {
   double rows = 0;
-  for (const auto& reading : trials_.checked().readings)
-    if (trials_.pool().counted.contains(reading.id)) rows += rowsOf(reading);
+  for (const auto& measurement : trials_.checked().measurements)
+    if (trials_.pool().counted.contains(measurement.id)) rows += rowsOf(measurement);
   return trials_.asIs().lack_of_fit - kNoisePerRow * rows > kOdds;
 }
 
 bool SuspectJudgement::isDetermined(const Mend& mend) const {
   constexpr int kLeastFreedom = 6;
-  auto readings = trials_.pool().readings;
-  const std::size_t all = readings.size();
-  mend.apply(readings);
-  if (!hasNumbers(mend) && readings.size() == all) return true;
+  auto measurements = trials_.pool().measurements;
+  const std::size_t all = measurements.size();
+  mend.apply(measurements);
+  if (!hasNumbers(mend) && measurements.size() == all) return true;
   const auto start = trials_.startOf(mend);
   const auto bases = std::ranges::count(start.base_poses, false, &BasePose::is_known);
-  return numbersMeasured(readings) - 6 * static_cast<int>(bases) - mend.numbers_fitted >= kLeastFreedom;
+  return numbersMeasured(measurements) - 6 * static_cast<int>(bases) - mend.numbers_fitted >= kLeastFreedom;
 }
 
 bool SuspectJudgement::explainsError(const Suspect& suspect) const {
@@ -100,14 +101,14 @@ bool SuspectJudgement::explainsError(const Suspect& suspect) const {
   // A step that leaves only noise, and that no creep explains (step_search.hpp), need not reduce the error by
   // kLeastFall.
   if (suspect.mend.against > 0 && isAtNoise(suspect) && gainOf(suspect) >= kOdds) return true;
-  // A wrong base affects all readings, so freeing it must also reduce the error over all of them, not only over the
+  // A wrong base affects all measurements, so freeing it must also reduce the error over all of them, not only over the
   // nine tenths with the smallest errors.
   if (suspect.mend.frees_base && !falls(trials_.asIs().whole_error, suspect.open.whole_error)) return false;
   if (!hasNumbers(suspect.mend) && trials_.gain(suspect.open) > 0 &&
       trials_.asIs().held_error >= kDrastic * suspect.drawn.held_error * shrinks)
     return true;
-  // A correction of some readings must make them fit about as well as the others, i.e. `whole_error` must be close to
-  // `error`; otherwise it is the wrong correction.
+  // A correction of some measurements must make them fit about as well as the others, i.e. `whole_error` must be close
+  // to `error`; otherwise it is the wrong correction.
   if (suspect.mend.is_of_part && trials_.gain(suspect.open) >= kOdds &&
       trials_.asIs().whole_error >= kDrastic * suspect.open.whole_error * shrinks &&
       suspect.open.whole_error < kLeastFall * suspect.open.error)

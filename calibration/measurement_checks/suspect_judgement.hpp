@@ -1,4 +1,4 @@
-// Decides whether a suspected mistake, or several together, explains the readings, by the criteria of
+// Decides whether a suspected mistake, or several together, explains the measurements, by the criteria of
 // measurement_checks.hpp.
 #pragma once
 
@@ -8,15 +8,15 @@
 
 namespace tubeplan::calibration {
 
-/// One suspected mistake, or several together, with the fits of the corrected readings: `drawn` to the arm as drawn,
-/// `open` with all open parameters free.
+/// One suspected mistake, or several together, with the fits of the corrected measurements: `drawn` to the arm as
+/// drawn, `open` with all open parameters free.
 struct Suspect {
   JoinedMends parts;
   Mend mend;
   Trial drawn, open;
 };
 
-/// Judges suspects by comparing their fits with those of the readings as stated. `trials` must outlive the object.
+/// Judges suspects by comparing their fits with those of the measurements as stated. `trials` must outlive the object.
 class SuspectJudgement {
  public:
   explicit SuspectJudgement(const MistakeTrials& trials) : trials_(trials) {}
@@ -41,21 +41,21 @@ class SuspectJudgement {
   [[nodiscard]] bool isAllNeeded(const Suspect& suspect) const;
   /// Returns true if, with the suspect corrected, the remaining error is no larger than the noise.
   [[nodiscard]] static bool isAtNoise(const Suspect& suspect);
-  /// Returns true if there are enough readings to refute a correction that is fitted to them or that excludes some of
-  /// them.
+  /// Returns true if there are enough measurements to refute a correction that is fitted to them or that excludes some
+  /// of them.
   [[nodiscard]] bool isDetermined(const Mend& mend) const;
 
   /// Returns the log odds of a suspect against no mistake, minus the penalty for mistakes that may begin at any
-  /// reading.
+  /// measurement.
   [[nodiscard]] double gainOf(const Suspect& suspect) const;
   /// Returns gainOf(suspect) minus the prior log odds against each further mistake.
   [[nodiscard]] double merit(const Suspect& suspect) const;
-  /// Returns true if suspect `other` explains the readings as well as `best`.
+  /// Returns true if suspect `other` explains the measurements as well as `best`.
   [[nodiscard]] bool isAsGood(const Suspect& other, const Suspect& best) const;
 
  private:
   [[nodiscard]] bool isLackOfFit() const;
-  /// Returns true if the corrected readings fit only with dimensions that depart from the drawing to the limits of
+  /// Returns true if the corrected measurements fit only with dimensions that depart from the drawing to the limits of
   /// their priors or beyond.
   [[nodiscard]] bool isBent(const Suspect& suspect) const;
   /// Returns true if a base that was far from its nominal place before is near it after the correction.

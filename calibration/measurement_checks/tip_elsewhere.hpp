@@ -1,16 +1,16 @@
-// Mistake: a tool or target was changed within a set-up, so that another point of the tool is measured from one reading
-// on.
+// Mistake: a tool or target was changed within a set-up, so that another point of the tool is measured from one
+// measurement on.
 #pragma once
 
 #include <fmt/format.h>
 
-#include "calibration/measurement_checks/from_reading.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurement_checks/from_measurement.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 
 namespace tubeplan::calibration::mistakes::tip_elsewhere {
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& text) {
-  const auto [value, from] = partedAtReading(text);
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& text) {
+  const auto [value, from] = partedAtMeasurement(text);
   const auto& unit = checked.units.coordinates;
   const auto offset = numbersAtColons(value, 3);
   if (!offset || !from) return std::nullopt;
@@ -18,16 +18,16 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
             "what is measured is elsewhere on the tool, by " + value + " " + unit.name +
                 " along its axes: the tool or target was changed there without a set-up of its own"};
   mend.change =
-      [by = Eigen::Vector3d(Eigen::Vector3d(offset->data()) * unit.factor)](std::vector<Measurement>& readings) {
-        for (auto& reading : readings)
-          if (!isDisplacement(reading) && !reading.row)
-            reading.p_TQ = reading.p_TQ.value_or(Eigen::Vector3d::Zero()) + by;
+      [by = Eigen::Vector3d(Eigen::Vector3d(offset->data()) * unit.factor)](std::vector<Measurement>& measurements) {
+        for (auto& measurement : measurements)
+          if (!isDisplacement(measurement) && !measurement.row)
+            measurement.p_TQ = measurement.p_TQ.value_or(Eigen::Vector3d::Zero()) + by;
       };
   mend.numbers_fitted = 3;
-  return fromReading(checked, std::move(mend), *from);
+  return fromMeasurement(checked, std::move(mend), *from);
 }
 
-inline std::vector<StepForm> steps(const CheckedReadings& checked) {
+inline std::vector<StepForm> steps(const CheckedMeasurements& checked) {
   StepForm form;
   form.numbers = 3;
   form.slopes = [](const Prediction& prediction) { return prediction.by_numbers; };

@@ -9,7 +9,7 @@
 
 #include "calibration/measurement_checks/axes.hpp"
 #include "calibration/measurement_checks/robust_fit.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "deflection/rotation.hpp"
 
 namespace tubeplan::calibration::mistakes::tool_frame {
@@ -18,7 +18,7 @@ inline double angleOf(const Eigen::Matrix3d& R) { return Eigen::AngleAxisd(R).an
 
 /// Parses the rotation R_TM of the measured frame M relative to the tool T: an order of axes such as "yzx", or roll,
 /// pitch and yaw separated by colons, in the unit of the file's angles. Returns nullopt if the string has neither form.
-inline std::optional<Eigen::Matrix3d> turnOf(const CheckedReadings& checked, const std::string& value) {
+inline std::optional<Eigen::Matrix3d> turnOf(const CheckedMeasurements& checked, const std::string& value) {
   if (const auto R_TM = axes::matrixOf(value)) return R_TM->determinant() > 0 ? R_TM : std::nullopt;
   const auto rpy = numbersAtColons(value, 3);
   if (!rpy) return std::nullopt;
@@ -26,36 +26,36 @@ inline std::optional<Eigen::Matrix3d> turnOf(const CheckedReadings& checked, con
 }
 
 /// Returns roll, pitch and yaw of a rotation in the unit of the file's angles.
-inline Eigen::Vector3d fixedAngles(const CheckedReadings& checked, const Eigen::Matrix3d& R) {
+inline Eigen::Vector3d fixedAngles(const CheckedMeasurements& checked, const Eigen::Matrix3d& R) {
   return deflection::fixedAnglesOf(R) / checked.units.angles.factor + Eigen::Vector3d::Zero();
 }
 
 /// Returns the mean rotation R_TM of the measured frame relative to the tool, with the tool's pose from a fit of the
-/// positions alone. Returns nullopt if too few readings state both a position and a rotation.
-inline std::optional<Eigen::Matrix3d> meanTurn(const CheckedReadings& checked) {
+/// positions alone. Returns nullopt if too few measurements state both a position and a rotation.
+inline std::optional<Eigen::Matrix3d> meanTurn(const CheckedMeasurements& checked) {
   constexpr std::size_t kLeast = 6;
   std::vector<Measurement> places;
-  for (Measurement reading : checked.readings)
-    if (statesFrame(reading) && reading.p_W && !reading.row) {
-      reading.kind = MeasurementKind::kPosition;
-      places.push_back(std::move(reading));
+  for (Measurement measurement : checked.measurements)
+    if (statesFrame(measurement) && measurement.p_W && !measurement.row) {
+      measurement.kind = MeasurementKind::kPosition;
+      places.push_back(std::move(measurement));
     }
   if (places.size() < kLeast) return std::nullopt;
   const RobustFit fit = fitRobustly(checked.start, places, {{{"tool.tip"}, true, checked.free.priors}});
   if (!fit.ok) return std::nullopt;
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-  for (const Measurement& reading : places)
-    if (const auto tool = toolAt(fit.placed, reading))
-      sum += tool->R_WT.transpose() * deflection::rotationFromFixedAngles<double>(reading.own);
+  for (const Measurement& measurement : places)
+    if (const auto tool = toolAt(fit.placed, measurement))
+      sum += tool->R_WT.transpose() * deflection::rotationFromFixedAngles<double>(measurement.own);
   if (!(sum.determinant() > 0)) return std::nullopt;  // rotations in all directions have no mean
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return Eigen::Matrix3d(svd.matrixU() * svd.matrixV().transpose());
 }
 
-inline std::vector<std::string> values(const CheckedReadings& checked) {
+inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   constexpr double kSmall = 0.1;  // prior sigma of a mounting (`tool.turn`) [rad]; the fit finds smaller rotations
   std::vector<std::string> texts;
-  if (std::ranges::none_of(checked.readings, statesFrame)) return texts;
+  if (std::ranges::none_of(checked.measurements, statesFrame)) return texts;
   const auto mean = meanTurn(checked);
   bool is_order = !mean || angleOf(*mean) < kSmall;
   for (const std::string& text : axes::signedOrders())
@@ -70,12 +70,12 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
 }
 
 /// Returns, as text, the value of the tool's `rpy` with which the tool frame of the arm's file is the measured frame.
-inline std::string rpyText(const CheckedReadings& checked, const Eigen::Matrix3d& R_TM) {
+inline std::string rpyText(const CheckedMeasurements& checked, const Eigen::Matrix3d& R_TM) {
   const Eigen::Vector3d rpy = fixedAngles(checked, checked.start.arm.R_LT * R_TM);
   return fmt::format("[{:.6g}, {:.6g}, {:.6g}] {}", rpy.x(), rpy.y(), rpy.z(), checked.units.angles.name);
 }
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
   const auto R_TM = turnOf(checked, value);
   if (!R_TM) return std::nullopt;
   const bool is_order = axes::matrixOf(value).has_value();
@@ -85,9 +85,9 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
                            checked.units.angles.name};
   mend.sentence += ": `rpy` of the tool is " + rpyText(checked, *R_TM);
   mend.numbers_fitted = is_order ? 0 : 3;
-  mend.change = toEach([R_MT = Eigen::Matrix3d(R_TM->transpose())](Measurement& reading) {
-    if (statesFrame(reading))
-      reading.own = deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(reading.own) * R_MT);
+  mend.change = toEach([R_MT = Eigen::Matrix3d(R_TM->transpose())](Measurement& measurement) {
+    if (statesFrame(measurement))
+      measurement.own = deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(measurement.own) * R_MT);
   });
   return mend;
 }

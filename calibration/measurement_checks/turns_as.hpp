@@ -9,22 +9,22 @@
 
 namespace tubeplan::calibration::mistakes::turns_as {
 
-inline std::vector<std::string> values(const CheckedReadings& checked) {
+inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   std::vector<std::string> texts;
-  if (std::ranges::none_of(checked.readings, statesFrame)) return texts;
+  if (std::ranges::none_of(checked.measurements, statesFrame)) return texts;
   for (const auto& form : deflection::kTurnForms)
     if (form.name != std::string(deflection::kFixedAngles.name)) texts.emplace_back(form.name);
   return texts;
 }
 
-inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedMeasurements&, const std::string& value) {
   const auto form = std::ranges::find(deflection::kTurnForms, value, &deflection::TurnForm::name);
   if (form == deflection::kTurnForms.end() || form == deflection::kTurnForms.begin()) return std::nullopt;
   Mend mend{"turns-as", value,
             "the numbers under roll, pitch, yaw are turns in the form " + value + " (" + form->words +
                 "), as `readings --orientation " + value + "` takes them"};
-  mend.change = toEach([turn = form->turn](Measurement& reading) {
-    if (statesFrame(reading)) reading.own = deflection::fixedAnglesOf(turn(reading.own));
+  mend.change = toEach([turn = form->turn](Measurement& measurement) {
+    if (statesFrame(measurement)) measurement.own = deflection::fixedAnglesOf(turn(measurement.own));
   });
   return mend;
 }

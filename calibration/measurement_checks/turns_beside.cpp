@@ -12,20 +12,20 @@ namespace {
 
 constexpr std::size_t kFewestPoses = 6;
 
-/// Returns the readings that state both a position and a rotation of the tool, converted to position readings.
-std::vector<Measurement> placesOfPoses(const std::vector<Measurement>& readings) {
+/// Returns the measurements that state both a position and a rotation of the tool, converted to position measurements.
+std::vector<Measurement> placesOfPoses(const std::vector<Measurement>& measurements) {
   std::vector<Measurement> places;
-  for (Measurement reading : readings)
-    if (statesFrame(reading) && reading.p_W && !reading.row) {
-      reading.kind = MeasurementKind::kPosition;
-      places.push_back(std::move(reading));
+  for (Measurement measurement : measurements)
+    if (statesFrame(measurement) && measurement.p_W && !measurement.row) {
+      measurement.kind = MeasurementKind::kPosition;
+      places.push_back(std::move(measurement));
     }
   return places;
 }
 
 /// Parses a string such as "joint-sign=q1,joint-sign=q4" into corrections, omitting those of the sigmas; empty if one
-/// of them does not apply to these readings.
-JoinedMends mendsOf(const CheckedReadings& checked, const std::string& assume) {
+/// of them does not apply to these measurements.
+JoinedMends mendsOf(const CheckedMeasurements& checked, const std::string& assume) {
   JoinedMends mends;
   for (const std::string& text : partedAssumptions(assume)) {
     const std::size_t equals = std::min(text.find('='), text.size() - 1);
@@ -38,16 +38,16 @@ JoinedMends mendsOf(const CheckedReadings& checked, const std::string& assume) {
   return mends;
 }
 
-CheckedReadings takenBy(CheckedReadings checked, const JoinedMends& mends) {
-  for (const Mend& mend : mends) mend.apply(checked.readings);
+CheckedMeasurements takenBy(CheckedMeasurements checked, const JoinedMends& mends) {
+  for (const Mend& mend : mends) mend.apply(checked.measurements);
   return checked;
 }
 
 /// Returns `before` combined with each correction of a mistake in rotations that is worth trying once `before` is
 /// applied. Mistakes that must be corrected before the last correction of `before` are excluded.
-std::vector<JoinedMends> withTurns(const CheckedReadings& checked, const JoinedMends& before) {
+std::vector<JoinedMends> withTurns(const CheckedMeasurements& checked, const JoinedMends& before) {
   std::vector<JoinedMends> all;
-  const CheckedReadings mended = takenBy(checked, before);
+  const CheckedMeasurements mended = takenBy(checked, before);
   const auto& kinds = mistakeKinds();
   auto kind = kinds.begin();
   if (!before.empty())
@@ -65,11 +65,11 @@ std::vector<JoinedMends> withTurns(const CheckedReadings& checked, const JoinedM
 }  // namespace
 
 std::vector<JoinedMends> likelyBesideTurns(const MistakeTrials& trials) {
-  const CheckedReadings& checked = trials.checked();
+  const CheckedMeasurements& checked = trials.checked();
   std::vector<JoinedMends> likely;
-  CheckedReadings places = checked;
-  places.readings = placesOfPoses(checked.readings);
-  if (places.readings.size() < kFewestPoses) return likely;
+  CheckedMeasurements places = checked;
+  places.measurements = placesOfPoses(checked.measurements);
+  if (places.measurements.size() < kFewestPoses) return likely;
   const MistakeTrials of_places(places, trials.options());
   const auto found = findMistake(of_places);
   if (found) {

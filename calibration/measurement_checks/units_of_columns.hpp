@@ -29,20 +29,20 @@ inline std::optional<double> factorOf(const std::vector<NamedUnit>& units, const
 /// Returns the correction that multiplies by `factor` those sigmas whose columns state the same unit as the
 /// coordinates. The correction applies to all axes or, if `axis` is given, to this axis only; a common sigma is then
 /// not changed. Empty if there are no such sigmas.
-inline std::function<void(std::vector<Measurement>&)> sigmaAlong(const CheckedReadings& checked, double factor,
+inline std::function<void(std::vector<Measurement>&)> sigmaAlong(const CheckedMeasurements& checked, double factor,
                                                                  std::optional<Eigen::Index> axis = {}) {
   const auto& units = checked.units;
   const bool is_common = !axis && units.sigma_column.name == units.coordinates.name;
   const bool is_by_axis = units.axis_sigma_columns.name == units.coordinates.name;
   if (!is_common && !is_by_axis) return {};
-  return [=](std::vector<Measurement>& readings) {
-    for (auto& reading : readings) {
-      if (is_common) reading.sigma *= factor;
-      if (!is_by_axis || !reading.sigma_W) continue;
+  return [=](std::vector<Measurement>& measurements) {
+    for (auto& measurement : measurements) {
+      if (is_common) measurement.sigma *= factor;
+      if (!is_by_axis || !measurement.sigma_W) continue;
       if (axis)
-        (*reading.sigma_W)[*axis] *= factor;
+        (*measurement.sigma_W)[*axis] *= factor;
       else
-        *reading.sigma_W *= factor;
+        *measurement.sigma_W *= factor;
     }
   };
 }

@@ -1,18 +1,18 @@
-// Correction that excludes readings: duplicates, readings beyond the arm's reach, or a run of readings from a device
-// that had stopped updating.
+// Correction that excludes measurements: duplicates, measurements beyond the arm's reach, or a run of measurements from
+// a device that had stopped updating.
 #pragma once
 
-#include "calibration/measurement_checks/from_reading.hpp"
+#include "calibration/measurement_checks/from_measurement.hpp"
 
 namespace tubeplan::calibration::mistakes::without {
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
-  const auto ids = idsNamed(checked.readings, value);
+inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
+  const auto ids = idsNamed(checked.measurements, value);
   if (ids.empty()) return std::nullopt;
   Mend mend{"without", value,
             ids.size() == 1 ? "reading " + value + " is left out" : "the readings " + value + " are left out"};
-  mend.change = [ids](std::vector<Measurement>& readings) {
-    std::erase_if(readings, [&](const Measurement& reading) { return ids.contains(reading.id); });
+  mend.change = [ids](std::vector<Measurement>& measurements) {
+    std::erase_if(measurements, [&](const Measurement& measurement) { return ids.contains(measurement.id); });
   };
   return mend;
 }

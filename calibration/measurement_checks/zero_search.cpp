@@ -19,7 +19,7 @@ std::string offsetOf(const deflection::Arm& arm, int joint) {
 }
 
 std::optional<Mend> zeroFound(const MistakeTrials& trials, const Mend& from, const deflection::Arm& fitted) {
-  const CheckedReadings& checked = trials.checked();
+  const CheckedMeasurements& checked = trials.checked();
   const int joint = from.zeros_of.front();
   const auto before = deflection::findParameter(checked.start.arm, offsetOf(checked.start.arm, joint)),
              after = deflection::findParameter(fitted, offsetOf(checked.start.arm, joint));

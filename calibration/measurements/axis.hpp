@@ -6,25 +6,25 @@
 
 namespace tubeplan::calibration::axis {
 
-inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
-  return MeasuredValue::Constant(1, reading.direction_W->dot(tool.p_W - *reading.p_W));
+inline MeasuredValue value(const Measurement& measurement, const ToolPose& tool) {
+  return MeasuredValue::Constant(1, measurement.direction_W->dot(tool.p_W - *measurement.p_W));
 }
-inline MeasuredSlope slope(const Measurement& reading, const ToolPose&) {
-  return {reading.direction_W->transpose(), {}};
+inline MeasuredSlope slope(const Measurement& measurement, const ToolPose&) {
+  return {measurement.direction_W->transpose(), {}};
 }
-inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& reading) {
-  reading.own[0] = scale * value(reading, tool)[0] + noise[0];
-}
-
-inline void state(const KnownPlaces& places, Measurement& reading) {
-  distance::stateAnchor(places, reading);
-  reading.direction_W = places.direction_W;
+inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& measurement) {
+  measurement.own[0] = scale * value(measurement, tool)[0] + noise[0];
 }
 
-inline std::optional<ReadingLack> lack(const Measurement& reading, const std::string& kind) {
-  if (!reading.p_W || reading.direction_W) return lackOfPlace(reading, kind);
-  return ReadingLack{"the reading of kind " + kind + " has no direction",
-                     "write its direction in the columns dx, dy, dz (of any length)"};
+inline void state(const KnownPlaces& places, Measurement& measurement) {
+  distance::stateAnchor(places, measurement);
+  measurement.direction_W = places.direction_W;
+}
+
+inline std::optional<MeasurementLack> lack(const Measurement& measurement, const std::string& kind) {
+  if (!measurement.p_W || measurement.direction_W) return lackOfPlace(measurement, kind);
+  return MeasurementLack{"the reading of kind " + kind + " has no direction",
+                         "write its direction in the columns dx, dy, dz (of any length)"};
 }
 
 inline MeasurementKindRow kind() {

@@ -3,10 +3,10 @@
 
 #include "calibration/measurements/coordinates.hpp"
 
-namespace tubeplan::calibration::deflection_reading {
+namespace tubeplan::calibration::deflection_measurement {
 
 /// Returns the reference of the displacement: the same posture without load.
-inline Departure departure(const Measurement& reading) { return {&reading, true}; }
+inline Departure departure(const Measurement& measurement) { return {&measurement, true}; }
 
 inline MeasurementKindRow kind() {
   MeasurementKindRow row = coordinates::row(MeasurementKind::kDeflection, "deflection");
@@ -14,4 +14,4 @@ inline MeasurementKindRow kind() {
   return row;
 }
 
-}  // namespace tubeplan::calibration::deflection_reading
+}  // namespace tubeplan::calibration::deflection_measurement

@@ -50,25 +50,25 @@ inline Deviation deviationOf(const Eigen::Vector3d& direction_M) {
 inline Eigen::Vector3d seenFrom(const Eigen::Matrix3d& R_WM, const ToolPose& tool) {
   return R_WM.transpose() * tool.R_WT.col(0);
 }
-inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
-  return kTurnLever * deviationOf(seenFrom(frameOf(reading.own[0], reading.own[1]), tool)).angles;
+inline MeasuredValue value(const Measurement& measurement, const ToolPose& tool) {
+  return kTurnLever * deviationOf(seenFrom(frameOf(measurement.own[0], measurement.own[1]), tool)).angles;
 }
-inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
-  const Eigen::Matrix3d R_WM = frameOf(reading.own[0], reading.own[1]);
+inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool) {
+  const Eigen::Matrix3d R_WM = frameOf(measurement.own[0], measurement.own[1]);
   const Eigen::Matrix3d by_turn = -R_WM.transpose() * deflection::crossMatrix<double>(tool.R_WT.col(0));
   return {MeasuredRows::Zero(2, 3), kTurnLever * deviationOf(seenFrom(R_WM, tool)).slope * by_turn};
 }
 inline MeasuredValue measured(const Measurement&) { return MeasuredValue::Zero(2); }
 
 /// Writes the predicted direction, rotated across and upwards by the noise.
-inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& reading) {
+inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& measurement) {
   const auto anglesOf = [](const Eigen::Vector3d& d) {
     return Eigen::Vector2d(std::atan2(d.y(), d.x()), std::atan2(d.z(), d.head<2>().norm()));
   };
   const Eigen::Vector2d there = anglesOf(tool.R_WT.col(0));
   const Eigen::Matrix3d R_WM = frameOf(there[0], there[1]);
   const Eigen::Vector3d off(noise[0] / kTurnLever, noise[1] / kTurnLever, 1);
-  reading.own.head<2>() = anglesOf(R_WM * off);
+  measurement.own.head<2>() = anglesOf(R_WM * off);
 }
 
 inline MeasurementKindRow kind() {

@@ -9,21 +9,21 @@ namespace tubeplan::calibration::distance {
 
 inline constexpr std::array<MeasuredColumn, 1> kColumns{{{"distance", deflection::Quantity::kLength}}};
 
-inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
-  return MeasuredValue::Constant(1, (tool.p_W - *reading.p_W).norm());
+inline MeasuredValue value(const Measurement& measurement, const ToolPose& tool) {
+  return MeasuredValue::Constant(1, (tool.p_W - *measurement.p_W).norm());
 }
-inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
-  return {(tool.p_W - *reading.p_W).normalized().transpose(), {}};
+inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool) {
+  return {(tool.p_W - *measurement.p_W).normalized().transpose(), {}};
 }
-inline bool isPossible(const Measurement& reading) { return !(reading.own[0] <= 0); }
-inline MeasuredValue measured(const Measurement& reading) { return MeasuredValue::Constant(1, reading.own[0]); }
-inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& reading) {
-  reading.own[0] = scale * value(reading, tool)[0] + noise[0];
+inline bool isPossible(const Measurement& measurement) { return !(measurement.own[0] <= 0); }
+inline MeasuredValue measured(const Measurement& measurement) { return MeasuredValue::Constant(1, measurement.own[0]); }
+inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& measurement) {
+  measurement.own[0] = scale * value(measurement, tool)[0] + noise[0];
 }
 
-/// Copies the anchor's position or, if no anchor is given, the world's origin into the reading.
-inline void stateAnchor(const KnownPlaces& places, Measurement& reading) {
-  reading.p_W = places.anchor_W.value_or(Eigen::Vector3d::Zero());
+/// Copies the anchor's position or, if no anchor is given, the world's origin into the measurement.
+inline void stateAnchor(const KnownPlaces& places, Measurement& measurement) {
+  measurement.p_W = places.anchor_W.value_or(Eigen::Vector3d::Zero());
 }
 
 inline MeasurementKindRow kind() {

@@ -25,8 +25,8 @@ std::vector<deflection::Variable> variablesOf(const PredictionRequest& request, 
   return variables;
 }
 
-Index ownJointsOf(const Measurement& reading, const PredictionRequest& request, const deflection::Arm& arm) {
-  return request.by_joints && referenceOf(reading) ? arm.jointCount() : 0;
+Index ownJointsOf(const Measurement& measurement, const PredictionRequest& request, const deflection::Arm& arm) {
+  return request.by_joints && referenceOf(measurement) ? arm.jointCount() : 0;
 }
 
 namespace {
@@ -40,11 +40,11 @@ bool isMeasurementScale(const deflection::Arm& arm, const deflection::Variable& 
 
 /// Converts true lengths to measured lengths if the arm has a scale error of the measuring system. Rows that are angles
 /// do not change, nor do touches of unknown points, which measure nothing in the world frame.
-void scaleCoordinates(const deflection::Arm& arm, const Measurement& reading, const PredictionRequest& request,
+void scaleCoordinates(const deflection::Arm& arm, const Measurement& measurement, const PredictionRequest& request,
                       Prediction& prediction) {
-  if (arm.effects.empty() || !kindOf(reading).is_by_scale || touchesUnknownPoint(reading)) return;
+  if (arm.effects.empty() || !kindOf(measurement).is_by_scale || touchesUnknownPoint(measurement)) return;
   const double scale = deflection::measurementScale(arm);
-  const Index rows = prediction.value.size() - kindOf(reading).turn_rows;
+  const Index rows = prediction.value.size() - kindOf(measurement).turn_rows;
   for (std::size_t k = 0; k < request.numbers.size(); ++k) {
     auto column = prediction.by_numbers.col(static_cast<Index>(k)).head(rows);
     if (isMeasurementScale(arm, request.numbers[k]))
@@ -85,17 +85,17 @@ void deriveOf(const FrameMotion& frame, const MeasuredSlope& slope, const Isomet
   if (request.by_joints) seen(next, frame.by_BF.cols() - next, prediction.by_joints);
 }
 
-void predictOf(const FrameMotion& frame, const deflection::Arm& arm, const Isometry3d& X_WB, const Measurement& reading,
-               const PredictionRequest& request, Prediction& prediction) {
-  const bool is_displacement = isDisplacement(reading);
+void predictOf(const FrameMotion& frame, const deflection::Arm& arm, const Isometry3d& X_WB,
+               const Measurement& measurement, const PredictionRequest& request, Prediction& prediction) {
+  const bool is_displacement = isDisplacement(measurement);
   ToolPose tool;
   tool.p_W = X_WB.linear() * frame.p_BF;
   if (!is_displacement) tool.p_W += X_WB.translation();
-  if (seesTurn(reading)) tool.R_WT = X_WB.linear() * frame.R_BF;
-  prediction.value = predictedValue(reading, tool);
+  if (seesTurn(measurement)) tool.R_WT = X_WB.linear() * frame.R_BF;
+  prediction.value = predictedValue(measurement, tool);
   if (request.asksForSlopes())
-    deriveOf(frame, predictedSlope(reading, tool), X_WB, request, is_displacement, prediction);
-  scaleCoordinates(arm, reading, request, prediction);
+    deriveOf(frame, predictedSlope(measurement, tool), X_WB, request, is_displacement, prediction);
+  scaleCoordinates(arm, measurement, request, prediction);
 }
 
 }  // namespace tubeplan::calibration

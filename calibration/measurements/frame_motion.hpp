@@ -2,7 +2,7 @@
 // by single postures and by postures solved side by side (SIMD). Internal to the predictions.
 #pragma once
 
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 
 namespace tubeplan::calibration {
 
@@ -10,7 +10,7 @@ namespace tubeplan::calibration {
 /// difference from the reference posture.
 struct FrameMotion {
   Eigen::Vector3d p_BF;  ///< position of the frame's origin [m]
-  Eigen::Matrix3d R_BF;  ///< rotation; valid only if the reading depends on it
+  Eigen::Matrix3d R_BF;  ///< rotation; valid only if the measurement depends on it
   /// Derivatives with respect to variablesOf(): of position [m], then of rotation [rad], in base axes.
   Eigen::Matrix<double, 6, Eigen::Dynamic> by_BF;
 
@@ -26,7 +26,7 @@ struct FrameMotion {
 
 /// Returns the number of joint columns that a displacement keeps separate from those of its reference; 0 if the two
 /// share their joint readings.
-[[nodiscard]] Eigen::Index ownJointsOf(const Measurement& reading, const PredictionRequest& request,
+[[nodiscard]] Eigen::Index ownJointsOf(const Measurement& measurement, const PredictionRequest& request,
                                        const deflection::Arm& arm);
 
 /// Fills in the derivatives of a measured value that `request` asks for, from `slope`, the derivatives of the value
@@ -34,9 +34,9 @@ struct FrameMotion {
 void deriveOf(const FrameMotion& frame, const MeasuredSlope& slope, const Eigen::Isometry3d& X_WB,
               const PredictionRequest& request, bool is_displacement, Prediction& prediction);
 
-/// Fills in the values that a reading measures of this frame, and the requested derivatives, for a base at `X_WB`. The
-/// storage of `prediction` is reused.
+/// Fills in the values that a measurement measures of this frame, and the requested derivatives, for a base at `X_WB`.
+/// The storage of `prediction` is reused.
 void predictOf(const FrameMotion& frame, const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
-               const Measurement& reading, const PredictionRequest& request, Prediction& prediction);
+               const Measurement& measurement, const PredictionRequest& request, Prediction& prediction);
 
 }  // namespace tubeplan::calibration

@@ -1,5 +1,5 @@
-// Description of a kind of reading: which part of the tip's pose it measures, what a reading must state, and how
-// readings are simulated.
+// Description of a kind of measurement: which part of the tip's pose it measures, what a measurement must state, and
+// how measurements are simulated.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace tubeplan::calibration {
 
-/// Pose of the tool in the world frame, or of a row's frame for a reading of that row. For a displacement, `p_W` is the
-/// displacement, and the rotation is not measured.
+/// Pose of the tool in the world frame, or of a row's frame for a measurement of that row. For a displacement, `p_W` is
+/// the displacement, and the rotation is not measured.
 struct ToolPose {
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< position in the world frame [m]
   /// Rotation of the tool frame; valid only for kinds that depend on the tool's rotation.
@@ -32,59 +32,62 @@ struct MeasuredSlope {
   MeasuredRows by_turn;  ///< derivatives per rad of rotation about the world axes; empty if rotation has no effect
 };
 
-/// Derivatives of measured values with respect to the parameters of an unknown place, which all readings of that place
-/// share.
+/// Derivatives of measured values with respect to the parameters of an unknown place, which all measurements of that
+/// place share.
 using PlaceColumns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 4>;
 
-/// Lever [m] by which angles are multiplied, so that all rows are lengths when readings are weighted and reported.
+/// Lever [m] by which angles are multiplied, so that all rows are lengths when measurements are weighted and reported.
 inline constexpr double kTurnLever = 0.1;
 
-/// Reference position of a displacement: the tip at another reading, or the unloaded tip at the same joint readings.
+/// Reference position of a displacement: the tip at another measurement, or the unloaded tip at the same joint
+/// readings.
 struct Departure {
-  const Measurement* reading = nullptr;
+  const Measurement* measurement = nullptr;
   bool is_unloaded = false;
 };
 
-/// Known positions and directions from which the target of a simulated reading is taken.
+/// Known positions and directions from which the target of a simulated measurement is taken.
 struct KnownPlaces {
   std::optional<Eigen::Vector3d> point_W;  ///< centre of the hole or mark [m]; empty if unknown
   std::optional<Eigen::Vector3d> anchor_W, direction_W;
   Eigen::Vector3d up_W = Eigen::Vector3d::UnitZ();  ///< direction against gravity
 };
 
-/// What a reading lacks, as a sentence, and advice to the user.
-struct ReadingLack {
+/// What a measurement lacks, as a sentence, and advice to the user.
+struct MeasurementLack {
   std::string what, advice;
 };
 
-/// Reports that x, y, z are missing, which most kinds need; empty if the reading states them.
-[[nodiscard]] inline std::optional<ReadingLack> lackOfPlace(const Measurement& reading, const std::string& kind) {
-  if (reading.p_W) return std::nullopt;
-  return ReadingLack{"the reading of kind " + kind + " has no x, y, z", "write its coordinates"};
+/// Reports that x, y, z are missing, which most kinds need; empty if the measurement states them.
+[[nodiscard]] inline std::optional<MeasurementLack> lackOfPlace(const Measurement& measurement,
+                                                                const std::string& kind) {
+  if (measurement.p_W) return std::nullopt;
+  return MeasurementLack{"the reading of kind " + kind + " has no x, y, z", "write its coordinates"};
 }
 
-/// Standard deviations per coordinate of simulated readings [m]: of a tracker (0.003 in), of a tip brought under a hole
-/// (0.030 in), and of a tip centred by hand (0.005 in).
+/// Standard deviations per coordinate of simulated measurements [m]: of a tracker (0.003 in), of a tip brought under a
+/// hole (0.030 in), and of a tip centred by hand (0.005 in).
 inline constexpr double kPositionSigma = 7.62e-5, kVisitSigma = 7.62e-4, kTouchSigma = 1.27e-4;
 
 struct MeasurementKindRow {
   MeasurementKind kind;
   const char* name;  ///< name in the column `kind` of a measurement file
   int rows = 3;
-  int turn_rows = 0;                                     ///< number of rows that are angles, which come last
-  int (*rows_of)(const Measurement& reading) = nullptr;  ///< number of rows, if it differs between readings; else null
-  std::span<const MeasuredColumn> columns = {};          ///< columns of the values in Measurement::own, up to three
+  int turn_rows = 0;  ///< number of rows that are angles, which come last
+  int (*rows_of)(const Measurement& measurement) =
+      nullptr;                                   ///< number of rows, if it differs between measurements; else null
+  std::span<const MeasuredColumn> columns = {};  ///< columns of the values in Measurement::own, up to three
 
   bool has_coordinates = false;  ///< true: the first three rows are x, y, z in the world frame
   bool is_touch = false;         ///< true: the tip rests centred at `point`, whose position may be unknown
   bool is_place = false;         ///< true: p_W is the position of the tip
-  /// True: a displacement from the tip at another reading, stated by p_W or else by Measurement::own.
-  bool is_from_reading = false;
+  /// True: a displacement from the tip at another measurement, stated by p_W or else by Measurement::own.
+  bool is_from_measurement = false;
   bool names_hole = false;      ///< true: `point` may name a hole, whose centre is p_W
   bool is_centring = false;     ///< true: the arm brings the tool under the point p_W as accurately as it can
-  bool has_anchor = false;      ///< true: p_W is a fixed point from which the reading is measured
+  bool has_anchor = false;      ///< true: p_W is a fixed point from which the measurement is measured
   bool is_from_origin = false;  ///< true: p_W is the world's origin unless stated
-  bool has_direction = false;   ///< true: direction_W is the direction along which the reading is measured
+  bool has_direction = false;   ///< true: direction_W is the direction along which the measurement is measured
   bool is_to_gravity = false;   ///< true: direction_W points up, against gravity
   bool counts_steps = false;  ///< true: own is (number of steps that entered, lower bound, upper bound); see steps.hpp
   bool is_by_scale = true;    ///< true: lengths are multiplied by the measuring system's scale, which may be in error
@@ -92,40 +95,41 @@ struct MeasurementKindRow {
   /// True: the instrument may be fixed to a row of the arm (Measurement::row) instead of the tool.
   bool may_be_of_row = false;
 
-  MeasuredValue (*value)(const Measurement& reading, const ToolPose& tool);
-  MeasuredSlope (*slope)(const Measurement& reading, const ToolPose& tool);
+  MeasuredValue (*value)(const Measurement& measurement, const ToolPose& tool);
+  MeasuredSlope (*slope)(const Measurement& measurement, const ToolPose& tool);
   /// Returns the measured values; zero for a touch of an unknown point, whose position the fit eliminates.
-  MeasuredValue (*measured)(const Measurement& reading);
+  MeasuredValue (*measured)(const Measurement& measurement);
   /// Writes into `reading` the values measured of a tool at this pose, with lengths multiplied by `scale` and with
   /// `noise` [m] added.
-  void (*record)(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& reading);
+  void (*record)(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& measurement);
 
-  /// Returns what a reading lacks besides its measured values; `kind` is the kind's name. Null for kinds whose values
-  /// depend on the arm alone.
-  std::optional<ReadingLack> (*lack)(const Measurement& reading, const std::string& kind) = lackOfPlace;
+  /// Returns what a measurement lacks besides its measured values; `kind` is the kind's name. Null for kinds whose
+  /// values depend on the arm alone.
+  std::optional<MeasurementLack> (*lack)(const Measurement& measurement, const std::string& kind) = lackOfPlace;
   double usual_sigma = kPositionSigma;
 
-  /// Returns the columns that hold measured values; the kind's other columns describe the target of the reading.
+  /// Returns the columns that hold measured values; the kind's other columns describe the target of the measurement.
   ValueColumns (*value_columns)(std::span<const MeasuredColumn> own) = allOfOwn;
-  /// Returns true if the values that a reading states are possible. Null if all values are.
-  bool (*is_possible)(const Measurement& reading) = nullptr;
+  /// Returns true if the values that a measurement states are possible. Null if all values are.
+  bool (*is_possible)(const Measurement& measurement) = nullptr;
 
-  /// Copies the target position or direction from `places` into a simulated reading. Null for kinds without a target.
-  void (*state)(const KnownPlaces& places, Measurement& reading) = nullptr;
+  /// Copies the target position or direction from `places` into a simulated measurement. Null for kinds without a
+  /// target.
+  void (*state)(const KnownPlaces& places, Measurement& measurement) = nullptr;
 
   /// Returns the reference position of a displacement; null for other kinds.
-  Departure (*departure)(const Measurement& reading) = nullptr;
+  Departure (*departure)(const Measurement& measurement) = nullptr;
 
   /// Returns the tip's position in the world frame [m], for kinds that state the position by other values than p_W;
   /// null for kinds that state p_W.
-  Eigen::Vector3d (*place)(const Measurement& reading) = nullptr;
+  Eigen::Vector3d (*place)(const Measurement& measurement) = nullptr;
 
   /// Functions of kinds that touch a surface of unknown position: the number of parameters that determine the surface,
   /// the derivatives of the values with respect to these parameters, and the fit of the surface to the points that
   /// touched it. The fit returns false and leaves the surface unchanged if the points do not determine it.
-  int (*place_numbers)(const Measurement& reading) = nullptr;
-  PlaceColumns (*by_place_numbers)(const Measurement& reading, const ToolPose& tool) = nullptr;
-  bool (*settle)(const Eigen::Matrix3Xd& points_W, const Measurement& reading, Surface& surface) = nullptr;
+  int (*place_numbers)(const Measurement& measurement) = nullptr;
+  PlaceColumns (*by_place_numbers)(const Measurement& measurement, const ToolPose& tool) = nullptr;
+  bool (*settle)(const Eigen::Matrix3Xd& points_W, const Measurement& measurement, Surface& surface) = nullptr;
   /// Simulator functions of kinds that touch a surface: a surface through a point with a given normal, and the
   /// surface's point nearest to a given point.
   Surface (*through)(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W) = nullptr;

@@ -25,7 +25,7 @@
 namespace tubeplan::calibration {
 
 std::span<const MeasurementKindRow> measurementKinds() {
-  static const std::array kKinds{position::kind(), touch::kind(),    deflection_reading::kind(),
+  static const std::array kKinds{position::kind(), touch::kind(),    deflection_measurement::kind(),
                                  distance::kind(), axis::kind(),     orientation::kind(),
                                  pose::kind(),     offset::kind(),   tilt::kind(),
                                  steps::kind(),    relative::kind(), plane::kind(),
@@ -41,45 +41,46 @@ const MeasurementKindRow* findMeasurementKind(std::string_view name) {
   return found == kinds.end() ? nullptr : &*found;
 }
 
-ToolPose atMeasuredPoint(const Measurement& reading, ToolPose tool) {
-  if (reading.p_TQ) tool.p_W += tool.R_WT * *reading.p_TQ;
+ToolPose atMeasuredPoint(const Measurement& measurement, ToolPose tool) {
+  if (measurement.p_TQ) tool.p_W += tool.R_WT * *measurement.p_TQ;
   return tool;
 }
 
-MeasuredValue predictedValue(const Measurement& reading, const ToolPose& tool) {
-  return kindOf(reading).value(reading, atMeasuredPoint(reading, tool));
+MeasuredValue predictedValue(const Measurement& measurement, const ToolPose& tool) {
+  return kindOf(measurement).value(measurement, atMeasuredPoint(measurement, tool));
 }
 
-MeasuredSlope predictedSlope(const Measurement& reading, const ToolPose& tool) {
-  MeasuredSlope slope = kindOf(reading).slope(reading, atMeasuredPoint(reading, tool));
-  if (!reading.p_TQ) return slope;
+MeasuredSlope predictedSlope(const Measurement& measurement, const ToolPose& tool) {
+  MeasuredSlope slope = kindOf(measurement).slope(measurement, atMeasuredPoint(measurement, tool));
+  if (!measurement.p_TQ) return slope;
   // A rotation w about the tip moves a point at r from the tip by w x r.
-  const MeasuredRows by_lever = -slope.by_place * deflection::crossMatrix<double>(tool.R_WT * *reading.p_TQ);
+  const MeasuredRows by_lever = -slope.by_place * deflection::crossMatrix<double>(tool.R_WT * *measurement.p_TQ);
   slope.by_turn = slope.by_turn.size() ? MeasuredRows(slope.by_turn + by_lever) : by_lever;
   return slope;
 }
 
-PlaceColumns byPlaceNumbers(const Measurement& reading, const ToolPose& tool) {
-  if (touchesUnknownPoint(reading)) return Eigen::Matrix3d::Identity();
-  const MeasurementKindRow& kind = kindOf(reading);
-  return kind.by_place_numbers ? kind.by_place_numbers(reading, atMeasuredPoint(reading, tool)) : PlaceColumns();
+PlaceColumns byPlaceNumbers(const Measurement& measurement, const ToolPose& tool) {
+  if (touchesUnknownPoint(measurement)) return Eigen::Matrix3d::Identity();
+  const MeasurementKindRow& kind = kindOf(measurement);
+  return kind.by_place_numbers ? kind.by_place_numbers(measurement, atMeasuredPoint(measurement, tool))
+                               : PlaceColumns();
 }
 
-int placeNumbers(const Measurement& reading) {
-  if (touchesUnknownPoint(reading)) return 3;
-  const MeasurementKindRow& kind = kindOf(reading);
-  return kind.place_numbers ? kind.place_numbers(reading) : 0;
+int placeNumbers(const Measurement& measurement) {
+  if (touchesUnknownPoint(measurement)) return 3;
+  const MeasurementKindRow& kind = kindOf(measurement);
+  return kind.place_numbers ? kind.place_numbers(measurement) : 0;
 }
 
-std::string placeOf(const Measurement& reading) { return kindOf(reading).name + (" " + reading.point); }
+std::string placeOf(const Measurement& measurement) { return kindOf(measurement).name + (" " + measurement.point); }
 
-std::vector<std::vector<int>> groupsByPlace(const std::vector<Measurement>& readings) {
+std::vector<std::vector<int>> groupsByPlace(const std::vector<Measurement>& measurements) {
   std::map<std::string, std::vector<int>> places;
   std::vector<std::vector<int>> groups;
-  for (int k = 0; k < static_cast<int>(readings.size()); ++k) {
-    const Measurement& reading = readings[static_cast<std::size_t>(k)];
-    if (hasUnknownPlace(reading))
-      places[placeOf(reading)].push_back(k);
+  for (int k = 0; k < static_cast<int>(measurements.size()); ++k) {
+    const Measurement& measurement = measurements[static_cast<std::size_t>(k)];
+    if (hasUnknownPlace(measurement))
+      places[placeOf(measurement)].push_back(k);
     else
       groups.push_back({k});
   }
@@ -87,45 +88,48 @@ std::vector<std::vector<int>> groupsByPlace(const std::vector<Measurement>& read
   return groups;
 }
 
-double ownNumber(const Measurement& reading, std::string_view name) {
-  const auto columns = kindOf(reading).columns;
+double ownNumber(const Measurement& measurement, std::string_view name) {
+  const auto columns = kindOf(measurement).columns;
   for (std::size_t k = 0; k < columns.size(); ++k)
-    if (columns[k].name == name) return reading.own[static_cast<Eigen::Index>(k)];
+    if (columns[k].name == name) return measurement.own[static_cast<Eigen::Index>(k)];
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-bool statesEnough(const Measurement& reading) {
-  const ValueColumns values = valueColumnsOf(kindOf(reading));
-  const auto isStated = [&](const MeasuredColumn& column) { return std::isfinite(ownNumber(reading, column.name)); };
+bool statesEnough(const Measurement& measurement) {
+  const ValueColumns values = valueColumnsOf(kindOf(measurement));
+  const auto isStated = [&](const MeasuredColumn& column) {
+    return std::isfinite(ownNumber(measurement, column.name));
+  };
   auto stated = std::ranges::count_if(values.numbers, isStated);
-  if (values.has_place && reading.p_W) stated += static_cast<std::ptrdiff_t>(kPlaceColumns.size());
-  return stated >= values.least && isPossible(reading);
+  if (values.has_place && measurement.p_W) stated += static_cast<std::ptrdiff_t>(kPlaceColumns.size());
+  return stated >= values.least && isPossible(measurement);
 }
 
-void linkReferences(std::vector<Measurement>& readings) {
-  const auto isLinked = [](const Measurement& reading) { return reading.reference != nullptr; };
-  if (std::none_of(readings.begin(), readings.end(), isLinked)) return;
+void linkReferences(std::vector<Measurement>& measurements) {
+  const auto isLinked = [](const Measurement& measurement) { return measurement.reference != nullptr; };
+  if (std::none_of(measurements.begin(), measurements.end(), isLinked)) return;
   std::map<std::string, std::shared_ptr<const Measurement>> by_id;
-  for (const auto& reading : readings) {
-    auto alone = std::make_shared<Measurement>(reading);
+  for (const auto& measurement : measurements) {
+    auto alone = std::make_shared<Measurement>(measurement);
     alone->reference = nullptr;
-    by_id.emplace(reading.id, std::move(alone));
+    by_id.emplace(measurement.id, std::move(alone));
   }
-  for (auto& reading : readings)
-    if (reading.reference)
-      if (const auto found = by_id.find(reading.reference->id); found != by_id.end()) reading.reference = found->second;
+  for (auto& measurement : measurements)
+    if (measurement.reference)
+      if (const auto found = by_id.find(measurement.reference->id); found != by_id.end())
+        measurement.reference = found->second;
 }
 
-double turnError(const Measurement& reading, const Eigen::Ref<const Eigen::VectorXd>& error) {
-  const int turns = std::min(rowsOf(reading), kindOf(reading).turn_rows);
+double turnError(const Measurement& measurement, const Eigen::Ref<const Eigen::VectorXd>& error) {
+  const int turns = std::min(rowsOf(measurement), kindOf(measurement).turn_rows);
   return turns ? error.tail(turns).norm() / kTurnLever : std::numeric_limits<double>::quiet_NaN();
 }
 
-MeasuredValue rowSigmas(const Measurement& reading) {
-  const int rows = rowsOf(reading), turns = std::min(rows, kindOf(reading).turn_rows);
-  MeasuredValue sigmas = MeasuredValue::Constant(rows, reading.sigma);
-  if (reading.sigma_W && kindOf(reading).has_coordinates && rows >= 3) sigmas.head<3>() = *reading.sigma_W;
-  sigmas.tail(turns).setConstant(kTurnLever * reading.turn_sigma);
+MeasuredValue rowSigmas(const Measurement& measurement) {
+  const int rows = rowsOf(measurement), turns = std::min(rows, kindOf(measurement).turn_rows);
+  MeasuredValue sigmas = MeasuredValue::Constant(rows, measurement.sigma);
+  if (measurement.sigma_W && kindOf(measurement).has_coordinates && rows >= 3) sigmas.head<3>() = *measurement.sigma_W;
+  sigmas.tail(turns).setConstant(kTurnLever * measurement.turn_sigma);
   return sigmas;
 }
 
@@ -145,15 +149,15 @@ bool isPossibleCorrelation(const Eigen::Vector3d& correlation) {
   return correlationMatrix(correlation).selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() > kLeastOwn;
 }
 
-MeasuredCovariance statedCovariance(const Measurement& reading) {
+MeasuredCovariance statedCovariance(const Measurement& measurement) {
   constexpr double kNotStated = 1e-6, kLeast = 1e-8;  // both in m; kLeast is far below the noise of any instrument
-  MeasuredValue sigmas = rowSigmas(reading);
+  MeasuredValue sigmas = rowSigmas(measurement);
   for (double& sigma : sigmas) sigma = std::isfinite(sigma) ? std::max(sigma, kLeast) : kNotStated;
   MeasuredCovariance covariance = sigmas.array().square().matrix().asDiagonal();
-  if (!reading.correlation_W || !reading.sigma_W || !kindOf(reading).has_coordinates || sigmas.size() < 3)
+  if (!measurement.correlation_W || !measurement.sigma_W || !kindOf(measurement).has_coordinates || sigmas.size() < 3)
     return covariance;
   covariance.topLeftCorner<3, 3>() =
-      sigmas.head<3>().asDiagonal() * correlationMatrix(*reading.correlation_W) * sigmas.head<3>().asDiagonal();
+      sigmas.head<3>().asDiagonal() * correlationMatrix(*measurement.correlation_W) * sigmas.head<3>().asDiagonal();
   return covariance;
 }
 

@@ -1,5 +1,5 @@
 // Kind `offset`: the centre of a hole or mark at x, y, z relative to the tip, in the tool frame, as measured by a
-// camera on the tool. A reading states only the components that the camera sees.
+// camera on the tool. A measurement states only the components that the camera sees.
 #pragma once
 
 #include <array>
@@ -14,25 +14,25 @@ inline constexpr std::array<MeasuredColumn, 3> kColumns{{{"offset_x", deflection
                                                          {"offset_y", deflection::Quantity::kLength},
                                                          {"offset_z", deflection::Quantity::kLength}}};
 
-inline Eigen::Vector3d seen(const Measurement& reading, const ToolPose& tool) {
-  return tool.R_WT.transpose() * (*reading.p_W - tool.p_W);
+inline Eigen::Vector3d seen(const Measurement& measurement, const ToolPose& tool) {
+  return tool.R_WT.transpose() * (*measurement.p_W - tool.p_W);
 }
-inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
-  return partly_seen::stated<MeasuredValue>(reading, seen(reading, tool));
+inline MeasuredValue value(const Measurement& measurement, const ToolPose& tool) {
+  return partly_seen::stated<MeasuredValue>(measurement, seen(measurement, tool));
 }
-inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
+inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool) {
   const Eigen::Matrix3d R_TW = tool.R_WT.transpose();
-  const Eigen::Vector3d away = *reading.p_W - tool.p_W;
-  return {partly_seen::stated<MeasuredRows>(reading, -R_TW),
-          partly_seen::stated<MeasuredRows>(reading, R_TW * deflection::crossMatrix(away))};
+  const Eigen::Vector3d away = *measurement.p_W - tool.p_W;
+  return {partly_seen::stated<MeasuredRows>(measurement, -R_TW),
+          partly_seen::stated<MeasuredRows>(measurement, R_TW * deflection::crossMatrix(away))};
 }
-inline MeasuredValue measured(const Measurement& reading) {
-  return partly_seen::stated<MeasuredValue>(reading, reading.own);
+inline MeasuredValue measured(const Measurement& measurement) {
+  return partly_seen::stated<MeasuredValue>(measurement, measurement.own);
 }
 /// Writes the components seen by a camera that looks along the world's z axis, which is the axis of the holes.
-inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& reading) {
+inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& measurement) {
   const Eigen::Index unseen = partly_seen::axisAlong(Eigen::Vector3d::UnitZ(), tool);
-  reading.own = partly_seen::without(seen(reading, tool) + noise.head<3>(), unseen);
+  measurement.own = partly_seen::without(seen(measurement, tool) + noise.head<3>(), unseen);
 }
 
 inline MeasurementKindRow kind() {

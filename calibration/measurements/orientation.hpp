@@ -15,22 +15,23 @@ inline constexpr std::array<MeasuredColumn, 3> kColumns{{{"roll", deflection::Qu
                                                          {"yaw", deflection::Quantity::kAngle}}};
 
 /// Returns the rotation vector from the measured frame to the tool frame, in world axes [rad].
-inline Eigen::Vector3d turnFromMeasured(const Measurement& reading, const ToolPose& tool) {
-  const Eigen::Matrix3d R_WM = deflection::rotationFromFixedAngles<double>(reading.own);
+inline Eigen::Vector3d turnFromMeasured(const Measurement& measurement, const ToolPose& tool) {
+  const Eigen::Matrix3d R_WM = deflection::rotationFromFixedAngles<double>(measurement.own);
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(tool.R_WT * R_WM.transpose()));
   return turn.angle() * turn.axis();
 }
 
-inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
-  return kTurnLever * turnFromMeasured(reading, tool);
+inline MeasuredValue value(const Measurement& measurement, const ToolPose& tool) {
+  return kTurnLever * turnFromMeasured(measurement, tool);
 }
-inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
-  return {Eigen::Matrix3d::Zero(), kTurnLever * deflection::leftJacobian(turnFromMeasured(reading, tool)).inverse()};
+inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool) {
+  return {Eigen::Matrix3d::Zero(),
+          kTurnLever * deflection::leftJacobian(turnFromMeasured(measurement, tool)).inverse()};
 }
 inline MeasuredValue measured(const Measurement&) { return Eigen::Vector3d::Zero(); }
-inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& reading) {
+inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& measurement) {
   const Eigen::Vector3d turn = noise.tail<3>() / kTurnLever;
-  reading.own = deflection::fixedAnglesOf(deflection::rotationFromVector<double>(turn) * tool.R_WT);
+  measurement.own = deflection::fixedAnglesOf(deflection::rotationFromVector<double>(turn) * tool.R_WT);
 }
 
 inline MeasurementKindRow kind() {

@@ -1,4 +1,4 @@
-// Functions shared by the kinds whose readings may state only some of three components.
+// Functions shared by the kinds whose measurements may state only some of three components.
 #pragma once
 
 #include <cmath>
@@ -7,15 +7,17 @@
 
 namespace tubeplan::calibration::partly_seen {
 
-inline int statedRows(const Measurement& reading) { return 3 - static_cast<int>(reading.own.array().isNaN().count()); }
+inline int statedRows(const Measurement& measurement) {
+  return 3 - static_cast<int>(measurement.own.array().isNaN().count());
+}
 
-/// Returns the rows of the components that the reading states.
+/// Returns the rows of the components that the measurement states.
 template <class Rows>
-Rows stated(const Measurement& reading, const Rows& all) {
-  Rows some(statedRows(reading), all.cols());
+Rows stated(const Measurement& measurement, const Rows& all) {
+  Rows some(statedRows(measurement), all.cols());
   Eigen::Index row = 0;
   for (Eigen::Index k = 0; k < 3; ++k)
-    if (!std::isnan(reading.own[k])) some.row(row++) = all.row(k);
+    if (!std::isnan(measurement.own[k])) some.row(row++) = all.row(k);
   return some;
 }
 

@@ -1,5 +1,5 @@
 // Kind `plane`: the tip touches a plane of unknown position, such as a face of a datum block or a granite table. The
-// joints are read. The error is the tip's distance from the best-fit plane of all readings of the same plane. The
+// joints are read. The error is the tip's distance from the best-fit plane of all measurements of the same plane. The
 // radius of a ball at the tip only shifts the plane, as long as one side is touched.
 #pragma once
 
@@ -14,24 +14,24 @@ inline constexpr int kNumbers = 3;  // two angles of the normal, and the distanc
 
 inline int numbersOf(const Measurement&) { return kNumbers; }
 
-inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
-  if (!reading.surface) return MeasuredValue::Zero(1);
-  return MeasuredValue::Constant(1, reading.surface->direction_W.dot(tool.p_W - reading.surface->p_W));
+inline MeasuredValue value(const Measurement& measurement, const ToolPose& tool) {
+  if (!measurement.surface) return MeasuredValue::Zero(1);
+  return MeasuredValue::Constant(1, measurement.surface->direction_W.dot(tool.p_W - measurement.surface->p_W));
 }
-inline MeasuredSlope slope(const Measurement& reading, const ToolPose&) {
-  if (!reading.surface) return {MeasuredRows::Zero(1, 3), {}};
-  return {reading.surface->direction_W.transpose(), {}};
+inline MeasuredSlope slope(const Measurement& measurement, const ToolPose&) {
+  if (!measurement.surface) return {MeasuredRows::Zero(1, 3), {}};
+  return {measurement.surface->direction_W.transpose(), {}};
 }
 inline MeasuredValue measured(const Measurement&) { return MeasuredValue::Zero(1); }
 
 /// Returns the derivatives with respect to the plane's two angles and its distance. Tilting the normal moves a point
 /// off the plane in proportion to the point's distance along the plane.
-inline PlaceColumns byPlaceNumbers(const Measurement& reading, const ToolPose& tool) {
+inline PlaceColumns byPlaceNumbers(const Measurement& measurement, const ToolPose& tool) {
   PlaceColumns columns = PlaceColumns::Zero(1, kNumbers);
-  if (!reading.surface) return columns;
-  const Eigen::Vector3d across = reading.surface->direction_W.unitOrthogonal();
-  const Eigen::Vector3d from = tool.p_W - reading.surface->p_W;
-  columns << across.dot(from), reading.surface->direction_W.cross(across).dot(from), -1;
+  if (!measurement.surface) return columns;
+  const Eigen::Vector3d across = measurement.surface->direction_W.unitOrthogonal();
+  const Eigen::Vector3d from = tool.p_W - measurement.surface->p_W;
+  columns << across.dot(from), measurement.surface->direction_W.cross(across).dot(from), -1;
   return columns;
 }
 
@@ -57,12 +57,13 @@ inline Eigen::Vector3d nearest(const Surface& surface, const Eigen::Vector3d& p_
 /// Writes nothing: the touched point follows from the plane.
 inline void recordNothing(const ToolPose&, double, const MeasuredValue&, Measurement&) {}
 
-inline std::optional<ReadingLack> lack(const Measurement& reading, const std::string& kind) {
-  if (reading.point.empty())
-    return ReadingLack{"the reading does not name the " + kind + " that it touched",
-                       "write the " + kind + "'s name in the column 'point', the same in all readings that touched it"};
-  if (!reading.p_W && !reading.direction_W) return std::nullopt;
-  return ReadingLack{
+inline std::optional<MeasurementLack> lack(const Measurement& measurement, const std::string& kind) {
+  if (measurement.point.empty())
+    return MeasurementLack{
+        "the reading does not name the " + kind + " that it touched",
+        "write the " + kind + "'s name in the column 'point', the same in all readings that touched it"};
+  if (!measurement.p_W && !measurement.direction_W) return std::nullopt;
+  return MeasurementLack{
       "the reading of kind " + kind + " states its place (x, y, z, dx, dy, dz), which follows from the readings",
       "leave these columns empty; of a plane of known place make readings of kind axis, of a ball of known centre of "
       "kind "

@@ -1,7 +1,7 @@
-// Kind `polar`: the raw readings of a tracker or a total station: the slope distance to the tip, the horizontal angle
-// from the world's x towards y, and the vertical angle above the xy plane. The station is at x, y, z (the world's
-// origin if left out), and its axes are the world's. Distances and angles have separate noise, so near and far readings
-// get appropriate weights.
+// Kind `polar`: the raw measurements of a tracker or a total station: the slope distance to the tip, the horizontal
+// angle from the world's x towards y, and the vertical angle above the xy plane. The station is at x, y, z (the world's
+// origin if left out), and its axes are the world's. Distances and angles have separate noise, so near and far
+// measurements get appropriate weights.
 #pragma once
 
 #include <array>
@@ -15,20 +15,22 @@ inline constexpr std::array<MeasuredColumn, 3> kColumns{{{"range", deflection::Q
                                                          {"horizontal", deflection::Quantity::kAngle},
                                                          {"vertical", deflection::Quantity::kAngle}}};
 
-inline Eigen::Vector3d wayTo(const Measurement& reading, const ToolPose& tool) { return tool.p_W - *reading.p_W; }
+inline Eigen::Vector3d wayTo(const Measurement& measurement, const ToolPose& tool) {
+  return tool.p_W - *measurement.p_W;
+}
 
 /// Returns the range [m], then the horizontal and the vertical angle [rad], of a vector from the station.
 inline Eigen::Vector3d numbersOf(const Eigen::Vector3d& way) {
   return {way.norm(), std::atan2(way.y(), way.x()), std::atan2(way.z(), way.head<2>().norm())};
 }
 /// Returns the predicted values. The horizontal angle is relative to the measured one, wrapped to half a turn.
-inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
-  const Eigen::Vector3d there = numbersOf(wayTo(reading, tool));
-  const double off = std::remainder(there[1] - reading.own[1], 2 * EIGEN_PI);
+inline MeasuredValue value(const Measurement& measurement, const ToolPose& tool) {
+  const Eigen::Vector3d there = numbersOf(wayTo(measurement, tool));
+  const double off = std::remainder(there[1] - measurement.own[1], 2 * EIGEN_PI);
   return Eigen::Vector3d(there[0], kTurnLever * off, kTurnLever * there[2]);
 }
-inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
-  const Eigen::Vector3d way = wayTo(reading, tool);
+inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool) {
+  const Eigen::Vector3d way = wayTo(measurement, tool);
   const double range = way.norm(), across = way.head<2>().norm();
   Eigen::Matrix3d by_place;
   by_place.row(0) = way.transpose() / range;
@@ -37,18 +39,19 @@ inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
                     Eigen::RowVector3d(-way.z() * way.x() / across, -way.z() * way.y() / across, across);
   return {by_place, {}};
 }
-inline MeasuredValue measured(const Measurement& reading) {
-  return Eigen::Vector3d(reading.own[0], 0, kTurnLever * reading.own[2]);
+inline MeasuredValue measured(const Measurement& measurement) {
+  return Eigen::Vector3d(measurement.own[0], 0, kTurnLever * measurement.own[2]);
 }
-inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& reading) {
-  const Eigen::Vector3d there = numbersOf(wayTo(reading, tool));
-  reading.own = {scale * there[0] + noise[0], there[1] + noise[1] / kTurnLever, there[2] + noise[2] / kTurnLever};
+inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& measurement) {
+  const Eigen::Vector3d there = numbersOf(wayTo(measurement, tool));
+  measurement.own = {scale * there[0] + noise[0], there[1] + noise[1] / kTurnLever, there[2] + noise[2] / kTurnLever};
 }
 
-inline Eigen::Vector3d place(const Measurement& reading) {
-  const double across = reading.own[0] * std::cos(reading.own[2]);
-  return *reading.p_W + Eigen::Vector3d(across * std::cos(reading.own[1]), across * std::sin(reading.own[1]),
-                                        reading.own[0] * std::sin(reading.own[2]));
+inline Eigen::Vector3d place(const Measurement& measurement) {
+  const double across = measurement.own[0] * std::cos(measurement.own[2]);
+  return *measurement.p_W + Eigen::Vector3d(across * std::cos(measurement.own[1]),
+                                            across * std::sin(measurement.own[1]),
+                                            measurement.own[0] * std::sin(measurement.own[2]));
 }
 
 inline MeasurementKindRow kind() {

@@ -12,19 +12,21 @@ inline MeasuredValue joined(const Eigen::Vector3d& place, const Eigen::Vector3d&
   rows << place, turn;
   return rows;
 }
-inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
-  return joined(tool.p_W, orientation::value(reading, tool));
+inline MeasuredValue value(const Measurement& measurement, const ToolPose& tool) {
+  return joined(tool.p_W, orientation::value(measurement, tool));
 }
-inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
+inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool) {
   Eigen::Matrix<double, 6, 3> by_place, by_turn;
   by_place << Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Zero();
-  by_turn << Eigen::Matrix3d::Zero(), orientation::slope(reading, tool).by_turn;
+  by_turn << Eigen::Matrix3d::Zero(), orientation::slope(measurement, tool).by_turn;
   return {by_place, by_turn};
 }
-inline MeasuredValue measured(const Measurement& reading) { return joined(*reading.p_W, Eigen::Vector3d::Zero()); }
-inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& reading) {
-  coordinates::record(tool, scale, noise, reading);
-  orientation::record(tool, scale, noise, reading);
+inline MeasuredValue measured(const Measurement& measurement) {
+  return joined(*measurement.p_W, Eigen::Vector3d::Zero());
+}
+inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& measurement) {
+  coordinates::record(tool, scale, noise, measurement);
+  orientation::record(tool, scale, noise, measurement);
 }
 
 inline MeasurementKindRow kind() {

@@ -13,23 +13,24 @@ namespace tubeplan::calibration {
 
 using Eigen::Index, Eigen::Vector3d;
 
-bool areForKernels(const deflection::Arm& arm, const std::vector<Measurement>& readings) {
+bool areForKernels(const deflection::Arm& arm, const std::vector<Measurement>& measurements) {
   if (dependsOnPosture(arm)) return false;
-  return std::none_of(readings.begin(), readings.end(), [](const Measurement& reading) {
-    const Measurement* from = referenceOf(reading);
-    return reading.row || reading.wrench || (from && from->wrench);
+  return std::none_of(measurements.begin(), measurements.end(), [](const Measurement& measurement) {
+    const Measurement* from = referenceOf(measurement);
+    return measurement.row || measurement.wrench || (from && from->wrench);
   });
 }
 
 namespace {
 
-constexpr std::size_t kReadingsOfCore = 128;  // readings per block for one core, solved side by side
-constexpr std::size_t kReadingsInTurn = 16;   // readings per block for one core, solved singly with one prepared arm
+constexpr std::size_t kMeasurementsOfCore = 128;  // measurements per block for one core, solved side by side
+constexpr std::size_t kMeasurementsInTurn =
+    16;  // measurements per block for one core, solved singly with one prepared arm
 
-/// Arguments of predictAll(): the readings to predict, and what to compute for each.
-struct AskedReadings {
+/// Arguments of predictAll(): the measurements to predict, and what to compute for each.
+struct AskedMeasurements {
   const PlacedArm& placed;
-  const std::vector<Measurement>& readings;
+  const std::vector<Measurement>& measurements;
   const std::vector<int>& base_pose_of;
   const PredictionRequest& request;
   const std::function<void(std::size_t, const Prediction&)>& each;
@@ -39,21 +40,21 @@ struct AskedReadings {
   }
 };
 
-bool predictInTurn(const AskedReadings& asked, std::size_t first, std::size_t count) {
-  ReadingPredictor predictor(asked.placed.arm);
+bool predictInTurn(const AskedMeasurements& asked, std::size_t first, std::size_t count) {
+  MeasurementPredictor predictor(asked.placed.arm);
   for (std::size_t k = first; k < first + count; ++k) {
-    const Prediction prediction = predictor.predict(asked.X_WB(k), asked.readings[k], asked.request);
+    const Prediction prediction = predictor.predict(asked.X_WB(k), asked.measurements[k], asked.request);
     if (!prediction.ok) return false;
     asked.each(k, prediction);
   }
   return true;
 }
 
-/// Prediction of a block of readings side by side (SIMD). Reference postures of displacements follow the readings' own
-/// postures.
+/// Prediction of a block of measurements side by side (SIMD). Reference postures of displacements follow the
+/// measurements' own postures.
 class SideBySide {
  public:
-  explicit SideBySide(const AskedReadings& asked) : asked_(asked) {}
+  explicit SideBySide(const AskedMeasurements& asked) : asked_(asked) {}
 
   bool predict(deflection::Kinematics& kinematics, std::size_t first, std::size_t count) {
     const deflection::Arm& arm = asked_.placed.arm;
@@ -65,13 +66,13 @@ class SideBySide {
     tool_frame_ = toolFrame(arm);
     prediction_.ok = true;
     for (std::size_t k = first; k < first + count; ++k) {
-      const Measurement& reading = asked_.readings[k];
-      moveTo(static_cast<Index>(k - first), seesTurn(reading), frame_);
+      const Measurement& measurement = asked_.measurements[k];
+      moveTo(static_cast<Index>(k - first), seesTurn(measurement), frame_);
       if (const Index from = from_[k - first]; from >= 0) {
         moveTo(from, false, reference_);
-        frame_.takeOff(reference_, ownJointsOf(reading, asked_.request, arm));
+        frame_.takeOff(reference_, ownJointsOf(measurement, asked_.request, arm));
       }
-      predictOf(frame_, arm, asked_.X_WB(k), reading, asked_.request, prediction_);
+      predictOf(frame_, arm, asked_.X_WB(k), measurement, asked_.request, prediction_);
       asked_.each(k, prediction_);
     }
     return true;
@@ -82,19 +83,19 @@ class SideBySide {
     from_.assign(count, -1);
     auto postures = static_cast<Index>(count);
     for (std::size_t k = 0; k < count; ++k)
-      if (isDisplacement(asked_.readings[first + k])) from_[k] = postures++;
+      if (isDisplacement(asked_.measurements[first + k])) from_[k] = postures++;
     postures_.resize(asked_.placed.arm.jointCount(), postures);
     for (std::size_t k = first; k < first + count; ++k) {
-      const Measurement& reading = asked_.readings[k];
+      const Measurement& measurement = asked_.measurements[k];
       const Vector3d gravity_B = deflection::gravityInBase(asked_.placed.arm, asked_.X_WB(k));
       const auto put = [&](Index at, const Measurement& of, double load) {
         postures_.q.col(at) = of.q;
         postures_.load[at] = load;
         postures_.gravity_B.col(at) = gravity_B;
       };
-      put(static_cast<Index>(k - first), reading, reading.load);
-      if (const auto from = departureOf(reading))
-        put(from_[k - first], *from->reading, from->is_unloaded ? 0 : from->reading->load);
+      put(static_cast<Index>(k - first), measurement, measurement.load);
+      if (const auto from = departureOf(measurement))
+        put(from_[k - first], *from->measurement, from->is_unloaded ? 0 : from->measurement->load);
     }
   }
 
@@ -105,32 +106,33 @@ class SideBySide {
     frame.by_BF.reshaped() = tips_.jacobian.col(posture);
   }
 
-  const AskedReadings& asked_;
+  const AskedMeasurements& asked_;
   deflection::PostureBatch postures_;
   deflection::TipBatch tips_;
   std::vector<Index> from_;  ///< index of the reference posture, -1 if there is none
   Eigen::Matrix3d tool_frame_;
-  FrameMotion frame_, reference_;  ///< reused for successive readings
-  Prediction prediction_;          ///< reused for successive readings
+  FrameMotion frame_, reference_;  ///< reused for successive measurements
+  Prediction prediction_;          ///< reused for successive measurements
 };
 
 }  // namespace
 
-bool predictAll(const PlacedArm& placed, const std::vector<Measurement>& readings, const std::vector<int>& base_pose_of,
-                const PredictionRequest& request, const StopQuestion& stop,
+bool predictAll(const PlacedArm& placed, const std::vector<Measurement>& measurements,
+                const std::vector<int>& base_pose_of, const PredictionRequest& request, const StopQuestion& stop,
                 const std::function<void(std::size_t, const Prediction&)>& each, deflection::Kinematics* prepared) {
-  const AskedReadings asked{placed, readings, base_pose_of, request, each};
-  const bool side_by_side = areForKernels(placed.arm, readings);
-  if (side_by_side && prepared && readings.size() <= kReadingsOfCore)
-    return SideBySide(asked).predict(*prepared, 0, readings.size());
+  const AskedMeasurements asked{placed, measurements, base_pose_of, request, each};
+  const bool side_by_side = areForKernels(placed.arm, measurements);
+  if (side_by_side && prepared && measurements.size() <= kMeasurementsOfCore)
+    return SideBySide(asked).predict(*prepared, 0, measurements.size());
   const auto predictBlock = [&](std::size_t first, std::size_t count) {
     if (!side_by_side) return predictInTurn(asked, first, count);
     deflection::Kinematics kinematics(placed.arm);
     return SideBySide(asked).predict(kinematics, first, count);
   };
-  if (side_by_side && readings.size() <= kReadingsOfCore) return predictBlock(0, readings.size());
+  if (side_by_side && measurements.size() <= kMeasurementsOfCore) return predictBlock(0, measurements.size());
   std::atomic<bool> ok = true;
-  const tbb::blocked_range<std::size_t> blocks(0, readings.size(), side_by_side ? kReadingsOfCore : kReadingsInTurn);
+  const tbb::blocked_range<std::size_t> blocks(0, measurements.size(),
+                                               side_by_side ? kMeasurementsOfCore : kMeasurementsInTurn);
   tbb::parallel_for(blocks, [&](const auto& range) {
     if (ok && (shouldStop(stop) || !predictBlock(range.begin(), range.size()))) ok = false;
   });

@@ -1,10 +1,10 @@
-// Prediction of many readings in parallel on all cores.
+// Prediction of many measurements in parallel on all cores.
 #pragma once
 
 #include <functional>
 
 #include "calibration/hooks.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 
 namespace tubeplan::deflection {
 class Kinematics;
@@ -12,16 +12,16 @@ class Kinematics;
 
 namespace tubeplan::calibration {
 
-/// Returns true if the model of these readings depends on joints, load and gravity only, so that their shapes can be
-/// solved side by side (SIMD). This holds for arms without effects, tips that carry only a hung load, and readings that
-/// do not measure a row's frame.
-[[nodiscard]] bool areForKernels(const deflection::Arm& arm, const std::vector<Measurement>& readings);
+/// Returns true if the model of these measurements depends on joints, load and gravity only, so that their shapes can
+/// be solved side by side (SIMD). This holds for arms without effects, tips that carry only a hung load, and
+/// measurements that do not measure a row's frame.
+[[nodiscard]] bool areForKernels(const deflection::Arm& arm, const std::vector<Measurement>& measurements);
 
-/// Calls `each(k, prediction)` for every reading, in any order and on any thread; reading k is made at base pose
-/// `base_pose_of[k]`. Returns false if a shape does not converge or `stop` requests a stop; some readings are then left
-/// out. `prepared`, if not null, must belong to the arm; it saves time when few readings are predicted for many base
-/// poses.
-[[nodiscard]] bool predictAll(const PlacedArm& placed, const std::vector<Measurement>& readings,
+/// Calls `each(k, prediction)` for every measurement, in any order and on any thread; measurement k is made at base
+/// pose `base_pose_of[k]`. Returns false if a shape does not converge or `stop` requests a stop; some measurements are
+/// then left out. `prepared`, if not null, must belong to the arm; it saves time when few measurements are predicted
+/// for many base poses.
+[[nodiscard]] bool predictAll(const PlacedArm& placed, const std::vector<Measurement>& measurements,
                               const std::vector<int>& base_pose_of, const PredictionRequest& request,
                               const StopQuestion& stop,
                               const std::function<void(std::size_t k, const Prediction& prediction)>& each,

@@ -1,6 +1,6 @@
 #include "calibration/measurements/proposed_measurement.hpp"
 
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "deflection/effects/effect_context.hpp"
 
 namespace tubeplan::calibration {
@@ -16,7 +16,7 @@ bool touchesUnknownPoint(const ProposedMeasurement& proposed) {
 ValueColumns valueColumnsOf(const ProposedMeasurement& proposed) {
   const MeasurementKindRow& kind = kindOf(proposed.kind);
   ValueColumns values = valueColumnsOf(kind);
-  if (!kind.is_from_reading) return values;
+  if (!kind.is_from_measurement) return values;
   if (proposed.is_length_alone)
     values.numbers.assign(kind.columns.begin(), kind.columns.end());
   else
@@ -26,47 +26,47 @@ ValueColumns valueColumnsOf(const ProposedMeasurement& proposed) {
 }
 
 Measurement conditionsOf(const ProposedMeasurement& proposed) {
-  Measurement reading;
-  reading.id = proposed.id;
-  reading.kind = proposed.kind;
-  reading.point = proposed.point;
-  reading.setup = proposed.setup;
-  reading.load = proposed.load;
-  reading.q = proposed.q;
-  reading.side_q = proposed.side_q;
-  reading.p_W = proposed.known_W;
-  reading.direction_W = proposed.direction_W;
-  reading.reference = proposed.reference;
-  reading.row = proposed.row;
-  reading.surface = proposed.surface;
-  reading.own[0] = proposed.given;
-  reading.sigma = proposed.sigma;
-  reading.turn_sigma = proposed.turn_sigma;
-  reading.approach_directions = proposed.approach_directions;
-  reading.conditions = proposed.conditions;
-  return reading;
+  Measurement measurement;
+  measurement.id = proposed.id;
+  measurement.kind = proposed.kind;
+  measurement.point = proposed.point;
+  measurement.setup = proposed.setup;
+  measurement.load = proposed.load;
+  measurement.q = proposed.q;
+  measurement.side_q = proposed.side_q;
+  measurement.p_W = proposed.known_W;
+  measurement.direction_W = proposed.direction_W;
+  measurement.reference = proposed.reference;
+  measurement.row = proposed.row;
+  measurement.surface = proposed.surface;
+  measurement.own[0] = proposed.given;
+  measurement.sigma = proposed.sigma;
+  measurement.turn_sigma = proposed.turn_sigma;
+  measurement.approach_directions = proposed.approach_directions;
+  measurement.conditions = proposed.conditions;
+  return measurement;
 }
 
-std::optional<Measurement> expectedReading(const PlacedArm& placed, const ProposedMeasurement& proposed) {
+std::optional<Measurement> expectedMeasurement(const PlacedArm& placed, const ProposedMeasurement& proposed) {
   const MeasurementKindRow& kind = kindOf(proposed.kind);
   const auto& X_WB = placed.base_poses.back().X_WB;
-  Measurement reading = conditionsOf(proposed);
-  reading.setup = placed.base_poses.back().setup;
-  auto tool = frameAt(placed.arm, X_WB, reading);
+  Measurement measurement = conditionsOf(proposed);
+  measurement.setup = placed.base_poses.back().setup;
+  auto tool = frameAt(placed.arm, X_WB, measurement);
   if (!tool) return std::nullopt;
-  if (const auto from = departureOf(reading)) {
-    const auto rest = toolAt(placed.arm, X_WB, readingAt(*from));
+  if (const auto from = departureOf(measurement)) {
+    const auto rest = toolAt(placed.arm, X_WB, measurementAt(*from));
     if (!rest) return std::nullopt;
     tool->p_W -= rest->p_W;
   }
-  // Left without measured values, the reading counts as one in which all steps entered, as is expected of a centred
+  // Left without measured values, the measurement counts as one in which all steps entered, as is expected of a centred
   // tool.
-  if (kind.counts_steps) return reading;
+  if (kind.counts_steps) return measurement;
   if (proposed.is_length_alone)
-    reading.own[0] = tool->p_W.norm();
+    measurement.own[0] = tool->p_W.norm();
   else
-    kind.record(*tool, deflection::measurementScale(placed.arm), MeasuredValue::Zero(kind.rows), reading);
-  return reading;
+    kind.record(*tool, deflection::measurementScale(placed.arm), MeasuredValue::Zero(kind.rows), measurement);
+  return measurement;
 }
 
 }  // namespace tubeplan::calibration

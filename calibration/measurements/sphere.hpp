@@ -1,6 +1,7 @@
 // Kind `sphere`: the tip touches a sphere of unknown centre, such as a tooling ball. The joints are read. The error is
-// the tip's distance from the best-fit sphere of all readings of the same sphere. The radius of the sphere (including
-// that of a ball at the tip) is either known, so that the readings contain a known length, or fitted with the centre.
+// the tip's distance from the best-fit sphere of all measurements of the same sphere. The radius of the sphere
+// (including that of a ball at the tip) is either known, so that the measurements contain a known length, or fitted
+// with the centre.
 #pragma once
 
 #include <array>
@@ -13,10 +14,10 @@ namespace tubeplan::calibration::sphere {
 inline constexpr std::array<MeasuredColumn, 1> kColumns{{{"radius", deflection::Quantity::kLength}}};
 
 /// Returns true if the radius is not stated or is above zero.
-inline bool isPossible(const Measurement& reading) { return !(reading.own[0] <= 0); }
+inline bool isPossible(const Measurement& measurement) { return !(measurement.own[0] <= 0); }
 
-inline bool isRadiusKnown(const Measurement& reading) { return !std::isnan(reading.own[0]); }
-inline int numbersOf(const Measurement& reading) { return isRadiusKnown(reading) ? 3 : 4; }
+inline bool isRadiusKnown(const Measurement& measurement) { return !std::isnan(measurement.own[0]); }
+inline int numbersOf(const Measurement& measurement) { return isRadiusKnown(measurement) ? 3 : 4; }
 
 /// Returns the unit vector from the sphere's centre to the tip; z if the tip is at the centre.
 inline Eigen::Vector3d outwards(const Surface& surface, const Eigen::Vector3d& p_W) {
@@ -24,20 +25,20 @@ inline Eigen::Vector3d outwards(const Surface& surface, const Eigen::Vector3d& p
   return from.norm() > 0 ? Eigen::Vector3d(from.normalized()) : Eigen::Vector3d::UnitZ();
 }
 
-inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
-  if (!reading.surface) return MeasuredValue::Zero(1);
-  return MeasuredValue::Constant(1, (tool.p_W - reading.surface->p_W).norm() - reading.surface->radius);
+inline MeasuredValue value(const Measurement& measurement, const ToolPose& tool) {
+  if (!measurement.surface) return MeasuredValue::Zero(1);
+  return MeasuredValue::Constant(1, (tool.p_W - measurement.surface->p_W).norm() - measurement.surface->radius);
 }
-inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
-  if (!reading.surface) return {MeasuredRows::Zero(1, 3), {}};
-  return {outwards(*reading.surface, tool.p_W).transpose(), {}};
+inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool) {
+  if (!measurement.surface) return {MeasuredRows::Zero(1, 3), {}};
+  return {outwards(*measurement.surface, tool.p_W).transpose(), {}};
 }
 
-inline PlaceColumns byPlaceNumbers(const Measurement& reading, const ToolPose& tool) {
-  PlaceColumns columns = PlaceColumns::Zero(1, numbersOf(reading));
-  if (!reading.surface) return columns;
-  columns.leftCols<3>() = -outwards(*reading.surface, tool.p_W).transpose();
-  if (!isRadiusKnown(reading)) columns(0, 3) = -1;
+inline PlaceColumns byPlaceNumbers(const Measurement& measurement, const ToolPose& tool) {
+  PlaceColumns columns = PlaceColumns::Zero(1, numbersOf(measurement));
+  if (!measurement.surface) return columns;
+  columns.leftCols<3>() = -outwards(*measurement.surface, tool.p_W).transpose();
+  if (!isRadiusKnown(measurement)) columns(0, 3) = -1;
   return columns;
 }
 
@@ -93,11 +94,11 @@ inline Surface nearestSphere(Surface surface, const Eigen::Matrix3Xd& points_W, 
   return surface;
 }
 
-inline bool settle(const Eigen::Matrix3Xd& points_W, const Measurement& reading, Surface& surface) {
-  const int numbers = numbersOf(reading);
+inline bool settle(const Eigen::Matrix3Xd& points_W, const Measurement& measurement, Surface& surface) {
+  const int numbers = numbersOf(measurement);
   if (points_W.cols() < numbers + 1) return false;
   Surface start = algebraic(points_W);
-  if (isRadiusKnown(reading)) start.radius = reading.own[0];
+  if (isRadiusKnown(measurement)) start.radius = measurement.own[0];
   const Surface found = nearestSphere(start, points_W, numbers);
   if (!found.p_W.allFinite() || !(found.radius > 0)) return false;
   surface.p_W = found.p_W;
@@ -115,8 +116,8 @@ inline Eigen::Vector3d nearest(const Surface& surface, const Eigen::Vector3d& p_
 }
 
 /// Writes the radius; the touched point follows from the sphere's centre.
-inline void record(const ToolPose&, double, const MeasuredValue&, Measurement& reading) {
-  if (reading.surface) reading.own[0] = reading.surface->radius;
+inline void record(const ToolPose&, double, const MeasuredValue&, Measurement& measurement) {
+  if (measurement.surface) measurement.own[0] = measurement.surface->radius;
 }
 
 inline MeasurementKindRow kind() {

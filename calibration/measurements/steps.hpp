@@ -13,30 +13,30 @@ namespace tubeplan::calibration::steps {
 
 inline constexpr std::array<MeasuredColumn, 1> kColumns{{{"steps", deflection::Quantity::kNone}}};
 
-inline bool isDisc(const Measurement& reading) { return !(reading.own[1] > 0); }
-inline int rowsOf(const Measurement& reading) { return isDisc(reading) ? 2 : 1; }
+inline bool isDisc(const Measurement& measurement) { return !(measurement.own[1] > 0); }
+inline int rowsOf(const Measurement& measurement) { return isDisc(measurement) ? 2 : 1; }
 
 /// Returns the tip's offset from the hole's axis, which is the world's z axis [m].
-inline Eigen::Vector2d aside(const Measurement& reading, const ToolPose& tool) {
-  return (tool.p_W - *reading.p_W).head<2>();
+inline Eigen::Vector2d aside(const Measurement& measurement, const ToolPose& tool) {
+  return (tool.p_W - *measurement.p_W).head<2>();
 }
-inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
-  if (isDisc(reading)) return aside(reading, tool);
-  return MeasuredValue::Constant(1, aside(reading, tool).norm());
+inline MeasuredValue value(const Measurement& measurement, const ToolPose& tool) {
+  if (isDisc(measurement)) return aside(measurement, tool);
+  return MeasuredValue::Constant(1, aside(measurement, tool).norm());
 }
-inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
-  if (isDisc(reading)) return {Eigen::Matrix<double, 2, 3>::Identity(), {}};
-  const Eigen::Vector2d off = aside(reading, tool);
+inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool) {
+  if (isDisc(measurement)) return {Eigen::Matrix<double, 2, 3>::Identity(), {}};
+  const Eigen::Vector2d off = aside(measurement, tool);
   const Eigen::Vector2d along = off.norm() > 0 ? Eigen::Vector2d(off.normalized()) : Eigen::Vector2d::UnitX();
   return {Eigen::RowVector3d(along.x(), along.y(), 0), {}};
 }
-inline MeasuredValue measured(const Measurement& reading) {
-  if (isDisc(reading)) return Eigen::Vector2d::Zero();
-  return MeasuredValue::Constant(1, (reading.own[1] + reading.own[2]) / 2);
+inline MeasuredValue measured(const Measurement& measurement) {
+  if (isDisc(measurement)) return Eigen::Vector2d::Zero();
+  return MeasuredValue::Constant(1, (measurement.own[1] + measurement.own[2]) / 2);
 }
 /// Writes the centring error as both bounds; the simulator derives the number of steps from it.
-inline void record(const ToolPose& tool, double, const MeasuredValue&, Measurement& reading) {
-  reading.own[1] = reading.own[2] = aside(reading, tool).norm();
+inline void record(const ToolPose& tool, double, const MeasuredValue&, Measurement& measurement) {
+  measurement.own[1] = measurement.own[2] = aside(measurement, tool).norm();
 }
 
 /// Returns the standard deviation of each row [m] for a centring error between `beyond` and `within` [m].

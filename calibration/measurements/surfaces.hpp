@@ -9,24 +9,24 @@
 
 namespace tubeplan::calibration {
 
-/// Returns true if any of the readings touches a surface of unknown position.
-[[nodiscard]] bool touchSurfaces(const std::vector<Measurement>& readings);
+/// Returns true if any of the measurements touches a surface of unknown position.
+[[nodiscard]] bool touchSurfaces(const std::vector<Measurement>& measurements);
 
-/// Fits every surface to the tips that touched it, as predicted with `placed`, and stores the surface in its readings.
-/// Readings keep their surface if the tips do not determine a new one. Returns false if a deflected shape does not
-/// converge.
-bool settleSurfaces(const PlacedArm& placed, std::vector<Measurement>& readings);
+/// Fits every surface to the tips that touched it, as predicted with `placed`, and stores the surface in its
+/// measurements. Measurements keep their surface if the tips do not determine a new one. Returns false if a deflected
+/// shape does not converge.
+bool settleSurfaces(const PlacedArm& placed, std::vector<Measurement>& measurements);
 
-/// Fitted surface, with the residual of the readings that touch it.
+/// Fitted surface, with the residual of the measurements that touch it.
 struct SettledSurface {
   std::string kind, point;
   Surface surface;
-  int readings = 0;
-  double rms = 0;  ///< root mean square of the readings' distances from the surface [m]
+  int measurements = 0;
+  double rms = 0;  ///< root mean square of the measurements' distances from the surface [m]
 };
 
-/// Returns the surfaces that the readings touch, in the order of their names. Surfaces that the readings do not
+/// Returns the surfaces that the measurements touch, in the order of their names. Surfaces that the measurements do not
 /// determine are omitted.
-[[nodiscard]] std::vector<SettledSurface> surfacesOf(const PlacedArm& placed, std::vector<Measurement> readings);
+[[nodiscard]] std::vector<SettledSurface> surfacesOf(const PlacedArm& placed, std::vector<Measurement> measurements);
 
 }  // namespace tubeplan::calibration

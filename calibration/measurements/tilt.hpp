@@ -1,5 +1,5 @@
 // Kind `tilt`: an inclinometer on the tool or on a row of the arm, which reads the angles of the frame's axes above the
-// horizontal. A reading states the angles of one, two or three axes. A vertical axis has no usable angle.
+// horizontal. A measurement states the angles of one, two or three axes. A vertical axis has no usable angle.
 #pragma once
 
 #include <algorithm>
@@ -15,30 +15,30 @@ inline constexpr std::array<MeasuredColumn, 3> kColumns{{{"tilt_x", deflection::
 inline constexpr double kUpright = 1 - 1e-9;  // sines are limited to this value, so that the derivative stays finite
 
 /// Returns the sines of the three axes' angles above the horizontal; `direction_W` points up.
-inline Eigen::Vector3d sines(const Measurement& reading, const ToolPose& tool) {
-  return (tool.R_WT.transpose() * *reading.direction_W).cwiseMax(-kUpright).cwiseMin(kUpright);
+inline Eigen::Vector3d sines(const Measurement& measurement, const ToolPose& tool) {
+  return (tool.R_WT.transpose() * *measurement.direction_W).cwiseMax(-kUpright).cwiseMin(kUpright);
 }
-inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
-  return partly_seen::stated<MeasuredValue>(reading, kTurnLever * sines(reading, tool).array().asin().matrix());
+inline MeasuredValue value(const Measurement& measurement, const ToolPose& tool) {
+  return partly_seen::stated<MeasuredValue>(measurement, kTurnLever * sines(measurement, tool).array().asin().matrix());
 }
-inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
-  const Eigen::Vector3d cosines = (1 - sines(reading, tool).array().square()).sqrt();
+inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool) {
+  const Eigen::Vector3d cosines = (1 - sines(measurement, tool).array().square()).sqrt();
   Eigen::Matrix3d by_turn;
   for (Eigen::Index k = 0; k < 3; ++k)
-    by_turn.row(k) = kTurnLever / cosines[k] * tool.R_WT.col(k).cross(*reading.direction_W).transpose();
-  const int rows = partly_seen::statedRows(reading);
-  return {MeasuredRows::Zero(rows, 3), partly_seen::stated<MeasuredRows>(reading, by_turn)};
+    by_turn.row(k) = kTurnLever / cosines[k] * tool.R_WT.col(k).cross(*measurement.direction_W).transpose();
+  const int rows = partly_seen::statedRows(measurement);
+  return {MeasuredRows::Zero(rows, 3), partly_seen::stated<MeasuredRows>(measurement, by_turn)};
 }
-inline MeasuredValue measured(const Measurement& reading) {
-  return partly_seen::stated<MeasuredValue>(reading, kTurnLever * reading.own);
+inline MeasuredValue measured(const Measurement& measurement) {
+  return partly_seen::stated<MeasuredValue>(measurement, kTurnLever * measurement.own);
 }
-inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& reading) {
-  const Eigen::Vector3d angles = sines(reading, tool).array().asin();
-  const Eigen::Index unseen = partly_seen::axisAlong(*reading.direction_W, tool);
-  reading.own = partly_seen::without(angles + noise.tail<3>() / kTurnLever, unseen);
+inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& measurement) {
+  const Eigen::Vector3d angles = sines(measurement, tool).array().asin();
+  const Eigen::Index unseen = partly_seen::axisAlong(*measurement.direction_W, tool);
+  measurement.own = partly_seen::without(angles + noise.tail<3>() / kTurnLever, unseen);
 }
 
-inline void state(const KnownPlaces& places, Measurement& reading) { reading.direction_W = places.up_W; }
+inline void state(const KnownPlaces& places, Measurement& measurement) { measurement.direction_W = places.up_W; }
 
 inline MeasurementKindRow kind() {
   return {.kind = MeasurementKind::kTilt,

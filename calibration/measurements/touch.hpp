@@ -1,5 +1,5 @@
-// Kind `touch`: the tip rests centred at a point, which several readings may share. The point's position x, y, z may be
-// known or unknown.
+// Kind `touch`: the tip rests centred at a point, which several measurements may share. The point's position x, y, z
+// may be known or unknown.
 #pragma once
 
 #include "calibration/measurements/coordinates.hpp"
@@ -9,9 +9,9 @@ namespace tubeplan::calibration::touch {
 /// Writes nothing: the tip rests at the touched point, whether or not the point's position is known.
 inline void recordNothing(const ToolPose&, double, const MeasuredValue&, Measurement&) {}
 
-inline std::optional<ReadingLack> lack(const Measurement& reading, const std::string&) {
-  if (!reading.point.empty()) return std::nullopt;
-  return ReadingLack{"the touch has no point", "write the point's name in the column 'point'"};
+inline std::optional<MeasurementLack> lack(const Measurement& measurement, const std::string&) {
+  if (!measurement.point.empty()) return std::nullopt;
+  return MeasurementLack{"the touch has no point", "write the point's name in the column 'point'"};
 }
 
 inline MeasurementKindRow kind() {

@@ -1,5 +1,5 @@
 // The columns of a measurement table that hold measured values. All other columns describe the target, the conditions
-// and the accuracy of a reading.
+// and the accuracy of a measurement.
 #pragma once
 
 #include <array>
@@ -19,12 +19,12 @@ struct MeasuredColumn {
 inline constexpr std::array<MeasuredColumn, 3> kPlaceColumns{
     {{"x", deflection::Quantity::kLength}, {"y", deflection::Quantity::kLength}, {"z", deflection::Quantity::kLength}}};
 
-/// Values that must be filled in for a reading of one kind.
+/// Values that must be filled in for a measurement of one kind.
 struct ValueColumns {
   bool has_joints = false;              ///< true: the joint readings, for kinds whose tip rests at a point
   bool has_place = false;               ///< true: x, y, z; otherwise x, y, z is the point from which the kind measures
   std::vector<MeasuredColumn> numbers;  ///< x, y, z if measured, then the kind's own columns
-  int least = 0;                        ///< smallest number of `numbers` that a reading must state
+  int least = 0;                        ///< smallest number of `numbers` that a measurement must state
 };
 
 /// Return the value columns of a kind. In the order of the functions below, the kind measures all of its own columns;

@@ -6,7 +6,7 @@
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/fitted_basis.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/patterns/variable_words.hpp"
 #include "calibration/statistics.hpp"
 
@@ -16,21 +16,21 @@ using Eigen::Index, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-/// A model evaluated at the readings that are not held out.
+/// A model evaluated at the measurements that are not held out.
 struct Evaluation {
   PlacedArm placed;
-  ReadingWeights weights;
+  MeasurementWeights weights;
   WhitenedResidual residual;
-  ReadingScene scene;
+  MeasurementScene scene;
   bool ok = false;
 };
 
-Evaluation evaluate(const PlacedArm& placed, const std::vector<Measurement>& readings) {
-  Evaluation result{placed, {}, {}, observe(placed, readings), false};
-  auto weights = weighReadings(placed, readings);
+Evaluation evaluate(const PlacedArm& placed, const std::vector<Measurement>& measurements) {
+  Evaluation result{placed, {}, {}, observe(placed, measurements), false};
+  auto weights = weighMeasurements(placed, measurements);
   if (!result.scene.ok || !weights) return result;
   result.weights = std::move(*weights);
-  result.residual = whitenedResidual(placed, {}, readings, result.weights, VectorXd::Zero(0), true);
+  result.residual = whitenedResidual(placed, {}, measurements, result.weights, VectorXd::Zero(0), true);
   result.ok = result.residual.ok;
   return result;
 }
@@ -41,85 +41,85 @@ bool isInadequate(const ModelLackOfFit& lack_of_fit, double level) {
   return areBeyondNoise(repeats) || (by_repeats ? repeats.lack_of_fit_p_value : lack_of_fit.p_value) < level;
 }
 
-std::string inconclusiveSince(const ModelLackOfFit& lack_of_fit, const std::vector<Measurement>& readings,
+std::string inconclusiveSince(const ModelLackOfFit& lack_of_fit, const std::vector<Measurement>& measurements,
                               int numbers) {
-  auto problem = findLackOfFreedom(readings, lack_of_fit.degrees_of_freedom, numbers);
+  auto problem = findLackOfFreedom(measurements, lack_of_fit.degrees_of_freedom, numbers);
   if (!problem) problem = findOverstatedNoise(lack_of_fit.chi2, lack_of_fit.degrees_of_freedom);
   return problem ? problem->what + " (needed: " + problem->needed + ")" : "";
 }
 
 ModelLackOfFit lackOfFitOf(const Evaluation& model, int fitted_numbers, double level) {
   ModelLackOfFit lack_of_fit;
-  lack_of_fit.errors = errorSize(model.scene.readings, model.weights, model.residual.error);
-  lack_of_fit.noise_floor = noiseFloor(model.scene.readings, model.weights);
+  lack_of_fit.errors = errorSize(model.scene.measurements, model.weights, model.residual.error);
+  lack_of_fit.noise_floor = noiseFloor(model.scene.measurements, model.weights);
   lack_of_fit.chi2 = model.residual.r.squaredNorm();
   lack_of_fit.degrees_of_freedom = model.weights.degrees_of_freedom - fitted_numbers;
   lack_of_fit.p_value = chiSquareTail(lack_of_fit.chi2, lack_of_fit.degrees_of_freedom);
-  lack_of_fit.repeats = judgeRepeats(model.scene.readings, model.weights, model.residual.error, lack_of_fit.chi2,
+  lack_of_fit.repeats = judgeRepeats(model.scene.measurements, model.weights, model.residual.error, lack_of_fit.chi2,
                                      lack_of_fit.degrees_of_freedom);
-  lack_of_fit.inconclusive = inconclusiveSince(lack_of_fit, model.scene.readings, fitted_numbers);
+  lack_of_fit.inconclusive = inconclusiveSince(lack_of_fit, model.scene.measurements, fitted_numbers);
   lack_of_fit.adequacy = isInadequate(lack_of_fit, level)   ? Adequacy::kInadequate
                          : lack_of_fit.inconclusive.empty() ? Adequacy::kAdequate
                                                             : Adequacy::kInconclusive;
   return lack_of_fit;
 }
 
-/// Returns the error of a reading, measured minus predicted, in the world frame [m]: along the line for a reading along
-/// a line, zero for a reading of rotation alone.
+/// Returns the error of a measurement, measured minus predicted, in the world frame [m]: along the line for a
+/// measurement along a line, zero for a measurement of rotation alone.
 Vector3d errorInWorld(const Evaluation& model, std::size_t k) {
-  const auto& reading = model.scene.readings[k];
+  const auto& measurement = model.scene.measurements[k];
   const Index row = model.weights.first_row[k];
-  return -placeSlope(model.scene, k).transpose() * model.residual.error.segment(row, rowsOf(reading));
+  return -placeSlope(model.scene, k).transpose() * model.residual.error.segment(row, rowsOf(measurement));
 }
 
 double turnOf(const Evaluation& model, std::size_t k) {
-  const auto& reading = model.scene.readings[k];
-  return turnError(reading, model.residual.error.segment(model.weights.first_row[k], rowsOf(reading)));
+  const auto& measurement = model.scene.measurements[k];
+  return turnError(measurement, model.residual.error.segment(model.weights.first_row[k], rowsOf(measurement)));
 }
 
 double sigmasOf(const Evaluation& model, std::size_t k) {
-  return model.residual.r.segment(model.weights.first_row[k], rowsOf(model.scene.readings[k])).norm();
+  return model.residual.r.segment(model.weights.first_row[k], rowsOf(model.scene.measurements[k])).norm();
 }
 
-void describeReadings(const Evaluation& before, const Evaluation& after, const std::vector<int>& which,
-                      Comparison& result) {
+void describeMeasurements(const Evaluation& before, const Evaluation& after, const std::vector<int>& which,
+                          Comparison& result) {
   for (std::size_t k = 0; k < which.size(); ++k) {
-    auto& reading = result.readings[static_cast<std::size_t>(which[k])];
+    auto& measurement = result.measurements[static_cast<std::size_t>(which[k])];
     if (before.ok) {
-      reading.tip_before = before.scene.tips.col(static_cast<Index>(k));
-      reading.error_before = errorInWorld(before, k);
-      reading.sigmas_before = sigmasOf(before, k);
-      reading.turn_before = turnOf(before, k);
+      measurement.tip_before = before.scene.tips.col(static_cast<Index>(k));
+      measurement.error_before = errorInWorld(before, k);
+      measurement.sigmas_before = sigmasOf(before, k);
+      measurement.turn_before = turnOf(before, k);
     }
     if (!after.ok) continue;
-    reading.tip_after = after.scene.tips.col(static_cast<Index>(k));
-    reading.error_after = errorInWorld(after, k);
-    reading.sigmas_after = sigmasOf(after, k);
-    reading.turn_after = turnOf(after, k);
+    measurement.tip_after = after.scene.tips.col(static_cast<Index>(k));
+    measurement.error_after = errorInWorld(after, k);
+    measurement.sigmas_after = sigmasOf(after, k);
+    measurement.turn_after = turnOf(after, k);
   }
 }
 
-/// Compares the held-out readings with the model, separately from the fitted readings.
-void describeHeldOut(const PlacedArm& start, const std::vector<Measurement>& readings, Comparison& result) {
+/// Compares the held-out measurements with the model, separately from the fitted measurements.
+void describeHeldOut(const PlacedArm& start, const std::vector<Measurement>& measurements, Comparison& result) {
   std::vector<int> which;
   std::vector<Measurement> held_out;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    if (readings[k].is_held_out) which.push_back(static_cast<int>(k)), held_out.push_back(readings[k]);
+  for (std::size_t k = 0; k < measurements.size(); ++k)
+    if (measurements[k].is_held_out) which.push_back(static_cast<int>(k)), held_out.push_back(measurements[k]);
   if (held_out.empty()) return;
-  for (const int k : which) result.readings[static_cast<std::size_t>(k)].is_held_out = true;
-  describeReadings(evaluate(start, held_out), evaluate(result.fitted, held_out), which, result);
+  for (const int k : which) result.measurements[static_cast<std::size_t>(k)].is_held_out = true;
+  describeMeasurements(evaluate(start, held_out), evaluate(result.fitted, held_out), which, result);
 }
 
 void listWorst(Comparison& result) {
   result.worst = result.used;
   std::stable_sort(result.worst.begin(), result.worst.end(), [&](int a, int b) {
-    return result.readings[static_cast<std::size_t>(a)].sigmas_after >
-           result.readings[static_cast<std::size_t>(b)].sigmas_after;
+    return result.measurements[static_cast<std::size_t>(a)].sigmas_after >
+           result.measurements[static_cast<std::size_t>(b)].sigmas_after;
   });
 }
 
 /// Fits the free parameters. Returns false if there is no model to continue with; `result` then states the reason.
-bool refit(const PlacedArm& start, const std::vector<Measurement>& readings, const ComparisonOptions& options,
+bool refit(const PlacedArm& start, const std::vector<Measurement>& measurements, const ComparisonOptions& options,
            Comparison& result) {
   result.fitted = start;
   const bool has_base = options.refit.free.base && std::any_of(start.base_poses.begin(), start.base_poses.end(),
@@ -127,7 +127,7 @@ bool refit(const PlacedArm& start, const std::vector<Measurement>& readings, con
   if (options.refit.free.names.empty() && !has_base) return true;
   IdentificationOptions refit = options.refit;
   refit.hooks = options.hooks;
-  result.refit = options.refitted ? *options.refitted : identify(start, readings, refit);
+  result.refit = options.refitted ? *options.refitted : identify(start, measurements, refit);
   goOn(options.hooks.stop);
   result.reason = result.refit.reason;
   result.problems = result.refit.problems;
@@ -138,7 +138,8 @@ bool refit(const PlacedArm& start, const std::vector<Measurement>& readings, con
   return true;
 }
 
-/// Returns the fitted model at the readings, with the Jacobian with respect to the fitted unknowns if there are any.
+/// Returns the fitted model at the measurements, with the Jacobian with respect to the fitted unknowns if there are
+/// any.
 Evaluation evaluateFitted(const PlacedArm& placed, const Identification& fit, const std::vector<Measurement>& fitted) {
   Evaluation after = evaluate(placed, fitted);
   if (!after.ok || fit.status == IdentificationStatus::kNotRun) return after;
@@ -170,13 +171,13 @@ void giveVerdict(Comparison& result, double level) {
   if (result.verdict == Adequacy::kInconclusive) result.grounds.push_back(lack_of_fit.inconclusive);
 }
 
-Comparison compareUnlessStopped(const PlacedArm& start, const std::vector<Measurement>& readings,
+Comparison compareUnlessStopped(const PlacedArm& start, const std::vector<Measurement>& measurements,
                                 const ComparisonOptions& options) {
   Comparison result;
-  result.readings.resize(readings.size());
+  result.measurements.resize(measurements.size());
   std::vector<Measurement> fitted;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    if (!readings[k].is_held_out) result.used.push_back(static_cast<int>(k)), fitted.push_back(readings[k]);
+  for (std::size_t k = 0; k < measurements.size(); ++k)
+    if (!measurements[k].is_held_out) result.used.push_back(static_cast<int>(k)), fitted.push_back(measurements[k]);
   if (fitted.empty()) {
     result.status = ComparisonStatus::kRefused;
     result.reason = "every reading is held out";
@@ -187,7 +188,7 @@ Comparison compareUnlessStopped(const PlacedArm& start, const std::vector<Measur
     result.as_it_stands = lackOfFitOf(before, 0, options.level);
     result.joints_before = equivalentJoints(start, fitted, before.residual.error);
   }
-  if (!refit(start, readings, options, result)) return result;
+  if (!refit(start, measurements, options, result)) return result;
   const Evaluation after = evaluateFitted(result.fitted, result.refit, fitted);
   if (!after.ok) {
     result.status = ComparisonStatus::kRefused;
@@ -197,8 +198,8 @@ Comparison compareUnlessStopped(const PlacedArm& start, const std::vector<Measur
   if (result.status == ComparisonStatus::kNotRun) result.status = ComparisonStatus::kDone;
   result.after_refit = lackOfFitOf(after, numbersFitted(after, result.refit), options.level);
   result.joints_after = equivalentJoints(result.fitted, fitted, after.residual.error);
-  describeReadings(before, after, result.used, result);
-  describeHeldOut(start, readings, result);
+  describeMeasurements(before, after, result.used, result);
+  describeHeldOut(start, measurements, result);
   listWorst(result);
   result.patterns = searchPatterns(after.scene, after.weights, after.residual, options.level, options.hooks);
   giveVerdict(result, options.level);
@@ -235,17 +236,18 @@ const char* wordsOf(Adequacy adequacy) {
   return "";
 }
 
-ModelLackOfFit lackOfFitOf(const Identification& fit, const std::vector<Measurement>& readings, double level) {
+ModelLackOfFit lackOfFitOf(const Identification& fit, const std::vector<Measurement>& measurements, double level) {
   std::vector<Measurement> fitted;
-  for (const int k : fit.used) fitted.push_back(readings[static_cast<std::size_t>(k)]);
+  for (const int k : fit.used) fitted.push_back(measurements[static_cast<std::size_t>(k)]);
   if (fitted.empty() || fit.fitted.arm.rows.empty()) return {};
   const Evaluation after = evaluateFitted(fit.fitted, fit, fitted);
   return after.ok ? lackOfFitOf(after, numbersFitted(after, fit), level) : ModelLackOfFit{};
 }
 
-Comparison compare(const PlacedArm& start, const std::vector<Measurement>& readings, const ComparisonOptions& options) {
+Comparison compare(const PlacedArm& start, const std::vector<Measurement>& measurements,
+                   const ComparisonOptions& options) {
   return unlessStopped(&Comparison::status, ComparisonStatus::kStopped,
-                       [&] { return compareUnlessStopped(start, readings, options); });
+                       [&] { return compareUnlessStopped(start, measurements, options); });
 }
 
 }  // namespace tubeplan::calibration

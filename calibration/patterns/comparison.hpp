@@ -1,5 +1,5 @@
-// Comparison of a model with readings: where the model fails, by how much, and which variables its error follows. The
-// model is compared both unchanged and after a refit of the free parameters.
+// Comparison of a model with measurements: where the model fails, by how much, and which variables its error follows.
+// The model is compared both unchanged and after a refit of the free parameters.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct ComparisonOptions {
 
 enum class ComparisonStatus { kNotRun, kDone, kRefused, kNotConverged, kStopped };
 
-/// Verdict on a model. kInconclusive: the readings are too few, or their stated noise is too large, for a verdict.
+/// Verdict on a model. kInconclusive: the measurements are too few, or their stated noise is too large, for a verdict.
 enum class Adequacy { kNotRun, kAdequate, kInadequate, kInconclusive };
 
 /// Returns the name of a verdict, such as "adequate" or "falls-short".
@@ -30,7 +30,7 @@ enum class Adequacy { kNotRun, kAdequate, kInadequate, kInconclusive };
 /// Returns a verdict as a clause, such as "The model falls short".
 [[nodiscard]] const char* wordsOf(Adequacy adequacy);
 
-/// Lack of fit of a model to the readings that are not held out.
+/// Lack of fit of a model to the measurements that are not held out.
 struct ModelLackOfFit {
   ErrorSize errors;
   double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms error due to noise alone [m]
@@ -38,14 +38,14 @@ struct ModelLackOfFit {
   /// Number of measured values less the number of parameters that they determine; can be zero or negative.
   int degrees_of_freedom = 0;
   double p_value = std::numeric_limits<double>::quiet_NaN();  ///< p-value of chi-square with the stated noise
-  /// Reason why the readings allow no verdict, and what is needed for one; empty if they allow one.
+  /// Reason why the measurements allow no verdict, and what is needed for one; empty if they allow one.
   std::string inconclusive;
   Repeats repeats;
   Adequacy adequacy = Adequacy::kNotRun;
 };
 
-/// Comparison of one reading with the model before and after the refit.
-struct ComparedReading {
+/// Comparison of one measurement with the model before and after the refit.
+struct ComparedMeasurement {
   bool is_held_out = false;  ///< true: not used in the fit
   /// Predicted tip in the world frame [m], before and after the refit.
   Eigen::Vector3d tip_before = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -56,7 +56,7 @@ struct ComparedReading {
   /// Length of the whitened error, in standard deviations.
   double sigmas_before = std::numeric_limits<double>::quiet_NaN();
   double sigmas_after = std::numeric_limits<double>::quiet_NaN();
-  /// Length of the rotational part of the error [rad]; NaN if the reading measures no rotation.
+  /// Length of the rotational part of the error [rad]; NaN if the measurement measures no rotation.
   double turn_before = std::numeric_limits<double>::quiet_NaN();
   double turn_after = std::numeric_limits<double>::quiet_NaN();
 };
@@ -68,12 +68,12 @@ struct Comparison {
   ModelLackOfFit as_it_stands, after_refit;
   Identification refit;  ///< result of the refit; kNotRun if nothing is free
   PlacedArm fitted;      ///< the model after the refit
-  std::vector<ComparedReading> readings;
-  std::vector<int> worst;  ///< indices of the fitted readings, largest whitened error after the refit first
+  std::vector<ComparedMeasurement> measurements;
+  std::vector<int> worst;  ///< indices of the fitted measurements, largest whitened error after the refit first
   PatternSearch patterns;  ///< patterns in the residual after the refit
   /// Residual converted to joint corrections, before and after the refit; columns in the order of `used`.
   JointEquivalents joints_before, joints_after;
-  std::vector<int> used;                 ///< indices of the readings that are not held out
+  std::vector<int> used;                 ///< indices of the measurements that are not held out
   Adequacy verdict = Adequacy::kNotRun;  ///< verdict after the refit
   std::vector<std::string> grounds;      ///< reasons for any verdict other than kAdequate, one clause each
   bool noise_disagrees = false;          ///< true: the scatter of repeats contradicts the stated noise and replaces it
@@ -81,10 +81,10 @@ struct Comparison {
 
 /// Returns the lack of fit of an identified model to its own readings, judged as by compare(). Adequacy::kNotRun if the
 /// model cannot be evaluated there.
-[[nodiscard]] ModelLackOfFit lackOfFitOf(const Identification& fit, const std::vector<Measurement>& readings,
+[[nodiscard]] ModelLackOfFit lackOfFitOf(const Identification& fit, const std::vector<Measurement>& measurements,
                                          double level = kPatternLevel);
 
-[[nodiscard]] Comparison compare(const PlacedArm& start, const std::vector<Measurement>& readings,
+[[nodiscard]] Comparison compare(const PlacedArm& start, const std::vector<Measurement>& measurements,
                                  const ComparisonOptions& options);
 
 }  // namespace tubeplan::calibration

@@ -1,5 +1,5 @@
-// Error that is the same at every reading: in the world frame, in radial axes around the vertical through the base, or
-// in the tool frame.
+// Error that is the same at every measurement: in the world frame, in radial axes around the vertical through the base,
+// or in the tool frame.
 //
 // Basis: the constant 1.
 #pragma once
@@ -8,8 +8,8 @@
 
 namespace tubeplan::calibration::patterns::constant {
 
-inline std::vector<Variable> variables(const ReadingScene& scene) {
-  const auto n = static_cast<Eigen::Index>(scene.readings.size());
+inline std::vector<Variable> variables(const MeasurementScene& scene) {
+  const auto n = static_cast<Eigen::Index>(scene.measurements.size());
   return {{"constant", {}, Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Ones(n, 1), {}}};
 }
 

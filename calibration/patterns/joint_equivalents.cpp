@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "calibration/estimation/fit.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -41,28 +41,28 @@ Turned turned(const MatrixXd& by_joints, const VectorXd& sigma, const VectorXd& 
 
 }  // namespace
 
-JointEquivalents equivalentJoints(const PlacedArm& placed, const std::vector<Measurement>& readings,
+JointEquivalents equivalentJoints(const PlacedArm& placed, const std::vector<Measurement>& measurements,
                                   const VectorXd& error) {
   JointEquivalents result;
   result.sigma = encoderSigmas(placed.arm);
   const bool is_stated = result.sigma.size() > 0 && result.sigma.maxCoeff() > 0;
   const VectorXd weight = is_stated ? result.sigma : VectorXd::Ones(result.sigma.size());
-  result.corrections.resize(weight.size(), static_cast<Index>(readings.size()));
+  result.corrections.resize(weight.size(), static_cast<Index>(measurements.size()));
   double chi2 = 0;
   Index row = 0;
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    const Prediction prediction = predictReading(placed, readings[k], {.by_joints = true});
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
+    const Prediction prediction = predictMeasurement(placed, measurements[k], {.by_joints = true});
     if (!prediction.ok) return result;
     const Turned one =
-        turned(prediction.by_joints.leftCols(weight.size()), weight, error.segment(row, rowsOf(readings[k])));
+        turned(prediction.by_joints.leftCols(weight.size()), weight, error.segment(row, rowsOf(measurements[k])));
     result.corrections.col(static_cast<Index>(k)) = one.correction;
     chi2 += one.chi2;
     result.degrees_of_freedom += one.rank;
-    row += rowsOf(readings[k]);
+    row += rowsOf(measurements[k]);
   }
   result.ok = true;
   result.mean = result.corrections.rowwise().mean();
-  const double others = std::max<double>(1, static_cast<double>(readings.size()) - 1);
+  const double others = std::max<double>(1, static_cast<double>(measurements.size()) - 1);
   result.spread = ((result.corrections.colwise() - result.mean).rowwise().squaredNorm() / others).cwiseSqrt();
   if (!is_stated) return result;
   result.chi2 = chi2;

@@ -15,8 +15,8 @@ namespace tubeplan::calibration {
 /// Corrections of joint readings [rad, m for a prismatic joint], with joints in the order of the arm's active rows.
 struct JointEquivalents {
   bool ok = false;               ///< false: the model could not be evaluated
-  Eigen::MatrixXd corrections;   ///< corrections to be added to the joint readings, joints x readings
-  Eigen::VectorXd mean, spread;  ///< mean and standard deviation of each joint's corrections over the readings
+  Eigen::MatrixXd corrections;   ///< corrections to be added to the joint readings, joints x measurements
+  Eigen::VectorXd mean, spread;  ///< mean and standard deviation of each joint's corrections over the measurements
   Eigen::VectorXd sigma;         ///< stated standard deviation of each encoder; 0 if not stated
   /// Chi-square of the residual if encoder noise were its only cause; NaN if no encoder noise is stated.
   double chi2 = std::numeric_limits<double>::quiet_NaN();
@@ -24,9 +24,9 @@ struct JointEquivalents {
   double p_value = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Computes the corrections. `error` is predicted minus measured [m], with the rows of all readings stacked. Encoders
-/// without a stated sigma count as exact if others have one; if none has, all joints have equal weight.
-[[nodiscard]] JointEquivalents equivalentJoints(const PlacedArm& placed, const std::vector<Measurement>& readings,
+/// Computes the corrections. `error` is predicted minus measured [m], with the rows of all measurements stacked.
+/// Encoders without a stated sigma count as exact if others have one; if none has, all joints have equal weight.
+[[nodiscard]] JointEquivalents equivalentJoints(const PlacedArm& placed, const std::vector<Measurement>& measurements,
                                                 const Eigen::VectorXd& error);
 
 }  // namespace tubeplan::calibration

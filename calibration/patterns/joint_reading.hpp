@@ -13,15 +13,15 @@ namespace tubeplan::calibration::patterns::joint_reading {
 
 inline constexpr double kBeyondNoise = 50;  // smallest range of a tested joint's readings, in encoder sigmas
 
-inline std::vector<Variable> variables(const ReadingScene& scene) {
+inline std::vector<Variable> variables(const MeasurementScene& scene) {
   std::vector<Variable> list;
   for (Eigen::Index j = 0; j < scene.placed.arm.jointCount(); ++j) {
     const auto& joint = scene.placed.arm.joint(j);
     const bool slides = joint.type == deflection::JointType::kPrismatic;
     Variable variable{joint.name, {slides ? deflection::Quantity::kLength : deflection::Quantity::kAngle}, {}, {}, {}};
-    variable.value.resize(static_cast<Eigen::Index>(scene.readings.size()));
-    for (std::size_t k = 0; k < scene.readings.size(); ++k)
-      variable.value[static_cast<Eigen::Index>(k)] = scene.readings[k].q[j];
+    variable.value.resize(static_cast<Eigen::Index>(scene.measurements.size()));
+    for (std::size_t k = 0; k < scene.measurements.size(); ++k)
+      variable.value[static_cast<Eigen::Index>(k)] = scene.measurements[k].q[j];
     const double range = variable.value.maxCoeff() - variable.value.minCoeff();
     if (!varies(variable.value) || range < kBeyondNoise * joint.encoder_sigma) continue;
     variable.basis.resize(variable.value.size(), 2);

@@ -7,13 +7,13 @@
 
 namespace tubeplan::calibration::patterns::joint_sense {
 
-inline std::vector<Variable> variables(const ReadingScene& scene) {
+inline std::vector<Variable> variables(const MeasurementScene& scene) {
   std::vector<Variable> list;
   for (Eigen::Index j = 0; j < scene.placed.arm.jointCount(); ++j) {
     Variable variable{"sense of " + scene.placed.arm.joint(j).name, {}, {}, {}, {}};
-    variable.value.resize(static_cast<Eigen::Index>(scene.readings.size()));
-    for (std::size_t k = 0; k < scene.readings.size(); ++k) {
-      const auto& approach_directions = scene.readings[k].approach_directions;
+    variable.value.resize(static_cast<Eigen::Index>(scene.measurements.size()));
+    for (std::size_t k = 0; k < scene.measurements.size(); ++k) {
+      const auto& approach_directions = scene.measurements[k].approach_directions;
       variable.value[static_cast<Eigen::Index>(k)] = approach_directions.empty() ? 0 : approach_directions[j];
     }
     if (!varies(variable.value)) continue;

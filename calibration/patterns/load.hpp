@@ -9,16 +9,16 @@
 
 namespace tubeplan::calibration::patterns::load {
 
-inline std::vector<Variable> variables(const ReadingScene& scene) {
+inline std::vector<Variable> variables(const MeasurementScene& scene) {
   Variable variable{"load",
                     {deflection::Quantity::kForce},
-                    Eigen::VectorXd(static_cast<Eigen::Index>(scene.readings.size())),
+                    Eigen::VectorXd(static_cast<Eigen::Index>(scene.measurements.size())),
                     {},
                     {}};
   std::set<double> loads;
-  for (std::size_t k = 0; k < scene.readings.size(); ++k) {
-    variable.value[static_cast<Eigen::Index>(k)] = scene.readings[k].load;
-    loads.insert(scene.readings[k].load);
+  for (std::size_t k = 0; k < scene.measurements.size(); ++k) {
+    variable.value[static_cast<Eigen::Index>(k)] = scene.measurements[k].load;
+    loads.insert(scene.measurements[k].load);
   }
   if (!varies(variable.value)) return {};
   variable.basis.resize(variable.value.size(), loads.size() > 2 ? 2 : 1);

@@ -14,12 +14,12 @@ namespace tubeplan::calibration::patterns::moment {
 inline constexpr double kSameCourse = 1e-6;  // largest 1 - |correlation| of two moments that count as proportional
 // A moment is tested only if it varies by more than this fraction of the arm's largest moment.
 inline constexpr double kLeastShare = 1e-3;
-// The sign of a moment is tested only if each sign occurs in at least this fraction of the readings.
+// The sign of a moment is tested only if each sign occurs in at least this fraction of the measurements.
 inline constexpr double kFewestOfSign = 0.05;
 
-inline Eigen::VectorXd momentsAbout(const ReadingScene& scene, Eigen::Index row, int axis) {
-  Eigen::VectorXd moments(static_cast<Eigen::Index>(scene.readings.size()));
-  for (std::size_t k = 0; k < scene.readings.size(); ++k)
+inline Eigen::VectorXd momentsAbout(const MeasurementScene& scene, Eigen::Index row, int axis) {
+  Eigen::VectorXd moments(static_cast<Eigen::Index>(scene.measurements.size()));
+  for (std::size_t k = 0; k < scene.measurements.size(); ++k)
     moments[static_cast<Eigen::Index>(k)] = scene.moments_L[k](axis, row);
   return moments;
 }
@@ -30,7 +30,7 @@ inline bool isSaid(const std::vector<Variable>& list, const Eigen::VectorXd& cou
   });
 }
 
-inline std::vector<Variable> variables(const ReadingScene& scene) {
+inline std::vector<Variable> variables(const MeasurementScene& scene) {
   double largest = 0;
   for (const auto& moments : scene.moments_L) largest = std::max(largest, moments.cwiseAbs().maxCoeff());
   std::vector<Variable> list;

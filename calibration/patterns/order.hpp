@@ -1,14 +1,14 @@
-// Error that neighbouring readings in the file share.
+// Error that neighbouring measurements in the file share.
 //
-// Basis: slow waves over the order of the readings.
+// Basis: slow waves over the order of the measurements.
 #pragma once
 
 #include "calibration/patterns/pattern.hpp"
 
 namespace tubeplan::calibration::patterns::order {
 
-inline std::vector<Variable> variables(const ReadingScene& scene) {
-  const auto n = static_cast<Eigen::Index>(scene.readings.size());
+inline std::vector<Variable> variables(const MeasurementScene& scene) {
+  const auto n = static_cast<Eigen::Index>(scene.measurements.size());
   if (n < 4) return {};
   Variable variable{"order of the readings", {}, Eigen::VectorXd::LinSpaced(n, 1, static_cast<double>(n)), {}, {}};
   variable.basis = slowWaves(variable.value);

@@ -13,47 +13,47 @@
 
 namespace tubeplan::calibration {
 
-/// Readings with the model's predictions for them, except the residual.
-struct ReadingScene {
+/// Measurements with the model's predictions for them, except the residual.
+struct MeasurementScene {
   bool ok = false;  ///< false: a deflected shape did not converge, and the other members are invalid
   PlacedArm placed;
-  std::vector<Measurement> readings;
+  std::vector<Measurement> measurements;
   Eigen::Matrix3Xd tips;               ///< predicted tip positions in the world frame [m]
   Eigen::Matrix3Xd seen;               ///< predicted tip positions, or displacements from the reference [m]
   std::vector<Eigen::Matrix3d> tools;  ///< axes of the deflected tool frame, in the world frame
   /// Radial, tangential and upward unit vectors about the vertical through the base, in the world frame.
   std::vector<Eigen::Matrix3d> radials;
-  /// Moments at each reading, one column per row of the arm, in the row's own axes [N m].
+  /// Moments at each measurement, one column per row of the arm, in the row's own axes [N m].
   std::vector<Eigen::Matrix3Xd> moments_L;
 };
 
-/// Returns the derivatives of a reading's rows with respect to the tip's position in the world frame. For a distance,
-/// they are the unit vector along the measured line.
-[[nodiscard]] inline MeasuredRows placeSlope(const ReadingScene& scene, std::size_t k) {
-  return predictedSlope(scene.readings[k], {scene.seen.col(static_cast<Eigen::Index>(k)), scene.tools[k]}).by_place;
+/// Returns the derivatives of a measurement's rows with respect to the tip's position in the world frame. For a
+/// distance, they are the unit vector along the measured line.
+[[nodiscard]] inline MeasuredRows placeSlope(const MeasurementScene& scene, std::size_t k) {
+  return predictedSlope(scene.measurements[k], {scene.seen.col(static_cast<Eigen::Index>(k)), scene.tools[k]}).by_place;
 }
 
-[[nodiscard]] ReadingScene observe(const PlacedArm& placed, const std::vector<Measurement>& readings);
+[[nodiscard]] MeasurementScene observe(const PlacedArm& placed, const std::vector<Measurement>& measurements);
 
-/// Values of a variable at all readings, and the few basis functions to test.
+/// Values of a variable at all measurements, and the few basis functions to test.
 struct Variable {
   std::string name;  ///< name, such as "theta3" or "moment forearm.z"
   deflection::ValueUnit unit;
-  /// Value of the variable at each reading, in internal units; NaN if the reading does not state it. For a variable
-  /// that divides the readings into groups: index of the reading's group in `groups`.
+  /// Value of the variable at each measurement, in internal units; NaN if the measurement does not state it. For a
+  /// variable that divides the measurements into groups: index of the measurement's group in `groups`.
   Eigen::VectorXd value;
-  /// Basis functions at the readings (readings x functions); zero for a reading that does not state the variable; empty
-  /// for a variable with groups.
+  /// Basis functions at the measurements (measurements x functions); zero for a measurement that does not state the
+  /// variable; empty for a variable with groups.
   Eigen::MatrixXd basis;
   std::vector<std::string> groups;  ///< names of the groups; empty for a variable without groups
 };
 
-/// A kind of pattern, which finds variables of one kind in the readings: one row of the table.
+/// A kind of pattern, which finds variables of one kind in the measurements: one row of the table.
 struct PatternKind {
   const char* name;
-  std::string needs;  ///< what the test requires of the readings
-  /// Function that returns the variables of the readings; empty if the readings have none.
-  std::function<std::vector<Variable>(const ReadingScene&)> variables;
+  std::string needs;  ///< what the test requires of the measurements
+  /// Function that returns the variables of the measurements; empty if the measurements have none.
+  std::function<std::vector<Variable>(const MeasurementScene&)> variables;
 };
 
 const std::vector<PatternKind>& patternKinds();
@@ -68,14 +68,14 @@ const std::vector<PatternKind>& patternKinds();
 /// Together they represent a drift, a step or a slow oscillation.
 [[nodiscard]] Eigen::MatrixXd slowWaves(const Eigen::VectorXd& value);
 
-/// Returns the next faster waves: up to one cycle per eight readings, and at most twelve cycles; empty if none of these
-/// is faster than the slow waves.
+/// Returns the next faster waves: up to one cycle per eight measurements, and at most twelve cycles; empty if none of
+/// these is faster than the slow waves.
 [[nodiscard]] Eigen::MatrixXd fasterWaves(const Eigen::VectorXd& value);
 
 /// Returns the name for errors that go through several cycles over a variable's range.
 [[nodiscard]] inline std::string cyclesOf(const std::string& variable) { return "cycles of " + variable; }
 
-/// Returns a grouping variable: the group of each reading, with the names in the order of first occurrence.
-[[nodiscard]] Variable groupVariable(const std::string& name, const std::vector<std::string>& group_of_reading);
+/// Returns a grouping variable: the group of each measurement, with the names in the order of first occurrence.
+[[nodiscard]] Variable groupVariable(const std::string& name, const std::vector<std::string>& group_of_measurement);
 
 }  // namespace tubeplan::calibration

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -21,7 +21,7 @@ constexpr int kTrendSteps = 5;
 constexpr Index kFewGroups = 40;
 constexpr PatternFrame kFrames[] = {PatternFrame::kWorld, PatternFrame::kRadial, PatternFrame::kTool};
 
-const Eigen::Matrix3d& axesOf(const ReadingScene& scene, PatternFrame frame, std::size_t k) {
+const Eigen::Matrix3d& axesOf(const MeasurementScene& scene, PatternFrame frame, std::size_t k) {
   static const Eigen::Matrix3d kWorldAxes = Eigen::Matrix3d::Identity();
   if (frame == PatternFrame::kRadial) return scene.radials[k];
   return frame == PatternFrame::kTool ? scene.tools[k] : kWorldAxes;
@@ -38,23 +38,23 @@ MatrixXd orthonormal(const MatrixXd& columns, const VectorXd& lengths) {
   return scaled * kept * gram.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
-/// The readings to search, with the components of their residual that the fitted unknowns absorb.
+/// The measurements to search, with the components of their residual that the fitted unknowns absorb.
 struct SearchedScene {
-  const ReadingScene& scene;
-  const ReadingWeights& weights;
+  const MeasurementScene& scene;
+  const MeasurementWeights& weights;
   MatrixXd absorbed;  ///< orthonormal basis of the fitted unknowns' columns
   VectorXd r;
   int freedom = 0;
   const StopQuestion& stop;
 
-  [[nodiscard]] Index rowOf(int reading) const { return weights.first_row[static_cast<std::size_t>(reading)]; }
+  [[nodiscard]] Index rowOf(int measurement) const { return weights.first_row[static_cast<std::size_t>(measurement)]; }
 
   /// Returns orthonormal columns for basis functions in the axes of a frame, without the components that `others`
   /// (orthonormal) and the touched points absorb.
   [[nodiscard]] MatrixXd columnsOf(const MatrixXd& basis, PatternFrame frame, const MatrixXd& others) const {
     goOn(stop);
     MatrixXd columns(weights.rows, 3 * basis.cols());
-    for (std::size_t k = 0; k < scene.readings.size(); ++k) {
+    for (std::size_t k = 0; k < scene.measurements.size(); ++k) {
       const MatrixXd along = weights.whitener[k] * placeSlope(scene, k) * axesOf(scene, frame, k);
       for (Index j = 0; j < basis.cols(); ++j)
         columns.block(weights.first_row[k], 3 * j, along.rows(), 3) = along * basis(static_cast<Index>(k), j);
@@ -73,8 +73,8 @@ MatrixXd joined(const MatrixXd& a, const MatrixXd& b) {
   return both;
 }
 
-/// Divides the readings into bins of neighbouring values: equal values always share a bin, and many different values
-/// form at most kTrendSteps bins.
+/// Divides the measurements into bins of neighbouring values: equal values always share a bin, and many different
+/// values form at most kTrendSteps bins.
 std::vector<std::vector<int>> lotsOf(const Variable& variable) {
   std::vector<int> order;
   for (int k = 0; k < static_cast<int>(variable.value.size()); ++k)
@@ -93,12 +93,12 @@ std::vector<std::vector<int>> lotsOf(const Variable& variable) {
   return lots;
 }
 
-/// Returns, for each reading, the component of its error that follows the pattern beyond what the fit absorbs, in the
-/// axes of the frame [m].
+/// Returns, for each measurement, the component of its error that follows the pattern beyond what the fit absorbs, in
+/// the axes of the frame [m].
 Eigen::Matrix3Xd followedErrors(const SearchedScene& search, PatternFrame frame, const VectorXd& followed) {
   const auto& scene = search.scene;
-  Eigen::Matrix3Xd errors(3, static_cast<Index>(scene.readings.size()));
-  for (std::size_t k = 0; k < scene.readings.size(); ++k) {
+  Eigen::Matrix3Xd errors(3, static_cast<Index>(scene.measurements.size()));
+  for (std::size_t k = 0; k < scene.measurements.size(); ++k) {
     const MatrixXd seen = placeSlope(scene, k);
     const VectorXd error = search.weights.whitener[k].triangularView<Eigen::Lower>().solve(
         followed.segment(search.weights.first_row[k], seen.rows()));
@@ -151,8 +151,8 @@ struct Followed {
   int numbers = 0;
 };
 
-/// Returns a column of ones and zeros for each group. This is suitable for few groups; readings may share a touched
-/// point or noise with readings of other groups.
+/// Returns a column of ones and zeros for each group. This is suitable for few groups; measurements may share a touched
+/// point or noise with measurements of other groups.
 MatrixXd membershipOf(const Variable& variable) {
   MatrixXd basis = MatrixXd::Zero(variable.value.size(), static_cast<Index>(variable.groups.size()));
   for (Index k = 0; k < variable.value.size(); ++k) basis(k, static_cast<Index>(variable.value[k])) = 1;
@@ -167,7 +167,7 @@ Followed followFunctions(const SearchedScene& search, const Question& question, 
   return {columns * (columns.transpose() * r), static_cast<int>(columns.cols())};
 }
 
-/// Returns the indices of the readings of each group.
+/// Returns the indices of the measurements of each group.
 std::vector<std::vector<int>> membersOf(const Variable& variable) {
   std::vector<std::vector<int>> members(variable.groups.size());
   for (Index k = 0; k < variable.value.size(); ++k)
@@ -177,15 +177,15 @@ std::vector<std::vector<int>> membersOf(const Variable& variable) {
 
 /// Analyses the variance by groups, where each group's mean is a parameter. With B the projection onto the groups'
 /// means and Q the fitted unknowns, r^T B r has tr B - tr Q^T B Q degrees of freedom. The computation runs group by
-/// group, so that many groups cost no more than one group of all readings. A touched point or noise that readings share
-/// with other groups is not removed.
+/// group, so that many groups cost no more than one group of all measurements. A touched point or noise that
+/// measurements share with other groups is not removed.
 Followed followGroups(const SearchedScene& search, const Variable& variable, const MatrixXd& beside,
                       const VectorXd& r) {
   Followed followed{VectorXd::Zero(r.size()), 0};
   double numbers = 0;
   for (const auto& group : membersOf(variable)) {
     Index rows = 0;
-    for (const int k : group) rows += rowsOf(search.scene.readings[static_cast<std::size_t>(k)]);
+    for (const int k : group) rows += rowsOf(search.scene.measurements[static_cast<std::size_t>(k)]);
     MatrixXd columns(rows, 3), fitted(rows, beside.cols());
     VectorXd own(rows);
     Index at = 0;
@@ -204,7 +204,7 @@ Followed followGroups(const SearchedScene& search, const Variable& variable, con
     const VectorXd part = mean * (mean.transpose() * own);
     at = 0;
     for (const int k : group) {
-      const Index count = rowsOf(search.scene.readings[static_cast<std::size_t>(k)]);
+      const Index count = rowsOf(search.scene.measurements[static_cast<std::size_t>(k)]);
       followed.part.segment(search.rowOf(k), count) = part.segment(at, count);
       at += count;
     }
@@ -274,8 +274,8 @@ std::vector<PatternTest> distinctFindings(const SearchedScene& search, const std
 
 }  // namespace
 
-PatternSearch searchPatterns(const ReadingScene& scene, const ReadingWeights& weights, const WhitenedResidual& residual,
-                             double level, const WorkHooks& hooks) {
+PatternSearch searchPatterns(const MeasurementScene& scene, const MeasurementWeights& weights,
+                             const WhitenedResidual& residual, double level, const WorkHooks& hooks) {
   PatternSearch result;
   reportProgress(hooks, "patterns");
   SearchedScene search{scene,      weights, orthonormal(residual.jacobian, residual.jacobian.colwise().norm()),

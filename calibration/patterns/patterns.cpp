@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/measurements/surfaces.hpp"
 #include "calibration/patterns/condition.hpp"
 #include "calibration/patterns/constant.hpp"
@@ -62,25 +62,25 @@ const std::vector<PatternKind>& patternKinds() {
   return kKinds;
 }
 
-ReadingScene observe(const PlacedArm& placed, const std::vector<Measurement>& readings) {
-  ReadingScene scene{true, placed, readings, {}, {}, {}, {}, {}};
-  settleSurfaces(placed, scene.readings);
-  scene.tips.resize(3, static_cast<Index>(readings.size()));
-  scene.seen.resize(3, static_cast<Index>(readings.size()));
-  scene.tools.resize(readings.size());
-  scene.radials.resize(readings.size());
-  scene.moments_L.resize(readings.size());
+MeasurementScene observe(const PlacedArm& placed, const std::vector<Measurement>& measurements) {
+  MeasurementScene scene{true, placed, measurements, {}, {}, {}, {}, {}};
+  settleSurfaces(placed, scene.measurements);
+  scene.tips.resize(3, static_cast<Index>(measurements.size()));
+  scene.seen.resize(3, static_cast<Index>(measurements.size()));
+  scene.tools.resize(measurements.size());
+  scene.radials.resize(measurements.size());
+  scene.moments_L.resize(measurements.size());
   std::atomic<bool> ok = true;
-  tbb::parallel_for(std::size_t{0}, readings.size(), [&](std::size_t k) {
-    const auto& X_WB = basePoseAt(placed, readings[k]);
-    const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(readings[k], placed.arm, X_WB));
+  tbb::parallel_for(std::size_t{0}, measurements.size(), [&](std::size_t k) {
+    const auto& X_WB = basePoseAt(placed, measurements[k]);
+    const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(measurements[k], placed.arm, X_WB));
     if (shape.status != deflection::KinematicsStatus::kConverged) {
       ok = false;
       return;
     }
     const Vector3d tip = X_WB * shape.X_BD.p;
     scene.tips.col(static_cast<Index>(k)) = scene.seen.col(static_cast<Index>(k)) = tip;
-    if (const auto from = referencePostureOf(readings[k], placed.arm, X_WB)) {
+    if (const auto from = referencePostureOf(measurements[k], placed.arm, X_WB)) {
       const auto reference = deflection::solveFlexibleKinematics(placed.arm, *from);
       if (reference.status != deflection::KinematicsStatus::kConverged) {
         ok = false;
@@ -125,8 +125,8 @@ MatrixXd slowWaves(const VectorXd& value) {
 }
 
 MatrixXd fasterWaves(const VectorXd& value) {
-  constexpr Index kFirst = 4, kMostCycles = 12, kReadingsOfCycle = 8;  // the first three waves are the slow waves
-  const Index cycles = std::min(kMostCycles, value.array().isFinite().count() / kReadingsOfCycle);
+  constexpr Index kFirst = 4, kMostCycles = 12, kMeasurementsOfCycle = 8;  // the first three waves are the slow waves
+  const Index cycles = std::min(kMostCycles, value.array().isFinite().count() / kMeasurementsOfCycle);
   if (2 * cycles < kFirst) return {};
   const auto [least, most] = rangeOf(value);
   MatrixXd waves(value.size(), 2 * cycles - kFirst + 1);
@@ -137,13 +137,13 @@ MatrixXd fasterWaves(const VectorXd& value) {
   return waves;
 }
 
-Variable groupVariable(const std::string& name, const std::vector<std::string>& group_of_reading) {
-  Variable variable{name, {}, VectorXd(static_cast<Index>(group_of_reading.size())), {}, {}};
+Variable groupVariable(const std::string& name, const std::vector<std::string>& group_of_measurement) {
+  Variable variable{name, {}, VectorXd(static_cast<Index>(group_of_measurement.size())), {}, {}};
   std::map<std::string, std::size_t> index;
-  for (std::size_t k = 0; k < group_of_reading.size(); ++k) {
-    const auto [at, is_new] = index.emplace(group_of_reading[k], index.size());
+  for (std::size_t k = 0; k < group_of_measurement.size(); ++k) {
+    const auto [at, is_new] = index.emplace(group_of_measurement[k], index.size());
     variable.value[static_cast<Index>(k)] = static_cast<double>(at->second);
-    if (is_new) variable.groups.push_back(group_of_reading[k]);
+    if (is_new) variable.groups.push_back(group_of_measurement[k]);
   }
   return variable;
 }

@@ -1,8 +1,8 @@
 // Error that depends on the tip's position in the world frame.
 //
-// Basis: a coordinate and its square, relative to the mean of the readings. For a touch of a known point, the position
-// is that of the point, because the predicted tip position contains the error. A coordinate that hardly varies is not
-// tested, because it would show only noise.
+// Basis: a coordinate and its square, relative to the mean of the measurements. For a touch of a known point, the
+// position is that of the point, because the predicted tip position contains the error. A coordinate that hardly varies
+// is not tested, because it would show only noise.
 #pragma once
 
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -13,14 +13,14 @@ namespace tubeplan::calibration::patterns::place {
 // A coordinate is tested only if it ranges over at least this fraction of the arm's reach.
 inline constexpr double kLeastShare = 0.002;
 
-inline Eigen::Matrix3Xd places(const ReadingScene& scene) {
+inline Eigen::Matrix3Xd places(const MeasurementScene& scene) {
   Eigen::Matrix3Xd places = scene.tips;
-  for (std::size_t k = 0; k < scene.readings.size(); ++k)
-    if (touchesKnownPoint(scene.readings[k])) places.col(static_cast<Eigen::Index>(k)) = *scene.readings[k].p_W;
+  for (std::size_t k = 0; k < scene.measurements.size(); ++k)
+    if (touchesKnownPoint(scene.measurements[k])) places.col(static_cast<Eigen::Index>(k)) = *scene.measurements[k].p_W;
   return places;
 }
 
-inline std::vector<Variable> variables(const ReadingScene& scene) {
+inline std::vector<Variable> variables(const MeasurementScene& scene) {
   const Eigen::Matrix3Xd at = places(scene);
   const double least = kLeastShare * deflection::reachOf(scene.placed.arm);
   std::vector<Variable> list;

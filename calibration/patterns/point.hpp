@@ -1,4 +1,5 @@
-// Separate error of each point (or posture, if readings name no point): more variance between points than within them.
+// Separate error of each point (or posture, if measurements name no point): more variance between points than within
+// them.
 //
 // Basis: one parameter per point.
 #pragma once
@@ -8,11 +9,12 @@
 
 namespace tubeplan::calibration::patterns::point {
 
-inline std::vector<Variable> variables(const ReadingScene& scene) {
-  const std::vector<int> pose = groupByPose(scene.readings);
+inline std::vector<Variable> variables(const MeasurementScene& scene) {
+  const std::vector<int> pose = groupByPose(scene.measurements);
   std::vector<std::string> names(pose.size());
   for (std::size_t k = 0; k < pose.size(); ++k)
-    names[k] = scene.readings[k].point.empty() ? "posture " + std::to_string(pose[k] + 1) : scene.readings[k].point;
+    names[k] =
+        scene.measurements[k].point.empty() ? "posture " + std::to_string(pose[k] + 1) : scene.measurements[k].point;
   const Variable variable = groupVariable("point", names);
   if (variable.groups.size() < 2 || variable.groups.size() == names.size()) return {};
   return {variable};

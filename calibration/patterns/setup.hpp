@@ -7,9 +7,9 @@
 
 namespace tubeplan::calibration::patterns::setup {
 
-inline std::vector<Variable> variables(const ReadingScene& scene) {
+inline std::vector<Variable> variables(const MeasurementScene& scene) {
   std::vector<std::string> names;
-  for (const auto& reading : scene.readings) names.push_back(reading.setup);
+  for (const auto& measurement : scene.measurements) names.push_back(measurement.setup);
   const Variable variable = groupVariable("set-up", names);
   if (variable.groups.size() < 2) return {};
   return {variable};

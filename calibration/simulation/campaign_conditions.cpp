@@ -18,7 +18,8 @@ bool swings(const deflection::ConditionKind& kind) { return kind.swing.amplitude
 
 }  // namespace
 
-std::vector<int> ReadingConditions::approach_directions(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const {
+std::vector<int> MeasurementConditions::approach_directions(const Eigen::VectorXd& from,
+                                                            const Eigen::VectorXd& to) const {
   std::vector<int> result;
   for (int k = 0; k < to.size(); ++k) {
     const double way = to[k] - from[k];
@@ -27,13 +28,13 @@ std::vector<int> ReadingConditions::approach_directions(const Eigen::VectorXd& f
   return result;
 }
 
-ConditionSeries::ConditionSeries(const deflection::Arm& arm, const CampaignPace& pace, int readings,
+ConditionSeries::ConditionSeries(const deflection::Arm& arm, const CampaignPace& pace, int measurements,
                                  const CampaignDesign& design, std::uint64_t seed)
     : pace_(pace),
       noise_factor_(noiseFactor(design)),
       turn_sigma_(design.turn_sigma),
       push_(design.push),
-      period_(std::min(pace.longest_period, readings * (pace.shortest + pace.longest))),
+      period_(std::min(pace.longest_period, measurements * (pace.shortest + pace.longest))),
       usual_(arm.reference),
       conditions_(seed, CampaignRandom::Stream::kConditions),
       noise_(seed, CampaignRandom::Stream::kNoise),
@@ -60,24 +61,25 @@ void ConditionSeries::drawConditions(deflection::ConditionValues& stated) {
   }
 }
 
-ReadingConditions ConditionSeries::next() {
-  ReadingConditions reading;
-  drawConditions(reading.stated);
+MeasurementConditions ConditionSeries::next() {
+  MeasurementConditions measurement;
+  drawConditions(measurement.stated);
   for (std::size_t k = 0; k < encoder_sigmas_.size(); ++k) {
-    reading.turns.push_back(conditions_.uniform(0, 1) < pace_.overshoot ? -1 : 1);
-    reading.rests.push_back(conditions_.uniform(0, 1) < 0.5 ? -1 : 1);
+    measurement.turns.push_back(conditions_.uniform(0, 1) < pace_.overshoot ? -1 : 1);
+    measurement.rests.push_back(conditions_.uniform(0, 1) < 0.5 ? -1 : 1);
   }
-  reading.coordinate_noise = noise_factor_ * noise_.vector(1);
-  reading.encoder_noise.resize(static_cast<Eigen::Index>(encoder_sigmas_.size()));
-  for (int k = 0; k < reading.encoder_noise.size(); ++k) reading.encoder_noise[k] = noise_.normal(encoder_sigmas_[k]);
-  if (turn_sigma_ > 0) reading.turn_noise = noise_.vector(turn_sigma_);
-  reading.side_q.resize(static_cast<Eigen::Index>(side_limits_.size()));
-  for (Eigen::Index k = 0; k < reading.side_q.size(); ++k) {
+  measurement.coordinate_noise = noise_factor_ * noise_.vector(1);
+  measurement.encoder_noise.resize(static_cast<Eigen::Index>(encoder_sigmas_.size()));
+  for (int k = 0; k < measurement.encoder_noise.size(); ++k)
+    measurement.encoder_noise[k] = noise_.normal(encoder_sigmas_[k]);
+  if (turn_sigma_ > 0) measurement.turn_noise = noise_.vector(turn_sigma_);
+  measurement.side_q.resize(static_cast<Eigen::Index>(side_limits_.size()));
+  for (Eigen::Index k = 0; k < measurement.side_q.size(); ++k) {
     const auto& [lower, upper] = side_limits_[static_cast<std::size_t>(k)];
-    reading.side_q[k] = side_chains_.uniform(lower, upper);
+    measurement.side_q[k] = side_chains_.uniform(lower, upper);
   }
-  if (push_ > 0) reading.push = push_ * pushes_.uniform(0, 1) * pushes_.vector(1).normalized();
-  return reading;
+  if (push_ > 0) measurement.push = push_ * pushes_.uniform(0, 1) * pushes_.vector(1).normalized();
+  return measurement;
 }
 
 }  // namespace tubeplan::calibration

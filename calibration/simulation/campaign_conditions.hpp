@@ -1,4 +1,5 @@
-// Conditions of a simulated reading: time, stated conditions, the direction from which each joint arrived, and noise.
+// Conditions of a simulated measurement: time, stated conditions, the direction from which each joint arrived, and
+// noise.
 #pragma once
 
 #include "calibration/measurement.hpp"
@@ -9,15 +10,15 @@
 namespace tubeplan::calibration {
 
 struct CampaignPace {
-  double shortest = 60, longest = 180;  ///< smallest and largest time between two readings [s]
+  double shortest = 60, longest = 180;  ///< smallest and largest time between two measurements [s]
   /// Longest period of the conditions' oscillations [s]; it is shortened so that a campaign covers about half a period
   /// or more.
   double longest_period = 28800;
   double overshoot = 0.5;  ///< probability that a joint passes its goal and returns to it
 };
 
-/// Conditions of one reading, drawn before its posture is known.
-struct ReadingConditions {
+/// Conditions of one measurement, drawn before its posture is known.
+struct MeasurementConditions {
   deflection::ConditionValues stated;  ///< stated conditions; time counts from the start of the campaign
   /// Arrival of each joint: +1 if the joint stops at its goal, -1 if it passes the goal and returns.
   std::vector<int> turns;
@@ -32,13 +33,13 @@ struct ReadingConditions {
   [[nodiscard]] std::vector<int> approach_directions(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
 };
 
-/// Generator of the conditions of successive readings, in order of time.
+/// Generator of the conditions of successive measurements, in order of time.
 class ConditionSeries {
  public:
-  ConditionSeries(const deflection::Arm& arm, const CampaignPace& pace, int readings, const CampaignDesign& design,
+  ConditionSeries(const deflection::Arm& arm, const CampaignPace& pace, int measurements, const CampaignDesign& design,
                   std::uint64_t seed);
 
-  [[nodiscard]] ReadingConditions next();
+  [[nodiscard]] MeasurementConditions next();
 
  private:
   void drawConditions(deflection::ConditionValues& stated);

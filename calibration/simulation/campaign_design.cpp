@@ -46,9 +46,11 @@ constexpr std::array<NamedDesign, 3> kDesigns{{
     {"touch", "touches of unknown points, each under every load", makeTouch},
 }};
 
-int readingsPerPoint(const CampaignDesign& design) { return readingsPerPosture(design) * design.postures_per_point; }
+int measurementsPerPoint(const CampaignDesign& design) {
+  return measurementsPerPosture(design) * design.postures_per_point;
+}
 
-/// Returns the smallest number of readings of one surface that gives information on the arm.
+/// Returns the smallest number of measurements of one surface that gives information on the arm.
 int leastOfSurface(const MeasurementKindRow& kind) { return kind.place_numbers({}) + 1; }
 
 std::string findNoiseProblem(const CampaignDesign& design) {
@@ -70,7 +72,7 @@ std::string findLoadProblem(const CampaignDesign& design) {
   if (loads.empty()) return "there are no loads";
   if (!std::all_of(loads.begin(), loads.end(), [](double load) { return std::isfinite(load) && load >= 0; }))
     return "a load is negative or not finite";
-  if (kindOf(design.kind).departure && !kindOf(design.kind).is_from_reading &&
+  if (kindOf(design.kind).departure && !kindOf(design.kind).is_from_measurement &&
       *std::min_element(loads.begin(), loads.end()) <= 0)
     return "a deflection is measured under a load of zero, where it is zero";
   const bool is_seen = !kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles;
@@ -95,12 +97,12 @@ std::string findKindProblem(const CampaignDesign& design) {
     return std::string("readings of kind ") + kind.name + " are made at holes of the sheet only";
   if (!design.rows.empty() && !kind.may_be_of_row)
     return std::string("readings of kind ") + kind.name + " cannot be of rows of the arm";
-  if (is_surface && readingsPerPoint(design) < leastOfSurface(kind))
+  if (is_surface && measurementsPerPoint(design) < leastOfSurface(kind))
     return std::string("a ") + kind.name + " of unknown place is touched fewer than " +
            std::to_string(leastOfSurface(kind)) + " times, which carries no information";
   if (!is_touch && !is_surface && design.postures_per_point != 1)
     return "a point that is not touched has several postures";
-  if (is_touch && !design.points_known && readingsPerPoint(design) < 2)
+  if (is_touch && !design.points_known && measurementsPerPoint(design) < 2)
     return "unknown points are each touched only once, which carries no information";
   return {};
 }
@@ -122,12 +124,12 @@ Eigen::Matrix3d noiseFactor(const CampaignDesign& design) {
   return design.sigma_W->asDiagonal() * Eigen::Matrix3d(R.llt().matrixL());
 }
 
-int readingsPerPosture(const CampaignDesign& design) {
+int measurementsPerPosture(const CampaignDesign& design) {
   return static_cast<int>(design.loads.size() * std::max<std::size_t>(1, design.rows.size()));
 }
 
-int pointsOf(const CampaignDesign& design, int readings) {
-  const int each = readingsPerPoint(design), points = readings / each, left = readings % each;
+int pointsOf(const CampaignDesign& design, int measurements) {
+  const int each = measurementsPerPoint(design), points = measurements / each, left = measurements % each;
   // A single touch of an unknown point gives no information, nor do too few touches of a surface. Such touches are
   // added to the preceding point.
   const MeasurementKindRow& kind = kindOf(design.kind);
@@ -136,15 +138,16 @@ int pointsOf(const CampaignDesign& design, int readings) {
   return points + (is_kept ? 1 : 0);
 }
 
-std::string findDesignProblem(const CampaignDesign& design, int readings) {
-  if (readings < 1 || readings > kMostReadings)
-    return "the design has " + std::to_string(readings) + " readings, not 1 to " + std::to_string(kMostReadings);
+std::string findDesignProblem(const CampaignDesign& design, int measurements) {
+  if (measurements < 1 || measurements > kMostMeasurements)
+    return "the design has " + std::to_string(measurements) + " readings, not 1 to " +
+           std::to_string(kMostMeasurements);
   if (auto problem = findNoiseProblem(design); !problem.empty()) return problem;
   if (!(design.held_out >= 0 && design.held_out < 1)) return "the held-out fraction is not from 0 to below 1";
   if (design.postures_per_point < 1 || design.setups < 1) return "a point has no posture, or there is no set-up";
   if (auto problem = findLoadProblem(design); !problem.empty()) return problem;
   if (auto problem = findKindProblem(design); !problem.empty()) return problem;
-  const int points = pointsOf(design, readings);
+  const int points = pointsOf(design, measurements);
   if (points < design.setups)
     return "the design has " + std::to_string(design.setups) + " set-ups, but only " + std::to_string(points) +
            " points or postures";

@@ -13,7 +13,7 @@
 
 namespace tubeplan::calibration {
 
-/// Where the tip is placed for a reading.
+/// Where the tip is placed for a measurement.
 enum class CampaignPlace {
   kAnywhere,  ///< wherever the tip of a random posture is
   kPlane,     ///< in the horizontal plane at the median height of the tip over random postures
@@ -40,7 +40,7 @@ struct CampaignDesign {
   /// Box within which the tip stays [m]. If empty, holes may be anywhere, and other targets must lie above the xy plane
   /// of the base frame.
   std::optional<Eigen::AlignedBox3d> region_W;
-  double sigma = kPositionSigma;  ///< standard deviation of a coordinate [m]; 0: noise-free readings
+  double sigma = kPositionSigma;  ///< standard deviation of a coordinate [m]; 0: noise-free measurements
   /// Separate standard deviations of x, y and z [m], for kinds that measure them; overrides `sigma`.
   std::optional<Eigen::Vector3d> sigma_W;
   /// Error correlations of x with y, x with z, y with z; only together with sigma_W.
@@ -66,15 +66,15 @@ struct NamedDesign {
 /// Returns the matrix that maps three independent standard normal variables to the noise of the coordinates [m].
 [[nodiscard]] Eigen::Matrix3d noiseFactor(const CampaignDesign& design);
 
-/// Returns the number of readings at one posture: one per row and load.
-[[nodiscard]] int readingsPerPosture(const CampaignDesign& design);
+/// Returns the number of measurements at one posture: one per row and load.
+[[nodiscard]] int measurementsPerPosture(const CampaignDesign& design);
 
-/// Returns the number of different points (or postures, if no point is touched) needed for `readings` readings.
-[[nodiscard]] int pointsOf(const CampaignDesign& design, int readings);
+/// Returns the number of different points (or postures, if no point is touched) needed for `readings` measurements.
+[[nodiscard]] int pointsOf(const CampaignDesign& design, int measurements);
 
-inline constexpr int kMostReadings = 100000;
+inline constexpr int kMostMeasurements = 100000;
 
-/// Returns the reason why this design cannot give `readings` readings; empty if it can.
-[[nodiscard]] std::string findDesignProblem(const CampaignDesign& design, int readings);
+/// Returns the reason why this design cannot give `readings` measurements; empty if it can.
+[[nodiscard]] std::string findDesignProblem(const CampaignDesign& design, int measurements);
 
 }  // namespace tubeplan::calibration

@@ -1,4 +1,4 @@
-// Options of a simulated campaign: number of readings, pace, holes and obstacles.
+// Options of a simulated campaign: number of measurements, pace, holes and obstacles.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace tubeplan::calibration {
 using CampaignClearance = std::function<bool(int setup, double load, const Eigen::VectorXd& q)>;
 
 struct CampaignOptions {
-  int readings = 120;
+  int measurements = 120;
   std::uint64_t seed = 1;
   CampaignPace pace;
   std::vector<CampaignPoint> holes;  ///< holes of the sheet, for designs that measure at holes [m]

@@ -1,4 +1,4 @@
-// Start postures of a campaign's readings, and the required positions of the tip.
+// Start postures of a campaign's measurements, and the required positions of the tip.
 #pragma once
 
 #include <string>
@@ -43,8 +43,8 @@ class PostureSource {
  public:
   PostureSource(const deflection::Arm& arm, std::uint64_t seed);
 
-  /// Returns a random posture within the joint limits, with a margin for noisy readings. Joints without limits range
-  /// over half a turn on either side of zero, prismatic ones over the arm's reach.
+  /// Returns a random posture within the joint limits, with a margin for noisy measurements. Joints without limits
+  /// range over half a turn on either side of zero, prismatic ones over the arm's reach.
   [[nodiscard]] Eigen::VectorXd anywhere();
 
   /// Returns a random unit vector; all directions are equally likely.

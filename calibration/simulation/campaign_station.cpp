@@ -1,7 +1,7 @@
 #include "calibration/simulation/campaign_station.hpp"
 
 #include "calibration/measurements/measurement_posture.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/measurements/tip_placement.hpp"
 #include "deflection/effects/effect_context.hpp"
 
@@ -13,12 +13,12 @@ using Eigen::Vector3d, Eigen::VectorXd;
 
 constexpr deflection::FlexibleKinematicsOptions kShapeExactly{1e-13, 100};
 
-std::optional<ToolPose> toolIn(const deflection::Arm& arm, const CampaignSite& site, const Measurement& reading) {
-  return toolAt(arm, site.X_WB, reading, kShapeExactly);
+std::optional<ToolPose> toolIn(const deflection::Arm& arm, const CampaignSite& site, const Measurement& measurement) {
+  return toolAt(arm, site.X_WB, measurement, kShapeExactly);
 }
 
-/// Returns the places that the design states for its readings: the point, unless its position is unknown, the anchor
-/// and the direction.
+/// Returns the places that the design states for its measurements: the point, unless its position is unknown, the
+/// anchor and the direction.
 KnownPlaces knownPlaces(const deflection::Arm& arm, const CampaignDesign& design,
                         const std::optional<Vector3d>& point_W) {
   return {design.points_known ? point_W : std::nullopt, design.anchor_W, design.direction_W, -arm.gravity_W};
@@ -26,7 +26,7 @@ KnownPlaces knownPlaces(const deflection::Arm& arm, const CampaignDesign& design
 
 /// Returns the noise of each row [m]; angles are multiplied by kTurnLever. Touches ignore this noise, because the tip
 /// position of a touch already contains noise.
-MeasuredValue noiseOf(const MeasurementKindRow& kind, const ReadingConditions& conditions) {
+MeasuredValue noiseOf(const MeasurementKindRow& kind, const MeasurementConditions& conditions) {
   MeasuredValue noise = MeasuredValue::Zero(kind.rows);
   const int turns = kind.turn_rows;
   noise.head(kind.rows - turns) = conditions.coordinate_noise.head(kind.rows - turns);
@@ -35,45 +35,45 @@ MeasuredValue noiseOf(const MeasurementKindRow& kind, const ReadingConditions& c
 }
 
 /// Records the values that `reading` measures with the tool at the pose `tool`.
-PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, const ReadingConditions& conditions,
-                       ToolPose tool, const std::optional<Surface>& surface, Measurement& reading) {
-  const MeasurementKindRow& kind = kindOf(reading);
-  if (const auto from = departureOf(reading); from && !kind.is_from_reading) {
-    const auto rest = toolIn(arm, site, readingAt(*from));
+PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, const MeasurementConditions& conditions,
+                       ToolPose tool, const std::optional<Surface>& surface, Measurement& measurement) {
+  const MeasurementKindRow& kind = kindOf(measurement);
+  if (const auto from = departureOf(measurement); from && !kind.is_from_measurement) {
+    const auto rest = toolIn(arm, site, measurementAt(*from));
     if (!rest) return PostureRefusal::kNotConverged;
     tool.p_W -= rest->p_W;
   }
-  if (reading.row) {
-    const auto frame = frameAt(arm, site.X_WB, reading, kShapeExactly);
+  if (measurement.row) {
+    const auto frame = frameAt(arm, site.X_WB, measurement, kShapeExactly);
     if (!frame) return PostureRefusal::kNotConverged;
     tool = *frame;
   }
-  reading.surface = surface;
-  kind.record(tool, deflection::measurementScale(arm), noiseOf(kind, conditions), reading);
-  reading.surface.reset();  // a reading does not state where the surface is
-  return isPossible(reading) ? PostureRefusal::kNone : PostureRefusal::kOutsideRegion;
+  measurement.surface = surface;
+  kind.record(tool, deflection::measurementScale(arm), noiseOf(kind, conditions), measurement);
+  measurement.surface.reset();  // a measurement does not state where the surface is
+  return isPossible(measurement) ? PostureRefusal::kNone : PostureRefusal::kOutsideRegion;
 }
 
-Measurement readingUnder(const CampaignDesign& design, const CampaignSite& site, std::size_t index,
-                         const ReadingConditions& conditions) {
-  Measurement reading;
-  reading.kind = design.kind;
-  reading.setup = site.name;
+Measurement measurementUnder(const CampaignDesign& design, const CampaignSite& site, std::size_t index,
+                             const MeasurementConditions& conditions) {
+  Measurement measurement;
+  measurement.kind = design.kind;
+  measurement.setup = site.name;
   const std::size_t rows = std::max<std::size_t>(1, design.rows.size());
-  if (!design.rows.empty()) reading.row = design.rows[index % rows];
-  reading.load = design.loads[index / rows % design.loads.size()];
-  reading.side_q = conditions.side_q;
-  if (design.push > 0) reading.wrench = TipWrench{conditions.push};
-  const MeasurementKindRow& kind = kindOf(reading);
-  if (design.sigma > 0 && kind.rows > kind.turn_rows && !kind.counts_steps) reading.sigma = design.sigma;
+  if (!design.rows.empty()) measurement.row = design.rows[index % rows];
+  measurement.load = design.loads[index / rows % design.loads.size()];
+  measurement.side_q = conditions.side_q;
+  if (design.push > 0) measurement.wrench = TipWrench{conditions.push};
+  const MeasurementKindRow& kind = kindOf(measurement);
+  if (design.sigma > 0 && kind.rows > kind.turn_rows && !kind.counts_steps) measurement.sigma = design.sigma;
   if (design.sigma_W) {
-    reading.sigma = meanSigma(*design.sigma_W);
-    reading.sigma_W = design.sigma_W;
-    reading.correlation_W = design.correlation_W;
+    measurement.sigma = meanSigma(*design.sigma_W);
+    measurement.sigma_W = design.sigma_W;
+    measurement.correlation_W = design.correlation_W;
   }
-  if (design.turn_sigma > 0 && kind.turn_rows > 0) reading.turn_sigma = design.turn_sigma;
-  reading.conditions = conditions.stated;
-  return reading;
+  if (design.turn_sigma > 0 && kind.turn_rows > 0) measurement.turn_sigma = design.turn_sigma;
+  measurement.conditions = conditions.stated;
+  return measurement;
 }
 
 }  // namespace
@@ -88,24 +88,24 @@ CampaignStation::CampaignStation(const deflection::Arm& arm, const CampaignDesig
       fresh_holes_(options.holes),
       here_(source_.anywhere()) {}
 
-StationReadings CampaignStation::read(const CampaignSite& site, int number,
-                                      const std::vector<ReadingConditions>& conditions) {
-  StationReadings taken;
+StationMeasurements CampaignStation::read(const CampaignSite& site, int number,
+                                          const std::vector<MeasurementConditions>& conditions) {
+  StationMeasurements taken;
   taken.name = (kindOf(design_.kind).is_touch ? "H" : "P") + std::to_string(number);
   VectorXd here = here_, q = here_;
   for (std::size_t k = 0; k < conditions.size(); ++k) {
-    if (k % static_cast<std::size_t>(readingsPerPosture(design_)) == 0) taken.refusal = begin(site, taken, q);
+    if (k % static_cast<std::size_t>(measurementsPerPosture(design_)) == 0) taken.refusal = begin(site, taken, q);
     if (taken.refusal != PostureRefusal::kNone) return taken;
-    Measurement reading = readingUnder(design_, site, k, conditions[k]);
-    reading.point = taken.name;
-    reading.q = q;
+    Measurement measurement = measurementUnder(design_, site, k, conditions[k]);
+    measurement.point = taken.name;
+    measurement.q = q;
     Vector3d tip_W;
-    taken.refusal = take(site, conditions[k], taken, here, reading, tip_W);
+    taken.refusal = take(site, conditions[k], taken, here, measurement, tip_W);
     if (taken.refusal != PostureRefusal::kNone) return taken;
-    here = q = reading.q;
-    reading.q += conditions[k].encoder_noise;
+    here = q = measurement.q;
+    measurement.q += conditions[k].encoder_noise;
     taken.tips_W.push_back(tip_W);
-    taken.readings.push_back(std::move(reading));
+    taken.measurements.push_back(std::move(measurement));
   }
   here_ = here;
   std::erase_if(fresh_holes_, [&](const auto& hole) { return hole.name == taken.name; });
@@ -114,13 +114,13 @@ StationReadings CampaignStation::read(const CampaignSite& site, int number,
 }
 
 TipTrial CampaignStation::tryAnywhere(const CampaignSite& site) {
-  Measurement reading;
-  reading.q = source_.anywhere();
-  reading.load = design_.loads.front();
-  return check(site, reading);
+  Measurement measurement;
+  measurement.q = source_.anywhere();
+  measurement.load = design_.loads.front();
+  return check(site, measurement);
 }
 
-PostureRefusal CampaignStation::begin(const CampaignSite& site, StationReadings& taken, VectorXd& q) {
+PostureRefusal CampaignStation::begin(const CampaignSite& site, StationMeasurements& taken, VectorXd& q) {
   if (design_.place == CampaignPlace::kHoles) return beginAtHole(site, taken, q);
   if (kindOf(design_.kind).through) return beginAtSurface(site, taken, q);
   q = source_.anywhere();
@@ -138,7 +138,7 @@ PostureRefusal CampaignStation::begin(const CampaignSite& site, StationReadings&
 
 /// Draws a start posture at a surface. For the first posture, the surface is placed at its tip; the tips of further
 /// postures are near the surface.
-PostureRefusal CampaignStation::beginAtSurface(const CampaignSite& site, StationReadings& taken, VectorXd& q) {
+PostureRefusal CampaignStation::beginAtSurface(const CampaignSite& site, StationMeasurements& taken, VectorXd& q) {
   constexpr int kMostPostures = 200;
   constexpr double kNear = 0.15;  // largest distance from the surface, as a fraction of the reach
   const MeasurementKindRow& kind = kindOf(design_.kind);
@@ -158,7 +158,7 @@ PostureRefusal CampaignStation::beginAtSurface(const CampaignSite& site, Station
   return PostureRefusal::kOutOfReach;
 }
 
-PostureRefusal CampaignStation::beginAtHole(const CampaignSite& site, StationReadings& taken, VectorXd& q) {
+PostureRefusal CampaignStation::beginAtHole(const CampaignSite& site, StationMeasurements& taken, VectorXd& q) {
   const double below = kindOf(design_.kind).is_centring ? 0 : options_.standoff;
   std::vector<CampaignPoint> again;
   if (taken.p_W) again.push_back({taken.name, *taken.p_W});
@@ -170,43 +170,43 @@ PostureRefusal CampaignStation::beginAtHole(const CampaignSite& site, StationRea
   return start.refusal;
 }
 
-PostureRefusal CampaignStation::take(const CampaignSite& site, const ReadingConditions& conditions,
-                                     const StationReadings& taken, const VectorXd& here, Measurement& reading,
+PostureRefusal CampaignStation::take(const CampaignSite& site, const MeasurementConditions& conditions,
+                                     const StationMeasurements& taken, const VectorXd& here, Measurement& measurement,
                                      Vector3d& tip_W) const {
-  reading.approach_directions = conditions.approach_directions(here, reading.q);
-  if (const auto goal_W = goalOf(site, taken, reading, conditions.coordinate_noise)) {
-    const auto refusal = bringTip(site, conditions, *goal_W, here, reading);
+  measurement.approach_directions = conditions.approach_directions(here, measurement.q);
+  if (const auto goal_W = goalOf(site, taken, measurement, conditions.coordinate_noise)) {
+    const auto refusal = bringTip(site, conditions, *goal_W, here, measurement);
     if (refusal != PostureRefusal::kNone) return refusal;
   }
-  const TipTrial trial = check(site, reading);
+  const TipTrial trial = check(site, measurement);
   if (trial.refusal != PostureRefusal::kNone) return trial.refusal;
-  if (const auto state = kindOf(reading).state) state(knownPlaces(arm_, design_, taken.p_W), reading);
+  if (const auto state = kindOf(measurement).state) state(knownPlaces(arm_, design_, taken.p_W), measurement);
   tip_W = trial.tool.p_W;
-  return measure(arm_, site, conditions, trial.tool, taken.surface, reading);
+  return measure(arm_, site, conditions, trial.tool, taken.surface, measurement);
 }
 
 /// Brings the tip to a goal. Effects may depend on the directions from which joints arrive, and these directions depend
 /// on the joint values at the goal, so both are iterated.
-PostureRefusal CampaignStation::bringTip(const CampaignSite& site, const ReadingConditions& conditions,
-                                         const Vector3d& goal_W, const VectorXd& here, Measurement& reading) const {
+PostureRefusal CampaignStation::bringTip(const CampaignSite& site, const MeasurementConditions& conditions,
+                                         const Vector3d& goal_W, const VectorXd& here, Measurement& measurement) const {
   constexpr int kMostPasses = 4;
   for (int pass = 0; pass < kMostPasses; ++pass) {
-    const auto placed = placeTip(arm_, postureOf(reading, arm_, site.X_WB), site.X_WB.inverse() * goal_W);
+    const auto placed = placeTip(arm_, postureOf(measurement, arm_, site.X_WB), site.X_WB.inverse() * goal_W);
     if (placed.status == TipPlacementStatus::kStretched) return PostureRefusal::kStretched;
     if (placed.status != TipPlacementStatus::kPlaced) return PostureRefusal::kOutOfReach;
-    reading.q = placed.q;
-    const auto approach_directions = conditions.approach_directions(here, reading.q);
-    if (approach_directions == reading.approach_directions) return PostureRefusal::kNone;
-    reading.approach_directions = approach_directions;
+    measurement.q = placed.q;
+    const auto approach_directions = conditions.approach_directions(here, measurement.q);
+    if (approach_directions == measurement.approach_directions) return PostureRefusal::kNone;
+    measurement.approach_directions = approach_directions;
   }
   return PostureRefusal::kNotConverged;
 }
 
-std::optional<Vector3d> CampaignStation::goalOf(const CampaignSite& site, const StationReadings& taken,
-                                                const Measurement& reading, const Vector3d& noise) const {
+std::optional<Vector3d> CampaignStation::goalOf(const CampaignSite& site, const StationMeasurements& taken,
+                                                const Measurement& measurement, const Vector3d& noise) const {
   if (!taken.p_W) return std::nullopt;
   if (taken.surface) {
-    const auto tool = toolIn(arm_, site, reading);
+    const auto tool = toolIn(arm_, site, measurement);
     const Vector3d from = tool ? tool->p_W : *taken.p_W;
     return kindOf(design_.kind).nearest(*taken.surface, from) + noise;
   }
@@ -214,16 +214,16 @@ std::optional<Vector3d> CampaignStation::goalOf(const CampaignSite& site, const 
   return *taken.p_W - options_.standoff * options_.hole_axis_W;
 }
 
-TipTrial CampaignStation::check(const CampaignSite& site, const Measurement& reading) const {
+TipTrial CampaignStation::check(const CampaignSite& site, const Measurement& measurement) const {
   TipTrial trial;
-  const auto tool = toolIn(arm_, site, reading);
-  if (!source_.isWithinLimits(reading.q))
+  const auto tool = toolIn(arm_, site, measurement);
+  if (!source_.isWithinLimits(measurement.q))
     trial.refusal = PostureRefusal::kPastLimit;
   else if (!tool)
     trial.refusal = PostureRefusal::kNotConverged;
   else if (!isInRegion(site, tool->p_W))
     trial.refusal = PostureRefusal::kOutsideRegion;
-  else if (options_.is_clear && !options_.is_clear(site.setup, reading.load, reading.q))
+  else if (options_.is_clear && !options_.is_clear(site.setup, measurement.load, measurement.q))
     trial.refusal = PostureRefusal::kNotClear;
   if (tool) trial.tool = *tool;
   return trial;

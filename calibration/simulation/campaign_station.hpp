@@ -1,4 +1,5 @@
-// The readings of one point or posture of a simulated campaign, taken with the true arm under one load after another.
+// The measurements of one point or posture of a simulated campaign, taken with the true arm under one load after
+// another.
 #pragma once
 
 #include <optional>
@@ -12,14 +13,14 @@
 
 namespace tubeplan::calibration {
 
-/// Readings of a point or posture; usable only if `refusal` is kNone.
-struct StationReadings {
+/// Measurements of a point or posture; usable only if `refusal` is kNone.
+struct StationMeasurements {
   PostureRefusal refusal = PostureRefusal::kNone;
   std::string name;                    ///< name of the point or posture, such as P1, H1 or R10C20
   std::optional<Eigen::Vector3d> p_W;  ///< position of the touched or measured point in the world frame [m]
   std::optional<Surface> surface;      ///< touched surface, for kinds that touch a surface
-  std::vector<Measurement> readings;
-  std::vector<Eigen::Vector3d> tips_W;  ///< tip position at each reading, in the world frame, without noise [m]
+  std::vector<Measurement> measurements;
+  std::vector<Eigen::Vector3d> tips_W;  ///< tip position at each measurement, in the world frame, without noise [m]
 };
 
 /// Pose of the tool in a posture; valid only if `refusal` is kNone.
@@ -28,16 +29,16 @@ struct TipTrial {
   ToolPose tool;
 };
 
-/// The true arm, which takes readings. Its last posture is kept, because it decides from which direction joints arrive
-/// at the next one. The constructor's arguments must outlive this object.
+/// The true arm, which takes measurements. Its last posture is kept, because it decides from which direction joints
+/// arrive at the next one. The constructor's arguments must outlive this object.
 class CampaignStation {
  public:
   CampaignStation(const deflection::Arm& arm, const CampaignDesign& design, const CampaignOptions& options);
 
-  /// Makes one attempt to draw the point or posture with the number `number` (from 1), and takes one reading there
+  /// Makes one attempt to draw the point or posture with the number `number` (from 1), and takes one measurement there
   /// under each of the conditions. A hole that has been measured is not drawn again.
-  [[nodiscard]] StationReadings read(const CampaignSite& site, int number,
-                                     const std::vector<ReadingConditions>& conditions);
+  [[nodiscard]] StationMeasurements read(const CampaignSite& site, int number,
+                                         const std::vector<MeasurementConditions>& conditions);
 
   /// Allows holes that have been measured to be drawn again.
   void renewHoles() { fresh_holes_ = options_.holes; }
@@ -50,21 +51,22 @@ class CampaignStation {
 
  private:
   /// Draws the start posture; for the first posture of a point, draws the point too.
-  [[nodiscard]] PostureRefusal begin(const CampaignSite& site, StationReadings& taken, Eigen::VectorXd& q);
-  [[nodiscard]] PostureRefusal beginAtSurface(const CampaignSite& site, StationReadings& taken, Eigen::VectorXd& q);
-  [[nodiscard]] PostureRefusal beginAtHole(const CampaignSite& site, StationReadings& taken, Eigen::VectorXd& q);
+  [[nodiscard]] PostureRefusal begin(const CampaignSite& site, StationMeasurements& taken, Eigen::VectorXd& q);
+  [[nodiscard]] PostureRefusal beginAtSurface(const CampaignSite& site, StationMeasurements& taken, Eigen::VectorXd& q);
+  [[nodiscard]] PostureRefusal beginAtHole(const CampaignSite& site, StationMeasurements& taken, Eigen::VectorXd& q);
 
-  /// Moves the arm from the joint values `here` to the reading's target and takes the reading there, without encoder
-  /// noise.
-  [[nodiscard]] PostureRefusal take(const CampaignSite& site, const ReadingConditions& conditions,
-                                    const StationReadings& taken, const Eigen::VectorXd& here, Measurement& reading,
-                                    Eigen::Vector3d& tip_W) const;
-  [[nodiscard]] PostureRefusal bringTip(const CampaignSite& site, const ReadingConditions& conditions,
+  /// Moves the arm from the joint values `here` to the measurement's target and takes the measurement there, without
+  /// encoder noise.
+  [[nodiscard]] PostureRefusal take(const CampaignSite& site, const MeasurementConditions& conditions,
+                                    const StationMeasurements& taken, const Eigen::VectorXd& here,
+                                    Measurement& measurement, Eigen::Vector3d& tip_W) const;
+  [[nodiscard]] PostureRefusal bringTip(const CampaignSite& site, const MeasurementConditions& conditions,
                                         const Eigen::Vector3d& goal_W, const Eigen::VectorXd& here,
-                                        Measurement& reading) const;
-  [[nodiscard]] std::optional<Eigen::Vector3d> goalOf(const CampaignSite& site, const StationReadings& taken,
-                                                      const Measurement& reading, const Eigen::Vector3d& noise) const;
-  [[nodiscard]] TipTrial check(const CampaignSite& site, const Measurement& reading) const;
+                                        Measurement& measurement) const;
+  [[nodiscard]] std::optional<Eigen::Vector3d> goalOf(const CampaignSite& site, const StationMeasurements& taken,
+                                                      const Measurement& measurement,
+                                                      const Eigen::Vector3d& noise) const;
+  [[nodiscard]] TipTrial check(const CampaignSite& site, const Measurement& measurement) const;
   [[nodiscard]] bool isInRegion(const CampaignSite& site, const Eigen::Vector3d& tip_W) const;
 
   const deflection::Arm& arm_;

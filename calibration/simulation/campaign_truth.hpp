@@ -15,7 +15,7 @@ struct TrueBase {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
 };
 
-/// True arm and base poses from which readings are simulated. Hidden effects are part of `arm`.
+/// True arm and base poses from which measurements are simulated. Hidden effects are part of `arm`.
 struct CampaignTruth {
   deflection::Arm arm;
   std::vector<TrueBase> bases;  ///< base pose of each set-up

@@ -46,7 +46,7 @@ std::string findCampaignProblem(const CampaignTruth& truth, const CampaignDesign
     return "the design is at holes, but there are none";
   if (static_cast<int>(truth.bases.size()) != design.setups)
     return std::to_string(truth.bases.size()) + " bases for " + std::to_string(design.setups) + " set-ups";
-  return findDesignProblem(design, options.readings);
+  return findDesignProblem(design, options.measurements);
 }
 
 class CampaignMaker {
@@ -58,11 +58,11 @@ class CampaignMaker {
         options_(options),
         hooks_(hooks),
         sites_(sitesOf(truth)),
-        series_(truth.arm, options.pace, options.readings, design, options.seed),
+        series_(truth.arm, options.pace, options.measurements, design, options.seed),
         station_(truth.arm, design, options) {}
 
   SimulatedCampaign make() {
-    const int points = pointsOf(design_, options_.readings);
+    const int points = pointsOf(design_, options_.measurements);
     bool goes_on = design_.place != CampaignPlace::kPlane || findPlane();
     for (int point = 0; goes_on && point < points; ++point) {
       const auto site = static_cast<std::size_t>(point) * sites_.size() / static_cast<std::size_t>(points);
@@ -79,7 +79,7 @@ class CampaignMaker {
   bool wantsStop() {
     if (!hooks_.stop || !hooks_.stop()) return false;
     result_.status = CampaignStatus::kStopped;
-    result_.reason = "stopped after " + std::to_string(result_.readings.size()) + " readings";
+    result_.reason = "stopped after " + std::to_string(result_.measurements.size()) + " readings";
     return true;
   }
 
@@ -104,54 +104,54 @@ class CampaignMaker {
     return true;
   }
 
-  /// Adds all readings of one point, or of one posture.
+  /// Adds all measurements of one point, or of one posture.
   bool addPoint(const CampaignSite& site, int number, bool is_last) {
-    const auto each = static_cast<std::size_t>(readingsPerPosture(design_) * design_.postures_per_point);
-    const std::size_t left = static_cast<std::size_t>(options_.readings) - result_.readings.size();
-    std::vector<ReadingConditions> conditions;
+    const auto each = static_cast<std::size_t>(measurementsPerPosture(design_) * design_.postures_per_point);
+    const std::size_t left = static_cast<std::size_t>(options_.measurements) - result_.measurements.size();
+    std::vector<MeasurementConditions> conditions;
     while (conditions.size() < (is_last ? left : std::min(each, left))) conditions.push_back(series_.next());
     RefusalCounts counts{};
     for (int draws = 0; draws < options_.max_draws; ++draws) {
       if (wantsStop()) return false;
       if (draws == kFreshDraws) station_.renewHoles();
-      StationReadings taken = station_.read(site, number, conditions);
+      StationMeasurements taken = station_.read(site, number, conditions);
       ++counts[static_cast<std::size_t>(taken.refusal)];
       if (taken.refusal != PostureRefusal::kNone) continue;
       keep(std::move(taken));
       return true;
     }
-    return failFor("reading " + std::to_string(result_.readings.size() + 1), counts);
+    return failFor("reading " + std::to_string(result_.measurements.size() + 1), counts);
   }
 
-  void keep(StationReadings taken) {
+  void keep(StationMeasurements taken) {
     const bool is_new = names_.insert(taken.name).second;
     if (taken.p_W && is_new) result_.points.push_back({taken.name, *taken.p_W});
     tips_W_.insert(tips_W_.end(), taken.tips_W.begin(), taken.tips_W.end());
-    for (auto& reading : taken.readings) {
-      reading.id = std::to_string(result_.readings.size() + 1);
-      result_.readings.push_back(std::move(reading));
+    for (auto& measurement : taken.measurements) {
+      measurement.id = std::to_string(result_.measurements.size() + 1);
+      result_.measurements.push_back(std::move(measurement));
     }
-    if (hooks_.progress) hooks_.progress(result_.readings.size(), static_cast<std::size_t>(options_.readings));
+    if (hooks_.progress) hooks_.progress(result_.measurements.size(), static_cast<std::size_t>(options_.measurements));
   }
 
-  /// Converts readings into displacements from the preceding reading of the same set-up. The first reading of a set-up
-  /// is converted to a displacement from the last one.
+  /// Converts measurements into displacements from the preceding measurement of the same set-up. The first measurement
+  /// of a set-up is converted to a displacement from the last one.
   void relate() {
-    auto& readings = result_.readings;
-    if (!kindOf(design_.kind).is_from_reading) return;
+    auto& measurements = result_.measurements;
+    if (!kindOf(design_.kind).is_from_measurement) return;
     const double scale = deflection::measurementScale(arm_);
-    for (std::size_t first = 0, end = 0; first < readings.size(); first = end) {
-      while (end < readings.size() && readings[end].setup == readings[first].setup) ++end;
+    for (std::size_t first = 0, end = 0; first < measurements.size(); first = end) {
+      while (end < measurements.size() && measurements[end].setup == measurements[first].setup) ++end;
       for (std::size_t k = first; k < end; ++k) {
         const std::size_t from = k > first ? k - 1 : end - 1;
-        *readings[k].p_W -= scale * tips_W_[from];
-        readings[k].reference = std::make_shared<Measurement>(readings[from]);
+        *measurements[k].p_W -= scale * tips_W_[from];
+        measurements[k].reference = std::make_shared<Measurement>(measurements[from]);
       }
     }
-    linkReferences(readings);
+    linkReferences(measurements);
   }
 
-  /// Holds out whole points or postures, because readings of the same point or posture do not test one another
+  /// Holds out whole points or postures, because measurements of the same point or posture do not test one another
   /// independently.
   void holdOut() {
     if (design_.held_out == 0 || names_.size() < 2) return;
@@ -161,7 +161,7 @@ class CampaignMaker {
     const auto wanted = static_cast<std::size_t>(std::lround(design_.held_out * static_cast<double>(names.size())));
     names.resize(std::clamp<std::size_t>(wanted, 1, names.size() - 1));
     const std::set<std::string> kept(names.begin(), names.end());
-    for (auto& reading : result_.readings) reading.is_held_out = kept.contains(reading.point);
+    for (auto& measurement : result_.measurements) measurement.is_held_out = kept.contains(measurement.point);
   }
 
   const deflection::Arm& arm_;
@@ -171,7 +171,7 @@ class CampaignMaker {
   std::vector<CampaignSite> sites_;
   ConditionSeries series_;
   CampaignStation station_;
-  std::vector<Eigen::Vector3d> tips_W_;  ///< tip positions of the readings, without noise [m]
+  std::vector<Eigen::Vector3d> tips_W_;  ///< tip positions of the measurements, without noise [m]
   std::set<std::string> names_;          ///< names of the points and postures
   SimulatedCampaign result_;
 };

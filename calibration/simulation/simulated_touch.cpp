@@ -42,12 +42,12 @@ TouchSimulation simulateTouches(const deflection::Arm& truth, const Eigen::Isome
   TouchSimulation result;
   RandomStream random(options.seed);
   std::vector<Eigen::Vector3d> tips_W;
-  std::vector<Eigen::VectorXd> starts, reading_noise;
+  std::vector<Eigen::VectorXd> starts, measurement_noise;
   for (const auto& plan : plans) {
     const Eigen::Vector3d touch = random.vector(options.sigma), beyond = random.vector(options.model_error_sigma);
     tips_W.push_back(plan.p_WH + touch + beyond);
     starts.push_back(plan.q_start);
-    reading_noise.push_back(encoderNoise(truth, random));
+    measurement_noise.push_back(encoderNoise(truth, random));
   }
   const auto branches = reachPlaces(truth, X_WB, tips_W, starts, options.load, options.axis_W);
   for (std::size_t k = 0; k < plans.size(); ++k) {
@@ -57,7 +57,7 @@ TouchSimulation simulateTouches(const deflection::Arm& truth, const Eigen::Isome
       result.reason = "hole " + plan.hole + " cannot be touched by the true arm: " + branches[k].reason;
       return result;
     }
-    result.touches.push_back(plannedTouch(plan, branches[k].q + reading_noise[k], options.load, options.sigma));
+    result.touches.push_back(plannedTouch(plan, branches[k].q + measurement_noise[k], options.load, options.sigma));
   }
   result.status = TouchSimulationStatus::kDone;
   return result;

@@ -41,8 +41,8 @@ struct TouchSimulation {
                                                           const std::vector<Eigen::VectorXd>& starts, double load,
                                                           const Eigen::Vector3d& axis_W);
 
-/// Returns the reading of a planned touch at the joint readings `q` [rad, m] under `load` [N], with the centring noise
-/// `sigma` of each coordinate [m].
+/// Returns the measurement of a planned touch at the joint readings `q` [rad, m] under `load` [N], with the centring
+/// noise `sigma` of each coordinate [m].
 [[nodiscard]] Measurement plannedTouch(const TouchPlan& plan, const Eigen::VectorXd& q, double load, double sigma);
 
 /// Simulates one touch for each plan by the arm `truth` with its base at X_WB. Fails if a hole is out of reach.

@@ -19,15 +19,15 @@ constexpr double kTurnLever = 1;        // length that makes rotations comparabl
 constexpr double kUndetermined = 1e-9;  // information, relative to the largest, below which a direction is undetermined
 constexpr double kPartOfDirection = 1e-3;  // component from which on a direction counts as partly along an axis
 constexpr int kLeftToJudge = 9;            // degrees of freedom beyond those of a step that suffice to judge it
-constexpr int kReadingsToJudge = 30;       // largest number of readings after an alarm that judge what has changed
-constexpr int kAlikeStarts = 4;            // number of latest readings that are all tried as the start of a change
+constexpr int kMeasurementsToJudge = 30;   // largest number of measurements after an alarm that judge what has changed
+constexpr int kAlikeStarts = 4;            // number of latest measurements that are all tried as the start of a change
 
-/// Returns the earlier readings that are tried as the last one before a change: the latest ones, then ever sparser
+/// Returns the earlier measurements that are tried as the last one before a change: the latest ones, then ever sparser
 /// ones.
-std::vector<int> startsBefore(int reading) {
+std::vector<int> startsBefore(int measurement) {
   std::vector<int> starts;
-  for (int back = 1; back <= reading + 1; back = back < kAlikeStarts ? back + 1 : back * 3 / 2 + 1)
-    starts.push_back(reading - back);
+  for (int back = 1; back <= measurement + 1; back = back < kAlikeStarts ? back + 1 : back * 3 / 2 + 1)
+    starts.push_back(measurement - back);
   if (starts.empty() || starts.back() != -1) starts.push_back(-1);
   return starts;
 }
@@ -53,9 +53,9 @@ MatrixXd rootOf(const MatrixXd& P) {
          axes.eigenvalues().tail(count).cwiseSqrt().asDiagonal();
 }
 
-/// Whitens each reading by its own covariance. Encoder noise that readings at the same joint values share is then
-/// counted as if it were independent, because a watch must not mix a reading with later ones.
-void whitenOneByOne(ReadingWeights& weights) {
+/// Whitens each measurement by its own covariance. Encoder noise that measurements at the same joint values share is
+/// then counted as if it were independent, because a watch must not mix a measurement with later ones.
+void whitenOneByOne(MeasurementWeights& weights) {
   weights.shared.clear();
   for (std::size_t k = 0; k < weights.whitener.size(); ++k) {
     const MatrixXd covariance = weights.covariance(k);
@@ -63,7 +63,7 @@ void whitenOneByOne(ReadingWeights& weights) {
   }
 }
 
-/// Sums over the readings up to one of them; z are the uncertain directions, of unit prior variance, and J the
+/// Sums over the measurements up to one of them; z are the uncertain directions, of unit prior variance, and J the
 /// derivatives with respect to a step of the base.
 struct Sums {
   MatrixXd zz, zj;
@@ -112,20 +112,21 @@ class ChangeWatch {
         result.status = WatchStatus::kStopped;
         return result;
       }
-      addReading(k);
+      addMeasurement(k);
       result.level.push_back(testAfter(k, result.alarm));
       ++result.tested;
     }
     if (!result.alarm) return result;
     result.status = WatchStatus::kAlarm;
-    for (int k = result.alarm->reading + 1; k < std::min(count, result.alarm->reading + kReadingsToJudge); ++k)
-      addReading(k);
+    for (int k = result.alarm->measurement + 1; k < std::min(count, result.alarm->measurement + kMeasurementsToJudge);
+         ++k)
+      addMeasurement(k);
     judge(*result.alarm);
     return result;
   }
 
  private:
-  void addReading(int k) {
+  void addMeasurement(int k) {
     const Index first = first_row_[static_cast<std::size_t>(k)];
     const bool is_last = k + 1 == static_cast<int>(first_row_.size());
     const Index rows = (is_last ? e_.size() : first_row_[static_cast<std::size_t>(k) + 1]) - first;
@@ -136,7 +137,7 @@ class ChangeWatch {
     sums_.push_back(std::move(sums));
   }
 
-  /// Tests all starts of a change after reading k; returns the largest statistic as a fraction of its limit.
+  /// Tests all starts of a change after measurement k; returns the largest statistic as a fraction of its limit.
   double testAfter(int k, std::optional<WatchAlarm>& alarm) {
     const Sums& now = sums_.back();
     const VectorXd estimate = all_.solve(now.ze);
@@ -156,16 +157,16 @@ class ChangeWatch {
     return largest;
   }
 
-  static WatchAlarm alarmOf(int reading, int since, const Statistic& beyond) {
+  static WatchAlarm alarmOf(int measurement, int since, const Statistic& beyond) {
     WatchAlarm alarm;
-    alarm.reading = reading;
+    alarm.measurement = measurement;
     alarm.since = since;
     alarm.chi2 = beyond.chi2;
     alarm.degrees_of_freedom = beyond.degrees_of_freedom;
     return alarm;
   }
 
-  /// Judges by all readings since the change, those after the alarm too, whether a step of the base explains them.
+  /// Judges by all measurements since the change, those after the alarm too, whether a step of the base explains them.
   void judge(WatchAlarm& alarm) {
     const Sums &now = sums_.back(), &before = sums_[static_cast<std::size_t>(alarm.since)];
     const Statistic of_base = baseStep(now, before, all_.solve(now.ze));
@@ -227,28 +228,30 @@ class ChangeWatch {
   const MatrixXd &H_, &J_;
   const VectorXd& e_;
   const std::vector<int>& first_row_;
-  std::vector<Sums> sums_;      // sums_[k]: over the first k readings
-  Eigen::LLT<MatrixXd> all_;    // factor of the information on z from all readings so far
+  std::vector<Sums> sums_;      // sums_[k]: over the first k measurements
+  Eigen::LLT<MatrixXd> all_;    // factor of the information on z from all measurements so far
   double tail_ = 0;             // probability with which one statistic exceeds its limit by chance
   std::vector<double> limits_;  // limit for each number of degrees of freedom; 0: not yet computed
 };
 
 }  // namespace
 
-Watch watchForChange(const WatchedArm& watched, const std::vector<Measurement>& readings, const WatchOptions& options) {
+Watch watchForChange(const WatchedArm& watched, const std::vector<Measurement>& measurements,
+                     const WatchOptions& options) {
   Watch none;
   none.status = WatchStatus::kNotComputed;
   none.reason = "there are no readings";
-  if (readings.empty()) return none;
+  if (measurements.empty()) return none;
   PlacedArm placed;
   const std::vector<Unknown> unknowns = unknownsOf(watched, placed);
-  auto weights = weighReadings(placed, readings, {}, watched.model_error, options.stop);
+  auto weights = weighMeasurements(placed, measurements, {}, watched.model_error, options.stop);
   none.reason = "the model cannot be evaluated at the readings";
   if (!weights) return none;
   none.reason = "readings of points or surfaces of unknown place cannot be watched one by one";
   if (!weights->points.empty()) return none;
   whitenOneByOne(*weights);
-  const auto residual = whitenedResidual(placed, unknowns, readings, *weights, zerosOf(unknowns), true, options.stop);
+  const auto residual =
+      whitenedResidual(placed, unknowns, measurements, *weights, zerosOf(unknowns), true, options.stop);
   none.reason = "the model cannot be evaluated at the readings";
   if (!residual.ok) return none;
   const MatrixXd H = residual.jacobian * rootOf(watched.uncertainty.covariance), J = residual.jacobian.leftCols<6>();

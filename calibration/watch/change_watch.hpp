@@ -1,9 +1,9 @@
-// Watch over a calibrated arm at work: tells from the readings of its visits when the model ceased to hold, since when,
-// and whether a step of the base explains it.
+// Watch over a calibrated arm at work: tells from the measurements of its visits when the model ceased to hold, since
+// when, and whether a step of the base explains it.
 //
-// Before a change, the whitened residuals of the readings are e = H x + noise of unit variance, where x is the error of
-// base and parameters with the covariance P of the calibration. Two statistics are computed after every reading k, for
-// changes after an earlier reading s:
+// Before a change, the whitened residuals of the measurements are e = H x + noise of unit variance, where x is the
+// error of base and parameters with the covariance P of the calibration. Two statistics are computed after every
+// measurement k, for changes after an earlier measurement s:
 //   - the generalised likelihood ratio of a step of the base since s, with base, parameters and step unknown together
 //     (Willsky and Jones 1976);
 //   - the sum of squared innovations since s, in which any change shows.
@@ -23,8 +23,8 @@
 namespace tubeplan::calibration {
 
 struct WatchOptions {
-  double false_alarms = 0.05;  ///< largest probability of an alarm over all planned readings if nothing changes
-  int planned = 0;             ///< number of readings planned; if less than the number of readings, the latter counts
+  double false_alarms = 0.05;  ///< largest probability of an alarm over all planned measurements if nothing changes
+  int planned = 0;  ///< number of measurements planned; if less than the number of measurements, the latter counts
   StopQuestion stop;
 };
 
@@ -38,35 +38,35 @@ struct WatchedArm {
 
 enum class WatchStatus { kNotRun, kQuiet, kAlarm, kNotComputed, kStopped };
 enum class ChangeKind {
-  kUndecided,  ///< too few readings since the change to tell a step of the base from anything else
-  kBaseStep,   ///< a step of the base explains the readings since the change
+  kUndecided,  ///< too few measurements since the change to tell a step of the base from anything else
+  kBaseStep,   ///< a step of the base explains the measurements since the change
   kOther,      ///< a step of the base does not explain them
 };
 
 struct WatchAlarm {
-  int reading = 0;                           ///< index of the reading at which the alarm was raised
-  int since = 0;                             ///< index of the first reading after the change, as estimated
-  ChangeKind kind = ChangeKind::kUndecided;  ///< by the readings up to the last one
-  int judged_to = 0;                         ///< index of the last reading that `kind` and `step` take into account
+  int measurement = 0;                       ///< index of the measurement at which the alarm was raised
+  int since = 0;                             ///< index of the first measurement after the change, as estimated
+  ChangeKind kind = ChangeKind::kUndecided;  ///< by the measurements up to the last one
+  int judged_to = 0;                         ///< index of the last measurement that `kind` and `step` take into account
   double chi2 = 0;                           ///< statistic that exceeded its limit
   int degrees_of_freedom = 0;
-  /// Step of the base that explains the readings since the change best, with its standard deviations; see BaseStep. A
-  /// component that these readings do not determine has an infinite standard deviation.
+  /// Step of the base that explains the measurements since the change best, with its standard deviations; see BaseStep.
+  /// A component that these measurements do not determine has an infinite standard deviation.
   BaseStep step = BaseStep::Zero(), step_sigma = BaseStep::Zero();
 };
 
 struct Watch {
   WatchStatus status = WatchStatus::kNotRun;
   std::string reason;               ///< why nothing could be computed; empty otherwise
-  std::optional<WatchAlarm> alarm;  ///< the first alarm; later readings are not tested
-  int tested = 0;                   ///< number of readings that were tested
-  /// Largest statistic after each tested reading, as a fraction of its limit; above 1: alarm.
+  std::optional<WatchAlarm> alarm;  ///< the first alarm; later measurements are not tested
+  int tested = 0;                   ///< number of measurements that were tested
+  /// Largest statistic after each tested measurement, as a fraction of its limit; above 1: alarm.
   std::vector<double> level;
 };
 
-/// Watches the readings in their order, up to the first alarm; the readings after it serve to judge what has changed.
-/// All readings must belong to one set-up and measure known points or places.
-[[nodiscard]] Watch watchForChange(const WatchedArm& watched, const std::vector<Measurement>& readings,
+/// Watches the measurements in their order, up to the first alarm; the measurements after it serve to judge what has
+/// changed. All measurements must belong to one set-up and measure known points or places.
+[[nodiscard]] Watch watchForChange(const WatchedArm& watched, const std::vector<Measurement>& measurements,
                                    const WatchOptions& options = {});
 
 }  // namespace tubeplan::calibration

@@ -50,7 +50,7 @@ class EffectVariable {
 [[nodiscard]] const char* nameOf(EffectVariable variable);
 
 /// Part of the model that an effect acts on.
-enum class EffectStage { kReading, kGeometry, kLoad, kFlexibility, kBase, kMeasurement };
+enum class EffectStage { kJointReading, kGeometry, kLoad, kFlexibility, kBase, kMeasurement };
 
 /// Notation of a place: `theta2`, `theta3<-theta2`, `forearm`, `tool.z`, the name of a set-up of the base, or the
 /// kind's fixed word.

@@ -140,7 +140,7 @@ EffectNumber numberOf(const Arm& arm, const Effect& effect, int value) {
   if (parameter.least) number.lower = parameter.least(arm, effect.place);
   if (effect.formula) return number;
   const bool of_slide =
-      kind.stage == EffectStage::kReading && arm.rows.at(effect.place.row).joint.type == JointType::kPrismatic;
+      kind.stage == EffectStage::kJointReading && arm.rows.at(effect.place.row).joint.type == JointType::kPrismatic;
   if (of_slide && number.quantity == Quantity::kAngle) number.quantity = Quantity::kLength;
   return number;
 }

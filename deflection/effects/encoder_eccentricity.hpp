@@ -27,7 +27,7 @@ inline EffectKind kind() {
       .law = "true joint angle = reading + sine * sin(reading) + cosine * cos(reading)",
       .validity = "amplitudes far below a radian; turning joints",
       .source = "Wallace, TPOINT: centring errors",
-      .stage = EffectStage::kReading,
+      .stage = EffectStage::kJointReading,
       .at = PlaceRule::kJoint,
       .odds = 1,
       .odds_reason = "every code disc is off centre by some micrometres",

@@ -30,7 +30,7 @@ inline EffectKind kind() {
       .law = "true joint value = reading + sine * sin(ratio * reading) + cosine * cos(ratio * reading)",
       .validity = "the joint's gear_ratio is stated; readings known to a small part of a wave",
       .source = "Ghorbel et al. 2001, J. Mech. Design 123:90",
-      .stage = EffectStage::kReading,
+      .stage = EffectStage::kJointReading,
       .at = PlaceRule::kJoint,
       .place_needs = "a revolute joint with gear_ratio in the arm file (turns of its motor per turn of the joint)",
       .odds = 1,

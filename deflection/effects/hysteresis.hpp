@@ -27,7 +27,7 @@ inline EffectKind kind() {
           .law = "true joint value = reading + half_width * direction of the last motion",
           .validity = "the last motion was longer than the lost motion",
           .source = "Coulomb friction; Harmonic Drive catalogues, lost motion",
-          .stage = EffectStage::kReading,
+          .stage = EffectStage::kJointReading,
           .at = PlaceRule::kJoint,
           .odds = 1.5,
           .odds_reason = "every gear and seal has friction before a spring",

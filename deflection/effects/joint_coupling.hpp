@@ -23,7 +23,7 @@ inline EffectKind kind() {
           .law = "true joint value = reading + share * reading of another joint",
           .validity = "two joints of one type",
           .source = "Craig, Introduction to Robotics: actuator and joint space",
-          .stage = EffectStage::kReading,
+          .stage = EffectStage::kJointReading,
           .at = PlaceRule::kJointPair,
           .odds = 0.5,
           .odds_reason = "only where drives run through other joints",

@@ -22,7 +22,7 @@ inline EffectKind kind() {
       .law = "true joint value = reading + offset",
       .validity = "the same for every reading",
       .source = "Klimchik et al., arXiv 1211.5739",
-      .stage = EffectStage::kReading,
+      .stage = EffectStage::kJointReading,
       .at = PlaceRule::kJoint,
       .odds = 2,
       .odds_reason =

@@ -22,7 +22,7 @@ inline EffectKind kind() {
           .law = "true joint value = reading * (1 + scale)",
           .validity = "readings counted from the encoder's zero",
           .source = "Mooring, Roth and Driels 1991",
-          .stage = EffectStage::kReading,
+          .stage = EffectStage::kJointReading,
           .at = PlaceRule::kJoint,
           .odds = 0.5,
           .odds_reason = "gear ratios are counted teeth: only a wrong number or a belt is off",

@@ -18,7 +18,7 @@ inline EffectKind kind() {
           .law = "true position of the slide = reading + travel * reading of a revolute joint, in radians",
           .validity = "a slide and a revolute joint",
           .source = "Craig, Introduction to Robotics: actuator and joint space",
-          .stage = EffectStage::kReading,
+          .stage = EffectStage::kJointReading,
           .at = PlaceRule::kJointPair,
           .odds = 0.5,
           .odds_reason = "only where both are on one screw, and the controller does not compensate for its lead",

@@ -26,7 +26,7 @@ inline EffectKind kind() {
           .law = "true joint angle = reading + sine * sin(2 reading) + cosine * cos(2 reading)",
           .validity = "amplitudes far below a radian; turning joints",
           .source = "Ghorbel, Gandhi and Alpeter 2001",
-          .stage = EffectStage::kReading,
+          .stage = EffectStage::kJointReading,
           .at = PlaceRule::kJoint,
           .odds = 1,
           .odds_reason = "an oval ring or an elliptic bearing has an error twice per turn of the joint",

@@ -82,7 +82,7 @@ inline EffectKind kind() {
           .law = "TARGET += EXPRESSION, as the user writes it",
           .validity = "where the expression has a finite value",
           .source = "the user",
-          .stage = EffectStage::kReading,
+          .stage = EffectStage::kJointReading,
           .at = PlaceRule::kJoint,
           .places_elsewhere = "the formula's target: a joint, tip.x to tip.z, base.x to base.z, base.yaw",
           .odds = 0,

@@ -8,21 +8,21 @@
 #include "calibration/diagnosis/diagnosis.hpp"
 #include "calibration/diagnosis/evidence/linear_evidence.hpp"
 #include "calibration/diagnosis/explanations/explanation_model.hpp"
-#include "calibration/measurements/reading_placement.hpp"
+#include "calibration/measurements/measurement_placement.hpp"
 #include "studies/benchmarks/run_benchmarks.hpp"
-#include "tests/calibration/bench_readings.hpp"
+#include "tests/calibration/bench_measurements.hpp"
 
 namespace tubeplan::benchmarks {
 namespace {
 
 using namespace calibration;
 
-constexpr int kReadings = 150;
+constexpr int kMeasurements = 150;
 
 struct Case {
   app::Cell cell = shippedBench();
-  std::vector<Measurement> readings = benchReadings(cell, "hysteresis", "theta3", {0.001}, kReadings, 1);
-  PlacedArm start = placeForReadings(cell.arm, cell.X_WB, true, readings);
+  std::vector<Measurement> measurements = benchMeasurements(cell, "hysteresis", "theta3", {0.001}, kMeasurements, 1);
+  PlacedArm start = placeForMeasurements(cell.arm, cell.X_WB, true, measurements);
   DiagnosisOptions options = optionsOf(cell);
 
   static DiagnosisOptions optionsOf(const app::Cell& cell) {
@@ -36,12 +36,12 @@ void rankCatalogue(benchmark::State& state) {
   const Case c;
   IdentificationOptions quick = c.options.baseline;
   quick.folds = 0;
-  const FittedBasis basis = basisOf(identify(c.start, c.readings, quick), c.readings);
+  const FittedBasis basis = basisOf(identify(c.start, c.measurements, quick), c.measurements);
   std::size_t candidates = 0;
   for (auto _ : state) {
-    const CauseList list = listCauses(basis.fitted, basis.readings, basis.unknowns);
+    const CauseList list = listCauses(basis.fitted, basis.measurements, basis.unknowns);
     const Signatures signatures(basis.fitted, list.causes);
-    const Eigen::MatrixXd S = signatures.columnsAt(basis.readings, basis.weights);
+    const Eigen::MatrixXd S = signatures.columnsAt(basis.measurements, basis.weights);
     EvidenceGram gram;
     gram.add(basis.residual.jacobian, S, Eigen::MatrixXd(S.rows(), 0), -basis.residual.r);
     const LinearEvidence evidence(gram, basis.unknowns, {});
@@ -53,7 +53,7 @@ void rankCatalogue(benchmark::State& state) {
 
 void reachVerdict(benchmark::State& state) {
   const Case c;
-  for (auto _ : state) benchmark::DoNotOptimize(diagnose(c.start, c.readings, c.options).verdict);
+  for (auto _ : state) benchmark::DoNotOptimize(diagnose(c.start, c.measurements, c.options).verdict);
 }
 
 BENCHMARK(rankCatalogue)->Name("diagnosis/ranking")->Unit(benchmark::kMillisecond);

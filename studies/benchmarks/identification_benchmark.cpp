@@ -49,7 +49,7 @@ void identify(benchmark::State& state) {
   options.free = {session->names, false};
   options.folds = 0;
   calibration::Identification found;
-  for (auto _ : state) found = calibration::identify(session->start, session->readings, options);
+  for (auto _ : state) found = calibration::identify(session->start, session->measurements, options);
   state.counters["values"] = found.evaluations;
   state.counters["Jacobians"] = found.jacobian_evaluations;
   state.counters["chi2"] = found.chi2;

@@ -74,38 +74,38 @@ Arm cobraArm() {
   return arm;
 }
 
-struct Reading {
+struct TipMeasurement {
   deflection::Posture posture;
   Vector3d p_BT;
 };
 
-/// Returns readings of the true arm: postures spread evenly over the joint ranges, each measured under every load.
-std::vector<Reading> measure(const Arm& arm) {
+/// Returns measurements of the true arm: postures spread evenly over the joint ranges, each measured under every load.
+std::vector<TipMeasurement> measure(const Arm& arm) {
   boost::random::mt19937_64 random(1994);
   boost::random::normal_distribution<double> noise(0, kSigma);
-  std::vector<Reading> readings;
+  std::vector<TipMeasurement> measurements;
   for (const auto& q : deflection::latticeStarts(arm, kPostures))
     for (const double load : kLoads) {
       const deflection::Posture posture{q, load * kPound, -Vector3d::UnitZ()};
       Vector3d p_BT = deflection::solveFlexibleKinematics(arm, posture, kKinematics).X_BD.p;
       for (double& coordinate : p_BT) coordinate += noise(random);
-      readings.push_back({posture, p_BT});
+      measurements.push_back({posture, p_BT});
     }
-  return readings;
+  return measurements;
 }
 
-/// Residuals of all readings as a function of the unknown stiffnesses' logarithms.
+/// Residuals of all measurements as a function of the unknown stiffnesses' logarithms.
 class Misfit {
  public:
-  explicit Misfit(const Arm& truth) : truth_(truth), readings_(measure(truth)) {
+  explicit Misfit(const Arm& truth) : truth_(truth), measurements_(measure(truth)) {
     for (const char* name : kUnknowns) {
       paths_.push_back(deflection::findParameter(truth, name).value().path);
       variables_.push_back(deflection::Variable::number(paths_.back()));
     }
-    postures_.resize(4, std::ssize(readings_));
-    for (std::size_t k = 0; k < readings_.size(); ++k) {
-      postures_.q.col(static_cast<Eigen::Index>(k)) = readings_[k].posture.q;
-      postures_.load[static_cast<Eigen::Index>(k)] = readings_[k].posture.load;
+    postures_.resize(4, std::ssize(measurements_));
+    for (std::size_t k = 0; k < measurements_.size(); ++k) {
+      postures_.q.col(static_cast<Eigen::Index>(k)) = measurements_[k].posture.q;
+      postures_.load[static_cast<Eigen::Index>(k)] = measurements_[k].posture.load;
     }
   }
 
@@ -118,12 +118,12 @@ class Misfit {
     deflection::TipBatch tips;
     kinematics.solveWithDerivatives(postures_, jacobian ? variables_ : std::vector<deflection::Variable>{}, tips,
                                     kKinematics);
-    r.resize(3 * static_cast<Eigen::Index>(readings_.size()));
+    r.resize(3 * static_cast<Eigen::Index>(measurements_.size()));
     if (jacobian) jacobian->resize(r.size(), kCount);
-    for (std::size_t k = 0; k < readings_.size(); ++k) {
+    for (std::size_t k = 0; k < measurements_.size(); ++k) {
       if (tips.status[k] != deflection::KinematicsStatus::kConverged) return false;
       const auto posture = static_cast<Eigen::Index>(k), row = 3 * posture;
-      r.segment<3>(row) = (tips.poses.col(posture).head<3>() - readings_[k].p_BT) / kSigma;
+      r.segment<3>(row) = (tips.poses.col(posture).head<3>() - measurements_[k].p_BT) / kSigma;
       for (Eigen::Index u = 0; jacobian && u < kCount; ++u)
         jacobian->block<3, 1>(row, u) = tips.jacobian.col(posture).segment<3>(6 * u) * (values[u] / kSigma);
     }
@@ -132,7 +132,7 @@ class Misfit {
 
  private:
   Arm truth_;
-  std::vector<Reading> readings_;
+  std::vector<TipMeasurement> measurements_;
   std::vector<deflection::ParameterPath> paths_;
   std::vector<deflection::Variable> variables_;
   deflection::PostureBatch postures_;
@@ -223,7 +223,7 @@ std::shared_ptr<const TouchSession> makeTouchSession() {
     if (points == kTouchPoints) break;
     const auto touches = touchPoint(arm, q, points + 1, random);
     points += !touches.empty();
-    session->readings.insert(session->readings.end(), touches.begin(), touches.end());
+    session->measurements.insert(session->measurements.end(), touches.begin(), touches.end());
   }
   for (std::size_t k = 0; k < std::size(kTrueStiffnesses); ++k) {
     const auto& [name, value, unit] = kTrueStiffnesses[k];
@@ -248,15 +248,15 @@ Campaign touchCampaign() {
     std::shared_ptr<const TouchSession> session;
     calibration::PlacedArm start;
     std::vector<calibration::Unknown> unknowns;
-    calibration::ReadingWeights weights;
+    calibration::MeasurementWeights weights;
     calibration::LeastSquaresProblem problem;
   };
   const auto parts = std::make_shared<Parts>();
   parts->session = touchSession();
   parts->start = parts->session->start;
   parts->unknowns = calibration::chooseUnknowns(parts->start, {parts->session->names, false}).list;
-  parts->weights = calibration::weighReadings(parts->start, parts->session->readings).value();
-  parts->problem = calibration::fitProblem(parts->start, parts->unknowns, parts->session->readings, parts->weights,
+  parts->weights = calibration::weighMeasurements(parts->start, parts->session->measurements).value();
+  parts->problem = calibration::fitProblem(parts->start, parts->unknowns, parts->session->measurements, parts->weights,
                                            VectorXd::Zero(std::ssize(parts->unknowns)));
   Campaign campaign;
   campaign.problem = parts->problem;

@@ -27,7 +27,7 @@ struct Campaign {
 /// an error of a factor of three, alternately up and down.
 struct TouchSession {
   calibration::PlacedArm start;
-  std::vector<calibration::Measurement> readings;
+  std::vector<calibration::Measurement> measurements;
   std::vector<std::string> names;
   std::vector<double> truth;  ///< true value of each stiffness, in the order of the names
 };

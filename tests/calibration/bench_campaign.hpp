@@ -46,10 +46,10 @@ inline CampaignDesign designOf(MeasurementKind kind, double sigma) {
   return design;
 }
 
-inline SimulatedCampaign simulate(const CampaignTruth& truth, const CampaignDesign& design, int readings,
+inline SimulatedCampaign simulate(const CampaignTruth& truth, const CampaignDesign& design, int measurements,
                                   std::uint64_t seed = 1) {
   CampaignOptions options;
-  options.readings = readings;
+  options.measurements = measurements;
   options.seed = seed;
   return simulateCampaign(truth, design, options);
 }

@@ -8,12 +8,12 @@
 
 #include "deflection/tip_derivatives.hpp"
 #include "tests/calibration/random_mechanisms.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
 
-/// Returns the derivatives of the tool pose at random postures with respect to the named parameters. If no reading
+/// Returns the derivatives of the tool pose at random postures with respect to the named parameters. If no measurement
 /// depends on the tool's rotation, its three columns follow; if the base is free, its six columns follow. Each column
 /// is scaled to length 1.
 Eigen::MatrixXd motions(const PlacedArm& placed, const std::vector<std::string>& names) {
@@ -31,7 +31,7 @@ Eigen::MatrixXd motions(const PlacedArm& placed, const std::vector<std::string>&
   RandomStream random(3);
   for (int k = 0; k < kPostures; ++k) {
     Eigen::VectorXd q(placed.arm.jointCount());
-    for (auto& reading : q) reading = random.uniform(-3, 3);
+    for (auto& measurement : q) measurement = random.uniform(-3, 3);
     const auto tip = deflection::differentiateTip(placed.arm, {q}, variables);
     all.block(6 * k, 0, 3, count) = tip.position_B;
     all.block(6 * k + 3, 0, 3, count) = tip.rotation_B;
@@ -126,9 +126,9 @@ TEST(IndependentGeometry, HoldsAsManyNumbersAsMechanismsHave) {
   EXPECT_GT(open, 30);
 }
 
-/// If readings depend on the tool's rotation, the selection must include its parameters and have Everett's complete
+/// If measurements depend on the tool's rotation, the selection must include its parameters and have Everett's complete
 /// count; otherwise, it must not include them.
-TEST(IndependentGeometry, HoldsTheToolsTurnWhereReadingsShowIt) {
+TEST(IndependentGeometry, HoldsTheToolsTurnWhereMeasurementsShowIt) {
   int whole = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     PlacedArm placed = mechanism(seed);

@@ -6,9 +6,9 @@
 
 #include "calibration/estimation/fit.hpp"
 #include "calibration/independent_geometry.hpp"
-#include "calibration/measurements/reading_placement.hpp"
+#include "calibration/measurements/measurement_placement.hpp"
 #include "calibration/placed_arm.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -90,19 +90,20 @@ TEST(PlacedArm, AppliedMovesEachPlacingByItsOwnStep) {
   EXPECT_LE((at.arm.p_LT - placed.arm.p_LT - x.tail<3>()).norm(), 1e-12);
 }
 
-TEST(PlacedArm, EverySetUpOfTheReadingsHasItsPlacing) {
-  std::vector<Measurement> readings(4);
-  readings[1].setup = readings[3].setup = "second";
-  const auto placed = placeForReadings(deflection::cobraArm(), Eigen::Isometry3d::Identity(), false, readings);
+TEST(PlacedArm, EverySetUpOfTheMeasurementsHasItsPlacing) {
+  std::vector<Measurement> measurements(4);
+  measurements[1].setup = measurements[3].setup = "second";
+  const auto placed = placeForMeasurements(deflection::cobraArm(), Eigen::Isometry3d::Identity(), false, measurements);
   ASSERT_EQ(placed.base_poses.size(), 2u);
-  EXPECT_EQ(basePoseOf(placed, readings[2]), 0);
-  EXPECT_EQ(basePoseOf(placed, readings[3]), 1);
-  EXPECT_EQ(placeForReadings(deflection::cobraArm(), Eigen::Isometry3d::Identity(), true, {}).base_poses.size(), 1u);
+  EXPECT_EQ(basePoseOf(placed, measurements[2]), 0);
+  EXPECT_EQ(basePoseOf(placed, measurements[3]), 1);
+  EXPECT_EQ(placeForMeasurements(deflection::cobraArm(), Eigen::Isometry3d::Identity(), true, {}).base_poses.size(),
+            1u);
 }
 
 TEST(AlignBases, FindsBasesFromAnywhere) {
   const PlacedArm truth = cobraTwice();
-  ReadingMaker maker(truth, 3);
+  MeasurementMaker maker(truth, 3);
   maker.add(MeasurementKind::kPosition, 4, "A");
   maker.add(MeasurementKind::kDeflection, 3, "A");
   maker.addTouches(4, {0, 30 * kPound}, true, "B");
@@ -112,7 +113,7 @@ TEST(AlignBases, FindsBasesFromAnywhere) {
   for (const auto& start : starts) {
     PlacedArm placed = truth;
     for (auto& base_pose : placed.base_poses) base_pose.X_WB = start;
-    alignBases(placed, maker.readings);
+    alignBases(placed, maker.measurements);
     for (int p = 0; p < 2; ++p) {
       const auto k = static_cast<std::size_t>(p);
       EXPECT_LE((placed.base_poses[k].X_WB.matrix() - truth.base_poses[k].X_WB.matrix()).norm(), 1e-5) << p;
@@ -122,27 +123,27 @@ TEST(AlignBases, FindsBasesFromAnywhere) {
 
 TEST(AlignBases, LeavesWhatIsKnownAndWhatCannotBeTold) {
   const PlacedArm truth = cobraTwice();
-  ReadingMaker maker(truth, 4);
+  MeasurementMaker maker(truth, 4);
   maker.add(MeasurementKind::kPosition, 5, "A");
   maker.add(MeasurementKind::kPosition, 2, "B");
   PlacedArm placed = truth;
   const auto start = poseOf({0.5, 0, 0}, {0, 0, 0.1});
   for (auto& base_pose : placed.base_poses) base_pose.X_WB = start;
   placed.base_poses[0].is_known = true;
-  alignBases(placed, maker.readings);
+  alignBases(placed, maker.measurements);
   EXPECT_TRUE(placed.base_poses[0].X_WB.isApprox(start)) << "known";
   EXPECT_TRUE(placed.base_poses[1].X_WB.isApprox(start)) << "two places only";
 }
 
-TEST(AlignBases, DoesNotLookAtHeldOutReadings) {
+TEST(AlignBases, DoesNotLookAtHeldOutMeasurements) {
   PlacedArm truth = cobra();
   truth.base_poses[0].is_known = false;
-  ReadingMaker maker(truth, 5);
+  MeasurementMaker maker(truth, 5);
   maker.add(MeasurementKind::kPosition, 6);
-  maker.readings[5].is_held_out = true;
-  *maker.readings[5].p_W += Eigen::Vector3d(1, 1, 1);
+  maker.measurements[5].is_held_out = true;
+  *maker.measurements[5].p_W += Eigen::Vector3d(1, 1, 1);
   PlacedArm placed = truth;
-  alignBases(placed, maker.readings);
+  alignBases(placed, maker.measurements);
   EXPECT_LE((placed.base_poses[0].X_WB.matrix() - truth.base_poses[0].X_WB.matrix()).norm(), 1e-6);
 }
 

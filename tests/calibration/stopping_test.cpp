@@ -10,7 +10,7 @@
 #include "calibration/diagnosis/discrimination/discriminating_measurements.hpp"
 #include "calibration/diagnosis/effect_warnings.hpp"
 #include "calibration/patterns/comparison.hpp"
-#include "tests/calibration/bench_readings.hpp"
+#include "tests/calibration/bench_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -52,8 +52,8 @@ constexpr int kAsItEnds = 200;
 class Stopping : public testing::Test {
  protected:
   const app::Cell cell = shippedBench();
-  const std::vector<Measurement> readings = benchReadings(cell, "hysteresis", "theta3", {0.0008}, 60, 5);
-  const PlacedArm start = benchStart(cell, readings);
+  const std::vector<Measurement> measurements = benchMeasurements(cell, "hysteresis", "theta3", {0.0008}, 60, 5);
+  const PlacedArm start = benchStart(cell, measurements);
 
   [[nodiscard]] IdentificationOptions identification(const WorkHooks& hooks) const {
     IdentificationOptions options;
@@ -91,7 +91,7 @@ class Stopping : public testing::Test {
 };
 
 TEST_F(Stopping, IdentificationSaysThatItWasStopped) {
-  stopEverywhere([&](const WorkHooks& hooks) { return identify(start, readings, identification(hooks)); },
+  stopEverywhere([&](const WorkHooks& hooks) { return identify(start, measurements, identification(hooks)); },
                  [](const Identification& result) {
                    if (result.status != IdentificationStatus::kStopped) return false;
                    EXPECT_TRUE(result.numbers.empty());
@@ -101,11 +101,11 @@ TEST_F(Stopping, IdentificationSaysThatItWasStopped) {
                  });
 }
 
-/// Fixture with so many readings that they are processed in blocks, with one call of `stop` per block. A stop between
-/// two blocks leaves rows unfilled, from which no result may be computed.
+/// Fixture with so many measurements that they are processed in blocks, with one call of `stop` per block. A stop
+/// between two blocks leaves rows unfilled, from which no result may be computed.
 class StoppingBetweenBlocks : public Stopping {
  protected:
-  const std::vector<Measurement> many = benchReadings(cell, "hysteresis", "theta4", {0.001}, 1100, 6);
+  const std::vector<Measurement> many = benchMeasurements(cell, "hysteresis", "theta4", {0.001}, 1100, 6);
   const PlacedArm placed = benchStart(cell, many);
 
   /// Stops the work at each of the first `first` calls of `stop`, then at later calls spaced by the factor `growth`.
@@ -141,13 +141,13 @@ TEST_F(Stopping, EverySolverStops) {
     Watch watch(5);
     IdentificationOptions options = identification(watch.hooks());
     options.solver.method = kind.method;
-    EXPECT_EQ(identify(start, readings, options).status, IdentificationStatus::kStopped) << kind.name;
+    EXPECT_EQ(identify(start, measurements, options).status, IdentificationStatus::kStopped) << kind.name;
     EXPECT_LT(watch.asked(), 5 + kAsItEnds) << kind.name;
   }
 }
 
 TEST_F(Stopping, DiagnosisSaysThatItWasStopped) {
-  stopEverywhere([&](const WorkHooks& hooks) { return diagnose(start, readings, diagnosis(hooks)); },
+  stopEverywhere([&](const WorkHooks& hooks) { return diagnose(start, measurements, diagnosis(hooks)); },
                  [](const Diagnosis& result) {
                    if (result.verdict != Verdict::kStopped) return false;
                    EXPECT_TRUE(result.ranking.empty() && result.alternatives.empty() && result.closest.empty());
@@ -157,29 +157,29 @@ TEST_F(Stopping, DiagnosisSaysThatItWasStopped) {
 }
 
 TEST_F(Stopping, ComparisonSaysThatItWasStopped) {
-  stopEverywhere([&](const WorkHooks& hooks) { return compare(start, readings, comparison(hooks)); },
+  stopEverywhere([&](const WorkHooks& hooks) { return compare(start, measurements, comparison(hooks)); },
                  [](const Comparison& result) {
                    if (result.status != ComparisonStatus::kStopped) return false;
-                   EXPECT_TRUE(result.readings.empty() && result.patterns.tests.empty());
+                   EXPECT_TRUE(result.measurements.empty() && result.patterns.tests.empty());
                    EXPECT_EQ(result.verdict, Adequacy::kNotRun);
                    return true;
                  });
 }
 
 TEST_F(Stopping, ProposalsSayThatTheyWereStopped) {
-  Diagnosis open = diagnose(start, readings, diagnosis({}));
+  Diagnosis open = diagnose(start, measurements, diagnosis({}));
   ASSERT_FALSE(open.closest.empty());
   open.verdict = Verdict::kInconclusive;  // otherwise there would be no explanations to discriminate between
-  const auto candidates = app::discriminationCandidates(cell, open.baseline.fitted, readings);
+  const auto candidates = app::discriminationCandidates(cell, open.baseline.fitted, measurements);
   stopEverywhere(
       [&](const WorkHooks& hooks) {
         DiscriminationOptions options;
         options.hooks = hooks;
-        return proposeDiscriminatingMeasurements(open, readings, candidates, options);
+        return proposeDiscriminatingMeasurements(open, measurements, candidates, options);
       },
       [](const DiscriminatingMeasurements& result) {
         if (result.status != DiscriminationStatus::kStopped) return false;
-        EXPECT_TRUE(result.readings.empty() && result.pairs.empty());
+        EXPECT_TRUE(result.measurements.empty() && result.pairs.empty());
         return true;
       });
 }
@@ -189,22 +189,22 @@ TEST_F(Stopping, ThereAreNoWarningsOfWorkThatWasStopped) {
   carrying.arm.effects.push_back(deflection::makeEffect(carrying.arm, "backlash", "tool.z").effect);
   IdentificationOptions options = identification({});
   options.free.names.emplace_back("backlash@tool.z.gap");
-  const auto fit = identify(carrying, readings, options);
+  const auto fit = identify(carrying, measurements, options);
   Watch whole;
   options.hooks = whole.hooks();
-  EXPECT_FALSE(warnOfEffects(carrying, readings, options, fit).empty());
+  EXPECT_FALSE(warnOfEffects(carrying, measurements, options, fit).empty());
   for (const int moment : momentsOf(whole.asked())) {
     Watch watch(moment);
     options.hooks = watch.hooks();
-    EXPECT_TRUE(warnOfEffects(carrying, readings, options, fit).empty()) << moment;
+    EXPECT_TRUE(warnOfEffects(carrying, measurements, options, fit).empty()) << moment;
     EXPECT_LT(watch.asked(), moment + kAsItEnds);
   }
 }
 
 TEST_F(Stopping, HooksChangeNothing) {
   Watch watch;
-  const Diagnosis with = diagnose(start, readings, diagnosis(watch.hooks())),
-                  without = diagnose(start, readings, diagnosis({}));
+  const Diagnosis with = diagnose(start, measurements, diagnosis(watch.hooks())),
+                  without = diagnose(start, measurements, diagnosis({}));
   EXPECT_EQ(with.verdict, without.verdict);
   EXPECT_EQ(with.chi2, without.chi2);
   EXPECT_EQ(with.heldout_after.rms, without.heldout_after.rms);
@@ -219,7 +219,7 @@ TEST_F(Stopping, HooksChangeNothing) {
     IdentificationOptions asked = identification(watch.hooks()), alone = identification({});
     asked.solver.method = alone.solver.method = kind.method;
     asked.folds = alone.folds = 0;
-    const auto a = identify(start, readings, asked), b = identify(start, readings, alone);
+    const auto a = identify(start, measurements, asked), b = identify(start, measurements, alone);
     ASSERT_EQ(a.numbers.size(), b.numbers.size()) << kind.name;
     for (std::size_t k = 0; k < a.numbers.size(); ++k) {
       EXPECT_EQ(a.numbers[k].value, b.numbers[k].value) << kind.name;

@@ -8,27 +8,27 @@
 #include "calibration/estimation/identification.hpp"
 #include "calibration/measurement_checks/measurement_checks.hpp"
 #include "calibration/measurement_checks/tool_frame.hpp"
-#include "calibration/measurements/reading_placement.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "calibration/measurements/measurement_placement.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
 
 const Eigen::Vector3d kHiddenTurn = Eigen::Vector3d(0.4, -0.3, 0.0) * kDegree;
 
-std::vector<Measurement> turnedReadings(const Eigen::Vector3d& turn_L, MeasurementKind kind, int count) {
+std::vector<Measurement> turnedMeasurements(const Eigen::Vector3d& turn_L, MeasurementKind kind, int count) {
   PlacedArm truth = cobra();
   truth.arm.tool_turn_L = turn_L;
-  ReadingMaker maker(truth, 5, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(truth, 5, MeasurementMaker::Noise::kStated);
   maker.add(kind, count);
-  return maker.readings;
+  return maker.measurements;
 }
 
 TEST(ToolTurn, IsIdentifiedFromPosesWithinItsSigma) {
-  const auto readings = turnedReadings(kHiddenTurn, MeasurementKind::kPose, 60);
+  const auto measurements = turnedMeasurements(kHiddenTurn, MeasurementKind::kPose, 60);
   IdentificationOptions options;
   options.free = {{"tool.turn"}, false};
-  const auto found = identify(cobra().arm, cobra().base_poses[0].X_WB, true, readings, options);
+  const auto found = identify(cobra().arm, cobra().base_poses[0].X_WB, true, measurements, options);
   ASSERT_EQ(found.numbers.size(), 3U);
   for (int k = 0; k < 3; ++k) {
     const auto& number = found.numbers[static_cast<std::size_t>(k)];
@@ -37,10 +37,10 @@ TEST(ToolTurn, IsIdentifiedFromPosesWithinItsSigma) {
   }
 }
 
-TEST(ToolTurn, IsNoGeometryOfReadingsThatDoNotShowIt) {
+TEST(ToolTurn, IsNoGeometryOfMeasurementsThatDoNotShowIt) {
   for (const auto kind : {MeasurementKind::kPosition, MeasurementKind::kPose}) {
-    PlacedArm placed = placeForReadings(cobra().arm, cobra().base_poses[0].X_WB, true,
-                                        turnedReadings(Eigen::Vector3d::Zero(), kind, 3));
+    PlacedArm placed = placeForMeasurements(cobra().arm, cobra().base_poses[0].X_WB, true,
+                                            turnedMeasurements(Eigen::Vector3d::Zero(), kind, 3));
     const auto free = chooseUnknowns(placed, {{"geometry"}, false}).list;
     const bool has_turn =
         std::ranges::any_of(free, [](const Unknown& unknown) { return unknown.name.starts_with("tool.turn."); });
@@ -49,11 +49,11 @@ TEST(ToolTurn, IsNoGeometryOfReadingsThatDoNotShowIt) {
 }
 
 TEST(ToolTurn, IsNamedAloneByPoses) {
-  const auto readings = turnedReadings(kHiddenTurn, MeasurementKind::kPose, 90);
+  const auto measurements = turnedMeasurements(kHiddenTurn, MeasurementKind::kPose, 90);
   DiagnosisOptions options;
   options.baseline.free = {{"tool.joint_stiffness.z"}, false};
-  const auto start = placeForReadings(cobra().arm, cobra().base_poses[0].X_WB, true, readings);
-  const auto found = diagnose(start, readings, options);
+  const auto start = placeForMeasurements(cobra().arm, cobra().base_poses[0].X_WB, true, measurements);
+  const auto found = diagnose(start, measurements, options);
   ASSERT_EQ(found.alternatives.size(), 1U);
   ASSERT_EQ(found.alternatives[0].effects.size(), 1U);
   EXPECT_EQ(found.alternatives[0].effects[0].effect, "tool-turn");
@@ -62,11 +62,11 @@ TEST(ToolTurn, IsNamedAloneByPoses) {
 TEST(ToolTurn, AnotherConventionOfTheAxesIsAMistake) {
   // The measured x axis is the tool's y axis.
   const Eigen::Matrix3d R_TM = (Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished();
-  auto readings = turnedReadings(Eigen::Vector3d::Zero(), MeasurementKind::kPose, 40);
-  for (auto& reading : readings)
-    reading.own = deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(reading.own) * R_TM);
-  const auto start = placeForReadings(cobra().arm, cobra().base_poses[0].X_WB, true, readings);
-  const auto checks = checkMeasurements({start, readings, {{"tool.tip"}, false}, {}});
+  auto measurements = turnedMeasurements(Eigen::Vector3d::Zero(), MeasurementKind::kPose, 40);
+  for (auto& measurement : measurements)
+    measurement.own = deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(measurement.own) * R_TM);
+  const auto start = placeForMeasurements(cobra().arm, cobra().base_poses[0].X_WB, true, measurements);
+  const auto checks = checkMeasurements({start, measurements, {{"tool.tip"}, false}, {}});
   const auto* gross = grossMistake(checks);
   ASSERT_NE(gross, nullptr);
   EXPECT_EQ(gross->assume, "tool-frame=yzx");
@@ -76,11 +76,11 @@ TEST(ToolTurn, AMountedBodyIsAMistakeWithItsAngles) {
   for (const Eigen::Vector3d& rpy :
        {Eigen::Vector3d(90, 0, 35), Eigen::Vector3d(-140, 20, 15), Eigen::Vector3d(40, -6, 0)}) {
     const Eigen::Matrix3d R_TM = deflection::rotationFromFixedAngles<double>((rpy * kDegree).eval());
-    auto readings = turnedReadings(Eigen::Vector3d::Zero(), MeasurementKind::kPose, 40);
-    for (auto& reading : readings)
-      reading.own = deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(reading.own) * R_TM);
-    const auto start = placeForReadings(cobra().arm, cobra().base_poses[0].X_WB, true, readings);
-    const CheckedReadings checked{start, readings, {{"tool.tip"}, false}, {}};
+    auto measurements = turnedMeasurements(Eigen::Vector3d::Zero(), MeasurementKind::kPose, 40);
+    for (auto& measurement : measurements)
+      measurement.own = deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(measurement.own) * R_TM);
+    const auto start = placeForMeasurements(cobra().arm, cobra().base_poses[0].X_WB, true, measurements);
+    const CheckedMeasurements checked{start, measurements, {{"tool.tip"}, false}, {}};
     const auto checks = checkMeasurements(checked);
     const auto* gross = grossMistake(checks);
     ASSERT_NE(gross, nullptr) << rpy.transpose();

@@ -9,7 +9,7 @@
 #include "app/formats/checkpoint/checkpoint_file.hpp"
 #include "app/formats/checkpoint/plan_cache_json.hpp"
 #include "app/formats/checkpoint/tally_checkpoint.hpp"
-#include "app/formats/foreign/foreign_readings.hpp"
+#include "app/formats/foreign/foreign_measurements.hpp"
 #include "app/formats/measurements/measurements_reader.hpp"
 #include "app/formats/mesh/mesh_reader.hpp"
 #include "app/formats/plan/plan_reader.hpp"

@@ -61,7 +61,7 @@ PARTS = [
     Part("residuals", "calibration",
          own("calibration/estimation/campaign_residual.cpp", "calibration/estimation/whitened_residual.cpp",
              "calibration/measurements/frame_motion.cpp", "calibration/measurements/predict_all.cpp",
-             "calibration/measurements/reading_prediction.cpp"),
+             "calibration/measurements/measurement_prediction.cpp"),
          [(CALIBRATION_TEST, "*")]),
     Part("evidence", "calibration",
          own("calibration/diagnosis/evidence/linear_evidence.cpp",

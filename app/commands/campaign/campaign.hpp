@@ -32,7 +32,7 @@ struct CampaignRequest {
 
   // Values for campaigns of kind `diagnose`.
   std::string design = "bench", hide = "any";
-  int readings = 120;
+  int measurements = 120;
   double nothing = 0.5;
   int effects = 2;
 };

@@ -99,8 +99,8 @@ DiagnosisTask diagnosisTask(const CampaignRequest& request) {
     throw InputError("--effects", std::to_string(request.effects), "1 or 2");
   DiagnosisTask task;
   task.cell = readCell(request.cell);
-  task.options.readings.design = request.design;
-  task.options.readings.readings = request.readings;
+  task.options.measurements.design = request.design;
+  task.options.measurements.measurements = request.measurements;
   task.options.nothing = request.nothing;
   task.options.effects = request.effects;
   task.options.seed = request.seed;
@@ -122,7 +122,7 @@ PlanKey diagnosisQuestion(const DiagnosisTask& task, const CampaignRequest& requ
   std::string identify, kinds;
   for (const auto& name : task.cell.identify) identify += name + " ";
   for (const int kind : task.kinds) kinds += fmt::format("{} ", kind);
-  const auto& design = prepareSimulation(task.cell, task.options.readings).design;
+  const auto& design = prepareSimulation(task.cell, task.options.measurements).design;
   std::string loads;
   for (const double load : design.loads) loads += fmt::format("{} ", load);
   return {{"program", programText()},
@@ -133,7 +133,7 @@ PlanKey diagnosisQuestion(const DiagnosisTask& task, const CampaignRequest& requ
           {"seed", std::to_string(request.seed)},
           {"design", fmt::format("{}, sigma {} m, {} loads, {}", request.design, design.sigma, design.loads.size(),
                                  fingerprintOf(loads))},
-          {"number of readings", std::to_string(request.readings)},
+          {"number of readings", std::to_string(request.measurements)},
           {"fraction without an effect", fmt::format("{}", request.nothing)},
           {"list of effects", fmt::format("{} effects, {}", task.kinds.size(), fingerprintOf(kinds))},
           {"number of effects in one explanation", std::to_string(request.effects)}};
@@ -223,7 +223,7 @@ json diagnosisFigures(const DiagnosisTask& task, const CampaignRequest& request,
                   {"runs_done", progress.done},
                   {"units", unitsJson(task.cell.units)},
                   {"design", request.design},
-                  {"readings", request.readings},
+                  {"readings", request.measurements},
                   {"nothing_hidden",
                    {{"outcomes", countsJson(nothing)},
                     {"false_alarms", shareJson(sumOf(nothing, {Kind::kOther, Kind::kUnexplained}), madeOf(nothing))},

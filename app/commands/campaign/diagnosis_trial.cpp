@@ -15,7 +15,7 @@ namespace {
 using calibration::Verdict;
 using TrialDraw = calibration::RandomStreamFrom<SplitMix>;
 
-enum Purpose : std::uint64_t { kHiddenKey = 101, kReadingsKey, kDiagnosisKey };
+enum Purpose : std::uint64_t { kHiddenKey = 101, kMeasurementsKey, kDiagnosisKey };
 
 int indexBelow(std::size_t count, TrialDraw& draw) { return static_cast<int>(draw.seed() % count); }
 
@@ -79,13 +79,13 @@ DiagnosisOutcomeKind outcomeOf(const calibration::Diagnosis& diagnosis, const st
 
 DiagnosisTrials::DiagnosisTrials(const Cell& cell, std::vector<int> kinds, const DiagnosisTrialOptions& options)
     : cell_(cell), kinds_(std::move(kinds)), options_(options) {
-  (void)prepareSimulation(cell_, options_.readings);
+  (void)prepareSimulation(cell_, options_.measurements);
 }
 
 std::optional<DiagnosisTrial> DiagnosisTrials::run(std::uint64_t index, const calibration::StopQuestion& stop) const {
   TrialDraw draw(keyOf({options_.seed, index, kHiddenKey}));
-  SimulationRequest request = options_.readings;
-  request.seed = keyOf({options_.seed, index, kReadingsKey});
+  SimulationRequest request = options_.measurements;
+  request.seed = keyOf({options_.seed, index, kMeasurementsKey});
   SimulationTask task = prepareSimulation(cell_, request);
   DiagnosisTrial trial;
   std::string effect, at;
@@ -98,24 +98,24 @@ std::optional<DiagnosisTrial> DiagnosisTrials::run(std::uint64_t index, const ca
     at = deflection::textOf(cell_.arm, kind, hidden.effect.place);
     task.truth.arm.effects.push_back(hidden.effect);
   }
-  const auto simulated = simulateReadings(cell_, task, request.seed, {{}, stop});
+  const auto simulated = simulateMeasurements(cell_, task, request.seed, {{}, stop});
   if (simulated.status == calibration::CampaignStatus::kStopped) return std::nullopt;
   if (simulated.status != calibration::CampaignStatus::kDone) return trial;
   DiagnosisRequest question;
   question.effects = options_.effects;
   question.seed = keyOf({options_.seed, index, kDiagnosisKey});
-  const auto diagnosis = diagnoseReadings(cell_, simulated.readings, question, {{}, stop});
+  const auto diagnosis = diagnoseMeasurements(cell_, simulated.measurements, question, {{}, stop});
   if (diagnosis.verdict == Verdict::kStopped) return std::nullopt;
   trial.outcome = outcomeOf(diagnosis, effect, at);
   return trial;
 }
 
 std::vector<int> hideableKinds(const Cell& cell, const DiagnosisTrialOptions& options) {
-  const auto design = prepareSimulation(cell, options.readings).design;
+  const auto design = prepareSimulation(cell, options.measurements).design;
   const bool is_loaded = std::any_of(design.loads.begin(), design.loads.end(), [](double load) { return load > 0; });
-  calibration::Measurement reading;
-  reading.kind = design.kind;
-  const bool shows_tool_turn = calibration::seesToolTurn(reading);
+  calibration::Measurement measurement;
+  measurement.kind = design.kind;
+  const bool shows_tool_turn = calibration::seesToolTurn(measurement);
   std::vector<int> kinds;
   const auto& table = deflection::effectKinds();
   for (std::size_t k = 0; k < table.size(); ++k)

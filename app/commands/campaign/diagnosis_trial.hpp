@@ -1,4 +1,4 @@
-// One run of a diagnosis campaign: simulates readings of an arm, with a random hidden effect or without one, and
+// One run of a diagnosis campaign: simulates measurements of an arm, with a random hidden effect or without one, and
 // diagnoses them.
 #pragma once
 
@@ -14,9 +14,9 @@ namespace tubeplan::app {
 
 /// Outcome of a diagnosis, compared with the truth.
 enum class DiagnosisOutcomeKind {
-  kNotMade,       ///< the readings could not be simulated or could not be fitted
+  kNotMade,       ///< the measurements could not be simulated or could not be fitted
   kAdequate,      ///< verdict that the model lacks no effect
-  kInconclusive,  ///< verdict that the readings leave the cause undecided
+  kInconclusive,  ///< verdict that the measurements leave the cause undecided
   kNamed,         ///< the true effect alone was named
   kAmong,         ///< several effects were named, among them the true effect
   kOther,         ///< one or several effects were named, but not the true effect
@@ -44,16 +44,16 @@ struct DiagnosisTrial {
 };
 
 struct DiagnosisTrialOptions {
-  SimulationRequest readings;  ///< request for the simulated readings; its seed is not used
-  double nothing = 0.5;        ///< fraction of the runs without a hidden effect
-  int effects = 2;             ///< largest number of effects in one explanation
+  SimulationRequest measurements;  ///< request for the simulated measurements; its seed is not used
+  double nothing = 0.5;            ///< fraction of the runs without a hidden effect
+  int effects = 2;                 ///< largest number of effects in one explanation
   std::uint64_t seed = 1;
 };
 
 class DiagnosisTrials {
  public:
   /// Prepares the runs. `kinds` lists the effects that may be hidden, as indices in effectKinds(). Throws InputError
-  /// for readings that cannot be simulated.
+  /// for measurements that cannot be simulated.
   DiagnosisTrials(const Cell& cell, std::vector<int> kinds, const DiagnosisTrialOptions& options);
 
   /// Performs the trial with this index, and returns its result; no value if `stop` has returned true. Thread-safe.
@@ -65,8 +65,8 @@ class DiagnosisTrials {
   DiagnosisTrialOptions options_;
 };
 
-/// Returns the catalogue effects that can act on the cell's arm and that readings of the requested design could show,
-/// as indices in effectKinds().
+/// Returns the catalogue effects that can act on the cell's arm and that measurements of the requested design could
+/// show, as indices in effectKinds().
 [[nodiscard]] std::vector<int> hideableKinds(const Cell& cell, const DiagnosisTrialOptions& options);
 
 }  // namespace tubeplan::app

@@ -82,7 +82,7 @@ std::vector<int> readRowList(const YamlNode& node, const deflection::Arm& arm) {
   return rows;
 }
 
-// Throws InputError if a key has no meaning for the kind of readings of the design, or if a needed key is missing.
+// Throws InputError if a key has no meaning for the kind of measurements of the design, or if a needed key is missing.
 void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
   const calibration::MeasurementKindRow& kind = kindOf(design.kind);
   for (const char* key : {"points", "postures_per_point"})
@@ -124,7 +124,8 @@ CampaignDesign designOfKind(const YamlNode& root, bool has_sheet) {
   if (const YamlNode* place = root.find("at")) design.place = readPlace(*place);
   design.loads = calibration::usualLoads();
   if (!kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles) design.loads = {0};
-  if (kindOf(design.kind).departure && !kindOf(design.kind).is_from_reading) design.loads.erase(design.loads.begin());
+  if (kindOf(design.kind).departure && !kindOf(design.kind).is_from_measurement)
+    design.loads.erase(design.loads.begin());
   if (kindOf(design.kind).settle) design.postures_per_point = kPosturesOfSurface;
   design.sigma = kindOf(design.kind).usual_sigma;
   if (kindOf(design.kind).turn_rows > 0) design.turn_sigma = calibration::kAngleSigma;
@@ -160,7 +161,7 @@ void readShare(const YamlNode& node, double& share) {
 
 void readNumbers(const YamlNode& root, const Units& units, CampaignFile& file) {
   CampaignDesign& design = file.design;
-  if (const YamlNode* node = root.find("postures")) file.postures = node->integer(1, calibration::kMostReadings);
+  if (const YamlNode* node = root.find("postures")) file.postures = node->integer(1, calibration::kMostMeasurements);
   if (const YamlNode* node = root.find("postures_per_point")) design.postures_per_point = node->integer(1, 100);
   if (const YamlNode* node = root.find("setups")) design.setups = node->integer(1, 1000);
   if (const YamlNode* node = root.find("loads")) design.loads = readLoads(*node, units);

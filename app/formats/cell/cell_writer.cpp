@@ -55,8 +55,8 @@ std::string withModelError(const std::string& text, const ModelError& error, con
 }
 
 /// Returns the model error found by a fit. If chi-square shows no lack of fit, the model error is the largest that this
-/// number of readings would not reveal: the mean square of residuals has a relative uncertainty of sqrt(2 / degrees of
-/// freedom).
+/// number of measurements would not reveal: the mean square of residuals has a relative uncertainty of sqrt(2 / degrees
+/// of freedom).
 std::optional<ModelError> modelErrorOf(const calibration::Identification& result) {
   if (result.degrees_of_freedom <= 0) return std::nullopt;
   const double freedom = result.degrees_of_freedom;
@@ -182,10 +182,10 @@ calibration::PlacedArm rereadBasePoses(const CellFiles& files, const calibration
 }
 
 void requireReproduced(const CellFiles& files, const calibration::Identification& result,
-                       const std::vector<calibration::Measurement>& readings, const Units& units) {
+                       const std::vector<calibration::Measurement>& measurements, const Units& units) {
   constexpr double kAlike = 0.01, kLeast = 1e-9;  // tolerance relative to the error; minimum tolerance [m]
   std::vector<calibration::Measurement> used;
-  for (const int k : result.used) used.push_back(readings.at(static_cast<std::size_t>(k)));
+  for (const int k : result.used) used.push_back(measurements.at(static_cast<std::size_t>(k)));
   const double rms = calibration::judge(rereadBasePoses(files, result.fitted), used).rms;
   if (std::abs(rms - result.after.rms) <= kAlike * result.after.rms + kLeast) return;
   if (!std::isfinite(rms))
@@ -259,9 +259,9 @@ Cell CellFiles::reread(const TextFile& of) const {
 }
 
 CellFiles identifiedCell(const Cell& cell, const calibration::Identification& result,
-                         const std::vector<calibration::Measurement>& readings, const fs::path& out) {
+                         const std::vector<calibration::Measurement>& measurements, const fs::path& out) {
   CellFiles files = filesOf(cell, result, out);
-  requireReproduced(files, result, readings, cell.units);
+  requireReproduced(files, result, measurements, cell.units);
   return files;
 }
 
@@ -284,14 +284,14 @@ std::string cellTextWithEffects(const Cell& cell, const deflection::Arm& arm, co
 }
 
 CellFiles improvedCell(const Cell& original, const CellModel& improved, const calibration::Identification& result,
-                       const std::vector<calibration::Measurement>& readings, const fs::path& out) {
+                       const std::vector<calibration::Measurement>& measurements, const fs::path& out) {
   CellFiles files = filesOf(original, result, out);
   if (!improved.identify.empty()) {
     files.cell.text = withYamlValue(files.cell.text, "identify", identifyList(improved.identify));
     for (auto& file : files.of_setups)
       file.text = withYamlValue(file.text, "identify", identifyList(improved.identify));
   }
-  requireReproduced(files, result, readings, original.units);
+  requireReproduced(files, result, measurements, original.units);
   return files;
 }
 

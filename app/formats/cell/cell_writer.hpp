@@ -47,7 +47,7 @@ struct CellFiles {
 /// the cell at `out` keeps its base pose. Throws InputError unless the files, when read back, reproduce the error of
 /// `readings` that the identification reports.
 [[nodiscard]] CellFiles identifiedCell(const Cell& cell, const calibration::Identification& result,
-                                       const std::vector<calibration::Measurement>& readings,
+                                       const std::vector<calibration::Measurement>& measurements,
                                        const std::filesystem::path& out);
 
 /// Writes the name of the arm's file into the cell's text, and the same pair identifier into both texts.
@@ -65,7 +65,7 @@ void makePair(std::string& cell, TextFile& arm);
 /// fitted parameters.
 [[nodiscard]] CellFiles improvedCell(const Cell& original, const CellModel& improved,
                                      const calibration::Identification& result,
-                                     const std::vector<calibration::Measurement>& readings,
+                                     const std::vector<calibration::Measurement>& measurements,
                                      const std::filesystem::path& out);
 
 /// Returns the cell's text with names of files relative to the folder of `out`, and everything else unchanged.

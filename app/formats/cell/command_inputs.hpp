@@ -12,13 +12,13 @@
 
 namespace tubeplan::app {
 
-/// Converts "A,B,C,D", one reading for each active joint, from the cell's units of angle (or length, for prismatic
-/// joints) to internal units. Throws InputError for a wrong count, for anything but finite numbers, and for a reading
-/// beyond its joint's limits; messages name the input as `option`.
+/// Converts "A,B,C,D", one measurement for each active joint, from the cell's units of angle (or length, for prismatic
+/// joints) to internal units. Throws InputError for a wrong count, for anything but finite numbers, and for a
+/// measurement beyond its joint's limits; messages name the input as `option`.
 [[nodiscard]] Eigen::VectorXd parseJoints(const std::string& text, const deflection::Arm& arm, const Units& units,
                                           const std::string& option);
 
-/// Converts readings of any joints in the syntax of parseJoints(); `whose` describes the joints in messages.
+/// Converts measurements of any joints in the syntax of parseJoints(); `whose` describes the joints in messages.
 [[nodiscard]] Eigen::VectorXd parseJointsOf(const std::string& text,
                                             const std::vector<const deflection::Joint<double>*>& joints,
                                             const Units& units, const std::string& option, const std::string& whose);

@@ -1,4 +1,5 @@
-// Effects of a cell's arm that the arm file does not contain: added after a diagnosis, or hidden in simulated readings.
+// Effects of a cell's arm that the arm file does not contain: added after a diagnosis, or hidden in simulated
+// measurements.
 //
 //   effects:
 //     - {effect: backlash, at: tool.z, gap: 0.12}

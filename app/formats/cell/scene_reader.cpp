@@ -88,7 +88,7 @@ void readField(const YamlNode& node, const planner::ShapeField& field, const Uni
 }
 
 /// Inputs for reading the shapes of a cell, and the meshes read so far.
-struct SceneReading {
+struct SceneMeasurement {
   const Units& units;
   const std::filesystem::path& folder;
   double reach;  ///< reach of the arm [m]
@@ -99,24 +99,26 @@ struct SceneReading {
 // the cell must state the mesh's unit.
 constexpr double kLargestShare = 3, kSmallestShare = 1. / 150;
 
-void checkSize(const YamlNode& node, const planner::TriangleMesh& mesh, const SceneReading& reading) {
+void checkSize(const YamlNode& node, const planner::TriangleMesh& mesh, const SceneMeasurement& measurement) {
   const double size = planner::surveyMesh(mesh).bounds.diagonal().norm();
-  if (size <= kLargestShare * reading.reach && size >= kSmallestShare * reading.reach) return;
+  if (size <= kLargestShare * measurement.reach && size >= kSmallestShare * measurement.reach) return;
   const auto text = [&](double length) {
-    return fmt::format("{:.4g} {}", reading.units.toFile(length, dimension::kLength), reading.units.length().name);
+    return fmt::format("{:.4g} {}", measurement.units.toFile(length, dimension::kLength),
+                       measurement.units.length().name);
   };
   node.failSaying(
       fmt::format("the mesh would be {} across, while the arm reaches {}: the mesh may be in another unit of length",
-                  text(size), text(reading.reach)),
-      fmt::format("state its unit (unit: mm), or write unit: {} if the size is right", reading.units.length().name));
+                  text(size), text(measurement.reach)),
+      fmt::format("state its unit (unit: mm), or write unit: {} if the size is right",
+                  measurement.units.length().name));
 }
 
 /// Returns the mesh [m] of a shape that names a mesh file, and records the file; nothing for other shapes.
-std::optional<planner::TriangleMesh> readMesh(const NamedShape& shape, SceneReading& reading) {
+std::optional<planner::TriangleMesh> readMesh(const NamedShape& shape, SceneMeasurement& measurement) {
   const planner::ShapeField* field = planner::findMeshField(*shape.row);
   if (!field) return std::nullopt;
   const YamlNode& node = shape.fields->at(field->name);
-  const std::string path = (reading.folder / node.text()).lexically_normal().string();
+  const std::string path = (measurement.folder / node.text()).lexically_normal().string();
   if (std::error_code error; !std::filesystem::exists(path, error))
     node.failSaying("there is no file '" + path + "'",
                     "check the name of the mesh (.stl, .obj, .ply), which is relative to this cell's folder");
@@ -127,13 +129,13 @@ std::optional<planner::TriangleMesh> readMesh(const NamedShape& shape, SceneRead
       unit = findUnit(UnitKind::kLength, name->text());
       if (!unit) name->fail("the unknown unit '" + name->text() + "'", alternatives(unitNames(UnitKind::kLength)), "");
     }
-  for (Eigen::Vector3d& vertex : file.mesh.vertices) vertex *= (unit ? *unit : reading.units.length()).factor;
-  if (!unit) checkSize(node, file.mesh, reading);
-  reading.meshes.push_back({node.path, "", path, file.fingerprint, nullptr});
+  for (Eigen::Vector3d& vertex : file.mesh.vertices) vertex *= (unit ? *unit : measurement.units.length()).factor;
+  if (!unit) checkSize(node, file.mesh, measurement);
+  measurement.meshes.push_back({node.path, "", path, file.fingerprint, nullptr});
   return std::move(file.mesh);
 }
 
-planner::ShapePointer makeShape(const NamedShape& shape, SceneReading& reading) {
+planner::ShapePointer makeShape(const NamedShape& shape, SceneMeasurement& measurement) {
   std::vector<std::string> required, optional;
   for (const auto& field : shape.row->fields) (field.required ? required : optional).emplace_back(field.name);
   shape.fields->expectKeys(required, optional);
@@ -141,14 +143,14 @@ planner::ShapePointer makeShape(const NamedShape& shape, SceneReading& reading) 
   for (const auto& field : shape.row->fields) {
     const YamlNode* node = shape.fields->find(field.name);
     if (node && field.count > 0)
-      readField(*node, field, reading.units, numbers);
+      readField(*node, field, measurement.units, numbers);
     else
       numbers.insert(numbers.end(), static_cast<std::size_t>(field.count), 0.0);
   }
-  const auto mesh = readMesh(shape, reading);
+  const auto mesh = readMesh(shape, measurement);
   planner::MadeShape made = planner::makeShape(*shape.row, numbers, mesh ? &*mesh : nullptr);
   if (!made.shape) shape.fields->failSaying(made.problem);
-  if (mesh) reading.meshes.back().shape = std::dynamic_pointer_cast<const planner::MeshShape>(made.shape);
+  if (mesh) measurement.meshes.back().shape = std::dynamic_pointer_cast<const planner::MeshShape>(made.shape);
   return made.shape;
 }
 
@@ -157,27 +159,27 @@ std::vector<std::string> readAllow(const YamlNode& node) {
   return allow ? allow->texts() : std::vector<std::string>{};
 }
 
-planner::Obstacle readObstacle(const YamlNode& node, SceneReading& reading) {
+planner::Obstacle readObstacle(const YamlNode& node, SceneMeasurement& measurement) {
   const NamedShape shape = findShape(node, "", {"name", "allow"});
-  const std::size_t meshes = reading.meshes.size();
-  planner::Obstacle obstacle{node.at("name").text(), makeShape(shape, reading), readAllow(node)};
-  if (reading.meshes.size() > meshes) reading.meshes.back().obstacle = obstacle.name;
+  const std::size_t meshes = measurement.meshes.size();
+  planner::Obstacle obstacle{node.at("name").text(), makeShape(shape, measurement), readAllow(node)};
+  if (measurement.meshes.size() > meshes) measurement.meshes.back().obstacle = obstacle.name;
   return obstacle;
 }
 
-planner::Body readBody(const YamlNode& node, SceneReading& reading) {
+planner::Body readBody(const YamlNode& node, SceneMeasurement& measurement) {
   const NamedShape shape = findShape(node, "", {"name", "allow"});
   if (!shape.row->may_be_body)
     shape.fields->failSaying("a link cannot have this shape, because the body of a link must be convex",
                              "write a box, sphere, capsule or cylinder");
   planner::Body body;
-  body.shape = makeShape(shape, reading);
+  body.shape = makeShape(shape, measurement);
   body.allow = readAllow(node);
   if (const YamlNode* name = node.find("name")) body.name = name->text();
   return body;
 }
 
-void readLinkShapes(const YamlNode& node, SceneReading& reading, planner::Scene& scene) {
+void readLinkShapes(const YamlNode& node, SceneMeasurement& measurement, planner::Scene& scene) {
   std::vector<std::string> names;
   for (const auto& link : scene.links) names.push_back(link.name);
   node.expectKeys({}, names);
@@ -185,7 +187,7 @@ void readLinkShapes(const YamlNode& node, SceneReading& reading, planner::Scene&
     const YamlNode* shapes = node.find(scene.links[row].name);
     if (!shapes) continue;
     for (const YamlNode& item : shapes->list()) {
-      planner::Body body = readBody(item, reading);
+      planner::Body body = readBody(item, measurement);
       body.link = scene.links[row].name;
       body.frame_index = static_cast<int>(row);
       scene.bodies.push_back(std::move(body));
@@ -215,17 +217,17 @@ const YamlNode& findProblemNode(const YamlNode& cell, const std::string& path) {
 
 SceneSource readScene(const YamlNode& cell, const deflection::Arm& arm, const Units& units,
                       const std::filesystem::path& folder) {
-  SceneReading reading{units, folder, deflection::reachOf(arm), {}};
+  SceneMeasurement measurement{units, folder, deflection::reachOf(arm), {}};
   planner::Scene scene;
   for (const auto& row : arm.rows) scene.links.push_back({row.name, row.joint.type != deflection::JointType::kPassive});
   if (const YamlNode* obstacles = cell.find("scene"))
-    for (const YamlNode& node : obstacles->list()) scene.obstacles.push_back(readObstacle(node, reading));
-  if (const YamlNode* shapes = cell.find("link_shapes")) readLinkShapes(*shapes, reading, scene);
+    for (const YamlNode& node : obstacles->list()) scene.obstacles.push_back(readObstacle(node, measurement));
+  if (const YamlNode* shapes = cell.find("link_shapes")) readLinkShapes(*shapes, measurement, scene);
   scene.clearance = readQuantityOr(cell, "clearance", units, dimension::kLength, 0);
   const auto problems = planner::findSceneProblems(scene);
   if (problems.empty()) {
     scene.inseparable = planner::inseparableBodies(arm, scene);
-    return {std::move(scene), std::move(reading.meshes)};
+    return {std::move(scene), std::move(measurement.meshes)};
   }
   const planner::SceneProblem& first = problems.front();
   throw InputError(findProblemNode(cell, first.path).where(first.path), first.found, first.expected);

@@ -20,7 +20,7 @@ namespace tubeplan::app {
 namespace {
 
 using calibration::CampaignDesign, calibration::CampaignPlace;
-using calibration::kMostReadings;
+using calibration::kMostMeasurements;
 
 /// Default standard deviations of an unknown base pose.
 constexpr double kBaseShift = 0.0127;                     // standard deviation of each coordinate [m] (0.5 in)
@@ -67,17 +67,18 @@ void applyOptions(const SimulationRequest& request, const Units& units, Campaign
   design.held_out = *request.held_out;
 }
 
-int countReadings(const SimulationRequest& request, const CampaignFile& file) {
-  const std::string expected = fmt::format("a whole number from 1 to {}", kMostReadings);
-  if (!request.readings && !file.postures)
+int countMeasurements(const SimulationRequest& request, const CampaignFile& file) {
+  const std::string expected = fmt::format("a whole number from 1 to {}", kMostMeasurements);
+  if (!request.measurements && !file.postures)
     throw InputError("--readings", "nothing", expected, "add --readings N, or `postures` to the design file");
-  const auto readings = request.readings
-                            ? *request.readings
-                            : *file.postures * static_cast<std::int64_t>(calibration::readingsPerPosture(file.design));
-  if (readings < 1 || readings > kMostReadings)
-    throw InputError(request.readings ? "--readings" : request.design, fmt::format("{} readings", readings),
-                     fmt::format("1 to {} readings", kMostReadings));
-  return static_cast<int>(readings);
+  const auto measurements =
+      request.measurements
+          ? *request.measurements
+          : *file.postures * static_cast<std::int64_t>(calibration::measurementsPerPosture(file.design));
+  if (measurements < 1 || measurements > kMostMeasurements)
+    throw InputError(request.measurements ? "--readings" : request.design, fmt::format("{} readings", measurements),
+                     fmt::format("1 to {} readings", kMostMeasurements));
+  return static_cast<int>(measurements);
 }
 
 void requireHoles(const Cell& cell, const CampaignDesign& design) {
@@ -146,12 +147,12 @@ calibration::CampaignTruth makeTruth(const SimulationRequest& request, const Cel
   return drawn;
 }
 
-/// Sets the number of inserted steps in readings from their centring error; removes readings in which no step enters,
-/// because they carry no information.
-void countSteps(const tubesheets::SteppedTool& tool, std::vector<calibration::Measurement>& readings) {
-  for (auto& reading : readings) reading.own[0] = tubesheets::stepsInserted(tool, reading.own[1]);
-  std::erase_if(readings, [](const auto& reading) { return reading.own[0] == 0; });
-  settleSteps(readings, tool, "simulated visits");
+/// Sets the number of inserted steps in measurements from their centring error; removes measurements in which no step
+/// enters, because they carry no information.
+void countSteps(const tubesheets::SteppedTool& tool, std::vector<calibration::Measurement>& measurements) {
+  for (auto& measurement : measurements) measurement.own[0] = tubesheets::stepsInserted(tool, measurement.own[1]);
+  std::erase_if(measurements, [](const auto& measurement) { return measurement.own[0] == 0; });
+  settleSteps(measurements, tool, "simulated visits");
 }
 
 }  // namespace
@@ -160,9 +161,9 @@ SimulationTask prepareSimulation(const Cell& cell, const SimulationRequest& requ
   CampaignFile file = findDesign(request, cell);
   applyOptions(request, cell.units, file.design);
   SimulationTask task;
-  task.readings = countReadings(request, file);
+  task.measurements = countMeasurements(request, file);
   task.design = file.design;
-  if (const auto problem = calibration::findDesignProblem(task.design, task.readings); !problem.empty())
+  if (const auto problem = calibration::findDesignProblem(task.design, task.measurements); !problem.empty())
     throw InputError::saying("--design " + request.design, problem, "see `tubeplan simulate --help`");
   requireHoles(cell, task.design);
   if (kindOf(task.design.kind).counts_steps) (void)requireTool(cell, "count its steps");
@@ -171,18 +172,18 @@ SimulationTask prepareSimulation(const Cell& cell, const SimulationRequest& requ
   return task;
 }
 
-calibration::SimulatedCampaign simulateReadings(const Cell& cell, const SimulationTask& task, std::uint64_t seed,
-                                                const calibration::CampaignHooks& hooks) {
+calibration::SimulatedCampaign simulateMeasurements(const Cell& cell, const SimulationTask& task, std::uint64_t seed,
+                                                    const calibration::CampaignHooks& hooks) {
   const CampaignDesign& design = task.design;
   calibration::CampaignOptions campaign;
-  campaign.readings = task.readings;
+  campaign.measurements = task.measurements;
   campaign.seed = seed;
   campaign.holes = openHoles(cell);
   campaign.hole_axis_W = planner::kHoleAxis_W;
   const bool touches_holes = kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles;
   campaign.is_clear = clearanceOf(cell, task.truth, touches_holes);
   auto simulated = calibration::simulateCampaign(task.truth, design, campaign, hooks);
-  if (kindOf(design.kind).counts_steps) countSteps(*cell.tool, simulated.readings);
+  if (kindOf(design.kind).counts_steps) countSteps(*cell.tool, simulated.measurements);
   return simulated;
 }
 

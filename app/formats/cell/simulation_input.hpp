@@ -1,4 +1,4 @@
-// Simulated measurements of a cell: converts a request to readings, and keeps the true arm that produced them.
+// Simulated measurements of a cell: converts a request to measurements, and keeps the true arm that produced them.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace tubeplan::app {
 /// Options of a simulation as typed, in the cell's units.
 struct SimulationRequest {
   std::string design;  ///< name of a built-in design, or path of a design file
-  std::optional<int> readings;
+  std::optional<int> measurements;
   std::vector<double> loads, base_error;
   std::vector<std::string> hide;
   std::optional<double> sigma, held_out, push;
@@ -32,7 +32,7 @@ struct BaseError {
 /// Complete inputs of a simulation, in internal units.
 struct SimulationTask {
   calibration::CampaignDesign design;
-  int readings = 0;
+  int measurements = 0;
   BaseError base;
   calibration::CampaignTruth truth;
 };
@@ -42,8 +42,8 @@ struct SimulationTask {
 [[nodiscard]] SimulationTask prepareSimulation(const Cell& cell, const SimulationRequest& request);
 
 /// Simulates the measurement campaign. At every reading the true arm is clear of the cell's scene.
-[[nodiscard]] calibration::SimulatedCampaign simulateReadings(const Cell& cell, const SimulationTask& task,
-                                                              std::uint64_t seed,
-                                                              const calibration::CampaignHooks& hooks);
+[[nodiscard]] calibration::SimulatedCampaign simulateMeasurements(const Cell& cell, const SimulationTask& task,
+                                                                  std::uint64_t seed,
+                                                                  const calibration::CampaignHooks& hooks);
 
 }  // namespace tubeplan::app

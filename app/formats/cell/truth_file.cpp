@@ -25,7 +25,7 @@ std::string headText(const TruthFile& file) {
       "# Ground truth of the simulated readings beside this file.\ncell: {}\ndesign: {}\nseed: {}\nreadings: "
       "{}\nunits: {{length: {}, angle: {}, force: {}, temperature: {}, time: {}}}\nsigma: {}\nencoder_sigma: "
       "[{}]\nspread: {}\nbase_error: [{}, {}]\n",
-      yamlQuoted(file.cell.path), yamlQuoted(file.design.name), file.seed, file.campaign.readings.size(),
+      yamlQuoted(file.cell.path), yamlQuoted(file.design.name), file.seed, file.campaign.measurements.size(),
       units.length().name, units.angle().name, units.force().name, units.temperature().name, units.time().name,
       formatNumber(units.toFile(file.design.sigma, dimension::kLength)), fmt::join(encoders, ", "),
       formatNumber(file.spread), formatNumber(units.toFile(file.base_shift, dimension::kLength)),

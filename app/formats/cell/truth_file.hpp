@@ -1,4 +1,4 @@
-// Writer of the true parameters behind simulated readings, a file next to the readings.
+// Writer of the true parameters behind simulated measurements, a file next to the measurements.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@ struct TruthFile {
   double base_shift = 0, base_turn = 0;  ///< standard deviations of the true base about the cell's base [m, rad]
 };
 
-/// Returns YAML in the cell's units with the keys cell, design, seed, readings, units, sigma, encoder_sigma (of each
-/// joint), spread and base_error, and the lists `parameters` (those under identify: name, value, nominal, unit),
+/// Returns YAML in the cell's units with the keys cell, design, seed, measurements, units, sigma, encoder_sigma (of
+/// each joint), spread and base_error, and the lists `parameters` (those under identify: name, value, nominal, unit),
 /// `bases` (setup, position, rpy), `points` (name, position) and `hidden`.
 [[nodiscard]] std::string truthYaml(const TruthFile& file);
 

@@ -21,15 +21,15 @@ struct ScaledName {
 
 /// Returns the possible meanings of `text`: the name of a column and, if a number follows the last * or /, a name with
 /// a factor or divisor.
-std::vector<ScaledName> readingsOf(const std::string& text) {
-  std::vector<ScaledName> readings{{text}};
+std::vector<ScaledName> measurementsOf(const std::string& text) {
+  std::vector<ScaledName> measurements{{text}};
   const std::size_t at = text.find_last_of("*/");
-  if (at == std::string::npos) return readings;
+  if (at == std::string::npos) return measurements;
   const auto number = tubesheets::parseNumber(tubesheets::trimBlanks(std::string_view(text).substr(at + 1)));
   if (number && *number != 0)
-    readings.push_back({std::string(tubesheets::trimBlanks(std::string_view(text).substr(0, at))),
-                        text[at] == '*' ? *number : 1 / *number});
-  return readings;
+    measurements.push_back({std::string(tubesheets::trimBlanks(std::string_view(text).substr(0, at))),
+                            text[at] == '*' ? *number : 1 / *number});
+  return measurements;
 }
 
 /// Returns the index of the quantity that a name such as "x_mm" or "x" denotes, and the unit in the name; the unit is
@@ -56,7 +56,7 @@ struct FoundColumn {
 FoundColumn columnOf(const std::string& theirs, const std::vector<ForeignTable>& tables) {
   std::vector<FoundColumn> found;
   std::vector<std::string> known;
-  for (const auto& [name, factor] : readingsOf(theirs)) {
+  for (const auto& [name, factor] : measurementsOf(theirs)) {
     for (std::size_t t = 0; t < tables.size(); ++t)
       for (std::size_t c = 0; c < tables[t].columns.size(); ++c) {
         known.push_back(tables[t].columns[c]);

@@ -29,7 +29,7 @@ struct ColumnTarget {
   std::size_t part = 0;                   ///< index of the number in the form
 };
 
-/// Returns all quantities that readings of an arm may state, in the order of a measurement table's columns.
+/// Returns all quantities that measurements of an arm may state, in the order of a measurement table's columns.
 [[nodiscard]] std::vector<ColumnTarget> columnTargets(const deflection::Arm& arm);
 
 /// Columns of one table whose numbers together state an orientation or a position.
@@ -77,16 +77,16 @@ struct ColumnGuess {
 };
 
 /// Returns, for each target, the first column that fits and that no earlier target uses; nothing if there is none.
-/// Columns for the numbers of a form are returned only if the readings need the form, according to `kind` or the kinds
-/// stated in the rows, and only if no other form fits.
+/// Columns for the numbers of a form are returned only if the measurements need the form, according to `kind` or the
+/// kinds stated in the rows, and only if no other form fits.
 [[nodiscard]] std::vector<std::optional<ColumnGuess>> guessColumns(const std::vector<ForeignTable>& tables,
                                                                    const std::vector<ColumnTarget>& targets,
                                                                    const ColumnChoice& choice = {},
                                                                    const std::string& kind = {});
 
 /// Returns the columns that the user chose and, for other quantities, the columns with matching headings. Tables
-/// without headings are interpreted by their number of columns. If the readings need an orientation or a position that
-/// no column states directly, returns the columns of the only form that states it. Throws InputError for a missing
+/// without headings are interpreted by their number of columns. If the measurements need an orientation or a position
+/// that no column states directly, returns the columns of the only form that states it. Throws InputError for a missing
 /// chosen column, a quantity with two possible columns, and an orientation with two possible forms. Also throws
 /// InputError for a joint without a column, a number without a unit, and a joint in degrees that may be in hours.
 [[nodiscard]] std::vector<TakenColumn> takeColumns(const std::vector<ForeignTable>& tables,

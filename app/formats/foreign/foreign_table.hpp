@@ -1,4 +1,4 @@
-// Tables of readings from other programs: exports of trackers, robot controllers and spreadsheets.
+// Tables of measurements from other programs: exports of trackers, robot controllers and spreadsheets.
 #pragma once
 
 #include <map>

@@ -190,16 +190,16 @@ std::optional<FormColumns> onlyForm(const std::vector<FormColumns>& found, const
   auto left = decideForms(found, tables);
   if (left.size() == 1) return std::move(left.front());
   const StatedColumns& stated = columnsOf(left.front().form->stated);
-  std::vector<std::string> readings, options;
+  std::vector<std::string> measurements, options;
   for (const auto& columns : left) {
     const bool is_same = haveSameColumns(columns, left.front());
-    readings.push_back(fmt::format("{}{} ({})", is_same ? "" : namesOf(columns, tables) + " as ", columns.form->name,
-                                   columns.form->words));
+    measurements.push_back(fmt::format("{}{} ({})", is_same ? "" : namesOf(columns, tables) + " as ",
+                                       columns.form->name, columns.form->words));
     options.push_back(fmt::format("{} {}", stated.option, columns.form->name));
   }
   throw InputError::saying(
       "the columns " + namesOf(left.front(), tables),
-      fmt::format("their numbers may state {} as {}", stated.word, fmt::join(readings, ", or as ")),
+      fmt::format("their numbers may state {} as {}", stated.word, fmt::join(measurements, ", or as ")),
       fmt::format("say which: {}", fmt::join(options, " or ")));
 }
 

@@ -28,12 +28,12 @@ struct FormSearch {
 /// Returns true if the heading of an unassigned column matches a name of the target.
 [[nodiscard]] bool hasFreeColumn(const FormSearch& search, const ColumnTarget& target);
 
-/// Returns the kinds of the readings: only `asked` or, if it is empty, all kinds stated in the rows.
+/// Returns the kinds of the measurements: only `asked` or, if it is empty, all kinds stated in the rows.
 [[nodiscard]] std::set<std::string> kindsOf(const FormSearch& search, const std::string& asked);
 
-/// Returns the quantities (orientation, position) for which a form is needed: those measured by readings of the given
-/// kinds (a position if there are no kinds), and those whose form the user chose. Each is mapped to the name of the
-/// chosen form, or to an empty name.
+/// Returns the quantities (orientation, position) for which a form is needed: those measured by measurements of the
+/// given kinds (a position if there are no kinds), and those whose form the user chose. Each is mapped to the name of
+/// the chosen form, or to an empty name.
 [[nodiscard]] std::map<Stated, std::string> neededForms(const std::set<std::string>& kinds, const ColumnChoice& choice);
 
 /// Returns every form whose headings all occur in the same table; if `name` is not empty, only the form of this name. A

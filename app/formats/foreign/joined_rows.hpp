@@ -1,4 +1,4 @@
-// Matching of rows in foreign tables that belong to the same reading.
+// Matching of rows in foreign tables that belong to the same measurement.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 namespace tubeplan::app {
 
 struct JoinedRows {
-  std::vector<std::vector<std::size_t>> rows;  ///< row indices: reading k combines row rows[t][k] of each table t
+  std::vector<std::vector<std::size_t>> rows;  ///< row indices: measurement k combines row rows[t][k] of each table t
   std::size_t lead = 0;                        ///< index of the leading table, with whose rows all others are matched
   std::string how;                    ///< how rows are matched: "by name", "row by row", or both; empty for one table
   std::vector<std::string> left_out;  ///< rows without a match, one sentence for each table

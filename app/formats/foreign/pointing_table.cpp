@@ -58,7 +58,7 @@ class PointingParser {
   }
 
   /// Throws InputError for a sidereal time with a separate number of seconds, which would be read as an auxiliary
-  /// reading.
+  /// measurement.
   void refuseSidereal(const PointingLine& line) const {
     if (!is_stars_ || width_ == kStarNumbers) return;
     for (std::size_t row = head_.rows_from; row < lines_.size(); ++row)

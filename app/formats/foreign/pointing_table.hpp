@@ -14,10 +14,10 @@ namespace tubeplan::app {
 /// Returns true if the text has a caption, followed by option records or by a record of a latitude and observations.
 [[nodiscard]] bool isPointingData(std::string_view text);
 
-/// Returns readings of kind `direction` in degrees: azimuth (from north towards west) and altitude of the target, and
-/// the readings of the two joints. For an altazimuth mount the joints are azimuth and elevation with the same senses.
-/// For an equatorial mount they are the hour angle towards east and the declination. `remarks` state the assumptions on
-/// what the file leaves open. Throws InputError for unknown content.
+/// Returns measurements of kind `direction` in degrees: azimuth (from north towards west) and altitude of the target,
+/// and the measurements of the two joints. For an altazimuth mount the joints are azimuth and elevation with the same
+/// senses. For an equatorial mount they are the hour angle towards east and the declination. `remarks` state the
+/// assumptions on what the file leaves open. Throws InputError for unknown content.
 [[nodiscard]] ForeignTable parsePointingData(std::string_view text, const std::string& file);
 
 }  // namespace tubeplan::app

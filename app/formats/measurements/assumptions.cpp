@@ -24,7 +24,7 @@ const calibration::MistakeKind* mistakeOf(const std::string& assumption) {
   return calibration::findMistakeKind(assumption.substr(0, assumption.find('=')));
 }
 
-/// Applies one assumption to the readings and the cell; `is_sigma_settled` is true if another assumption states the
+/// Applies one assumption to the measurements and the cell; `is_sigma_settled` is true if another assumption states the
 /// noise.
 void take(const std::string& assumption, bool is_sigma_settled, MeasurementTable& table, Cell& cell) {
   const std::size_t equals = assumption.find('=');
@@ -33,13 +33,13 @@ void take(const std::string& assumption, bool is_sigma_settled, MeasurementTable
   if (!kind || equals == std::string::npos)
     throw InputError("--assume", inQuotes(assumption), "NAME=VALUE, where NAME is " + alternatives(namesOfMistakes()),
                      kind ? fmt::format("write {}={}", name, kind->value) : suggestion(name, namesOfMistakes()));
-  const calibration::CheckedReadings checked{startOf(cell, table.readings), table.readings, freeNumbersOf(cell),
-                                             table.units, cell.sheet ? &*cell.sheet : nullptr};
+  const calibration::CheckedMeasurements checked{startOf(cell, table.measurements), table.measurements,
+                                                 freeNumbersOf(cell), table.units, cell.sheet ? &*cell.sheet : nullptr};
   auto mend = kind->mend(checked, assumption.substr(equals + 1));
   if (!mend) throw InputError("--assume " + name, inQuotes(assumption.substr(equals + 1)), kind->expected);
   if (is_sigma_settled && !kind->settles_sigma) mend->change_sigma = nullptr;
-  mend->apply(table.readings);
-  if (table.readings.empty())
+  mend->apply(table.measurements);
+  if (table.measurements.empty())
     throw InputError::saying("--assume", inQuotes(assumption) + " leaves no readings", "leave out fewer readings");
   if (mend->frees_base) cell.base_known = false;
 }

@@ -1,4 +1,4 @@
-// Assumptions of the user about mistakes in readings (--assume), which correct the readings in memory.
+// Assumptions of the user about mistakes in measurements (--assume), which correct the measurements in memory.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace tubeplan::app {
 
-/// Name of the assumption that the readings are right although checks find mistakes.
+/// Name of the assumption that the measurements are right although checks find mistakes.
 inline constexpr const char* kAsIs = "as-is";
 
 /// Returns the syntax of all assumptions: "coordinates=UNIT, loads=UNIT, ...".
@@ -17,7 +17,7 @@ inline constexpr const char* kAsIs = "as-is";
 
 /// Applies assumptions NAME=VALUE in turn, with the names of calibration::mistakeKinds(). Of contradictory assumptions,
 /// such as two units of the coordinates, the last applies. Returns true if the assumption `as-is` is given, which
-/// permits readings that look wrong. Throws InputError for an unknown name or value.
+/// permits measurements that look wrong. Throws InputError for an unknown name or value.
 bool takeAssumptions(const std::vector<std::string>& assume, MeasurementTable& table, Cell& cell);
 
 }  // namespace tubeplan::app

@@ -124,7 +124,7 @@ void takeJoints(Header& header, const deflection::Arm& arm, MeasurementColumns& 
                 fmt::format("one for each of the {} joints, or none", columns.joints.size()), "");
 }
 
-/// Takes the columns of quantities that belong to particular kinds of readings.
+/// Takes the columns of quantities that belong to particular kinds of measurements.
 void takeOwn(Header& header, MeasurementColumns& columns) {
   for (const auto& kind : calibration::measurementKinds())
     for (const auto& [name, quantity] : kind.columns) {

@@ -47,7 +47,7 @@ std::optional<calibration::TipWrench> readWrench(const RowReader& row, const Mea
 }
 
 /// Returns the separate standard deviations of x, y and z; nothing if the row states none. Throws InputError for kinds
-/// of readings that do not measure coordinates.
+/// of measurements that do not measure coordinates.
 std::optional<Eigen::Vector3d> readSigmas(const RowReader& row, const MeasurementColumns& columns,
                                           const MeasurementKindRow& kind) {
   const auto sigmas = readTriple(row, columns.sigmas, "coordinates' sigma_x, sigma_y, sigma_z");
@@ -162,7 +162,8 @@ Eigen::Vector3d readOwn(const RowReader& row, const MeasurementColumns& columns,
   return own;
 }
 
-/// Throws InputError if measured values of the reading's kind are missing: some kinds require one value, others all.
+/// Throws InputError if measured values of the measurement's kind are missing: some kinds require one value, others
+/// all.
 void checkOwn(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
   if (calibration::statesEnough(m)) return;
   const std::size_t count = kind.columns.size();

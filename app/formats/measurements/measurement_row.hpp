@@ -43,13 +43,14 @@ class RowReader {
   const std::string& file_;
 };
 
-/// Returns the reading in a row; a relative reading still lacks its reference. Throws InputError with line and column.
+/// Returns the measurement in a row; a relative measurement still lacks its reference. Throws InputError with line and
+/// column.
 [[nodiscard]] calibration::Measurement readMeasurement(const RowReader& row, const MeasurementColumns& columns,
                                                        const deflection::Arm& arm, const tubesheets::Sheet* sheet);
 
-/// Returns the reading from which the relative reading `m` is measured; the row states its id. `known` has all
-/// readings, keyed by id. Throws InputError if the id is missing, unknown or that of `m`, or if that reading has
-/// another set-up than `m`.
+/// Returns the reading from which the relative measurement `m` is measured; the row states its id. `known` has all
+/// measurements, keyed by id. Throws InputError if the id is missing, unknown or that of `m`, or if that measurement
+/// has another set-up than `m`.
 [[nodiscard]] std::shared_ptr<const calibration::Measurement> readReference(
     const RowReader& row, const MeasurementColumns& columns,
     const std::map<std::string, const calibration::Measurement*>& known, const calibration::Measurement& m);

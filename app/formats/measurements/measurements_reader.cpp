@@ -28,8 +28,8 @@ std::vector<calibration::NamedUnit> unitsOf(UnitKind kind) {
 }
 
 /// Returns the units in the names of the columns; the unit's name is empty for a quantity without a column.
-calibration::ReadingUnits unitsOf(const MeasurementColumns& columns) {
-  calibration::ReadingUnits units;
+calibration::MeasurementUnits unitsOf(const MeasurementColumns& columns) {
+  calibration::MeasurementUnits units;
   units.coordinates.name = units.loads.name = "";
   const auto take = [](const std::optional<NumberColumn>& column, calibration::NamedUnit& unit) {
     if (column) unit = {std::string(column->unit->name), column->unit->factor};
@@ -58,7 +58,8 @@ calibration::ReadingUnits unitsOf(const MeasurementColumns& columns) {
   return units;
 }
 
-/// Returns the indices of the columns for measured values of a kind of readings; empty if the table has no such column.
+/// Returns the indices of the columns for measured values of a kind of measurements; empty if the table has no such
+/// column.
 std::vector<std::size_t> placesOfValues(const calibration::MeasurementKindRow& kind,
                                         const MeasurementColumns& columns) {
   const auto values = calibration::valueColumnsOf(kind);
@@ -74,7 +75,8 @@ std::vector<std::size_t> placesOfValues(const calibration::MeasurementKindRow& k
   return places;
 }
 
-/// Returns a phrase for the measured values of a kind of readings: "x, y, z", "its distance", "its joints' readings".
+/// Returns a phrase for the measured values of a kind of measurements: "x, y, z", "its distance", "its joints'
+/// readings".
 std::string valuesOf(const calibration::MeasurementKindRow& kind) {
   const auto values = calibration::valueColumnsOf(kind);
   if (values.has_joints) return "its joints' readings";
@@ -91,7 +93,7 @@ std::string valuesOf(const calibration::MeasurementKindRow& kind) {
 void requireFilledIn(const tubesheets::CsvTable& table, const MeasurementColumns& columns, const std::string& file) {
   constexpr std::size_t kMostNamed = 12;
   std::vector<const tubesheets::CsvRow*> blank;
-  const calibration::MeasurementKindRow* kind = nullptr;  // kind of reading in the first blank row
+  const calibration::MeasurementKindRow* kind = nullptr;  // kind of measurement in the first blank row
   for (const auto& row : table.rows) {
     const auto* of_row = calibration::findMeasurementKind(row.fields[columns.kind]);
     if (!of_row) continue;
@@ -122,21 +124,23 @@ void requireFilledIn(const tubesheets::CsvTable& table, const MeasurementColumns
 
 namespace {
 
-/// Copies a property of a surface, such as a ball's radius, from the reading that states it to all readings of the
-/// surface. Throws InputError if two readings state different values.
-void shareGivenNumbers(std::vector<Measurement>& readings, const std::string& file) {
+/// Copies a property of a surface, such as a ball's radius, from the measurement that states it to all measurements of
+/// the surface. Throws InputError if two measurements state different values.
+void shareGivenNumbers(std::vector<Measurement>& measurements, const std::string& file) {
   std::map<std::string, const Measurement*> stated;
-  for (const auto& reading : readings) {
-    if (!touchesSurface(reading) || std::isnan(reading.own[0])) continue;
-    const auto [first, is_new] = stated.emplace(placeOf(reading), &reading);
-    if (!is_new && reading.own[0] != first->second->own[0])
-      throw InputError::saying(fmt::format("{}:{}", file, reading.line),
-                               fmt::format("the {} of the {} differs from that in line {}",
-                                           kindOf(reading).columns.front().name, placeOf(reading), first->second->line),
-                               "correct the value, or give a different ball a name of its own");
+  for (const auto& measurement : measurements) {
+    if (!touchesSurface(measurement) || std::isnan(measurement.own[0])) continue;
+    const auto [first, is_new] = stated.emplace(placeOf(measurement), &measurement);
+    if (!is_new && measurement.own[0] != first->second->own[0])
+      throw InputError::saying(
+          fmt::format("{}:{}", file, measurement.line),
+          fmt::format("the {} of the {} differs from that in line {}", kindOf(measurement).columns.front().name,
+                      placeOf(measurement), first->second->line),
+          "correct the value, or give a different ball a name of its own");
   }
-  for (auto& reading : readings)
-    if (const auto found = stated.find(placeOf(reading)); found != stated.end()) reading.own = found->second->own;
+  for (auto& measurement : measurements)
+    if (const auto found = stated.find(placeOf(measurement)); found != stated.end())
+      measurement.own = found->second->own;
 }
 
 }  // namespace
@@ -146,9 +150,9 @@ std::vector<Measurement> readMeasurements(const std::string& path, const deflect
   return parseMeasurements(readTextFile(path), path, arm, sheet);
 }
 
-bool isPastLimits(const Measurement& reading, const deflection::Arm& arm) {
+bool isPastLimits(const Measurement& measurement, const deflection::Arm& arm) {
   for (Eigen::Index i = 0; i < arm.jointCount(); ++i)
-    if (calibration::isPastLimit(arm.joint(i), reading.q[i])) return true;
+    if (calibration::isPastLimit(arm.joint(i), measurement.q[i])) return true;
   return false;
 }
 
@@ -166,14 +170,14 @@ std::string turnText(const deflection::Joint<double>& joint, double q, const Mea
 
 void requireWithinLimits(const MeasurementTable& table, const deflection::Arm& arm, const std::string& file,
                          const std::string& advice) {
-  for (const auto& reading : table.readings)
+  for (const auto& measurement : table.measurements)
     for (Eigen::Index i = 0; i < arm.jointCount(); ++i) {
       const auto& joint = arm.joint(i);
       const auto& column = table.joints[i];
-      const double q = reading.q[i];
+      const double q = measurement.q[i];
       if (!calibration::isPastLimit(joint, q)) continue;
       throw InputError(
-          fmt::format("{}:{} (column {})", file, reading.line, column.name), formatNumber(q / column.factor),
+          fmt::format("{}:{} (column {})", file, measurement.line, column.name), formatNumber(q / column.factor),
           fmt::format("a reading between the joint's limits, {} and {} {}", formatNumber(joint.lower / column.factor),
                       formatNumber(joint.upper / column.factor), column.unit),
           advice.empty() ? turnText(joint, q, column) : advice);
@@ -184,7 +188,7 @@ std::vector<Measurement> parseMeasurements(const std::string& text, const std::s
                                            const tubesheets::Sheet* sheet) {
   auto table = parseMeasurementTable(text, file, arm, sheet);
   requireWithinLimits(table, arm, file);
-  return std::move(table.readings);
+  return std::move(table.measurements);
 }
 
 MeasurementTable parseMeasurementTable(const std::string& text, const std::string& file, const deflection::Arm& arm,
@@ -200,7 +204,7 @@ MeasurementTable parseMeasurementTable(const std::string& text, const std::strin
   read.units = unitsOf(columns);
   for (const auto& joint : columns.joints)
     read.joints.push_back({joint.name, std::string(joint.unit->name), joint.unit->factor});
-  std::vector<Measurement>& out = read.readings;
+  std::vector<Measurement>& out = read.measurements;
   std::map<std::string, std::size_t> index;
   for (const auto& row : table.rows) {
     const RowReader reader(table, row, file);
@@ -213,10 +217,10 @@ MeasurementTable parseMeasurementTable(const std::string& text, const std::strin
   }
   shareGivenNumbers(out, file);
   std::map<std::string, const Measurement*> known;
-  for (const auto* readings : {&before, static_cast<const std::vector<Measurement>*>(&out)})
-    for (const auto& reading : *readings) known[reading.id] = &reading;
+  for (const auto* measurements : {&before, static_cast<const std::vector<Measurement>*>(&out)})
+    for (const auto& measurement : *measurements) known[measurement.id] = &measurement;
   for (std::size_t k = 0; k < out.size(); ++k)
-    if (kindOf(out[k]).is_from_reading)
+    if (kindOf(out[k]).is_from_measurement)
       out[k].reference = readReference(RowReader(table, table.rows[k], file), columns, known, out[k]);
   return read;
 }

@@ -17,27 +17,27 @@ namespace tubeplan::app {
 /// coordinates has those of a hole of the sheet if its point is the hole's name (R10C20).
 ///
 /// Throws InputError with line and column. Causes in the table are an unknown, duplicate or missing column, an unknown
-/// unit, a number that is invalid or not finite, an unknown kind, and a duplicate id. Causes in the readings are empty
-/// rows of a run sheet, missing or incomplete coordinates, a point that is not on the sheet, and a joint reading beyond
-/// its limits.
+/// unit, a number that is invalid or not finite, an unknown kind, and a duplicate id. Causes in the measurements are
+/// empty rows of a run sheet, missing or incomplete coordinates, a point that is not on the sheet, and a joint reading
+/// beyond its limits.
 [[nodiscard]] std::vector<calibration::Measurement> readMeasurements(const std::string& path,
                                                                      const deflection::Arm& arm,
                                                                      const tubesheets::Sheet* sheet = nullptr);
 
-/// Readings of a table, with the units of the table's columns.
+/// Measurements of a table, with the units of the table's columns.
 struct MeasurementTable {
   struct JointColumn {
     std::string name, unit;  ///< names of the column and of its unit: "theta1_deg", "deg"
     double factor = 1;       ///< internal units [rad or m] per unit of the column
   };
-  std::vector<calibration::Measurement> readings;
+  std::vector<calibration::Measurement> measurements;
   std::vector<JointColumn> joints;  ///< columns of joint readings, in the order of the arm's joints
-  calibration::ReadingUnits units;
+  calibration::MeasurementUnits units;
 };
 
-/// Parses readings and the units of their columns; joint readings may be beyond their limits. A relative reading may
-/// also refer to a reading in `before`. Otherwise throws InputError in the cases of readMeasurements(); messages name
-/// the text as `file`.
+/// Parses measurements and the units of their columns; joint readings may be beyond their limits. A relative
+/// measurement may also refer to a measurement in `before`. Otherwise throws InputError in the cases of
+/// readMeasurements(); messages name the text as `file`.
 [[nodiscard]] MeasurementTable parseMeasurementTable(const std::string& text, const std::string& file,
                                                      const deflection::Arm& arm,
                                                      const tubesheets::Sheet* sheet = nullptr,
@@ -48,7 +48,7 @@ void requireWithinLimits(const MeasurementTable& table, const deflection::Arm& a
                          const std::string& advice = "");
 
 /// Returns true if any joint reading is beyond its joint's limits by more than a tolerance for noise.
-[[nodiscard]] bool isPastLimits(const calibration::Measurement& reading, const deflection::Arm& arm);
+[[nodiscard]] bool isPastLimits(const calibration::Measurement& measurement, const deflection::Arm& arm);
 
 /// Parses the text of a measurement table as readMeasurements() does; messages name the text as `file`.
 [[nodiscard]] std::vector<calibration::Measurement> parseMeasurements(const std::string& text, const std::string& file,

@@ -23,7 +23,7 @@ namespace {
 
 using calibration::Measurement, calibration::MeasuredColumn, calibration::ProposedMeasurement;
 
-/// Column of the written table: a name, and a function that returns the field of a reading.
+/// Column of the written table: a name, and a function that returns the field of a measurement.
 struct Column {
   std::string name;
   std::function<std::string(const Measurement&)> field;
@@ -32,8 +32,8 @@ struct Column {
 std::string numberOrNothing(double value) { return std::isnan(value) ? "" : formatNumber(value); }
 
 template <class Has>
-bool anyHas(const std::vector<Measurement>& readings, Has has) {
-  return std::any_of(readings.begin(), readings.end(), has);
+bool anyHas(const std::vector<Measurement>& measurements, Has has) {
+  return std::any_of(measurements.begin(), measurements.end(), has);
 }
 
 constexpr std::array<const char*, 3> kCorrelationColumns{"rho_xy", "rho_xz", "rho_yz"};
@@ -44,19 +44,19 @@ std::string columnName(const MeasuredColumn& column, const Units& units) {
   return fmt::format("{}_{}", column.name, units.nameOf(dimensionOf(column.quantity)));
 }
 
-/// Returns true if the measured values of a reading are its joint readings.
-bool isMeasuredByJoints(const Measurement& reading) {
-  return calibration::valueColumnsOf(calibration::kindOf(reading)).has_joints;
+/// Returns true if the measured values of a measurement are its joint readings.
+bool isMeasuredByJoints(const Measurement& measurement) {
+  return calibration::valueColumnsOf(calibration::kindOf(measurement)).has_joints;
 }
 
-/// Kind of table: completed readings, or a run sheet of readings to be made.
-enum class TableOf { kReadings, kRunSheet };
+/// Kind of table: completed measurements, or a run sheet of measurements to be made.
+enum class TableOf { kMeasurements, kRunSheet };
 
 class Table {
  public:
-  Table(const std::vector<Measurement>& readings, const deflection::Arm& arm, const Units& units,
-        TableOf of = TableOf::kReadings)
-      : readings_(readings),
+  Table(const std::vector<Measurement>& measurements, const deflection::Arm& arm, const Units& units,
+        TableOf of = TableOf::kMeasurements)
+      : measurements_(measurements),
         arm_(arm),
         units_(units),
         is_sheet_(of == TableOf::kRunSheet),
@@ -67,12 +67,12 @@ class Table {
     addJoints();
     addNear();
     addCoordinates();
-    if (anyHas(readings_, [](const auto& m) { return referenceOf(m) != nullptr; }))
+    if (anyHas(measurements_, [](const auto& m) { return referenceOf(m) != nullptr; }))
       add("from", [](const auto& m) {
         const Measurement* from = referenceOf(m);
         return from ? tubesheets::csvField(from->id) : std::string();
       });
-    if (anyHas(readings_, [](const auto& m) { return m.row.has_value(); }))
+    if (anyHas(measurements_, [](const auto& m) { return m.row.has_value(); }))
       add("row", [this](const auto& m) {
         return m.row ? tubesheets::csvField(arm_.rows.at(static_cast<std::size_t>(*m.row)).name) : std::string();
       });
@@ -80,9 +80,9 @@ class Table {
     std::vector<std::string> names;
     for (const Column& column : columns_) names.push_back(tubesheets::csvField(column.name));
     std::string text = fmt::format("{}\n", fmt::join(names, ","));
-    for (const Measurement& reading : readings_) {
+    for (const Measurement& measurement : measurements_) {
       std::vector<std::string> fields;
-      for (const Column& column : columns_) fields.push_back(column.field(reading));
+      for (const Column& column : columns_) fields.push_back(column.field(measurement));
       text += fmt::format("{}\n", fmt::join(fields, ","));
     }
     return text;
@@ -97,14 +97,14 @@ class Table {
     add("id", [](const auto& m) { return tubesheets::csvField(m.id); });
     add("kind", [](const auto& m) { return std::string(calibration::kindOf(m).name); });
     add("point", [](const auto& m) { return tubesheets::csvField(m.point); });
-    if (anyHas(readings_, [](const auto& m) { return !m.setup.empty(); }))
+    if (anyHas(measurements_, [](const auto& m) { return !m.setup.empty(); }))
       add("setup", [](const auto& m) { return tubesheets::csvField(m.setup); });
   }
 
   void addJoints() {
     add("load_" + std::string(units_.force().name),
         [this](const auto& m) { return formatNumber(units_.toFile(m.load, dimension::kForce)); });
-    if (anyHas(readings_, [](const auto& m) { return m.wrench.has_value(); })) addWrench();
+    if (anyHas(measurements_, [](const auto& m) { return m.wrench.has_value(); })) addWrench();
     for (Eigen::Index k = 0; k < arm_.jointCount(); ++k)
       add(jointColumn(arm_.joint(k), units_), [this, k](const auto& m) { return isBlank(m) ? "" : jointField(m, k); });
     for (std::size_t k = 0; k < side_joints_.size(); ++k)
@@ -114,7 +114,7 @@ class Table {
       });
   }
 
-  /// Returns true for a reading of a run sheet whose joint readings are still to be measured.
+  /// Returns true for a measurement of a run sheet whose joint readings are still to be measured.
   [[nodiscard]] bool isBlank(const Measurement& m) const { return is_sheet_ && isMeasuredByJoints(m); }
 
   [[nodiscard]] std::string jointField(const Measurement& m, Eigen::Index k) const {
@@ -122,7 +122,7 @@ class Table {
   }
 
   void addNear() {
-    if (!anyHas(readings_, [this](const auto& m) { return isBlank(m); })) return;
+    if (!anyHas(measurements_, [this](const auto& m) { return isBlank(m); })) return;
     for (Eigen::Index k = 0; k < arm_.jointCount(); ++k)
       add(kNearPrefix + jointColumn(arm_.joint(k), units_),
           [this, k](const auto& m) { return isBlank(m) ? jointField(m, k) : ""; });
@@ -134,7 +134,7 @@ class Table {
       add(fmt::format("force_{}_{}", "xyz"[k], force), [this, k](const auto& m) {
         return numberOrNothing(m.wrench ? units_.toFile(m.wrench->force_W[k], dimension::kForce) : kNothing);
       });
-    if (!anyHas(readings_, [](const auto& m) { return m.wrench && !m.wrench->moment_W.isZero(0); })) return;
+    if (!anyHas(measurements_, [](const auto& m) { return m.wrench && !m.wrench->moment_W.isZero(0); })) return;
     for (Eigen::Index k = 0; k < 3; ++k)
       add(fmt::format("moment_{}_{}", "xyz"[k], torque), [this, k](const auto& m) {
         return numberOrNothing(m.wrench ? units_.toFile(m.wrench->moment_W[k], dimension::kTorque) : kNothing);
@@ -152,33 +152,33 @@ class Table {
     addLength("y", [](const auto& m) { return m.p_W ? m.p_W->y() : kNothing; });
     addLength("z", [](const auto& m) { return m.p_W ? m.p_W->z() : kNothing; });
     addOwn();
-    if (anyHas(readings_, [](const auto& m) { return m.p_TQ.has_value(); }))
+    if (anyHas(measurements_, [](const auto& m) { return m.p_TQ.has_value(); }))
       for (Eigen::Index k = 0; k < 3; ++k)
         addLength(std::string("tool_") + "xyz"[k], [k](const auto& m) { return m.p_TQ ? (*m.p_TQ)[k] : kNothing; });
-    if (anyHas(readings_, [](const auto& m) { return calibration::kindOf(m).has_direction; }))
+    if (anyHas(measurements_, [](const auto& m) { return calibration::kindOf(m).has_direction; }))
       for (Eigen::Index k = 0; k < 3; ++k)
         add(std::string("d") + "xyz"[k], [k](const auto& m) {
           return numberOrNothing(calibration::kindOf(m).has_direction ? (*m.direction_W)[k] : kNothing);
         });
     addLength("sigma", [](const auto& m) { return m.sigma; });
-    if (anyHas(readings_, [](const auto& m) { return m.sigma_W.has_value(); }))
+    if (anyHas(measurements_, [](const auto& m) { return m.sigma_W.has_value(); }))
       for (Eigen::Index k = 0; k < 3; ++k)
         addLength(std::string("sigma_") + "xyz"[k],
                   [k](const auto& m) { return m.sigma_W ? (*m.sigma_W)[k] : kNothing; });
-    if (anyHas(readings_, [](const auto& m) { return m.correlation_W.has_value(); }))
+    if (anyHas(measurements_, [](const auto& m) { return m.correlation_W.has_value(); }))
       for (Eigen::Index k = 0; k < 3; ++k)
         add(kCorrelationColumns[static_cast<std::size_t>(k)],
             [k](const auto& m) { return numberOrNothing(m.correlation_W ? (*m.correlation_W)[k] : kNothing); });
-    if (anyHas(readings_, [](const auto& m) { return !std::isnan(m.turn_sigma); }))
+    if (anyHas(measurements_, [](const auto& m) { return !std::isnan(m.turn_sigma); }))
       add("turn_sigma_" + std::string(units_.angle().name),
           [this](const auto& m) { return numberOrNothing(units_.toFile(m.turn_sigma, dimension::kAngle)); });
   }
 
-  /// Adds the columns of quantities that belong to particular kinds, for all kinds among the readings.
+  /// Adds the columns of quantities that belong to particular kinds, for all kinds among the measurements.
   void addOwn() {
     std::set<std::string> added;
     for (const auto& kind : calibration::measurementKinds()) {
-      if (!anyHas(readings_, [&](const auto& m) { return m.kind == kind.kind; })) continue;
+      if (!anyHas(measurements_, [&](const auto& m) { return m.kind == kind.kind; })) continue;
       for (const MeasuredColumn& column : kind.columns) {
         if (!added.insert(column.name).second) continue;
         add(columnName(column, units_),
@@ -190,7 +190,7 @@ class Table {
   }
 
   void addConditions() {
-    if (anyHas(readings_, [](const auto& m) { return !m.approach_directions.empty(); }))
+    if (anyHas(measurements_, [](const auto& m) { return !m.approach_directions.empty(); }))
       for (std::size_t k = 0; const auto& joint : arm_.joints()) {
         add(jointColumnName(joint) + "_dir", [k](const auto& m) {
           return std::to_string(m.approach_directions.empty() ? 0 : m.approach_directions[k]);
@@ -198,15 +198,15 @@ class Table {
         ++k;
       }
     for (const auto& kind : deflection::kConditionKinds)
-      if (anyHas(readings_, [&](const auto& m) { return m.conditions.states(kind.condition); }))
+      if (anyHas(measurements_, [&](const auto& m) { return m.conditions.states(kind.condition); }))
         add(conditionColumn(kind, units_), [this, &kind](const auto& m) {
           return is_sheet_ ? "" : numberOrNothing(units_.toFile(m.conditions[kind.condition], kind.unit));
         });
-    if (anyHas(readings_, [](const auto& m) { return m.is_held_out; }))
+    if (anyHas(measurements_, [](const auto& m) { return m.is_held_out; }))
       add("split", [](const auto& m) { return std::string(m.is_held_out ? "held-out" : "fit"); });
   }
 
-  const std::vector<Measurement>& readings_;
+  const std::vector<Measurement>& measurements_;
   const deflection::Arm& arm_;
   const Units& units_;
   bool is_sheet_;
@@ -216,14 +216,15 @@ class Table {
 
 }  // namespace
 
-std::string measurementsCsv(const std::vector<Measurement>& readings, const deflection::Arm& arm, const Units& units) {
-  return Table(readings, arm, units).text();
+std::string measurementsCsv(const std::vector<Measurement>& measurements, const deflection::Arm& arm,
+                            const Units& units) {
+  return Table(measurements, arm, units).text();
 }
 
 std::string runSheetCsv(const std::vector<ProposedMeasurement>& proposed, const deflection::Arm& arm,
                         const Units& units) {
   std::vector<Measurement> rows;
-  for (const auto& reading : proposed) rows.push_back(calibration::conditionsOf(reading));
+  for (const auto& measurement : proposed) rows.push_back(calibration::conditionsOf(measurement));
   return Table(rows, arm, units, TableOf::kRunSheet).text();
 }
 

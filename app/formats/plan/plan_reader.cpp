@@ -25,8 +25,8 @@ using tubesheets::CsvRow;
 constexpr int kMost = std::numeric_limits<int>::max();
 constexpr const char* kPlanAgain = "plan again";
 
-Eigen::VectorXd jointsOf(const JsonValue& readings, const Cell& cell) {
-  return readings.numbers(cell.arm.jointCount()).cwiseProduct(jointFactors(cell.arm, cell.units));
+Eigen::VectorXd jointsOf(const JsonValue& measurements, const Cell& cell) {
+  return measurements.numbers(cell.arm.jointCount()).cwiseProduct(jointFactors(cell.arm, cell.units));
 }
 
 planner::StatedTube tubeOf(const JsonValue& tube, const Cell& cell) {

@@ -20,28 +20,28 @@ namespace {
 
 using calibration::Measurement;
 
-double sigmaOf(const Measurement& reading, const Cell& cell, const std::string& file) {
-  if (std::isfinite(reading.sigma)) return reading.sigma;
+double sigmaOf(const Measurement& measurement, const Cell& cell, const std::string& file) {
+  if (std::isfinite(measurement.sigma)) return measurement.sigma;
   if (cell.tool) return touchSigmaOf(*cell.tool);
-  throw InputError::saying(fmt::format("{}:{}", file, reading.line),
+  throw InputError::saying(fmt::format("{}:{}", file, measurement.line),
                            "the touch has no sigma, which states its centring noise",
                            "add a column sigma_" + std::string(cell.units.length().name));
 }
 
 /// Throws InputError if a touch states the name of one hole and the position of another.
-void requireNamedHole(const Measurement& reading, const Cell& cell, const std::string& file) {
-  const auto name = tubesheets::parseTubeName(reading.point);
+void requireNamedHole(const Measurement& measurement, const Cell& cell, const std::string& file) {
+  const auto name = tubesheets::parseTubeName(measurement.point);
   const auto* tube = name && cell.sheet ? cell.sheet->find(name->row, name->column) : nullptr;
-  if (!tube || (*reading.p_W - planner::holeCentre(*tube)).norm() < cell.sheet->pitch / 4) return;
-  throw InputError::saying(fmt::format("{}:{}", file, reading.line),
-                           "the coordinates are not those of hole " + reading.point + " on the sheet",
+  if (!tube || (*measurement.p_W - planner::holeCentre(*tube)).norm() < cell.sheet->pitch / 4) return;
+  throw InputError::saying(fmt::format("{}:{}", file, measurement.line),
+                           "the coordinates are not those of hole " + measurement.point + " on the sheet",
                            "correct the name or the coordinates");
 }
 
-void requireOneSetup(const std::vector<Measurement>& readings, const std::string& file, const std::string& setup) {
+void requireOneSetup(const std::vector<Measurement>& measurements, const std::string& file, const std::string& setup) {
   std::set<std::string> setups;
-  for (const auto& reading : readings)
-    if (isTouch(reading)) setups.insert(reading.setup);
+  for (const auto& measurement : measurements)
+    if (isTouch(measurement)) setups.insert(measurement.setup);
   if (!setup.empty() && !setups.contains(setup)) {
     std::vector<std::string> known;
     for (const auto& name : setups) known.push_back(inQuotes(name));
@@ -49,40 +49,41 @@ void requireOneSetup(const std::vector<Measurement>& readings, const std::string
                              known.empty() ? "" : fmt::format("its set-ups are {}", fmt::join(known, ", ")));
   }
   if (setup.empty() && setups.size() > 1)
-    throw InputError::saying(file,
-                             fmt::format("the touches come from {} set-ups, each with its own base pose", setups.size()),
-                             "choose one set-up with --setup");
+    throw InputError::saying(
+        file, fmt::format("the touches come from {} set-ups, each with its own base pose", setups.size()),
+        "choose one set-up with --setup");
 }
 
 }  // namespace
 
-void settleSteps(std::vector<Measurement>& readings, const tubesheets::SteppedTool& tool, const std::string& file) {
+void settleSteps(std::vector<Measurement>& measurements, const tubesheets::SteppedTool& tool, const std::string& file) {
   const auto most = static_cast<double>(tool.steps.size());
-  for (auto& reading : readings) {
-    if (!kindOf(reading).counts_steps) continue;
-    const double steps = reading.own[0];
+  for (auto& measurement : measurements) {
+    if (!kindOf(measurement).counts_steps) continue;
+    const double steps = measurement.own[0];
     if (steps < 1 || steps > most || steps != std::round(steps))
       throw InputError(
-          fmt::format("{}:{}", file, reading.line), fmt::format("{} steps", steps),
+          fmt::format("{}:{}", file, measurement.line), fmt::format("{} steps", steps),
           fmt::format("1 to {}, the number of steps that the tool has", tool.steps.size()),
-          steps == 0 ? "leave the visit out, because a visit with no step inserted sets no bound on the centring error" : "");
+          steps == 0 ? "leave the visit out, because a visit with no step inserted sets no bound on the centring error"
+                     : "");
     const auto last = static_cast<std::size_t>(steps);
-    reading.own[1] = last < tool.steps.size() ? tool.steps[last].tolerance : 0;
-    reading.own[2] = tool.steps[last - 1].tolerance;
-    reading.sigma = calibration::steps::sigmaBetween(reading.own[1], reading.own[2]);
+    measurement.own[1] = last < tool.steps.size() ? tool.steps[last].tolerance : 0;
+    measurement.own[2] = tool.steps[last - 1].tolerance;
+    measurement.sigma = calibration::steps::sigmaBetween(measurement.own[1], measurement.own[2]);
   }
 }
 
-std::vector<Measurement> touchesOf(const std::vector<Measurement>& readings, const Cell& cell, const std::string& file,
-                                   const std::string& setup) {
-  requireOneSetup(readings, file, setup);
+std::vector<Measurement> touchesOf(const std::vector<Measurement>& measurements, const Cell& cell,
+                                   const std::string& file, const std::string& setup) {
+  requireOneSetup(measurements, file, setup);
   std::vector<Measurement> touches;
-  for (const auto& reading : readings) {
-    if (!touchesKnownPoint(reading) || (!setup.empty() && reading.setup != setup)) continue;
-    requireNamedHole(reading, cell, file);
-    touches.push_back(reading);
-    if (reading.point.empty()) touches.back().point = reading.id;
-    touches.back().sigma = sigmaOf(reading, cell, file);
+  for (const auto& measurement : measurements) {
+    if (!touchesKnownPoint(measurement) || (!setup.empty() && measurement.setup != setup)) continue;
+    requireNamedHole(measurement, cell, file);
+    touches.push_back(measurement);
+    if (measurement.point.empty()) touches.back().point = measurement.id;
+    touches.back().sigma = sigmaOf(measurement, cell, file);
   }
   if (touches.empty())
     throw InputError::saying(file, "no reading is a touch of a known hole",

@@ -12,17 +12,17 @@
 
 namespace tubeplan::app {
 
-/// Returns those readings that are touches of known holes; messages name the file as `file`. Throws InputError if there
-/// are no touches, if touches belong to several set-ups and `setup` is empty, and for a touch without sigma in a cell
-/// without a calibration tool.
-[[nodiscard]] std::vector<calibration::Measurement> touchesOf(const std::vector<calibration::Measurement>& readings,
+/// Returns those measurements that are touches of known holes; messages name the file as `file`. Throws InputError if
+/// there are no touches, if touches belong to several set-ups and `setup` is empty, and for a touch without sigma in a
+/// cell without a calibration tool.
+[[nodiscard]] std::vector<calibration::Measurement> touchesOf(const std::vector<calibration::Measurement>& measurements,
                                                               const Cell& cell, const std::string& file,
                                                               const std::string& setup = "");
 
-/// Sets the bounds and the sigma of the centring error in readings of kind steps, according to the tool's tolerances;
-/// messages name the file as `file`. Throws InputError for a number of steps that the tool does not have, and for zero
-/// steps, which give no upper bound.
-void settleSteps(std::vector<calibration::Measurement>& readings, const tubesheets::SteppedTool& tool,
+/// Sets the bounds and the sigma of the centring error in measurements of kind steps, according to the tool's
+/// tolerances; messages name the file as `file`. Throws InputError for a number of steps that the tool does not have,
+/// and for zero steps, which give no upper bound.
+void settleSteps(std::vector<calibration::Measurement>& measurements, const tubesheets::SteppedTool& tool,
                  const std::string& file);
 
 /// Returns the touches that `touches` contains. Throws InputError if no holes could be chosen.

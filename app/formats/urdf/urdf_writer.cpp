@@ -101,8 +101,8 @@ class UrdfWriter {
     return text + fmt::format(" velocity=\"{:.17g}\"/>\n", std::isfinite(joint.max_speed) ? joint.max_speed : 0);
   }
 
-  /// Returns the text of `<mimic>` for a joint that follows another joint. URDF refers to the reading of the followed
-  /// joint, so the offset of that joint is added here.
+  /// Returns the text of `<mimic>` for a joint that follows another joint. URDF refers to the reading of the
+  /// followed joint, so the offset of that joint is added here.
   std::string mimicText(const ArmRow& row) {
     if (row.joint.follows.empty()) return "";
     if (row.joint.follows.size() > 1)

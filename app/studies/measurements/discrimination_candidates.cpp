@@ -9,7 +9,7 @@
 #include <set>
 
 #include "app/studies/measurements/measured_room.hpp"
-#include "app/studies/measurements/reading_candidates.hpp"
+#include "app/studies/measurements/measurement_candidates.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/surfaces.hpp"
 #include "calibration/measurements/tip_placement.hpp"
@@ -22,16 +22,16 @@ namespace tubeplan::app {
 namespace {
 
 using calibration::Measurement, calibration::MeasurementKind, calibration::ProposedMeasurement,
-    calibration::ReadingCandidate;
+    calibration::MeasurementCandidate;
 using Eigen::VectorXd;
 
 constexpr double kReached = 1e-7;  // largest position error of a posture that counts as at its point [m]
 constexpr int kMostTouches = 4;    // largest number of touch postures per point
 
-/// Common properties of the readings so far, to be used for the proposed readings too.
+/// Common properties of the measurements so far, to be used for the proposed measurements too.
 struct Custom {
   MeasurementKind kind = MeasurementKind::kPosition;
-  bool has_known_points = false;  ///< true: readings are taken at holes or marks
+  bool has_known_points = false;  ///< true: measurements are taken at holes or marks
   std::vector<double> loads;
   double sigma = 0, turn_sigma = 0;
   deflection::ConditionValues conditions;
@@ -43,9 +43,9 @@ struct Custom {
   bool is_length_alone = false;
 };
 
-MeasurementKind usualKind(const std::vector<Measurement>& readings) {
+MeasurementKind usualKind(const std::vector<Measurement>& measurements) {
   std::map<MeasurementKind, int> count;
-  for (const auto& reading : readings) ++count[reading.kind];
+  for (const auto& measurement : measurements) ++count[measurement.kind];
   return std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; })
       ->first;
 }
@@ -60,15 +60,15 @@ std::vector<double> thinnedOut(const std::set<double>& all, int most) {
   return some;
 }
 
-/// Returns the median of each condition over the readings of kind `of`. For the time, returns the latest value, because
-/// no new reading can be earlier.
-deflection::ConditionValues usualConditionsOf(const std::vector<Measurement>& readings, MeasurementKind of) {
+/// Returns the median of each condition over the measurements of kind `of`. For the time, returns the latest value,
+/// because no new measurement can be earlier.
+deflection::ConditionValues usualConditionsOf(const std::vector<Measurement>& measurements, MeasurementKind of) {
   deflection::ConditionValues usual;
   for (const auto& kind : deflection::kConditionKinds) {
     std::vector<double> stated;
-    for (const auto& reading : readings)
-      if (reading.kind == of && reading.conditions.states(kind.condition))
-        stated.push_back(reading.conditions[kind.condition]);
+    for (const auto& measurement : measurements)
+      if (measurement.kind == of && measurement.conditions.states(kind.condition))
+        stated.push_back(measurement.conditions[kind.condition]);
     if (stated.empty()) continue;
     const bool is_clock = kind.condition == deflection::Condition::kTime;
     usual[kind.condition] = is_clock ? std::ranges::max(stated) : calibration::median(stated);
@@ -76,39 +76,40 @@ deflection::ConditionValues usualConditionsOf(const std::vector<Measurement>& re
   return usual;
 }
 
-Custom customOf(const std::vector<Measurement>& readings, int most_loads) {
+Custom customOf(const std::vector<Measurement>& measurements, int most_loads) {
   Custom custom;
-  custom.kind = usualKind(readings);
+  custom.kind = usualKind(measurements);
   std::set<double> loads;
   std::vector<double> sigmas;
-  for (const auto& reading : readings) {
-    if (reading.kind != custom.kind) continue;
-    loads.insert(reading.load);
-    sigmas.push_back(reading.sigma);
-    custom.turn_sigma = reading.turn_sigma;
-    custom.rows.insert(reading.row);
-    if (reading.p_W) custom.anchor = reading.p_W;
-    if (reading.direction_W) custom.direction = reading.direction_W;
-    custom.side_q = reading.side_q;
-    custom.reference = reading.reference;
-    custom.is_length_alone = reading.reference && !reading.p_W;
-    custom.has_approach_directions |= std::any_of(reading.approach_directions.begin(),
-                                                  reading.approach_directions.end(), [](int s) { return s != 0; });
+  for (const auto& measurement : measurements) {
+    if (measurement.kind != custom.kind) continue;
+    loads.insert(measurement.load);
+    sigmas.push_back(measurement.sigma);
+    custom.turn_sigma = measurement.turn_sigma;
+    custom.rows.insert(measurement.row);
+    if (measurement.p_W) custom.anchor = measurement.p_W;
+    if (measurement.direction_W) custom.direction = measurement.direction_W;
+    custom.side_q = measurement.side_q;
+    custom.reference = measurement.reference;
+    custom.is_length_alone = measurement.reference && !measurement.p_W;
+    custom.has_approach_directions |= std::any_of(measurement.approach_directions.begin(),
+                                                  measurement.approach_directions.end(), [](int s) { return s != 0; });
   }
   custom.has_known_points = kindOf(custom.kind).names_hole && custom.anchor;
   custom.loads = thinnedOut(loads, most_loads);
   custom.sigma = calibration::median(sigmas);
-  custom.conditions = usualConditionsOf(readings, custom.kind);
+  custom.conditions = usualConditionsOf(measurements, custom.kind);
   return custom;
 }
 
 /// Returns the points measured so far and, for a cell with a sheet, holes spread over the sheet.
-std::vector<Measurement> pointsToReadAt(const CellModel& cell, const std::vector<Measurement>& readings,
+std::vector<Measurement> pointsToReadAt(const CellModel& cell, const std::vector<Measurement>& measurements,
                                         MeasurementKind kind, std::size_t most) {
   std::vector<Measurement> points;
   std::set<std::string> seen;
-  for (const auto& reading : readings)
-    if (reading.kind == kind && reading.p_W && seen.insert(reading.point).second) points.push_back(reading);
+  for (const auto& measurement : measurements)
+    if (measurement.kind == kind && measurement.p_W && seen.insert(measurement.point).second)
+      points.push_back(measurement);
   if (cell.sheet) {
     const auto& tubes = cell.sheet->tubes;
     const std::size_t step = std::max<std::size_t>(1, tubes.size() / most);
@@ -122,20 +123,20 @@ std::vector<Measurement> pointsToReadAt(const CellModel& cell, const std::vector
   return points;
 }
 
-/// Returns the vector from the reading's known point to the tip, in the base frame [m]; zero for kinds of reading that
-/// centre the tip on the point.
-Eigen::Vector3d standoffOf(const planner::Workcell& work, const Measurement& reading) {
-  if (kindOf(reading).is_centring) return Eigen::Vector3d::Zero();
+/// Returns the vector from the measurement's known point to the tip, in the base frame [m]; zero for kinds of
+/// measurement that centre the tip on the point.
+Eigen::Vector3d standoffOf(const planner::Workcell& work, const Measurement& measurement) {
+  if (kindOf(measurement).is_centring) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d gravity_B = deflection::gravityInBase(work.arm, work.X_WB);
-  const auto shape = deflection::solveFlexibleKinematics(work.arm, {reading.q, reading.load, gravity_B});
-  return shape.X_BD.p - work.X_WB.inverse() * *reading.p_W;
+  const auto shape = deflection::solveFlexibleKinematics(work.arm, {measurement.q, measurement.load, gravity_B});
+  return shape.X_BD.p - work.X_WB.inverse() * *measurement.p_W;
 }
 
 /// Adds one candidate for each posture branch that places the tip at the point plus `standoff_B` [m, base frame], under
 /// the load of `work`.
 void addAtPoint(const planner::Workcell& work, const planner::ArmClearance& clear, deflection::InverseSolver& solver,
                 const Measurement& point, const Eigen::Vector3d& standoff_B,
-                std::vector<ReadingCandidate>& candidates) {
+                std::vector<MeasurementCandidate>& candidates) {
   const Eigen::Vector3d gravity_B = deflection::gravityInBase(work.arm, work.X_WB);
   const auto shape = deflection::solveFlexibleKinematics(work.arm, {point.q, work.load, gravity_B});
   if (shape.status != deflection::KinematicsStatus::kConverged) return;
@@ -143,23 +144,24 @@ void addAtPoint(const planner::Workcell& work, const planner::ArmClearance& clea
   for (const auto& branch : solver.solve(goal).branches) {
     if (branch.status != deflection::BranchStatus::kConverged || branch.position_error > kReached) continue;
     if (!work.scene.bodies.empty() && !(clear.at(branch.q, planner::ContactRule::kApproach).margin >= 0)) continue;
-    ProposedMeasurement reading;
-    reading.point = point.point;
-    reading.known_W = point.p_W;
-    reading.q = branch.q;
-    reading.load = work.load;
-    candidates.push_back({{reading}});
+    ProposedMeasurement measurement;
+    measurement.point = point.point;
+    measurement.known_W = point.p_W;
+    measurement.q = branch.q;
+    measurement.load = work.load;
+    candidates.push_back({{measurement}});
   }
 }
 
-/// Returns the first reading on each touched surface, with the surface as fitted together with the arm.
-std::vector<Measurement> surfacesTouched(const calibration::PlacedArm& fitted, std::vector<Measurement> readings,
+/// Returns the first measurement on each touched surface, with the surface as fitted together with the arm.
+std::vector<Measurement> surfacesTouched(const calibration::PlacedArm& fitted, std::vector<Measurement> measurements,
                                          MeasurementKind kind) {
   std::vector<Measurement> touched;
-  if (!calibration::settleSurfaces(fitted, readings)) return touched;
+  if (!calibration::settleSurfaces(fitted, measurements)) return touched;
   std::set<std::string> seen;
-  for (const auto& reading : readings)
-    if (reading.kind == kind && reading.surface && seen.insert(reading.point).second) touched.push_back(reading);
+  for (const auto& measurement : measurements)
+    if (measurement.kind == kind && measurement.surface && seen.insert(measurement.point).second)
+      touched.push_back(measurement);
   return touched;
 }
 
@@ -169,7 +171,7 @@ bool isWithinLimits(const deflection::Arm& arm, const VectorXd& q) {
   return true;
 }
 
-/// Returns a posture near `q` with the tip on the surface of reading `of`; nothing if the arm does not reach the
+/// Returns a posture near `q` with the tip on the surface of measurement `of`; nothing if the arm does not reach the
 /// surface.
 std::optional<VectorXd> broughtTo(const planner::Workcell& work, const Measurement& of, const VectorXd& q) {
   const deflection::Posture start{q, work.load, deflection::gravityInBase(work.arm, work.X_WB)};
@@ -183,10 +185,10 @@ std::optional<VectorXd> broughtTo(const planner::Workcell& work, const Measureme
 
 /// Returns one touch for each posture, surface and load; touches that the arm cannot reach, or only with a collision,
 /// are excluded.
-std::vector<ReadingCandidate> surfaceTouches(planner::Workcell work, const std::vector<VectorXd>& postures,
-                                             const std::vector<double>& loads,
-                                             const std::vector<Measurement>& surfaces) {
-  std::vector<ReadingCandidate> candidates;
+std::vector<MeasurementCandidate> surfaceTouches(planner::Workcell work, const std::vector<VectorXd>& postures,
+                                                 const std::vector<double>& loads,
+                                                 const std::vector<Measurement>& surfaces) {
+  std::vector<MeasurementCandidate> candidates;
   for (const double load : loads) {
     work.load = load;
     const planner::ArmClearance clear(work);
@@ -195,29 +197,29 @@ std::vector<ReadingCandidate> surfaceTouches(planner::Workcell work, const std::
       const auto q = broughtTo(work, of, postures[k / surfaces.size()]);
       if (!q) continue;
       if (!work.scene.bodies.empty() && !(clear.at(*q, planner::ContactRule::kApproach).margin >= 0)) continue;
-      ProposedMeasurement reading;
-      reading.point = of.point;
-      reading.surface = of.surface;
-      reading.given = of.own[0];
-      reading.q = *q;
-      reading.load = load;
-      candidates.push_back({{reading}});
+      ProposedMeasurement measurement;
+      measurement.point = of.point;
+      measurement.surface = of.surface;
+      measurement.given = of.own[0];
+      measurement.q = *q;
+      measurement.load = load;
+      candidates.push_back({{measurement}});
     }
   }
   return candidates;
 }
 
-std::vector<ReadingCandidate> bareCandidates(const CellModel& cell, const calibration::PlacedArm& fitted,
-                                             const std::vector<Measurement>& readings, const Custom& custom,
-                                             const DiscriminationCandidateOptions& options) {
+std::vector<MeasurementCandidate> bareCandidates(const CellModel& cell, const calibration::PlacedArm& fitted,
+                                                 const std::vector<Measurement>& measurements, const Custom& custom,
+                                                 const DiscriminationCandidateOptions& options) {
   planner::Workcell work = armAndScene(cell);
   const Eigen::Vector3d axis_L = work.arm.tool_axis_L;
   work.arm = fitted.arm;
   work.arm.tool_axis_L = axis_L;
   work.X_WB = fitted.base_poses.back().X_WB;
-  std::vector<ReadingCandidate> candidates;
+  std::vector<MeasurementCandidate> candidates;
   if (custom.has_known_points) {
-    const auto points = pointsToReadAt(cell, readings, custom.kind, static_cast<std::size_t>(options.postures));
+    const auto points = pointsToReadAt(cell, measurements, custom.kind, static_cast<std::size_t>(options.postures));
     const Eigen::Vector3d standoff_B = standoffOf(work, points.front());
     const std::size_t step = std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(options.postures));
     deflection::InverseKinematicsOptions inverse;
@@ -233,7 +235,9 @@ std::vector<ReadingCandidate> bareCandidates(const CellModel& cell, const calibr
   }
   PostureQuestion has_room;
   if (work.scene.bodies.empty())
-    has_room = [room = MeasuredRoom(fitted, readings)](const VectorXd& q, double load) { return room.holds(q, load); };
+    has_room = [room = MeasuredRoom(fitted, measurements)](const VectorXd& q, double load) {
+      return room.holds(q, load);
+    };
   auto postures = clearPostures(work, custom.loads, options.postures / 2, options.seed, has_room);
   const auto outer = clearPostures(work, custom.loads, options.postures - static_cast<int>(postures.size()),
                                    options.seed, has_room, PostureChoice::kNearLimits);
@@ -241,43 +245,43 @@ std::vector<ReadingCandidate> bareCandidates(const CellModel& cell, const calibr
   if (kindOf(custom.kind).is_touch)
     return custom.loads.size() < 2 ? candidates : pointTouches(work, postures, custom.loads, custom.sigma);
   if (kindOf(custom.kind).settle)
-    return surfaceTouches(work, postures, custom.loads, surfacesTouched(fitted, readings, custom.kind));
-  return positionReadings(postures, custom.loads, custom.sigma);
+    return surfaceTouches(work, postures, custom.loads, surfacesTouched(fitted, measurements, custom.kind));
+  return positionMeasurements(postures, custom.loads, custom.sigma);
 }
 
-/// Sets the properties that all proposed readings share. For readings of angles, `number` selects the row of the arm,
-/// so that the measured rows take turns.
-void makeAsUsual(const Custom& custom, const std::string& setup, std::size_t number, ProposedMeasurement& reading) {
+/// Sets the properties that all proposed measurements share. For measurements of angles, `number` selects the row of
+/// the arm, so that the measured rows take turns.
+void makeAsUsual(const Custom& custom, const std::string& setup, std::size_t number, ProposedMeasurement& measurement) {
   const auto& kind = kindOf(custom.kind);
-  reading.kind = custom.kind;
-  reading.setup = setup;
-  reading.side_q = custom.side_q;
-  reading.sigma = custom.sigma;
-  reading.conditions = custom.conditions;
-  if (kind.has_anchor) reading.known_W = custom.anchor;
-  reading.direction_W = custom.direction;
-  reading.reference = custom.reference;
-  reading.is_length_alone = custom.is_length_alone;
+  measurement.kind = custom.kind;
+  measurement.setup = setup;
+  measurement.side_q = custom.side_q;
+  measurement.sigma = custom.sigma;
+  measurement.conditions = custom.conditions;
+  if (kind.has_anchor) measurement.known_W = custom.anchor;
+  measurement.direction_W = custom.direction;
+  measurement.reference = custom.reference;
+  measurement.is_length_alone = custom.is_length_alone;
   if (kind.turn_rows == 0) return;
-  reading.turn_sigma = custom.turn_sigma;
-  reading.row = *std::next(custom.rows.begin(), static_cast<std::ptrdiff_t>(number % custom.rows.size()));
+  measurement.turn_sigma = custom.turn_sigma;
+  measurement.row = *std::next(custom.rows.begin(), static_cast<std::ptrdiff_t>(number % custom.rows.size()));
 }
 
 }  // namespace
 
-std::vector<ReadingCandidate> discriminationCandidates(const CellModel& cell, const calibration::PlacedArm& fitted,
-                                                       const std::vector<Measurement>& readings,
-                                                       const DiscriminationCandidateOptions& options) {
-  if (readings.empty()) return {};
-  const Custom custom = customOf(readings, options.most_loads);
-  auto candidates = bareCandidates(cell, fitted, readings, custom, options);
+std::vector<MeasurementCandidate> discriminationCandidates(const CellModel& cell, const calibration::PlacedArm& fitted,
+                                                           const std::vector<Measurement>& measurements,
+                                                           const DiscriminationCandidateOptions& options) {
+  if (measurements.empty()) return {};
+  const Custom custom = customOf(measurements, options.most_loads);
+  auto candidates = bareCandidates(cell, fitted, measurements, custom, options);
   boost::random::mt19937_64 random(options.seed);
   std::size_t number = 0;
   for (auto& candidate : candidates)
-    for (auto& reading : candidate.readings) {
-      makeAsUsual(custom, fitted.base_poses.back().setup, number++, reading);
-      for (Eigen::Index j = 0; custom.has_approach_directions && j < reading.q.size(); ++j)
-        reading.approach_directions.push_back(random() >> 63 ? 1 : -1);
+    for (auto& measurement : candidate.measurements) {
+      makeAsUsual(custom, fitted.base_poses.back().setup, number++, measurement);
+      for (Eigen::Index j = 0; custom.has_approach_directions && j < measurement.q.size(); ++j)
+        measurement.approach_directions.push_back(random() >> 63 ? 1 : -1);
     }
   return candidates;
 }

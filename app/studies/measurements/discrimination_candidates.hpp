@@ -1,12 +1,12 @@
-// Candidates for further readings that could distinguish between explanations of a model's error. The candidates have
-// the kind, loads and conditions of the readings so far.
+// Candidates for further measurements that could distinguish between explanations of a model's error. The candidates
+// have the kind, loads and conditions of the measurements so far.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "app/studies/cell_model.hpp"
-#include "calibration/design/next_readings.hpp"
+#include "calibration/design/next_measurements.hpp"
 #include "calibration/placed_arm.hpp"
 
 namespace tubeplan::app {
@@ -21,10 +21,11 @@ struct DiscriminationCandidateOptions {
 /// Returns candidates that the fitted model reaches from the base of its last set-up. The candidates are postures
 /// within the limits and clear of the scene, or reach the points measured so far and holes of the sheet. Without a
 /// scene, postures must lie in the region that the measured postures show to be free (measured_room.hpp). Conditions
-/// are the medians over the readings; the time is that of the latest reading. Approach directions are drawn at random
-/// if the readings state them. Angles are proposed for the tool or for the rows at which angles were measured.
-[[nodiscard]] std::vector<calibration::ReadingCandidate> discriminationCandidates(
-    const CellModel& cell, const calibration::PlacedArm& fitted, const std::vector<calibration::Measurement>& readings,
-    const DiscriminationCandidateOptions& options = {});
+/// are the medians over the measurements; the time is that of the latest measurement. Approach directions are drawn at
+/// random if the measurements state them. Angles are proposed for the tool or for the rows at which angles were
+/// measured.
+[[nodiscard]] std::vector<calibration::MeasurementCandidate> discriminationCandidates(
+    const CellModel& cell, const calibration::PlacedArm& fitted,
+    const std::vector<calibration::Measurement>& measurements, const DiscriminationCandidateOptions& options = {});
 
 }  // namespace tubeplan::app

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "deflection/flexible_kinematics.hpp"
 
 namespace tubeplan::app {
@@ -74,11 +74,11 @@ std::vector<double> distancesOf(const std::vector<Link>& links) {
 
 }  // namespace
 
-MeasuredRoom::MeasuredRoom(const calibration::PlacedArm& fitted, const std::vector<Measurement>& readings)
+MeasuredRoom::MeasuredRoom(const calibration::PlacedArm& fitted, const std::vector<Measurement>& measurements)
     : fitted_(fitted) {
-  for (const Measurement& reading : readings) {
-    const auto& X_WB = fitted.base_poses[static_cast<std::size_t>(basePoseOf(fitted, reading))].X_WB;
-    const auto links = linksAt(fitted.arm, X_WB, calibration::postureOf(reading, fitted.arm, X_WB));
+  for (const Measurement& measurement : measurements) {
+    const auto& X_WB = fitted.base_poses[static_cast<std::size_t>(basePoseOf(fitted, measurement))].X_WB;
+    const auto links = linksAt(fitted.arm, X_WB, calibration::postureOf(measurement, fitted.arm, X_WB));
     if (links.empty()) continue;
     lowest_ = std::min(lowest_, lowestOf(links));
     const auto distances = distancesOf(links);

@@ -15,8 +15,8 @@ namespace tubeplan::app {
 /// already this close in a measured posture.
 class MeasuredRoom {
  public:
-  /// `fitted` must have a base pose for each set-up of the readings, of which there must be at least one.
-  MeasuredRoom(const calibration::PlacedArm& fitted, const std::vector<calibration::Measurement>& readings);
+  /// `fitted` must have a base pose for each set-up of the measurements, of which there must be at least one.
+  MeasuredRoom(const calibration::PlacedArm& fitted, const std::vector<calibration::Measurement>& measurements);
 
   /// Returns true if the posture `q` [rad, m] under a load [N] is inside the room, with the arm on the base of its last
   /// set-up.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "app/studies/measurements/reading_candidates.hpp"
+#include "app/studies/measurements/measurement_candidates.hpp"
 #include "calibration/design/touch_choice.hpp"
 #include "calibration/design/touch_reserve.hpp"
 #include "calibration/estimation/base_calibration.hpp"
@@ -13,10 +13,10 @@ namespace tubeplan::app {
 
 namespace {
 
-using calibration::Estimate, calibration::ReadingCandidate;
+using calibration::Estimate, calibration::MeasurementCandidate;
 
-constexpr int kTouchHoles = 60, kReadingPostures = 600, kWorkPostures = 60;
-constexpr int kBaseTouches = 3, kReadings = 10;
+constexpr int kTouchHoles = 60, kMeasurementPostures = 600, kWorkPostures = 60;
+constexpr int kBaseTouches = 3, kMeasurements = 10;
 // Largest number of holes for which all triples are compared; an exchange search is used for more.
 constexpr int kExhaustive = 150;
 constexpr int kNearestTried = 400;  // number of holes around the base that are tried to find the nearest three
@@ -97,11 +97,11 @@ class TouchSearch {
     return kept;
   }
 
-  /// For a first calibration, without earlier readings, returns the best `count` (three or more) of all holes.
+  /// For a first calibration, without earlier measurements, returns the best `count` (three or more) of all holes.
   [[nodiscard]] static calibration::Design exhaustiveChoice(const calibration::DesignProblem& problem, int count) {
     const auto choice = calibration::chooseTouches(problem, count);
     if (choice.status == calibration::TouchChoiceStatus::kDone)
-      return calibration::judgeReadings(problem, choice.chosen);
+      return calibration::judgeMeasurements(problem, choice.chosen);
     calibration::Design none;
     none.status = calibration::DesignStatus::kTooFewCandidates;
     none.reason = choice.reason;
@@ -114,8 +114,8 @@ class TouchSearch {
     const auto touches = holeTouches(*task_.under_sheet, nearest, task_.base_sigma);
     const auto posed = calibration::poseDesign(*task_.of_base, touches, work_);
     if (posed.candidates.size() < 3) return;
-    for (const auto& touch : touches) result_.nearest_holes.push_back(touch.readings.front().point);
-    const auto design = calibration::judgeReadings(posed.problem, {0, 1, 2});
+    for (const auto& touch : touches) result_.nearest_holes.push_back(touch.measurements.front().point);
+    const auto design = calibration::judgeMeasurements(posed.problem, {0, 1, 2});
     result_.tip_nearest = calibration::tipSigma(posed.problem.work, design.covariance);
   }
 
@@ -126,26 +126,26 @@ class TouchSearch {
     if (task_.is_first) holes = surelyReached(holes, count);
     proposal.candidates = holeTouches(*task_.under_sheet, holes, task_.base_sigma);
     const auto posed = calibration::poseDesign(*task_.of_base, proposal.candidates, work_);
-    calibration::NextReadingsOptions options;
+    calibration::NextMeasurementsOptions options;
     options.seed = task_.seed;
     options.design.count = count;
     options.design.optimality = calibration::Optimality::kMeanTip;
     auto design = task_.is_first && holes.size() <= kExhaustive
                       ? exhaustiveChoice(posed.problem, count)
-                      : calibration::chooseReadings(posed.problem, options.design);
-    proposal.next = calibration::forecastReadings(*task_.of_base, posed, std::move(design), options);
+                      : calibration::chooseMeasurements(posed.problem, options.design);
+    proposal.next = calibration::forecastMeasurements(*task_.of_base, posed, std::move(design), options);
     proposal.reason = proposal.next.reason;
     if (!task_.is_first) return;
     // Checks that a calibration with the chosen touches would not be refused.
     std::vector<calibration::Measurement> touches;
     for (const auto& step : proposal.next.design.steps)
-      touches.push_back(calibration::conditionsOf(proposal.chosen(step).readings.front()));
+      touches.push_back(calibration::conditionsOf(proposal.chosen(step).measurements.front()));
     if (proposal.reason.empty()) proposal.reason = calibration::findTouchProblem(touches);
     compareWithNearest();
   }
 
-  [[nodiscard]] std::vector<ReadingCandidate> touchesUnderLoads() const {
-    std::vector<ReadingCandidate> candidates;
+  [[nodiscard]] std::vector<MeasurementCandidate> touchesUnderLoads() const {
+    std::vector<MeasurementCandidate> candidates;
     planner::Workcell loaded = *task_.under_sheet;
     for (const double load : task_.loads) {
       loaded.load = load;
@@ -155,24 +155,24 @@ class TouchSearch {
     return candidates;
   }
 
-  /// Returns the possible readings: holes or postures, each under every load.
-  [[nodiscard]] std::vector<ReadingCandidate> findCandidates() const {
+  /// Returns the possible measurements: holes or postures, each under every load.
+  [[nodiscard]] std::vector<MeasurementCandidate> findCandidates() const {
     if (task_.by_touch && task_.under_sheet) return touchesUnderLoads();
-    const int count = task_.candidates > 0 ? task_.candidates : kReadingPostures;
+    const int count = task_.candidates > 0 ? task_.candidates : kMeasurementPostures;
     const auto cell = armAndScene(task_.cell);
     const auto postures = clearPostures(cell, task_.loads, count, task_.seed);
     return task_.by_touch ? pointTouches(cell, postures, task_.loads, task_.sigma)
-                          : positionReadings(postures, task_.loads, task_.sigma);
+                          : positionMeasurements(postures, task_.loads, task_.sigma);
   }
 
   void proposeForNumbers() {
     auto& proposal = result_.parameters.emplace();
     proposal.candidates = findCandidates();
-    calibration::NextReadingsOptions options;
+    calibration::NextMeasurementsOptions options;
     options.seed = task_.seed;
-    options.design.count = task_.count > 0 ? task_.count : kReadings;
+    options.design.count = task_.count > 0 ? task_.count : kMeasurements;
     options.design.optimality = task_.optimality;
-    proposal.next = calibration::proposeReadings(*task_.of_numbers, proposal.candidates, work_, options);
+    proposal.next = calibration::proposeMeasurements(*task_.of_numbers, proposal.candidates, work_, options);
     proposal.reason = proposal.next.reason;
   }
 

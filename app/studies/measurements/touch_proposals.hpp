@@ -1,5 +1,5 @@
-// Proposals of further measurements in a cell: holes to touch for calibrating the base, and readings that improve the
-// free parameters.
+// Proposals of further measurements in a cell: holes to touch for calibrating the base, and measurements that improve
+// the free parameters.
 #pragma once
 
 #include <cstdint>
@@ -8,34 +8,35 @@
 #include <vector>
 
 #include "app/studies/cell_model.hpp"
-#include "calibration/design/next_readings.hpp"
+#include "calibration/design/next_measurements.hpp"
 #include "planner/workcell.hpp"
 
 namespace tubeplan::app {
 
-/// Input of proposeTouches(): the estimates to improve, the readings that may be proposed, and the work list.
+/// Input of proposeTouches(): the estimates to improve, the measurements that may be proposed, and the work list.
 struct TouchTask {
   CellModel cell;                                ///< cell with the estimated arm and base
   std::optional<planner::Workcell> under_sheet;  ///< workcell under the tube sheet; nothing if the cell has no sheet
   std::vector<int> tubes;                        ///< tubes of the work list, where the tip's uncertainty matters
-  /// Estimates of the base and of the parameters from the readings so far; nothing: not requested.
+  /// Estimates of the base and of the parameters from the measurements so far; nothing: not requested.
   std::optional<calibration::Estimate> of_base, of_numbers;
-  bool is_first = true;              ///< true: there are no readings yet
-  bool by_touch = true;              ///< true: readings for the parameters are touches; false: tip positions
-  double base_sigma = 0, sigma = 0;  ///< noise of touches for the base, and of readings for the parameters [m]
-  std::vector<double> loads;         ///< loads under which readings may be proposed [N]
-  int count = 0;  ///< number of touches for the base and of readings for the parameters; 0: 3 touches and 10 readings
+  bool is_first = true;              ///< true: there are no measurements yet
+  bool by_touch = true;              ///< true: measurements for the parameters are touches; false: tip positions
+  double base_sigma = 0, sigma = 0;  ///< noise of touches for the base, and of measurements for the parameters [m]
+  std::vector<double> loads;         ///< loads under which measurements may be proposed [N]
+  int count =
+      0;  ///< number of touches for the base and of measurements for the parameters; 0: 3 touches and 10 measurements
   int candidates = 0;  ///< number of holes or postures to choose from; 0: 60 holes, 600 postures
-  /// Design criterion for the readings of the parameters.
+  /// Design criterion for the measurements of the parameters.
   calibration::Optimality optimality = calibration::Optimality::kDeterminant;
   std::uint64_t seed = 1;
 };
 
 struct TouchProposal {
-  std::vector<calibration::ReadingCandidate> candidates;
-  calibration::NextReadings next;
+  std::vector<calibration::MeasurementCandidate> candidates;
+  calibration::NextMeasurements next;
   std::string reason;  ///< why there is no proposal; empty if there is one
-  [[nodiscard]] const calibration::ReadingCandidate& chosen(const calibration::DesignStep& step) const {
+  [[nodiscard]] const calibration::MeasurementCandidate& chosen(const calibration::DesignStep& step) const {
     return candidates[static_cast<std::size_t>(next.candidates[static_cast<std::size_t>(step.candidate)])];
   }
 };

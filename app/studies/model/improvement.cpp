@@ -58,8 +58,8 @@ Decision amongEquals(const Diagnosis& diagnosis) {
   return {nullptr, ImprovementEnd::kAmbiguous, ImprovementReason::kAlternativesApart, widest, std::max(0., gain)};
 }
 
-/// Decides if no cause is certain. A cause is added only if it lowers the error of readings left out of its fit, both
-/// of the held-out folds and of the farthest poses.
+/// Decides if no cause is certain. A cause is added only if it lowers the error of measurements left out of its fit,
+/// both of the held-out folds and of the farthest poses.
 Decision amongUnsure(const Diagnosis& diagnosis) {
   const Explanation* best = bestCarried(diagnosis.closest, [&](const Explanation& one) {
     return one.heldout.rms < kWorthIt * diagnosis.heldout_before.rms &&
@@ -147,8 +147,8 @@ std::vector<std::string> takeOutNone(const std::vector<std::string>& added, cons
 /// One run of the improvement loop.
 class Improver {
  public:
-  Improver(const std::vector<Measurement>& readings, const ImprovementRequest& request, const WorkHooks& hooks)
-      : readings_(readings), request_(request), hooks_(hooks) {}
+  Improver(const std::vector<Measurement>& measurements, const ImprovementRequest& request, const WorkHooks& hooks)
+      : measurements_(measurements), request_(request), hooks_(hooks) {}
 
   Improvement run(const CellModel& cell) {
     beginStep(hooks_, "fit");
@@ -175,7 +175,7 @@ class Improver {
     options.may_hold_all = true;
     options.uncertainty = cell.uncertainty;
     options.hooks = hooks;
-    const auto used = calibration::withoutReadings(readings_, set_aside_);
+    const auto used = calibration::withoutMeasurements(measurements_, set_aside_);
     ImprovedModel model{name, cell, calibration::identify(startOf(cell, used), used, options), step, set_aside_};
     requireGoingOn(hooks);
     return model;
@@ -186,7 +186,7 @@ class Improver {
     options.baseline.free = freeNumbersOf(cell);
     options.seed = request_.seed;
     options.hooks = hooks;
-    Diagnosis diagnosis = calibration::diagnose(startOf(cell, readings_), readings_, options);
+    Diagnosis diagnosis = calibration::diagnose(startOf(cell, measurements_), measurements_, options);
     requireGoingOn(hooks);
     return diagnosis;
   }
@@ -196,8 +196,8 @@ class Improver {
     result_.models.push_back(std::move(model));
   }
 
-  /// Refits every model to the readings that the diagnosis used, so that the verdict applies to the models and their
-  /// errors are comparable.
+  /// Refits every model to the measurements that the diagnosis used, so that the verdict applies to the models and
+  /// their errors are comparable.
   void setAside(const Diagnosis& diagnosis, const WorkHooks& hooks) {
     if (diagnosis.verdict == Verdict::kNotRun || diagnosis.set_aside == set_aside_) return;
     const auto before = std::exchange(set_aside_, diagnosis.set_aside);
@@ -258,7 +258,7 @@ class Improver {
     return smaller;
   }
 
-  const std::vector<Measurement>& readings_;
+  const std::vector<Measurement>& measurements_;
   const ImprovementRequest& request_;
   WorkHooks hooks_;
   std::vector<int> set_aside_;
@@ -267,9 +267,9 @@ class Improver {
 
 }  // namespace
 
-Improvement improveModel(const CellModel& cell, const std::vector<Measurement>& readings,
+Improvement improveModel(const CellModel& cell, const std::vector<Measurement>& measurements,
                          const ImprovementRequest& request, const WorkHooks& hooks) {
-  return Improver(readings, request, hooks).run(cell);
+  return Improver(measurements, request, hooks).run(cell);
 }
 
 std::vector<ModelComparisonRow> comparisonRowsOf(const Improvement& result) {

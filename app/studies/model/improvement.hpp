@@ -1,5 +1,5 @@
-// Improvement of a cell's model by its readings: diagnoses the error, adds a cause and refits, until no further cause
-// is certain.
+// Improvement of a cell's model by its measurements: diagnoses the error, adds a cause and refits, until no further
+// cause is certain.
 #pragma once
 
 #include <cstdint>
@@ -26,18 +26,18 @@ struct ImprovedModel {
 struct ImprovementRequest {
   int steps = 6;  ///< largest number of steps that add a cause
   std::uint64_t seed = 1;
-  /// Called with each fitted model, and again with the last model when it is refitted to other readings.
+  /// Called with each fitted model, and again with the last model when it is refitted to other measurements.
   std::function<void(const ImprovedModel&)> on_model;
 };
 
 enum class ImprovementEnd {
   kNotRun,
   kAdequate,          ///< the diagnosis finds that the model lacks no effect
-  kNothingSure,       ///< an error remains, but only as scatter, or no cause lowers the error of held-out readings
+  kNothingSure,       ///< an error remains, but only as scatter, or no cause lowers the error of held-out measurements
   kAmbiguous,         ///< predictions of the alternatives differ by more than the best one lowers the error
-  kDoesNotCarryOver,  ///< the cause does not lower the error of held-out readings, or of the farthest poses
-  kMistake,           ///< a mistake in the readings explains the error
-  kInconclusive,      ///< the readings allow no verdict
+  kDoesNotCarryOver,  ///< the cause does not lower the error of held-out measurements, or of the farthest poses
+  kMistake,           ///< a mistake in the measurements explains the error
+  kInconclusive,      ///< the measurements allow no verdict
   kMostSteps,
   kNotFitted,  ///< the given model could not be fitted
 };
@@ -50,10 +50,10 @@ enum class ImprovementReason {
   kSureInAll,          ///< the cause is certain in every alternative
   kAlternativesClose,  ///< predictions of the alternatives differ by `first`, less than `second`, the error's fall
   kAlternativesApart,  ///< predictions of the alternatives differ by `first`, more than `second`, the error's fall
-  kUnsureButLower,     ///< the cause is uncertain, but lowers the error of held-out readings and of the farthest poses
-  kNoneLower,         ///< no cause is certain, and none lowers the error of held-out readings and of the farthest poses
+  kUnsureButLower,  ///< the cause is uncertain, but lowers the error of held-out measurements and of the farthest poses
+  kNoneLower,  ///< no cause is certain, and none lowers the error of held-out measurements and of the farthest poses
   kFarthestWorse,     ///< with the cause, the error of the farthest poses rises from `second` to `first`
-  kNotLowerTogether,  ///< fitted with all other parameters, the cause does not lower the error of held-out readings
+  kNotLowerTogether,  ///< fitted with all other parameters, the cause does not lower the error of held-out measurements
   kMistakeExplains,
   kNoVerdict,
 };
@@ -65,7 +65,7 @@ struct ImprovementStep {
   /// Values that belong to `reason`, as explained at ImprovementReason [m]; NaN if the reason has none.
   double first = std::numeric_limits<double>::quiet_NaN(), second = first;
   std::vector<std::string> added;       ///< names of the added causes; empty if none was added
-  std::vector<std::string> also;        ///< causes that no reading distinguishes from the added causes
+  std::vector<std::string> also;        ///< causes that no measurement distinguishes from the added causes
   std::vector<std::string> not_needed;  ///< added effects that the fit found to be zero and that were removed again
   /// Errors of poses held out in folds, before and after the addition.
   calibration::ErrorSize heldout_before, heldout_after;
@@ -77,7 +77,7 @@ struct Improvement {
   ImprovementEnd end = ImprovementEnd::kNotRun;
   std::vector<ImprovementStep> steps;
   /// The given model as first fitted, then one model for each step that added a cause. All are fitted to the same
-  /// readings.
+  /// measurements.
   std::vector<ImprovedModel> models;
 
   /// Returns true if the result has a model that may be used.
@@ -87,9 +87,9 @@ struct Improvement {
   }
 };
 
-/// Runs the improvement loop. If the readings determine no free parameter, the loop ends with kNotFitted and a refused
-/// fit. Throws JobStopped if a stop is requested.
-[[nodiscard]] Improvement improveModel(const CellModel& cell, const std::vector<calibration::Measurement>& readings,
+/// Runs the improvement loop. If the measurements determine no free parameter, the loop ends with kNotFitted and a
+/// refused fit. Throws JobStopped if a stop is requested.
+[[nodiscard]] Improvement improveModel(const CellModel& cell, const std::vector<calibration::Measurement>& measurements,
                                        const ImprovementRequest& request, const WorkHooks& hooks = {});
 
 /// Returns one comparison row for each model of the result, in the order in which the loop fitted them.

@@ -17,7 +17,7 @@ struct LadderSteps {
   int holes = 0, out_of_reach = 0;
 };
 
-/// Returns the row with the smallest error of held-out readings; null if no model could be fitted.
+/// Returns the row with the smallest error of held-out measurements; null if no model could be fitted.
 [[nodiscard]] const ModelComparisonRow* bestRow(const std::vector<ModelComparisonRow>& comparison);
 
 /// Uses the best model in place of the real arm, with an unmodelled error equal to the noise floor.

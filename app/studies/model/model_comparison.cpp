@@ -19,16 +19,16 @@ void stateChiSquare(double chi2, int degrees_of_freedom, ModelComparisonRow& com
 
 /// Returns the comparison row of a model without free parameters.
 ModelComparisonRow rowAsItStands(const std::string& name, const CellModel& cell,
-                                 const std::vector<calibration::Measurement>& readings) {
+                                 const std::vector<calibration::Measurement>& measurements) {
   ModelComparisonRow compared;
   compared.name = name;
-  compared.model = startOf(cell, readings);
+  compared.model = startOf(cell, measurements);
   const auto& placed = compared.model;
   std::vector<calibration::Measurement> fitted, held_out;
-  for (const auto& reading : readings) (reading.is_held_out ? held_out : fitted).push_back(reading);
+  for (const auto& measurement : measurements) (measurement.is_held_out ? held_out : fitted).push_back(measurement);
   compared.as_it_stands = compared.fitted = calibration::judge(placed, fitted);
   compared.heldout = held_out.empty() ? compared.fitted : calibration::judge(placed, held_out);
-  if (const auto weights = calibration::weighReadings(placed, fitted)) {
+  if (const auto weights = calibration::weighMeasurements(placed, fitted)) {
     compared.noise_floor = calibration::noiseFloor(fitted, *weights);
     const auto residual = calibration::whitenedResidual(placed, {}, fitted, *weights, {}, false);
     stateChiSquare(residual.r.squaredNorm(), weights->degrees_of_freedom, compared);
@@ -51,24 +51,25 @@ ModelComparisonRow comparisonRowOf(const std::string& name, const calibration::I
   return compared;
 }
 
-calibration::Identification fitForLadder(const CellModel& cell, const std::vector<calibration::Measurement>& readings,
-                                         std::uint64_t seed, const WorkHooks& hooks) {
+calibration::Identification fitForLadder(const CellModel& cell,
+                                         const std::vector<calibration::Measurement>& measurements, std::uint64_t seed,
+                                         const WorkHooks& hooks) {
   if (cell.identify.empty() && cell.base_known) return {};
   calibration::IdentificationOptions options;
   options.free = freeNumbersOf(cell);
   options.seed = seed;
   options.intervals_by_profile = false;
   options.hooks = hooks;
-  auto fit = calibration::identify(startOf(cell, readings), readings, options);
+  auto fit = calibration::identify(startOf(cell, measurements), measurements, options);
   requireGoingOn(hooks);
   return fit;
 }
 
 ModelComparisonRow comparisonRowOf(const std::string& name, const CellModel& cell,
-                                   const std::vector<calibration::Measurement>& readings, std::uint64_t seed,
+                                   const std::vector<calibration::Measurement>& measurements, std::uint64_t seed,
                                    const WorkHooks& hooks) {
-  const auto fit = fitForLadder(cell, readings, seed, hooks);
-  if (fit.status == calibration::IdentificationStatus::kNotRun) return rowAsItStands(name, cell, readings);
+  const auto fit = fitForLadder(cell, measurements, seed, hooks);
+  if (fit.status == calibration::IdentificationStatus::kNotRun) return rowAsItStands(name, cell, measurements);
   return comparisonRowOf(name, fit);
 }
 

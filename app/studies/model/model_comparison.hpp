@@ -1,4 +1,4 @@
-// Comparison of several models on the same readings: shows how much each refinement of the model reduces the error.
+// Comparison of several models on the same measurements: shows how much each refinement of the model reduces the error.
 #pragma once
 
 #include <optional>
@@ -26,19 +26,19 @@ struct ModelComparisonRow {
   std::optional<StepTable> steps;  ///< step table; nothing: not requested
 };
 
-/// Compares a cell's model with the readings. A model without free parameters is evaluated as it is, without a fit.
+/// Compares a cell's model with the measurements. A model without free parameters is evaluated as it is, without a fit.
 /// Throws JobStopped if a stop is requested.
 [[nodiscard]] ModelComparisonRow comparisonRowOf(const std::string& name, const CellModel& cell,
-                                                 const std::vector<calibration::Measurement>& readings,
+                                                 const std::vector<calibration::Measurement>& measurements,
                                                  std::uint64_t seed, const WorkHooks& hooks = {});
 
 /// Returns the comparison row of a model that is already fitted.
 [[nodiscard]] ModelComparisonRow comparisonRowOf(const std::string& name, const calibration::Identification& fit);
 
-/// Returns the fit of the cell's model to the readings, for a comparison row. Its status is kNotRun if the cell has no
-/// free parameters. Throws JobStopped if a stop is requested.
+/// Returns the fit of the cell's model to the measurements, for a comparison row. Its status is kNotRun if the cell has
+/// no free parameters. Throws JobStopped if a stop is requested.
 [[nodiscard]] calibration::Identification fitForLadder(const CellModel& cell,
-                                                       const std::vector<calibration::Measurement>& readings,
+                                                       const std::vector<calibration::Measurement>& measurements,
                                                        std::uint64_t seed, const WorkHooks& hooks = {});
 
 }  // namespace tubeplan::app

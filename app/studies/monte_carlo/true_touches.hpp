@@ -17,8 +17,8 @@ struct TrialHole {
   Eigen::Vector3d tip_error = Eigen::Vector3d::Zero();  ///< unmodelled error of the tip in the world frame [m]
 };
 
-/// Returns the true arm's readings of touches of the first `count` holes, with a centring noise of `sigma` [m] in each
-/// coordinate. Empty if one of the holes is out of reach.
+/// Returns the true arm's measurements of touches of the first `count` holes, with a centring noise of `sigma` [m] in
+/// each coordinate. Empty if one of the holes is out of reach.
 [[nodiscard]] std::vector<calibration::Measurement> touchHoles(const planner::Workcell& truth,
                                                                const std::vector<TrialHole>& holes, int count,
                                                                double sigma, std::uint64_t seed);

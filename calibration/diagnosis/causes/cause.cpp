@@ -5,7 +5,7 @@
 #include <set>
 
 #include "calibration/independent_geometry.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 
 namespace tubeplan::calibration {
 
@@ -16,7 +16,7 @@ namespace {
 constexpr int kKneeLevels = 7;   // number of moments that are tried for the knee of a stiffness
 constexpr int kTimeLevels = 64;  // number of times that are tried for a step
 // Prior odds that one of the stiffnesses that the fit does not change is wrong, since drawings seldom state them well.
-// The zeros of joints that follow other joints have the same prior odds, because no reading states them.
+// The zeros of joints that follow other joints have the same prior odds, because no measurement states them.
 constexpr double kFreedOdds = 2;
 constexpr double kGeometryOdds = 2;  // prior odds of an error in the drawing's geometry as a whole
 // Fraction of the odds of a kind of effect that goes to this effect at all joints together.
@@ -29,10 +29,10 @@ bool hasWeights(const deflection::Arm& arm) {
   return std::ranges::any_of(arm.rows, weighs) || !arm.side_chains.empty();
 }
 
-/// Returns what the readings or the arm would need for the effect to be visible; empty if it can be visible.
-std::string lackOf(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& readings) {
+/// Returns what the measurements or the arm would need for the effect to be visible; empty if it can be visible.
+std::string lackOf(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& measurements) {
   const deflection::Arm& arm = placed.arm;
-  const auto any = [&](auto&& holds) { return std::ranges::any_of(readings, holds); };
+  const auto any = [&](auto&& holds) { return std::ranges::any_of(measurements, holds); };
   const bool has_load = any([](const Measurement& m) { return m.load > 0; });
   const bool is_loaded = has_load || any([](const Measurement& m) { return m.wrench.has_value(); });
   if (kind.needs.approach_directions && !any([](const Measurement& m) {
@@ -64,27 +64,29 @@ std::vector<double> quantiles(std::vector<double> sample, int count, double from
   return {levels.begin(), levels.end()};
 }
 
-/// Returns the absolute moments [N m] about the axis at `place`, at an evenly spaced subset of fewer than 400 readings.
-std::vector<double> momentsAt(const PlacedArm& placed, const std::vector<Measurement>& readings,
+/// Returns the absolute moments [N m] about the axis at `place`, at an evenly spaced subset of fewer than 400
+/// measurements.
+std::vector<double> momentsAt(const PlacedArm& placed, const std::vector<Measurement>& measurements,
                               const deflection::Place& place) {
   constexpr std::size_t kMost = 200;
-  const std::size_t step = std::max<std::size_t>(1, readings.size() / kMost);
+  const std::size_t step = std::max<std::size_t>(1, measurements.size() / kMost);
   std::vector<double> moments;
-  for (std::size_t k = 0; k < readings.size(); k += step) {
-    const auto& X_WB = basePoseAt(placed, readings[k]);
-    const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(readings[k], placed.arm, X_WB));
+  for (std::size_t k = 0; k < measurements.size(); k += step) {
+    const auto& X_WB = basePoseAt(placed, measurements[k]);
+    const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(measurements[k], placed.arm, X_WB));
     if (shape.status == deflection::KinematicsStatus::kConverged)
       moments.push_back(std::abs(shape.rows[static_cast<std::size_t>(place.row)].moment_L[place.axis]));
   }
   return moments;
 }
 
-std::vector<double> levelsOf(const Cause& cause, const PlacedArm& placed, const std::vector<Measurement>& readings) {
+std::vector<double> levelsOf(const Cause& cause, const PlacedArm& placed,
+                             const std::vector<Measurement>& measurements) {
   if (cause.shape < 0) return {0};
   const auto& parameter = kindOf(cause.effects.front()).parameters[static_cast<std::size_t>(cause.shape)];
   if (parameter.quantity == Quantity::kTorque)
-    return quantiles(momentsAt(placed, readings, cause.effects.front().place), kKneeLevels, 0.04, 0.9);
-  if (parameter.quantity == Quantity::kTime) return quantiles(timesBetween(readings), kTimeLevels, 0.05, 0.95);
+    return quantiles(momentsAt(placed, measurements, cause.effects.front().place), kKneeLevels, 0.04, 0.9);
+  if (parameter.quantity == Quantity::kTime) return quantiles(timesBetween(measurements), kTimeLevels, 0.05, 0.95);
   return {parameter.neutral};
 }
 
@@ -115,14 +117,14 @@ bool mayActAlike(const EffectKind& kind) {
 
 /// Adds one cause for each place of an effect kind, and one for all joints together. The kind's odds are divided among
 /// these causes.
-void addKind(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& readings,
+void addKind(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& measurements,
              CauseList& list) {
   std::vector<Cause> at_places;
   for (const std::string& at : placesOf(kind, placed)) {
     const auto made = deflection::makeEffect(placed.arm, kind.name, at);
     if (isThereAlready(placed.arm, made.effect)) continue;
     Cause cause{kind.name, at, {made.effect}, {}, shapeOf(kind)};
-    cause.levels = levelsOf(cause, placed, readings);
+    cause.levels = levelsOf(cause, placed, measurements);
     if (!cause.levels.empty()) at_places.push_back(std::move(cause));
   }
   if (at_places.empty()) return;
@@ -169,10 +171,10 @@ void addHeldNumbers(const PlacedArm& placed, const std::vector<Unknown>& free, C
 
 }  // namespace
 
-std::vector<double> timesBetween(const std::vector<Measurement>& readings) {
+std::vector<double> timesBetween(const std::vector<Measurement>& measurements) {
   std::set<double> times;
-  for (const auto& reading : readings)
-    if (reading.conditions.states(Condition::kTime)) times.insert(reading.conditions[Condition::kTime]);
+  for (const auto& measurement : measurements)
+    if (measurement.conditions.states(Condition::kTime)) times.insert(measurement.conditions[Condition::kTime]);
   std::vector<double> between;
   for (auto at = times.begin(); at != times.end() && std::next(at) != times.end(); ++at)
     between.push_back((*at + *std::next(at)) / 2);
@@ -260,16 +262,16 @@ Unknown shapeUnknown(const deflection::Arm& arm, const Cause& cause, int effect,
   return unknown;
 }
 
-CauseList listCauses(const PlacedArm& placed, const std::vector<Measurement>& readings,
+CauseList listCauses(const PlacedArm& placed, const std::vector<Measurement>& measurements,
                      const std::vector<Unknown>& free, const WorkHooks& hooks) {
   CauseList list;
   for (const auto& kind : deflection::effectKinds()) {
     goOn(hooks.stop);
     if (kind.odds <= 0) continue;
-    if (const std::string lack = lackOf(kind, placed, readings); !lack.empty())
+    if (const std::string lack = lackOf(kind, placed, measurements); !lack.empty())
       list.not_tried.push_back(std::string(kind.name) + ": " + lack);
     else
-      addKind(kind, placed, readings, list);
+      addKind(kind, placed, measurements, list);
   }
   addHeldNumbers(placed, free, list);
   double total = 0;

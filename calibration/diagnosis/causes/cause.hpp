@@ -63,19 +63,19 @@ struct Cause {
 /// for a fit that starts at the parameter's value `level`. `effect` is the index of the cause's effect in the arm.
 [[nodiscard]] Unknown shapeUnknown(const deflection::Arm& arm, const Cause& cause, int effect, double level);
 
-/// Returns the midpoints [s] between consecutive times of the readings, ascending. One step time per interval suffices,
-/// because a step has the same effect on the readings wherever it lies between two of them.
-[[nodiscard]] std::vector<double> timesBetween(const std::vector<Measurement>& readings);
+/// Returns the midpoints [s] between consecutive times of the measurements, ascending. One step time per interval
+/// suffices, because a step has the same effect on the measurements wherever it lies between two of them.
+[[nodiscard]] std::vector<double> timesBetween(const std::vector<Measurement>& measurements);
 
 struct CauseList {
   std::vector<Cause> causes;
-  /// Effects that were not tried, each with the reason, such as "payload-offset: no reading is under a load".
+  /// Effects that were not tried, each with the reason, such as "payload-offset: no measurement is under a load".
   std::vector<std::string> not_tried;
 };
 
-/// Lists every cause that these readings could reveal in addition to the unknowns in `free`, except effects that the
-/// arm already has at the same place. Throws WorkStopped on a request to stop.
-[[nodiscard]] CauseList listCauses(const PlacedArm& placed, const std::vector<Measurement>& readings,
+/// Lists every cause that these measurements could reveal in addition to the unknowns in `free`, except effects that
+/// the arm already has at the same place. Throws WorkStopped on a request to stop.
+[[nodiscard]] CauseList listCauses(const PlacedArm& placed, const std::vector<Measurement>& measurements,
                                    const std::vector<Unknown>& free, const WorkHooks& hooks = {});
 
 }  // namespace tubeplan::calibration

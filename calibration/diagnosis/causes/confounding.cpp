@@ -38,16 +38,16 @@ double shareOf(const MatrixXd& one, const MatrixXd& other) {
 
 }  // namespace
 
-std::vector<Confounding> findConfounding(const PlacedArm& placed, const std::vector<Measurement>& readings,
+std::vector<Confounding> findConfounding(const PlacedArm& placed, const std::vector<Measurement>& measurements,
                                          const std::vector<Unknown>& fitted) {
-  const auto weights = weighReadings(placed, readings);
+  const auto weights = weighMeasurements(placed, measurements);
   if (!weights) return {};
-  const auto catalogue = singleCauses(placed, readings, fitted, *weights);
+  const auto catalogue = singleCauses(placed, measurements, fitted, *weights);
   if (!catalogue) return {};
   const auto& causes = catalogue->causes;
   MatrixXd others;
   if (!fitted.empty())
-    others = spanOf(whitenedResidual(placed, fitted, readings, *weights, zerosOf(fitted), true).jacobian);
+    others = spanOf(whitenedResidual(placed, fitted, measurements, *weights, zerosOf(fitted), true).jacobian);
   std::vector<Signature> signatures;
   for (std::size_t c = 0; c < causes.size(); ++c)
     signatures.push_back(signatureOf(catalogue->columnsOf(c, static_cast<int>(causes[c].levels.size()) / 2), others));

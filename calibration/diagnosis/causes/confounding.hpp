@@ -1,5 +1,5 @@
-// Causes that these readings can hardly distinguish: after projection orthogonal to the fitted parameters' Jacobian,
-// the signature of one cause lies in the span of another cause's signature.
+// Causes that these measurements can hardly distinguish: after projection orthogonal to the fitted parameters'
+// Jacobian, the signature of one cause lies in the span of another cause's signature.
 #pragma once
 
 #include <string>
@@ -29,11 +29,11 @@ struct Confounding {
 inline constexpr double kConfoundedShare = 0.98;
 inline constexpr double kHardlyKept = 1e-3;
 
-/// Finds, for every cause that the readings could reveal, the causes with which it is confounded. The model is
+/// Finds, for every cause that the measurements could reveal, the causes with which it is confounded. The model is
 /// linearised at `placed` with respect to the unknowns `fitted`; each scanned parameter takes the middle one of its
 /// levels. Returns an empty list if the model cannot be evaluated.
 [[nodiscard]] std::vector<Confounding> findConfounding(const PlacedArm& placed,
-                                                       const std::vector<Measurement>& readings,
+                                                       const std::vector<Measurement>& measurements,
                                                        const std::vector<Unknown>& fitted);
 
 }  // namespace tubeplan::calibration

@@ -30,7 +30,7 @@ std::vector<Unknown> numbersOf(const PlacedArm& placed, int effect) {
   return unknowns;
 }
 
-/// Returns the signature of a formula in the readings: one column for the present values of its parameters, or one
+/// Returns the signature of a formula in the measurements: one column for the present values of its parameters, or one
 /// column per parameter if all values are zero.
 MatrixXd signatureOf(const deflection::Effect& effect, const MatrixXd& columns) {
   const auto& parameters = deflection::numbersOf(effect);
@@ -45,16 +45,16 @@ MatrixXd signatureOf(const deflection::Effect& effect, const MatrixXd& columns) 
   return sizes.isZero(0) ? each : MatrixXd((columns * sizes).stableNormalized());
 }
 
-/// Fitted model with its readings and their weights, and the catalogue's causes linearised about this model.
+/// Fitted model with its measurements and their weights, and the catalogue's causes linearised about this model.
 struct Setting {
   const PlacedArm& placed;
-  const std::vector<Measurement>& readings;
-  const ReadingWeights& weights;
+  const std::vector<Measurement>& measurements;
+  const MeasurementWeights& weights;
   const std::vector<Unknown>& fitted;
   const SingleCauses& catalogue;
 
   [[nodiscard]] MatrixXd jacobianBy(const std::vector<Unknown>& unknowns) const {
-    return whitenedResidual(placed, unknowns, readings, weights, zerosOf(unknowns), true).jacobian;
+    return whitenedResidual(placed, unknowns, measurements, weights, zerosOf(unknowns), true).jacobian;
   }
 };
 
@@ -97,12 +97,12 @@ FormulaOverlap overlapOf(const Setting& at, int effect) {
 }  // namespace
 
 std::vector<FormulaOverlap> findFormulaOverlaps(const Identification& result,
-                                                const std::vector<Measurement>& readings) {
+                                                const std::vector<Measurement>& measurements) {
   const auto& effects = result.fitted.arm.effects;
   const bool has_any = std::ranges::any_of(effects, [](const auto& e) { return e.formula != nullptr; });
   if (result.status != IdentificationStatus::kDone || !has_any) return {};
-  const auto used = picked(readings, result.used);
-  const auto weights = weighReadings(result.fitted, used);
+  const auto used = picked(measurements, result.used);
+  const auto weights = weighMeasurements(result.fitted, used);
   if (!weights) return {};
   const auto fitted = fittedUnknowns(result);
   const auto catalogue = singleCauses(result.fitted, used, fitted, *weights);

@@ -1,5 +1,5 @@
 // Overlap of a user's formula with effects of the catalogue: the fraction of the formula's signature (its first-order
-// change of the readings) that lies in the span of an effect's signature, after projection orthogonal to the other
+// change of the measurements) that lies in the span of an effect's signature, after projection orthogonal to the other
 // fitted parameters' Jacobian.
 #pragma once
 
@@ -22,9 +22,9 @@ struct FormulaOverlap {
   std::vector<EffectShare> shares;
 };
 
-/// Computes, at the fitted readings, the overlap of each formula of the fitted arm with the effects of the catalogue.
-/// Returns an empty list if the identification was not completed or the model cannot be evaluated.
+/// Computes, at the fitted measurements, the overlap of each formula of the fitted arm with the effects of the
+/// catalogue. Returns an empty list if the identification was not completed or the model cannot be evaluated.
 [[nodiscard]] std::vector<FormulaOverlap> findFormulaOverlaps(const Identification& result,
-                                                              const std::vector<Measurement>& readings);
+                                                              const std::vector<Measurement>& measurements);
 
 }  // namespace tubeplan::calibration

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 
 namespace tubeplan::calibration {
 
@@ -82,18 +82,18 @@ void Signatures::shareColumns(const std::vector<Cause>& causes) {
   }
 }
 
-MatrixXd Signatures::columnsAt(const std::vector<Measurement>& readings, const ReadingWeights& weights,
+MatrixXd Signatures::columnsAt(const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
                                const StopQuestion& stop) const {
   MatrixXd all(weights.rows, static_cast<Index>(columns_.size()));
   // Unknown points absorb a part of a step that depends on its time, so this part is removed only from the finished
   // columns.
-  ReadingWeights apart = weights;
+  MeasurementWeights apart = weights;
   apart.points.clear();
   apart.shared.clear();
   for (const Layer& layer : layers_) {
     goOn(stop);
     auto residual =
-        whitenedResidual(layer.placed, layer.unknowns, readings, apart, zerosOf(layer.unknowns), true, stop);
+        whitenedResidual(layer.placed, layer.unknowns, measurements, apart, zerosOf(layer.unknowns), true, stop);
     if (!residual.ok) return {};
     const auto count = static_cast<Index>(layer.unknowns.size());
     residual.jacobian.array().rowwise() *= typicalsOf(layer.unknowns).transpose().array();
@@ -103,21 +103,21 @@ MatrixXd Signatures::columnsAt(const std::vector<Measurement>& readings, const R
         auto column = all.col(layer.columns[block * static_cast<std::size_t>(count) + static_cast<std::size_t>(k)]);
         column = residual.jacobian.col(k);
         if (layer.times.empty()) continue;
-        for (std::size_t r = 0; r < readings.size(); ++r)
-          if (readings[r].conditions[Condition::kTime] < layer.times[block])
-            column.segment(weights.first_row[r], rowsOf(readings[r])).setZero();
+        for (std::size_t r = 0; r < measurements.size(); ++r)
+          if (measurements[r].conditions[Condition::kTime] < layer.times[block])
+            column.segment(weights.first_row[r], rowsOf(measurements[r])).setZero();
       }
   }
   takeSharedOff(weights, all);
   return all;
 }
 
-std::optional<SingleCauses> singleCauses(const PlacedArm& placed, const std::vector<Measurement>& readings,
-                                         const std::vector<Unknown>& fitted, const ReadingWeights& weights) {
-  auto causes = listCauses(placed, readings, fitted).causes;
+std::optional<SingleCauses> singleCauses(const PlacedArm& placed, const std::vector<Measurement>& measurements,
+                                         const std::vector<Unknown>& fitted, const MeasurementWeights& weights) {
+  auto causes = listCauses(placed, measurements, fitted).causes;
   std::erase_if(causes, [](const Cause& cause) { return cause.effects.size() != 1; });
   Signatures signatures(placed, causes);
-  MatrixXd columns = signatures.columnsAt(readings, weights);
+  MatrixXd columns = signatures.columnsAt(measurements, weights);
   if (columns.rows() != weights.rows) return std::nullopt;
   return SingleCauses{std::move(causes), std::move(signatures), std::move(columns)};
 }

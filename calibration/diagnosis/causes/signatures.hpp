@@ -1,5 +1,5 @@
-// Signatures of causes: first-order changes of the readings when a parameter of the cause takes the largest value found
-// on real machines.
+// Signatures of causes: first-order changes of the measurements when a parameter of the cause takes the largest value
+// found on real machines.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@
 namespace tubeplan::calibration {
 
 /// Properties of the signature's column for one parameter of a cause, at one level of its scanned parameter. The column
-/// is the change of the readings when the parameter changes by Unknown::typical.
+/// is the change of the measurements when the parameter changes by Unknown::typical.
 struct SignatureColumn {
   double lower = 0, upper = 0;  ///< bounds of the parameter, relative to its neutral value [Unknown::typical]
   double prior_sigma = 1;       ///< prior standard deviation [Unknown::typical]; 1 for a parameter of an effect
@@ -32,10 +32,10 @@ class Signatures {
     return of_cause_[static_cast<std::size_t>(cause)][static_cast<std::size_t>(level)];
   }
 
-  /// Returns the whitened columns at these readings (rows of `weights` x columns()), without the component that unknown
-  /// points absorb. Empty if the model cannot be evaluated. Throws WorkStopped on a request to stop.
-  [[nodiscard]] Eigen::MatrixXd columnsAt(const std::vector<Measurement>& readings, const ReadingWeights& weights,
-                                          const StopQuestion& stop = {}) const;
+  /// Returns the whitened columns at these measurements (rows of `weights` x columns()), without the component that
+  /// unknown points absorb. Empty if the model cannot be evaluated. Throws WorkStopped on a request to stop.
+  [[nodiscard]] Eigen::MatrixXd columnsAt(const std::vector<Measurement>& measurements,
+                                          const MeasurementWeights& weights, const StopQuestion& stop = {}) const;
 
  private:
   /// Causes that are evaluated together in one arm, each at one level. The levels of a cause are in different layers,
@@ -57,7 +57,7 @@ class Signatures {
   std::vector<Layer> layers_;
 };
 
-/// Causes that consist of one effect at one place, with their whitened columns at given readings.
+/// Causes that consist of one effect at one place, with their whitened columns at given measurements.
 struct SingleCauses {
   std::vector<Cause> causes;
   Signatures signatures;
@@ -68,11 +68,11 @@ struct SingleCauses {
   }
 };
 
-/// Returns the causes of one effect at one place that the readings could reveal in addition to the fitted parameters;
-/// nullopt if the model cannot be evaluated.
+/// Returns the causes of one effect at one place that the measurements could reveal in addition to the fitted
+/// parameters; nullopt if the model cannot be evaluated.
 [[nodiscard]] std::optional<SingleCauses> singleCauses(const PlacedArm& placed,
-                                                       const std::vector<Measurement>& readings,
+                                                       const std::vector<Measurement>& measurements,
                                                        const std::vector<Unknown>& fitted,
-                                                       const ReadingWeights& weights);
+                                                       const MeasurementWeights& weights);
 
 }  // namespace tubeplan::calibration

@@ -23,12 +23,13 @@ constexpr int kSlowWaves = 4;
 // If the arm has more joints than this, products for two joints are used only if the joints are neighbours or one of
 // them has the error.
 constexpr int kManyJoints = 5;
-constexpr std::size_t kReadingsForScale = 300;  // number of readings that suffice for the root mean square of a term
+constexpr std::size_t kMeasurementsForScale =
+    300;  // number of measurements that suffice for the root mean square of a term
 // Amplitudes relative to that of a joint's first wave; rougher functions have smaller amplitudes.
 constexpr double kBump = 0.5, kProduct = 0.5, kShift = 0.7, kTurn = 0.5, kMinor = 0.5;
 constexpr std::size_t kWeighingJoints = 3;  // number of joints, from the base, that move most of the arm's weight
 
-/// Function of a reading, with the name of the variable that the function depends on.
+/// Function of a measurement, with the name of the variable that the function depends on.
 struct Feature {
   std::string follows;
   Function function;
@@ -44,9 +45,9 @@ struct Range {
   [[nodiscard]] bool isWide() const { return high > low; }
 };
 
-Range rangeOf(const std::vector<Measurement>& readings, const Function& value) {
+Range rangeOf(const std::vector<Measurement>& measurements, const Function& value) {
   Range range;
-  for (const auto& reading : readings) range.take(value(reading));
+  for (const auto& measurement : measurements) range.take(value(measurement));
   return range;
 }
 
@@ -58,10 +59,10 @@ Function product(const Function& a, const Function& b) {
 /// joint twice the travelled range.
 class JointFeatures {
  public:
-  JointFeatures(const deflection::Joint<double>& joint, Index index, const std::vector<Measurement>& readings)
+  JointFeatures(const deflection::Joint<double>& joint, Index index, const std::vector<Measurement>& measurements)
       : name_(joint.name),
         index_(index),
-        range_(rangeOf(readings, [index](const Measurement& m) { return m.q[index]; })) {
+        range_(rangeOf(measurements, [index](const Measurement& m) { return m.q[index]; })) {
     const bool turns = joint.type == deflection::JointType::kRevolute;
     rate_ = turns ? 1 : std::numbers::pi / std::max(1e-9, range_.high - range_.low);
   }
@@ -126,27 +127,27 @@ std::vector<Feature> productsOf(const JointFeatures& a, const JointFeatures& b) 
   return features;
 }
 
-/// Functions of the load and of the conditions stated by the readings, independent of the joints.
+/// Functions of the load and of the conditions stated by the measurements, independent of the joints.
 struct Conditions {
   std::vector<Feature> load;
   deflection::OfEachCondition<std::vector<Feature>> stated;
 
-  explicit Conditions(const std::vector<Measurement>& readings) {
-    const Range loads = rangeOf(readings, [](const Measurement& m) { return m.load; });
+  explicit Conditions(const std::vector<Measurement>& measurements) {
+    const Range loads = rangeOf(measurements, [](const Measurement& m) { return m.load; });
     if (loads.isWide()) {
       const auto share = [most = loads.high](const Measurement& m) { return m.load / most; };
       load = {{"load", share, 1}, {"load", product(share, share), 1}};
     }
-    for (const auto& kind : deflection::kConditionKinds) stated[kind.condition] = featuresOf(kind, readings);
+    for (const auto& kind : deflection::kConditionKinds) stated[kind.condition] = featuresOf(kind, measurements);
   }
 
  private:
-  /// Returns a linear function from -1 to 1, or waves over the range of the condition; zero at a reading that does not
-  /// state the condition.
+  /// Returns a linear function from -1 to 1, or waves over the range of the condition; zero at a measurement that does
+  /// not state the condition.
   static std::vector<Feature> featuresOf(const deflection::ConditionKind& kind,
-                                         const std::vector<Measurement>& readings) {
+                                         const std::vector<Measurement>& measurements) {
     const auto value = [of = kind.condition](const Measurement& m) { return m.conditions[of]; };
-    const Range range = rangeOf(readings, value);
+    const Range range = rangeOf(measurements, value);
     if (!range.isWide()) return {};
     const auto share = [value, range](const Measurement& m) {
       return (value(m) - range.low) / (range.high - range.low);
@@ -166,11 +167,11 @@ struct Conditions {
 /// Builds the terms of the discrepancy process, channel by channel.
 class TermMaker {
  public:
-  TermMaker(const deflection::Arm& arm, const std::vector<Measurement>& readings) : conditions_(readings) {
+  TermMaker(const deflection::Arm& arm, const std::vector<Measurement>& measurements) : conditions_(measurements) {
     Index index = 0;
-    for (const auto& joint : arm.joints()) joints_.emplace_back(joint, index++, readings);
+    for (const auto& joint : arm.joints()) joints_.emplace_back(joint, index++, measurements);
     has_directions_ =
-        std::ranges::any_of(readings, [](const Measurement& m) { return !m.approach_directions.empty(); });
+        std::ranges::any_of(measurements, [](const Measurement& m) { return !m.approach_directions.empty(); });
   }
 
   [[nodiscard]] std::vector<DiscrepancyTerm> make() {
@@ -251,7 +252,7 @@ class TermMaker {
   std::vector<DiscrepancyTerm> terms_;
 };
 
-/// Returns the change of the reading's rows [m] due to a term with coefficient 1.
+/// Returns the change of the measurement's rows [m] due to a term with coefficient 1.
 VectorXd columnOf(const std::vector<Motion>& motions, const DiscrepancyTerm& term) {
   VectorXd column = motions.front().displacements.col(term.channel) * term.function(motions.front().at);
   for (std::size_t k = 1; k < motions.size(); ++k)
@@ -260,15 +261,15 @@ VectorXd columnOf(const std::vector<Motion>& motions, const DiscrepancyTerm& ter
 }
 
 /// Scales the terms so that the whole process has a root-mean-square error of 1 m, of which each term has the fraction
-/// given by its amplitude. Removes terms that change no reading.
-void scaleTerms(const PlacedArm& placed, const std::vector<Measurement>& readings,
+/// given by its amplitude. Removes terms that change no measurement.
+void scaleTerms(const PlacedArm& placed, const std::vector<Measurement>& measurements,
                 std::vector<DiscrepancyTerm>& terms) {
   std::vector<double> squares(terms.size());
   double count = 0;
-  ReadingPredictor predictor(placed.arm);
-  const std::size_t step = std::max<std::size_t>(1, readings.size() / kReadingsForScale);
-  for (std::size_t k = 0; k < readings.size(); k += step) {
-    const auto motions = motionsOf(predictor, placed, readings[k]);
+  MeasurementPredictor predictor(placed.arm);
+  const std::size_t step = std::max<std::size_t>(1, measurements.size() / kMeasurementsForScale);
+  for (std::size_t k = 0; k < measurements.size(); k += step) {
+    const auto motions = motionsOf(predictor, placed, measurements[k]);
     if (motions.empty()) continue;
     ++count;
     for (std::size_t t = 0; t < terms.size(); ++t) squares[t] += columnOf(motions, terms[t]).squaredNorm();
@@ -286,9 +287,9 @@ void scaleTerms(const PlacedArm& placed, const std::vector<Measurement>& reading
 
 }  // namespace
 
-Discrepancy::Discrepancy(const PlacedArm& placed, const std::vector<Measurement>& readings)
-    : placed_(placed), terms_(TermMaker(placed.arm, readings).make()) {
-  scaleTerms(placed_, readings, terms_);
+Discrepancy::Discrepancy(const PlacedArm& placed, const std::vector<Measurement>& measurements)
+    : placed_(placed), terms_(TermMaker(placed.arm, measurements).make()) {
+  scaleTerms(placed_, measurements, terms_);
 }
 
 std::vector<std::vector<int>> Discrepancy::sources() const {
@@ -299,13 +300,13 @@ std::vector<std::vector<int>> Discrepancy::sources() const {
   return lists;
 }
 
-MatrixXd Discrepancy::columnsAt(const std::vector<Measurement>& readings, const ReadingWeights& weights) const {
+MatrixXd Discrepancy::columnsAt(const std::vector<Measurement>& measurements, const MeasurementWeights& weights) const {
   MatrixXd columns(weights.rows, static_cast<Index>(terms_.size()));
   std::atomic<bool> ok = true;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings.size(), 16), [&](const auto& range) {
-    ReadingPredictor predictor(placed_.arm);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, measurements.size(), 16), [&](const auto& range) {
+    MeasurementPredictor predictor(placed_.arm);
     for (std::size_t k = range.begin(); k != range.end(); ++k) {
-      auto motions = motionsOf(predictor, placed_, readings[k]);
+      auto motions = motionsOf(predictor, placed_, measurements[k]);
       if (motions.empty()) {
         ok = false;
         return;

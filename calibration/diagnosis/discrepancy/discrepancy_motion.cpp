@@ -9,8 +9,8 @@ using Eigen::Index, Eigen::MatrixXd;
 
 namespace {
 
-/// Returns the change of the reading's rows per unit shift of the tool and per unit shift or rotation of the base; the
-/// columns of the joints are zero.
+/// Returns the change of the measurement's rows per unit shift of the tool and per unit shift or rotation of the base;
+/// the columns of the joints are zero.
 MatrixXd rigidDisplacements(const MeasuredSlope& slope, const ToolPose& tool, const Eigen::Vector3d& base_W,
                             Index joints) {
   MatrixXd displacements = MatrixXd::Zero(slope.by_place.rows(), joints + 9);
@@ -23,11 +23,11 @@ MatrixXd rigidDisplacements(const MeasuredSlope& slope, const ToolPose& tool, co
 
 /// Returns the motions at the two postures of a displacement: its own posture, and its reference posture with the
 /// opposite sign. They are kept apart because the function of a term has different values at the two postures.
-std::vector<Motion> motionsOfDisplacement(ReadingPredictor& predictor, const PlacedArm& placed,
-                                          const Eigen::Isometry3d& X_WB, const Measurement& reading,
+std::vector<Motion> motionsOfDisplacement(MeasurementPredictor& predictor, const PlacedArm& placed,
+                                          const Eigen::Isometry3d& X_WB, const Measurement& measurement,
                                           const Departure& from) {
-  std::vector<Motion> motions{{reading, {}}, {readingAt(from), {}}};
-  const Index joints = reading.q.size();
+  std::vector<Motion> motions{{measurement, {}}, {measurementAt(from), {}}};
+  const Index joints = measurement.q.size();
   std::vector<ToolPose> tools;
   for (const Motion& motion : motions) {
     const auto tool = toolAt(placed.arm, X_WB, motion.at);
@@ -36,7 +36,7 @@ std::vector<Motion> motionsOfDisplacement(ReadingPredictor& predictor, const Pla
   }
   ToolPose way = tools.front();
   way.p_W -= tools.back().p_W;
-  const MeasuredSlope slope = predictedSlope(reading, way);
+  const MeasuredSlope slope = predictedSlope(measurement, way);
   for (std::size_t k = 0; k < motions.size(); ++k) {
     const Prediction tip = predictor.predictTip(X_WB, postureOf(motions[k].at, placed.arm, X_WB), {.by_joints = true});
     if (!tip.ok) return {};
@@ -49,16 +49,18 @@ std::vector<Motion> motionsOfDisplacement(ReadingPredictor& predictor, const Pla
 
 }  // namespace
 
-std::vector<Motion> motionsOf(ReadingPredictor& predictor, const PlacedArm& placed, const Measurement& reading) {
-  const auto& X_WB = basePoseAt(placed, reading);
-  if (const auto from = departureOf(reading)) return motionsOfDisplacement(predictor, placed, X_WB, reading, *from);
-  const Prediction prediction = predictor.predict(X_WB, reading, {.by_joints = true});
-  const auto frame = frameAt(placed.arm, X_WB, reading);
+std::vector<Motion> motionsOf(MeasurementPredictor& predictor, const PlacedArm& placed,
+                              const Measurement& measurement) {
+  const auto& X_WB = basePoseAt(placed, measurement);
+  if (const auto from = departureOf(measurement))
+    return motionsOfDisplacement(predictor, placed, X_WB, measurement, *from);
+  const Prediction prediction = predictor.predict(X_WB, measurement, {.by_joints = true});
+  const auto frame = frameAt(placed.arm, X_WB, measurement);
   if (!prediction.ok || !frame) return {};
-  Motion motion{reading, {}};
+  Motion motion{measurement, {}};
   motion.displacements =
-      rigidDisplacements(predictedSlope(reading, *frame), *frame, X_WB.translation(), reading.q.size());
-  motion.displacements.leftCols(reading.q.size()) = prediction.by_joints;
+      rigidDisplacements(predictedSlope(measurement, *frame), *frame, X_WB.translation(), measurement.q.size());
+  motion.displacements.leftCols(measurement.q.size()) = prediction.by_joints;
   return {motion};
 }
 

@@ -1,23 +1,23 @@
-// Derivatives of a reading with respect to the errors of the joints' readings, the tool and the base, which are the
-// channels of a discrepancy.
+// Derivatives of a measurement with respect to the errors of the joints' readings, the tool and the base, which are
+// the channels of a discrepancy.
 #pragma once
 
 #include <vector>
 
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 
 namespace tubeplan::calibration {
 
-/// Derivatives of a reading's rows [m] with respect to each channel at one posture: errors of the joints' readings
-/// [rad, m], shifts along the tool's axes [m], shifts of the base [m], rotations of the base [rad].
+/// Derivatives of a measurement's rows [m] with respect to each channel at one posture: errors of the joints'
+/// measurements [rad, m], shifts along the tool's axes [m], shifts of the base [m], rotations of the base [rad].
 struct Motion {
-  Measurement at;                 ///< the reading itself, or its reference reading
-  Eigen::MatrixXd displacements;  ///< rows of the reading x (joints + 9) channels
+  Measurement at;                 ///< the measurement itself, or its reference measurement
+  Eigen::MatrixXd displacements;  ///< rows of the measurement x (joints + 9) channels
 };
 
-/// Returns the motions at every posture of a reading: its own posture and, for a displacement, the reference posture
-/// with the opposite sign. Empty if the arm's shape does not converge.
-[[nodiscard]] std::vector<Motion> motionsOf(ReadingPredictor& predictor, const PlacedArm& placed,
-                                            const Measurement& reading);
+/// Returns the motions at every posture of a measurement: its own posture and, for a displacement, the reference
+/// posture with the opposite sign. Empty if the arm's shape does not converge.
+[[nodiscard]] std::vector<Motion> motionsOf(MeasurementPredictor& predictor, const PlacedArm& placed,
+                                            const Measurement& measurement);
 
 }  // namespace tubeplan::calibration

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "deflection/resized.hpp"
 #include "deflection/weights.hpp"
 
@@ -22,8 +22,8 @@ constexpr double kTilt = 20 * std::numbers::pi / 180;  // tilt of the base in an
 constexpr double kUnknownLoad = 0.25;                  // load relative to the arm's weight, if no load was measured yet
 constexpr double kSigmaStep = 1e-3;  // step of a difference quotient, relative to the unknown's standard deviation
 
-std::vector<ReadingCandidate> thinnedOut(const std::vector<ReadingCandidate>& candidates) {
-  std::vector<ReadingCandidate> some;
+std::vector<MeasurementCandidate> thinnedOut(const std::vector<MeasurementCandidate>& candidates) {
+  std::vector<MeasurementCandidate> some;
   const std::size_t step = std::max<std::size_t>(1, candidates.size() / kMostCandidates);
   for (std::size_t k = 0; k < candidates.size() && some.size() < kMostCandidates; k += step)
     some.push_back(candidates[k]);
@@ -39,9 +39,9 @@ double bestOf(const std::vector<RivalModel>& rivals, const std::vector<RivalPred
 }
 
 template <class Change>
-std::vector<ReadingCandidate> changed(std::vector<ReadingCandidate> candidates, Change change) {
+std::vector<MeasurementCandidate> changed(std::vector<MeasurementCandidate> candidates, Change change) {
   for (auto& candidate : candidates)
-    for (auto& reading : candidate.readings) change(reading);
+    for (auto& measurement : candidate.measurements) change(measurement);
   return candidates;
 }
 
@@ -72,9 +72,9 @@ std::vector<RivalModel> placedAgain(std::vector<RivalModel> rivals) {
 
 /// Returns the origins of the end frames of all rows, stacked, in the world frame [m]; empty if the shape does not
 /// converge.
-VectorXd frameOrigins(const PlacedArm& placed, const Measurement& reading) {
+VectorXd frameOrigins(const PlacedArm& placed, const Measurement& measurement) {
   const auto& X_WB = placed.base_poses.back().X_WB;
-  const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(reading, placed.arm, X_WB));
+  const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(measurement, placed.arm, X_WB));
   if (shape.status != deflection::KinematicsStatus::kConverged) return {};
   const auto frames = deflection::rowFramesInWorld(shape, X_WB);
   VectorXd origins(3 * static_cast<Index>(frames.size()));
@@ -88,9 +88,9 @@ struct FrameForecast {
   MatrixXd sensitivity;  ///< derivatives of `value` with respect to the unknowns
 };
 
-FrameForecast forecastFrames(const RivalModel& rival, const Measurement& reading) {
+FrameForecast forecastFrames(const RivalModel& rival, const Measurement& measurement) {
   const auto& model = rival.model;
-  FrameForecast forecast{frameOrigins(model.placed, reading), {}};
+  FrameForecast forecast{frameOrigins(model.placed, measurement), {}};
   if (forecast.value.size() == 0) return forecast;
   const auto n = static_cast<Index>(model.unknowns.size());
   forecast.sensitivity = MatrixXd::Zero(forecast.value.size(), n);
@@ -100,32 +100,32 @@ FrameForecast forecastFrames(const RivalModel& rival, const Measurement& reading
     if (step > unknown.upper) step = -step;
     VectorXd x = VectorXd::Zero(n);
     x[k] = step;
-    const VectorXd moved = frameOrigins(applied(model.placed, model.unknowns, x), reading);
+    const VectorXd moved = frameOrigins(applied(model.placed, model.unknowns, x), measurement);
     if (moved.size()) forecast.sensitivity.col(k) = (moved - forecast.value) / step;
   }
   return forecast;
 }
 
 /// Returns, for every row and candidate, the rivals' predictions of the origin of the row's end frame, in standard
-/// deviations of the candidate's first reading.
+/// deviations of the candidate's first measurement.
 std::vector<std::vector<RivalPrediction>> predictFrames(const std::vector<RivalModel>& rivals,
-                                                        const std::vector<ReadingCandidate>& candidates,
+                                                        const std::vector<MeasurementCandidate>& candidates,
                                                         const StopQuestion& stop) {
   const std::size_t rows = rivals.front().model.placed.arm.rows.size();
   std::vector<std::vector<RivalPrediction>> of_row(rows, std::vector<RivalPrediction>(candidates.size()));
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t c) {
-    const Measurement reading = conditionsOf(candidates[c].readings.front());
+    const Measurement measurement = conditionsOf(candidates[c].measurements.front());
     std::vector<FrameForecast> forecasts;
     for (const RivalModel& rival : rivals) {
       if (shouldStop(stop)) return;
-      forecasts.push_back(forecastFrames(rival, reading));
+      forecasts.push_back(forecastFrames(rival, measurement));
       if (forecasts.back().value.size() == 0) return;
     }
     for (std::size_t row = 0; row < rows; ++row)
       for (const auto& forecast : forecasts) {
-        of_row[row][c].value.emplace_back(forecast.value.segment<3>(3 * static_cast<Index>(row)) / reading.sigma);
+        of_row[row][c].value.emplace_back(forecast.value.segment<3>(3 * static_cast<Index>(row)) / measurement.sigma);
         of_row[row][c].sensitivity.emplace_back(forecast.sensitivity.middleRows<3>(3 * static_cast<Index>(row)) /
-                                                reading.sigma);
+                                                measurement.sigma);
       }
   });
   goOn(stop);
@@ -136,7 +136,7 @@ std::vector<std::vector<RivalPrediction>> predictFrames(const std::vector<RivalM
 std::string directCheck(const FoundEffect& found) {
   if (!found.frees.empty()) return "measure " + found.at + " by itself";
   switch (kindOf(found.fitted).stage) {
-    case EffectStage::kReading:
+    case EffectStage::kJointReading:
       return "check the reading of " + found.at + " separately (a level or an index on the joint)";
     case EffectStage::kGeometry:
       return "measure " + found.at + " separately (its length, its squareness)";
@@ -152,7 +152,7 @@ std::string directCheck(const FoundEffect& found) {
   return "";
 }
 
-void addLinks(const std::vector<RivalModel>& rivals, const std::vector<ReadingCandidate>& candidates,
+void addLinks(const std::vector<RivalModel>& rivals, const std::vector<MeasurementCandidate>& candidates,
               const DiscriminationOptions& options, std::vector<AlternativeMeasurements>& means) {
   const auto of_row = predictFrames(rivals, candidates, options.hooks.stop);
   AlternativeMeasurements best;
@@ -170,8 +170,8 @@ void addLinks(const std::vector<RivalModel>& rivals, const std::vector<ReadingCa
 
 std::vector<AlternativeMeasurements> findAlternativeMeasurements(const std::vector<RivalModel>& rivals,
                                                                  const std::vector<Explanation>& explanations,
-                                                                 const std::vector<ReadingCandidate>& candidates,
-                                                                 const std::vector<Measurement>& readings,
+                                                                 const std::vector<MeasurementCandidate>& candidates,
+                                                                 const std::vector<Measurement>& measurements,
                                                                  const DiscriminationOptions& options) {
   const auto some = thinnedOut(candidates);
   std::vector<AlternativeMeasurements> means;
@@ -180,16 +180,16 @@ std::vector<AlternativeMeasurements> findAlternativeMeasurements(const std::vect
       means.push_back({what, bestOf(as, predictByRivals(as, changes, options.hooks.stop), options)});
     };
     double heaviest = 0;
-    for (const auto& reading : readings) heaviest = std::max(heaviest, reading.load);
+    for (const auto& measurement : measurements) heaviest = std::max(heaviest, measurement.load);
     const double load =
         heaviest > 0 ? 2 * heaviest : kUnknownLoad * deflection::weightOf(rivals.front().model.placed.arm);
     attempt(heaviest > 0 ? "hang a load twice as heavy" : "hang a load on the tip", rivals,
-            changed(some, [&](ProposedMeasurement& reading) { reading.load = load; }));
+            changed(some, [&](ProposedMeasurement& measurement) { measurement.load = load; }));
     const auto& usual = rivals.front().model.placed.arm.reference;
     for (const auto& kind : deflection::kConditionKinds) {
       if (kind.change == 0) continue;
-      attempt(kind.change_words, rivals, changed(some, [&](ProposedMeasurement& reading) {
-                double& value = reading.conditions[kind.condition];
+      attempt(kind.change_words, rivals, changed(some, [&](ProposedMeasurement& measurement) {
+                double& value = measurement.conditions[kind.condition];
                 value = (std::isfinite(value) ? value : usual[kind.condition]) + kind.change;
               }));
     }

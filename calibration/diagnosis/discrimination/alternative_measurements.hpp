@@ -13,7 +13,7 @@ namespace tubeplan::calibration {
 /// (separationNeeded()), best first. Direct inspections follow, for which no criterion is computed.
 [[nodiscard]] std::vector<AlternativeMeasurements> findAlternativeMeasurements(
     const std::vector<RivalModel>& rivals, const std::vector<Explanation>& explanations,
-    const std::vector<ReadingCandidate>& candidates, const std::vector<Measurement>& readings,
+    const std::vector<MeasurementCandidate>& candidates, const std::vector<Measurement>& measurements,
     const DiscriminationOptions& options);
 
 }  // namespace tubeplan::calibration

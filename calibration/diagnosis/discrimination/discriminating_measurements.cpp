@@ -31,7 +31,8 @@ Explanation nothingMissing(const Diagnosis& diagnosis) {
 /// Returns the standard normal distribution function.
 double below(double x) { return std::erfc(-x / std::numbers::sqrt2) / 2; }
 
-/// Returns the expected outcome for an ordered pair of rivals once each chosen reading has been measured `times` times.
+/// Returns the expected outcome for an ordered pair of rivals once each chosen measurement has been measured `times`
+/// times.
 DiscriminatedPair pairAfter(const RivalForecast& forecast, int truth, int other, int times, double gap) {
   const ExpectedRise rise = expectedRise(forecast.rivals, forecast.predictions, forecast.steps, truth, other, times);
   DiscriminatedPair pair{truth, other,
@@ -84,7 +85,7 @@ std::vector<DiscriminatedPair> unlikelyPairs(const std::vector<double>& probabil
   return unlikely;
 }
 
-/// Sets the pairs that repeats cannot separate, and how often the chosen readings must be measured until all other
+/// Sets the pairs that repeats cannot separate, and how often the chosen measurements must be measured until all other
 /// pairs are decided with the probability `options.assured`.
 void countTimes(const RivalForecast& forecast, const std::vector<double>& probability,
                 const DiscriminationOptions& options, DiscriminatingMeasurements& result) {
@@ -101,8 +102,8 @@ void countTimes(const RivalForecast& forecast, const std::vector<double>& probab
   }
 }
 
-/// Returns the indices of the explanations that the chosen readings cannot separate from some other explanation; all
-/// indices if no reading could be chosen.
+/// Returns the indices of the explanations that the chosen measurements cannot separate from some other explanation;
+/// all indices if no measurement could be chosen.
 std::vector<int> leftTogether(const DiscriminatingMeasurements& result) {
   std::set<int> some;
   for (const auto& pair : result.never) some.insert({pair.truth, pair.other});
@@ -111,7 +112,7 @@ std::vector<int> leftTogether(const DiscriminatingMeasurements& result) {
   return {some.begin(), some.end()};
 }
 
-/// Returns advice on what to record with further readings, so that effects which were left out can be tried.
+/// Returns advice on what to record with further measurements, so that effects which were left out can be tried.
 std::vector<std::string> columnsMissing(const Diagnosis& diagnosis) {
   std::vector<std::string> approach_directions, columns;
   deflection::OfEachCondition<std::vector<std::string>> of_condition;
@@ -159,8 +160,8 @@ std::vector<Explanation> openExplanations(const Diagnosis& diagnosis, int most) 
 
 namespace {
 
-DiscriminatingMeasurements proposed(const Diagnosis& diagnosis, const std::vector<Measurement>& readings,
-                                    const std::vector<ReadingCandidate>& candidates,
+DiscriminatingMeasurements proposed(const Diagnosis& diagnosis, const std::vector<Measurement>& measurements,
+                                    const std::vector<MeasurementCandidate>& candidates,
                                     const DiscriminationOptions& options) {
   DiscriminatingMeasurements result;
   if (diagnosis.verdict != Verdict::kAmbiguous && diagnosis.verdict != Verdict::kInconclusive) {
@@ -170,7 +171,8 @@ DiscriminatingMeasurements proposed(const Diagnosis& diagnosis, const std::vecto
   }
   result.columns = columnsMissing(diagnosis);
   result.explanations = openExplanations(diagnosis, options.most_explanations);
-  const FittedBasis basis = basisOf(diagnosis.baseline, picked(readings, placesFitted(readings, diagnosis.set_aside)));
+  const FittedBasis basis =
+      basisOf(diagnosis.baseline, picked(measurements, placesFitted(measurements, diagnosis.set_aside)));
   if (result.explanations.size() < 2 || !basis.residual.ok) {
     result.status = DiscriminationStatus::kNothingToDiscriminate;
     result.reason = diagnosis.verdict == Verdict::kAmbiguous
@@ -181,12 +183,12 @@ DiscriminatingMeasurements proposed(const Diagnosis& diagnosis, const std::vecto
   reportProgress(options.hooks, "next readings");
   const auto rivals = rivalModelsOf(basis, result.explanations);
   const auto predictions = predictByRivals(rivals, candidates, options.hooks.stop);
-  result.readings = chooseDiscriminating(rivals, predictions, options.count, options.hooks.stop);
-  if (result.readings.empty()) {
+  result.measurements = chooseDiscriminating(rivals, predictions, options.count, options.hooks.stop);
+  if (result.measurements.empty()) {
     result.status = DiscriminationStatus::kNoCandidates;
     result.reason = "no posture is clear of collisions with a shape that converges";
   } else {
-    const RivalForecast forecast{rivals, predictions, result.readings};
+    const RivalForecast forecast{rivals, predictions, result.measurements};
     const auto probability = probabilitiesOf(rivals);
     result.pairs = pairsOf(forecast, 1, separationNeeded(options.sure));
     result.least_expected = std::ranges::min(result.pairs, {}, &DiscriminatedPair::expected).expected;
@@ -196,18 +198,18 @@ DiscriminatingMeasurements proposed(const Diagnosis& diagnosis, const std::vecto
   }
   if (const auto together = leftTogether(result); together.size() > 1)
     result.alternative_measurements = findAlternativeMeasurements(
-        picked(rivals, together), picked(result.explanations, together), candidates, readings, options);
+        picked(rivals, together), picked(result.explanations, together), candidates, measurements, options);
   return result;
 }
 
 }  // namespace
 
 DiscriminatingMeasurements proposeDiscriminatingMeasurements(const Diagnosis& diagnosis,
-                                                             const std::vector<Measurement>& readings,
-                                                             const std::vector<ReadingCandidate>& candidates,
+                                                             const std::vector<Measurement>& measurements,
+                                                             const std::vector<MeasurementCandidate>& candidates,
                                                              const DiscriminationOptions& options) {
   return unlessStopped(&DiscriminatingMeasurements::status, DiscriminationStatus::kStopped,
-                       [&] { return proposed(diagnosis, readings, candidates, options); });
+                       [&] { return proposed(diagnosis, measurements, candidates, options); });
 }
 
 }  // namespace tubeplan::calibration

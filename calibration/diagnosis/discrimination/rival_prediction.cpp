@@ -6,7 +6,7 @@
 
 #include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -15,36 +15,37 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Returns the covariance of the unknowns given the readings and priors; given the priors alone if the model cannot be
-/// evaluated.
+/// Returns the covariance of the unknowns given the measurements and priors; given the priors alone if the model cannot
+/// be evaluated.
 MatrixXd covarianceOf(const FittedBasis& basis, const ExplanationModel& model) {
   const auto residual =
-      whitenedResidual(model.placed, model.unknowns, basis.readings, basis.weights, zerosOf(model.unknowns), true);
+      whitenedResidual(model.placed, model.unknowns, basis.measurements, basis.weights, zerosOf(model.unknowns), true);
   return posteriorCovariance(residual.ok ? residual.jacobian : MatrixXd(), model.unknowns);
 }
 
-/// Returns the expected readings of a candidate in the last set-up; empty if the arm's shape does not converge. Touches
-/// of an unknown point get a separate point name for each candidate. Which rival's arm is used matters little, since
-/// only differences between predictions count.
-std::vector<Measurement> readingsOf(const ReadingCandidate& candidate, std::size_t index, const PlacedArm& placed) {
-  std::vector<Measurement> readings;
-  for (const auto& proposed : candidate.readings) {
-    auto reading = expectedReading(placed, proposed);
-    if (!reading) return {};
-    if (touchesUnknownPoint(proposed)) reading->point = "candidate " + std::to_string(index);
-    readings.push_back(std::move(*reading));
+/// Returns the expected measurements of a candidate in the last set-up; empty if the arm's shape does not converge.
+/// Touches of an unknown point get a separate point name for each candidate. Which rival's arm is used matters little,
+/// since only differences between predictions count.
+std::vector<Measurement> measurementsOf(const MeasurementCandidate& candidate, std::size_t index,
+                                        const PlacedArm& placed) {
+  std::vector<Measurement> measurements;
+  for (const auto& proposed : candidate.measurements) {
+    auto measurement = expectedMeasurement(placed, proposed);
+    if (!measurement) return {};
+    if (touchesUnknownPoint(proposed)) measurement->point = "candidate " + std::to_string(index);
+    measurements.push_back(std::move(*measurement));
   }
-  return readings;
+  return measurements;
 }
 
-RivalPrediction predictByAll(const std::vector<RivalModel>& rivals, const std::vector<Measurement>& readings,
+RivalPrediction predictByAll(const std::vector<RivalModel>& rivals, const std::vector<Measurement>& measurements,
                              const StopQuestion& stop) {
   RivalPrediction all;
-  const auto weights = weighReadings(rivals.front().model.placed, readings);
+  const auto weights = weighMeasurements(rivals.front().model.placed, measurements);
   if (!weights) return all;
   for (const RivalModel& rival : rivals) {
     goOn(stop);
-    auto residual = whitenedResidual(rival.model.placed, rival.model.unknowns, readings, *weights,
+    auto residual = whitenedResidual(rival.model.placed, rival.model.unknowns, measurements, *weights,
                                      zerosOf(rival.model.unknowns), true);
     if (!residual.ok) return {};
     all.value.push_back(std::move(residual.r));
@@ -75,7 +76,7 @@ ExpectedRise riseBetween(const MatrixXd& S_a, const MatrixXd& S_b, const VectorX
           std::sqrt(2 * (excess * excess).trace() + 4 * std::max(0., whitened.dot(S_a * whitened)))};
 }
 
-/// State of the greedy choice, updated as readings are chosen: covariances of the rivals' parameters, and the mean
+/// State of the greedy choice, updated as measurements are chosen: covariances of the rivals' parameters, and the mean
 /// shifts of these parameters if another rival is true.
 class Race {
  public:
@@ -179,13 +180,13 @@ std::vector<double> probabilitiesOf(const std::vector<RivalModel>& rivals) {
 }
 
 std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& rivals,
-                                             const std::vector<ReadingCandidate>& candidates,
+                                             const std::vector<MeasurementCandidate>& candidates,
                                              const StopQuestion& stop) {
   std::vector<std::vector<Measurement>> each(candidates.size());
   std::vector<Measurement> all;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     goOn(stop);
-    each[k] = readingsOf(candidates[k], k, rivals.front().model.placed);
+    each[k] = measurementsOf(candidates[k], k, rivals.front().model.placed);
     all.insert(all.end(), each[k].begin(), each[k].end());
   }
   std::vector<RivalPrediction> predictions(candidates.size());
@@ -195,8 +196,8 @@ std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& riva
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     if (each[k].empty()) continue;
     Index rows = 0;
-    for (const auto& reading : each[k]) rows += rowsOf(reading);
-    // Displacements from the same reference reading share its encoder noise. They are predicted separately, because
+    for (const auto& measurement : each[k]) rows += rowsOf(measurement);
+    // Displacements from the same reference measurement share its encoder noise. They are predicted separately, because
     // joint whitening would mix the candidates.
     const bool is_alone = together.value.empty() || referenceOf(each[k].front());
     predictions[k] = is_alone ? predictByAll(rivals, each[k], stop) : someRows(together, first, rows);

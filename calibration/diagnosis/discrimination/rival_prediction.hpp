@@ -1,15 +1,16 @@
-// Predictions of further readings by rival explanations, and how well such readings are expected to discriminate.
+// Predictions of further measurements by rival explanations, and how well such measurements are expected to
+// discriminate.
 #pragma once
 
 #include <vector>
 
-#include "calibration/design/next_readings.hpp"
+#include "calibration/design/next_measurements.hpp"
 #include "calibration/diagnosis/discrimination/discriminating_measurements.hpp"
 #include "calibration/diagnosis/explanations/explanation_model.hpp"
 
 namespace tubeplan::calibration {
 
-/// Explanation with the covariance of its parameters after the readings so far.
+/// Explanation with the covariance of its parameters after the measurements so far.
 struct RivalModel {
   ExplanationModel model;
   double criterion = 0;
@@ -22,7 +23,7 @@ struct RivalModel {
 /// Returns the probability of each rival, given that one of them is true.
 [[nodiscard]] std::vector<double> probabilitiesOf(const std::vector<RivalModel>& rivals);
 
-/// Whitened predictions of one candidate reading by each rival, and their derivatives with respect to the rival's
+/// Whitened predictions of one candidate measurement by each rival, and their derivatives with respect to the rival's
 /// unknowns.
 struct RivalPrediction {
   std::vector<Eigen::VectorXd> value;
@@ -32,7 +33,7 @@ struct RivalPrediction {
 /// Returns the rivals' predictions of each candidate; an entry is empty if the arm's shape does not converge. Throws
 /// WorkStopped on a request to stop.
 [[nodiscard]] std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& rivals,
-                                                           const std::vector<ReadingCandidate>& candidates,
+                                                           const std::vector<MeasurementCandidate>& candidates,
                                                            const StopQuestion& stop = {});
 
 /// Chooses up to `count` candidates one by one, each at most once, to minimise the expected odds of the wrong rivals.
@@ -50,8 +51,8 @@ struct ExpectedRise {
                                         const std::vector<RivalPrediction>& predictions,
                                         const std::vector<DiscriminatingMeasurement>& steps, int a, int b, int times);
 
-/// Returns the smallest expected criterion difference over all ordered pairs, after the readings in `steps`: criterion
-/// of the other rival minus that of the true rival.
+/// Returns the smallest expected criterion difference over all ordered pairs, after the measurements in `steps`:
+/// criterion of the other rival minus that of the true rival.
 [[nodiscard]] double leastExpected(const std::vector<RivalModel>& rivals,
                                    const std::vector<RivalPrediction>& predictions,
                                    const std::vector<DiscriminatingMeasurement>& steps);

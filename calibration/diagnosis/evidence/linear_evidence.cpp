@@ -137,7 +137,7 @@ void LinearEvidence::integrateFitted(const EvidenceGram& gram, const std::vector
 }
 
 /// Restricts the discrepancy to the span of a pivoted Cholesky factor L of Z^T Z. Let B be an orthonormal basis of this
-/// span, and B^T Z^T Z B = U Lambda U^T. The unit axes in the readings' space are then u_k, the columns of
+/// span, and B^T Z^T Z B = U Lambda U^T. The unit axes in the measurements' space are then u_k, the columns of
 /// Z B U / sqrt(Lambda), and Z B (Z B)^T is the sum of Lambda_k u_k u_k^T.
 void LinearEvidence::findAxes(const MatrixXd& Z_Z, const MatrixXd& Z_S_y) {
   along_.resize(0, Z_S_y.cols());

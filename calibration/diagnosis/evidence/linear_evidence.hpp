@@ -1,4 +1,4 @@
-// Evidence of hypotheses that are linearised about one model: the probability of the readings with every parameter
+// Evidence of hypotheses that are linearised about one model: the probability of the measurements with every parameter
 // integrated over its prior.
 //
 // About a fitted model, a hypothesis states y = J d + S p + s Z g + e. Here y is the whitened residual of the model, d
@@ -7,7 +7,7 @@
 // discrepancy, e is the noise. With C = I + J P J^T + S V S^T + s^2 Z Z^T the evidence is the normal density N(y; 0,
 // C), summed over a grid of s with its prior. This is Laplace's approximation, exact for a linear model (MacKay 1992,
 // "Bayesian interpolation"). All computations use the Gram matrix of the columns [J S Z y], so their cost does not grow
-// with the number of readings.
+// with the number of measurements.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,11 +21,11 @@ namespace tubeplan::calibration {
 /// Returns log(exp(a) + exp(b)).
 [[nodiscard]] double logSum(double a, double b);
 
-/// Inner products of the columns [J S Z y] over all readings, and the log density of the noise.
+/// Inner products of the columns [J S Z y] over all measurements, and the log density of the noise.
 struct EvidenceGram {
   Eigen::Index fitted = 0, causes = 0, discrepancy = 0;  ///< numbers of columns of J, S and Z; y is the last column
   Eigen::MatrixXd products;
-  double log_density = 0;  ///< log normalisation of the noise density at the readings: -1/2 log det(2 pi Lambda)
+  double log_density = 0;  ///< log normalisation of the noise density at the measurements: -1/2 log det(2 pi Lambda)
 
   void add(const Eigen::MatrixXd& J, const Eigen::MatrixXd& S, const Eigen::MatrixXd& Z, const Eigen::VectorXd& y);
 };
@@ -51,7 +51,7 @@ struct Evidence {
   Eigen::VectorXd sizes, sigma;
 };
 
-/// Fit with the largest tried discrepancy, which follows the readings as closely as any unknown function can.
+/// Fit with the largest tried discrepancy, which follows the measurements as closely as any unknown function can.
 struct RichestFit {
   double chi2 = 0;
   double numbers = 0;  ///< effective number of parameters
@@ -95,7 +95,7 @@ class LinearEvidence {
   /// that maps the columns Z to orthogonal columns which represent the discrepancy.
   [[nodiscard]] Eigen::MatrixXd principalTerms(Eigen::Index most) const;
 
-  /// Returns chi-square of the readings at the most probable fitted parameters, without causes or a discrepancy.
+  /// Returns chi-square of the measurements at the most probable fitted parameters, without causes or a discrepancy.
   [[nodiscard]] double chi2() const { return S_y_.bottomRightCorner<1, 1>()(0, 0); }
 
  private:

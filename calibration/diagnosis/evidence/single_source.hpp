@@ -1,9 +1,9 @@
-// Unknown error from a single source: an error of one joint's reading, of the tip or of the base, as a function of one
-// quantity that the readings state. Most errors of machines, known or unknown, are of this form.
+// Unknown error from a single source: an error of one joint's reading, of the tip or of the base, as a function of
+// one quantity that the measurements state. Most errors of machines, known or unknown, are of this form.
 //
 // Each source is a subset of the terms of the discrepancy process (discrepancy.hpp), and has a size of its own. A
-// source has much less freedom than the whole process. Therefore, far fewer readings suffice to distinguish a source
-// from noise and from a similar named cause.
+// source has much less freedom than the whole process. Therefore, far fewer measurements suffice to distinguish a
+// source from noise and from a similar named cause.
 #pragma once
 
 #include <Eigen/Core>

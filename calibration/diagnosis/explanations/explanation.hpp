@@ -16,7 +16,7 @@ struct FoundNumber {
   double sigma = kNotKnown;  ///< standard deviation of `value`; NaN for a scanned parameter
   /// True: exceeds the largest value found on real machines by more than the uncertainty.
   bool is_beyond_usual = false;
-  /// Range of the values that explain the readings equally well; NaN if there is only one such value.
+  /// Range of the values that explain the measurements equally well; NaN if there is only one such value.
   double lower = kNotKnown, upper = kNotKnown;
 };
 
@@ -25,10 +25,10 @@ struct FoundEffect {
   deflection::Effect fitted;       ///< effect at its fitted values; kind -1 for freed parameters
   std::vector<std::string> frees;  ///< parameters of the arm's file that are freed instead of an effect
   std::vector<FoundNumber> numbers;
-  /// Effect and place of each other cause that no reading could distinguish from this effect.
+  /// Effect and place of each other cause that no measurement could distinguish from this effect.
   std::vector<std::pair<std::string, std::string>> also;
-  /// Sets of values of the effect's parameters that explain the readings equally well, the fitted set first; empty if
-  /// there is only one set.
+  /// Sets of values of the effect's parameters that explain the measurements equally well, the fitted set first; empty
+  /// if there is only one set.
   std::vector<std::vector<double>> modes;
   std::vector<MeasurementKind> decided_by;  ///< kinds of measurement, any of which would decide between the modes
 };
@@ -43,7 +43,7 @@ struct Explanation {
   double criterion = kNotKnown;  ///< -2 log(prior x evidence); only differences are meaningful
   double remainder_probability = 0;  ///< probability that an unknown effect is missing as well
   /// Root-mean-square error of each coordinate [m] in excess of the stated noise, independent of all quantities that
-  /// the readings state.
+  /// the measurements state.
   double model_error = 0;
   ErrorSize after, heldout;
   /// Error at the quarter of the poses that reach farthest, predicted by a fit to the other poses.

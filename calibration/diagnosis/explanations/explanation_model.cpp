@@ -55,8 +55,8 @@ ErrorSize judgeOnFolds(const FittedBasis& basis, const ExplanationModel& model, 
                        double model_error) {
   const VectorXd start = zerosOf(model.unknowns);
   const LeastSquaresOptions solver{1e-5, kRefitIterations, LeastSquaresMethod::kLevenbergMarquardt, basis.stop};
-  return judgeFolds(basis.readings, folds, [&](const std::vector<Measurement>& kept) -> std::optional<PlacedArm> {
-    const auto weights = weighReadings(model.placed, kept, {}, model_error, basis.stop);
+  return judgeFolds(basis.measurements, folds, [&](const std::vector<Measurement>& kept) -> std::optional<PlacedArm> {
+    const auto weights = weighMeasurements(model.placed, kept, {}, model_error, basis.stop);
     if (!weights) return {};
     const auto solution =
         minimizeOrUnwind(fitProblem(model.placed, model.unknowns, kept, *weights, start, basis.stop), solver);

@@ -1,4 +1,4 @@
-// Model with added causes: its unknowns for further fits, and its errors on held-out readings.
+// Model with added causes: its unknowns for further fits, and its errors on held-out measurements.
 #pragma once
 
 #include "calibration/diagnosis/explanations/explanation.hpp"
@@ -17,7 +17,7 @@ struct ExplanationModel {
 
 [[nodiscard]] ExplanationModel modelOf(const FittedBasis& basis, const Explanation& explanation);
 
-/// Returns the errors in cross-validation: the readings of each fold are predicted by a fit to the other folds.
+/// Returns the errors in cross-validation: the measurements of each fold are predicted by a fit to the other folds.
 [[nodiscard]] ErrorSize judgeOnFolds(const FittedBasis& basis, const ExplanationModel& model,
                                      const std::vector<int>& folds, double model_error);
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "calibration/estimation/prior.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/random_stream.hpp"
 #include "calibration/statistics.hpp"
 
@@ -17,30 +17,30 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr int kPostures = 48;
-// Two explanations can hardly be distinguished if all virtual readings together raise chi-square by less than this.
+// Two explanations can hardly be distinguished if all virtual measurements together raise chi-square by less than this.
 constexpr double kHardly = 9;
 
-double medianSigma(const std::vector<Measurement>& readings) {
+double medianSigma(const std::vector<Measurement>& measurements) {
   std::vector<double> sigmas;
-  for (const auto& reading : readings) sigmas.push_back(reading.sigma);
+  for (const auto& measurement : measurements) sigmas.push_back(measurement.sigma);
   return median(std::move(sigmas));
 }
 
-/// Returns virtual readings of the tip at random postures over the arm's range, without a load and under the heaviest
-/// load of the given readings. Their conditions are taken from randomly drawn given readings.
-std::vector<Measurement> readingsOverRange(const FittedBasis& basis, std::uint64_t seed) {
+/// Returns virtual measurements of the tip at random postures over the arm's range, without a load and under the
+/// heaviest load of the given measurements. Their conditions are taken from randomly drawn given measurements.
+std::vector<Measurement> measurementsOverRange(const FittedBasis& basis, std::uint64_t seed) {
   RandomStream random(seed);
   const auto& arm = basis.fitted.arm;
   double heaviest = 0;
-  for (const auto& reading : basis.readings) heaviest = std::max(heaviest, reading.load);
+  for (const auto& measurement : basis.measurements) heaviest = std::max(heaviest, measurement.load);
   std::vector<Measurement> all;
   for (int posture = 0; posture < kPostures; ++posture) {
-    Measurement m =
-        basis.readings[static_cast<std::size_t>(random.uniform(0, 1) * static_cast<double>(basis.readings.size()))];
+    Measurement m = basis.measurements[static_cast<std::size_t>(random.uniform(0, 1) *
+                                                                static_cast<double>(basis.measurements.size()))];
     m.kind = MeasurementKind::kPosition;
     m.p_W = Eigen::Vector3d::Zero();
     m.row.reset();
-    m.sigma = medianSigma(basis.readings);
+    m.sigma = medianSigma(basis.measurements);
     m.sigma_W.reset();
     m.correlation_W.reset();
     for (Eigen::Index j = 0; j < arm.jointCount(); ++j) {
@@ -55,15 +55,15 @@ std::vector<Measurement> readingsOverRange(const FittedBasis& basis, std::uint64
     m.load = heaviest;
     if (heaviest > 0) all.push_back(m);
   }
-  std::erase_if(all, [&](const Measurement& m) { return !predictReading(basis.fitted, m).ok; });
+  std::erase_if(all, [&](const Measurement& m) { return !predictMeasurement(basis.fitted, m).ok; });
   return all;
 }
 
 }  // namespace
 
 RangeViews::RangeViews(const FittedBasis& basis, std::uint64_t seed)
-    : basis_(basis), readings_(readingsOverRange(basis, seed)) {
-  if (auto weights = weighReadings(basis.fitted, readings_)) weights_ = std::move(*weights);
+    : basis_(basis), measurements_(measurementsOverRange(basis, seed)) {
+  if (auto weights = weighMeasurements(basis.fitted, measurements_)) weights_ = std::move(*weights);
 }
 
 RangeView RangeViews::of(const Explanation& explanation) const {
@@ -71,22 +71,23 @@ RangeView RangeViews::of(const Explanation& explanation) const {
   if (weights_.rows == 0) return view;
   const ExplanationModel model = modelOf(basis_, explanation);
   const VectorXd zero = zerosOf(model.unknowns), typical = typicalsOf(model.unknowns);
-  auto there = whitenedResidual(model.placed, model.unknowns, readings_, weights_, zero, true, basis_.stop);
-  auto here = whitenedResidual(model.placed, model.unknowns, basis_.readings, basis_.weights, zero, true, basis_.stop);
+  auto there = whitenedResidual(model.placed, model.unknowns, measurements_, weights_, zero, true, basis_.stop);
+  auto here =
+      whitenedResidual(model.placed, model.unknowns, basis_.measurements, basis_.weights, zero, true, basis_.stop);
   view.ok = there.ok && here.ok;
   if (!view.ok) return view;
   view.value = there.r;
   view.sensitivity = there.jacobian * typical.asDiagonal();
-  const MatrixXd by_readings = here.jacobian * typical.asDiagonal();
-  view.information = by_readings.transpose() * by_readings;
+  const MatrixXd by_measurements = here.jacobian * typical.asDiagonal();
+  view.information = by_measurements.transpose() * by_measurements;
   view.information.diagonal() += typical.cwiseProduct(priorSlopes(model.unknowns)).cwiseAbs2();
   return view;
 }
 
 VectorXd RangeViews::tipsBy(const Explanation& explanation) const {
-  VectorXd tips(3 * static_cast<Index>(readings_.size()));
-  for (std::size_t k = 0; k < readings_.size(); ++k) {
-    const auto tip = predictReading(explanation.fitted, readings_[k]);
+  VectorXd tips(3 * static_cast<Index>(measurements_.size()));
+  for (std::size_t k = 0; k < measurements_.size(); ++k) {
+    const auto tip = predictMeasurement(explanation.fitted, measurements_[k]);
     if (!tip.ok) return {};
     tips.segment<3>(3 * static_cast<Index>(k)) = tip.value;
   }

@@ -47,7 +47,8 @@ void takeSize(const std::vector<SizeMode>& modes, Index k, FoundNumber& number) 
 
 void findSizeSet(const FittedBasis& basis, int effect, Explanation& explanation, FoundEffect& found) {
   const ExplanationModel model = withEverySize(basis, explanation, effect);
-  SizeModesQuestion question{model.placed, model.unknowns, {}, {}, basis.readings, explanation.model_error, basis.stop};
+  SizeModesQuestion question{model.placed,       model.unknowns,          {},        {},
+                             basis.measurements, explanation.model_error, basis.stop};
   std::vector<std::size_t> numbers;
   for (std::size_t k = 0; k < model.unknowns.size(); ++k)
     if (model.unknowns[k].path.effect == effect) {

@@ -13,7 +13,7 @@
 
 namespace tubeplan::calibration {
 
-/// Evidence that the readings give for one cause.
+/// Evidence that the measurements give for one cause.
 struct RankedEffect {
   std::string effect, at;
   /// Effects at their most probable sizes if no other cause is present; empty for freed parameters.
@@ -26,19 +26,19 @@ struct RankedEffect {
   ErrorSize heldout_before, heldout_after;
 };
 
-/// Smallest size of an effect that these readings would reveal in four of five cases.
+/// Smallest size of an effect that these measurements would reveal in four of five cases.
 struct DetectableEffect {
   std::string effect, at, number;
   deflection::Quantity quantity = deflection::Quantity::kNone;
   double size = 0;
-  /// True: exceeds the size on any real machine, so these readings cannot reveal the effect.
+  /// True: exceeds the size on any real machine, so these measurements cannot reveal the effect.
   bool is_beyond_plausible = false;
 };
 
 /// Errors that remain when the certain causes are included in the model.
 struct Remainder {
   double probability = 0;    ///< probability that errors remain unexplained
-  double size = kNotKnown;   ///< root mean square of the remaining errors over the readings [m]
+  double size = kNotKnown;   ///< root mean square of the remaining errors over the measurements [m]
   double floor = kNotKnown;  ///< root mean square of noise and of errors that follow no variable [m]
   /// Variables that the errors follow, each with the fraction of the errors that it accounts for; largest first.
   std::vector<std::pair<std::string, double>> follows;
@@ -55,29 +55,29 @@ struct Diagnosis {
   std::vector<RankedEffect> ranking;
   std::vector<DetectableEffect> detectable;
   std::vector<std::string> not_tried;
-  std::vector<int> set_aside;  ///< indices of the readings excluded as outliers
+  std::vector<int> set_aside;  ///< indices of the measurements excluded as outliers
   Remainder remainder;
-  /// Analysis of repeated readings; set only if nothing but scatter above the stated noise remains, which then counts
-  /// as noise.
+  /// Analysis of repeated measurements; set only if nothing but scatter above the stated noise remains, which then
+  /// counts as noise.
   Repeats repeats;
   ErrorSize before, after, heldout_before, heldout_after, farthest_before;
   double noise_floor = kNotKnown;  ///< root mean square of the stated noise [m]
   /// Root-mean-square error of each coordinate [m] in excess of the stated noise, independent of all quantities that
-  /// the readings state.
+  /// the measurements state.
   double model_error = 0;
   double chi2 = 0;  ///< chi-square of the baseline relative to the stated noise
   double p_value = kNotKnown;
   int degrees_of_freedom = 0;
   double nothing_probability = kNotKnown;  ///< probability that nothing is missing
   double nothing_criterion = kNotKnown;    ///< Explanation::criterion of the model with nothing missing
-  /// Probability that the model lacks an unknown effect that depends on quantities stated by the readings.
+  /// Probability that the model lacks an unknown effect that depends on quantities stated by the measurements.
   double unknown_probability = kNotKnown;
-  /// Probability that the model lacks an unknown effect that depends on no quantity stated by the readings.
+  /// Probability that the model lacks an unknown effect that depends on no quantity stated by the measurements.
   double scatter_probability = kNotKnown;
   DiagnosisViews views;
 
-  /// Returns true if the missing effect depends on no quantity that the readings state, and so cannot be distinguished
-  /// from a larger noise.
+  /// Returns true if the missing effect depends on no quantity that the measurements state, and so cannot be
+  /// distinguished from a larger noise.
   [[nodiscard]] bool isScatterAlone() const {
     return verdict == Verdict::kUnexplained && scatter_probability > 0.5 && remainder.follows.empty();
   }

@@ -9,7 +9,7 @@
 #include "calibration/estimation/set_aside.hpp"
 #include "calibration/estimation/span.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 
 namespace tubeplan::calibration {
 
@@ -20,36 +20,36 @@ namespace {
 constexpr std::size_t kMostShown = 4;
 
 WhitenedResidual residualOf(const FittedBasis& basis, const PlacedArm& placed) {
-  return whitenedResidual(placed, {}, basis.readings, basis.weights, VectorXd(0), false);
+  return whitenedResidual(placed, {}, basis.measurements, basis.weights, VectorXd(0), false);
 }
 
-/// Returns the error of a reading, measured minus predicted, as a vector [m].
+/// Returns the error of a measurement, measured minus predicted, as a vector [m].
 Vector3d missAt(const FittedBasis& basis, std::size_t k, const std::optional<ToolPose>& tool,
                 const WhitenedResidual& residual) {
   if (!residual.ok || !tool) return Vector3d::Constant(kNotKnown);
-  const Measurement& reading = basis.readings[k];
+  const Measurement& measurement = basis.measurements[k];
   ToolPose seen = *tool;
-  if (const Measurement* reference = referenceOf(reading))
+  if (const Measurement* reference = referenceOf(measurement))
     if (const auto from = toolAt(basis.fitted, *reference)) seen.p_W -= from->p_W;
   const Index row = basis.weights.first_row[k];
-  return -predictedSlope(reading, seen).by_place.transpose() * residual.error.segment(row, rowsOf(reading));
+  return -predictedSlope(measurement, seen).by_place.transpose() * residual.error.segment(row, rowsOf(measurement));
 }
 
 double turnAt(const FittedBasis& basis, std::size_t k, const WhitenedResidual& residual) {
   if (!residual.ok) return kNotKnown;
-  const Measurement& reading = basis.readings[k];
-  return turnError(reading, residual.error.segment(basis.weights.first_row[k], rowsOf(reading)));
+  const Measurement& measurement = basis.measurements[k];
+  return turnError(measurement, residual.error.segment(basis.weights.first_row[k], rowsOf(measurement)));
 }
 
-std::vector<ReadingView> readingViews(const FittedBasis& basis, const std::vector<Explanation>& shown,
-                                      const std::vector<int>& given) {
+std::vector<MeasurementView> measurementViews(const FittedBasis& basis, const std::vector<Explanation>& shown,
+                                              const std::vector<int>& given) {
   std::vector<WhitenedResidual> after;
   for (const auto& explanation : shown) after.push_back(residualOf(basis, explanation.fitted));
-  std::vector<ReadingView> views;
-  for (std::size_t k = 0; k < basis.readings.size(); ++k) {
-    ReadingView view;
-    view.reading = given[k];
-    const auto tool = toolAt(basis.fitted, basis.readings[k]);
+  std::vector<MeasurementView> views;
+  for (std::size_t k = 0; k < basis.measurements.size(); ++k) {
+    MeasurementView view;
+    view.measurement = given[k];
+    const auto tool = toolAt(basis.fitted, basis.measurements[k]);
     view.p_WT = tool ? tool->p_W : Vector3d::Constant(kNotKnown);
     view.before = missAt(basis, k, tool, basis.residual);
     view.turn_before = turnAt(basis, k, basis.residual);
@@ -74,8 +74,9 @@ VectorXd signatureOf(const FittedBasis& basis, const FoundEffect& found, const P
   return residual.ok ? VectorXd(residual.r - basis.residual.r) : VectorXd();
 }
 
-/// Returns true if reading `k` is kept when only the fraction `share` of all readings is kept. The kept readings are
-/// spread evenly by a golden-ratio step, which does not coincide with periodic patterns in the readings.
+/// Returns true if measurement `k` is kept when only the fraction `share` of all measurements is kept. The kept
+/// measurements are spread evenly by a golden-ratio step, which does not coincide with periodic patterns in the
+/// measurements.
 bool isKept(std::size_t k, double share) {
   constexpr double kGolden = 0.6180339887498949;
   const double turn = kGolden * static_cast<double>(k);
@@ -84,14 +85,14 @@ bool isKept(std::size_t k, double share) {
 
 std::vector<AddedVariablePoint> addedPointsOf(const FittedBasis& basis, const std::vector<int>& given,
                                               const VectorXd& signature, const VectorXd& left, int most_points) {
-  // The number of kept readings is only approximate, so the limit is undercut by one percent.
+  // The number of kept measurements is only approximate, so the limit is undercut by one percent.
   const bool is_thinned = signature.size() > most_points;
   const double share = is_thinned ? 0.99 * most_points / static_cast<double>(signature.size()) : 1;
   std::vector<AddedVariablePoint> points;
-  for (std::size_t k = 0; k < basis.readings.size(); ++k) {
+  for (std::size_t k = 0; k < basis.measurements.size(); ++k) {
     if (!isKept(k, share)) continue;
     const Index first = basis.weights.first_row[k];
-    for (Index row = first; row < first + rowsOf(basis.readings[k]); ++row)
+    for (Index row = first; row < first + rowsOf(basis.measurements[k]); ++row)
       points.push_back({given[k], signature[row], left[row]});
   }
   return points;
@@ -130,12 +131,12 @@ std::vector<Explanation> explanationsShown(const Diagnosis& result) {
   return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), kMostShown))};
 }
 
-DiagnosisViews viewsOf(const FittedBasis& basis, const Diagnosis& result, const std::vector<Measurement>& readings,
+DiagnosisViews viewsOf(const FittedBasis& basis, const Diagnosis& result, const std::vector<Measurement>& measurements,
                        int most_points) {
-  const auto given = placesFitted(readings, result.set_aside);
-  assert(given.size() == basis.readings.size());
+  const auto given = placesFitted(measurements, result.set_aside);
+  assert(given.size() == basis.measurements.size());
   const auto shown = explanationsShown(result);
-  DiagnosisViews views{readingViews(basis, shown, given), {}};
+  DiagnosisViews views{measurementViews(basis, shown, given), {}};
   for (std::size_t x = 0; x < shown.size(); ++x)
     addVariables(basis, shown[x], static_cast<int>(x), given, most_points, views.added);
   return views;

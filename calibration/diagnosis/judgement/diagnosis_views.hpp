@@ -1,5 +1,5 @@
-// Data for plots of a diagnosis: the error at every reading before and after adding an explanation, and each effect's
-// signature against the unexplained errors (added-variable plots: Cook and Weisberg 1982, section 2.3).
+// Data for plots of a diagnosis: the error at every measurement before and after adding an explanation, and each
+// effect's signature against the unexplained errors (added-variable plots: Cook and Weisberg 1982, section 2.3).
 #pragma once
 
 #include <Eigen/Core>
@@ -13,10 +13,10 @@ struct Diagnosis;
 struct FittedBasis;
 struct Explanation;
 
-/// Tip position at a reading, and the error of the reading for each model: measured minus predicted, in the world
-/// frame; for a distance, along its line.
-struct ReadingView {
-  int reading = -1;        ///< index into the given readings
+/// Tip position at a measurement, and the error of the measurement for each model: measured minus predicted, in the
+/// world frame; for a distance, along its line.
+struct MeasurementView {
+  int measurement = -1;    ///< index into the given measurements
   Eigen::Vector3d p_WT;    ///< tip position predicted by the model without added effects, in the world frame [m]
   Eigen::Vector3d before;  ///< error of the model without added effects [m]
   std::vector<Eigen::Vector3d> after;  ///< errors of the models in `explanationsShown` [m]
@@ -28,7 +28,7 @@ struct ReadingView {
 /// Point of an added-variable plot: one whitened coordinate, without the component that the free parameters can absorb
 /// [noise sigmas].
 struct AddedVariablePoint {
-  int reading = -1;
+  int measurement = -1;
   double signature = 0;  ///< change due to the effect at its fitted size
   double left = 0;       ///< residual of the model without the effect
 };
@@ -40,12 +40,12 @@ struct AddedVariable {
   double slope = kNotKnown;           ///< slope of `left` against `signature`; near 1 if the size is correct
   double length = 0;                  ///< length of the signature [noise sigmas]
   double kept_fraction = 0;           ///< fraction of the signature's length that the free parameters do not absorb
-  /// Points of whole readings; if there are too many points, evenly spaced readings are kept.
+  /// Points of whole measurements; if there are too many points, evenly spaced measurements are kept.
   std::vector<AddedVariablePoint> points;
 };
 
 struct DiagnosisViews {
-  std::vector<ReadingView> readings;  ///< one for each fitted reading
+  std::vector<MeasurementView> measurements;  ///< one for each fitted measurement
   std::vector<AddedVariable> added;
 };
 
@@ -53,9 +53,9 @@ struct DiagnosisViews {
 /// names none.
 [[nodiscard]] std::vector<Explanation> explanationsShown(const Diagnosis& result);
 
-/// Computes the plot data of a diagnosis with a verdict. `readings` are all given readings; `basis` holds the fitted
-/// ones.
+/// Computes the plot data of a diagnosis with a verdict. `readings` are all given measurements; `basis` holds the
+/// fitted ones.
 [[nodiscard]] DiagnosisViews viewsOf(const FittedBasis& basis, const Diagnosis& result,
-                                     const std::vector<Measurement>& readings, int most_points = 2000);
+                                     const std::vector<Measurement>& measurements, int most_points = 2000);
 
 }  // namespace tubeplan::calibration

@@ -7,7 +7,7 @@
 namespace tubeplan::calibration {
 
 /// Class of the models with the same causes, and their total probability; the models may differ in noise and
-/// discrepancy. Causes that no reading could distinguish count as the same.
+/// discrepancy. Causes that no measurement could distinguish count as the same.
 struct ModelClass : Claim {
   Explanation explanation;  ///< explanation of the class's most probable model
 };
@@ -17,9 +17,9 @@ inline constexpr double kLeastLikely = 0.02;
 
 struct Posterior {
   double nothing = 0;  ///< probability that nothing is missing
-  /// Probability that the model lacks an unknown effect that depends on quantities stated by the readings.
+  /// Probability that the model lacks an unknown effect that depends on quantities stated by the measurements.
   double unknown = 0;
-  /// Probability that the model lacks an unknown effect that depends on no quantity stated by the readings.
+  /// Probability that the model lacks an unknown effect that depends on no quantity stated by the measurements.
   double scatter = 0;
   std::vector<ModelClass> classes;  ///< fitted classes with causes, most probable first
   std::vector<ModelClass> others;   ///< classes without a fitted model

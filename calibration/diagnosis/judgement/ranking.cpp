@@ -88,7 +88,7 @@ void listDetectable(const DiagnosisWork& work, Diagnosis& result) {
     const double sigmas = std::sqrt(2 * logLeastGain(cause, visibility)) + 0.84;
     PlacedArm placed = work.basis.fitted;
     const Unknown number = placeCause(placed, cause, cause.levels[static_cast<std::size_t>(middle)]).front();
-    // A cause that changes no reading by more than rounding errors cannot be detected at any size.
+    // A cause that changes no measurement by more than rounding errors cannot be detected at any size.
     const double units = visibility > kNeverSeen ? sigmas / visibility : std::numeric_limits<double>::infinity();
     result.detectable.push_back({cause.effect, cause.at, number.name.substr(number.name.rfind('.') + 1),
                                  number.quantity, units * number.typical, units > 1});

@@ -1,5 +1,5 @@
-// Ranking of single causes by their probability, and the smallest size of each effect that these readings would have
-// revealed.
+// Ranking of single causes by their probability, and the smallest size of each effect that these measurements would
+// have revealed.
 #pragma once
 
 #include "calibration/diagnosis/judgement/diagnosis_result.hpp"

@@ -29,7 +29,7 @@ std::optional<Left> leftBy(const DiagnosisWork& work, const CompetingModel& mode
   ExplanationModel fitted{basis.fitted, basis.unknowns};
   if (!model.terms.empty() && model.hasFit()) fitted = modelOf(basis, model.fit);
   Left left{fitted.placed, {}, 0};
-  left.residual = whitenedResidual(fitted.placed, fitted.unknowns, basis.readings, basis.weights,
+  left.residual = whitenedResidual(fitted.placed, fitted.unknowns, basis.measurements, basis.weights,
                                    zerosOf(fitted.unknowns), true, basis.stop);
   if (!left.residual.ok) return std::nullopt;
   left.freedom = basis.weights.degrees_of_freedom -
@@ -42,7 +42,7 @@ std::optional<Left> leftBy(const DiagnosisWork& work, const CompetingModel& mode
 std::vector<std::pair<std::string, double>> patternsLeftBy(const DiagnosisWork& work, const CompetingModel& model) {
   const auto left = leftBy(work, model);
   if (!left) return {};
-  const ReadingScene scene = observe(left->placed, work.basis.readings);
+  const MeasurementScene scene = observe(left->placed, work.basis.measurements);
   if (!scene.ok) return {};
   const PatternSearch patterns =
       searchPatterns(scene, work.basis.weights, left->residual, kPatternLevel, withoutProgress(work.options.hooks));
@@ -67,22 +67,23 @@ void preferPatterns(const DiagnosisWork& work, const CompetingModel& model, Rema
 Repeats repeatsBy(const DiagnosisWork& work, const CompetingModel& model) {
   const auto left = leftBy(work, model);
   if (!left) return {};
-  return judgeRepeats(work.basis.readings, work.basis.weights, left->residual.error, left->residual.r.squaredNorm(),
+  return judgeRepeats(work.basis.measurements, work.basis.weights, left->residual.error, left->residual.r.squaredNorm(),
                       left->freedom);
 }
 
 SamePosture samePostureBy(const DiagnosisWork& work, const CompetingModel& model) {
   const FittedBasis& basis = work.basis;
-  if (model.terms.empty() || !model.hasFit()) return judgeSamePosture(basis.readings, basis.weights, basis.residual.r);
-  const auto residual = whitenedResidual(model.fit.fitted, {}, basis.readings, basis.weights, {}, false);
-  return residual.ok ? judgeSamePosture(basis.readings, basis.weights, residual.r) : SamePosture{};
+  if (model.terms.empty() || !model.hasFit())
+    return judgeSamePosture(basis.measurements, basis.weights, basis.residual.r);
+  const auto residual = whitenedResidual(model.fit.fitted, {}, basis.measurements, basis.weights, {}, false);
+  return residual.ok ? judgeSamePosture(basis.measurements, basis.weights, residual.r) : SamePosture{};
 }
 
 Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model) {
   Remainder remainder;
   remainder.probability = model.discrepancy_probability + model.scatter_probability;
-  const double noise_floor = noiseFloor(work.basis.readings, work.basis.weights);
-  const double scatter = lengthOfRows(work.basis.readings) * model.model_error;
+  const double noise_floor = noiseFloor(work.basis.measurements, work.basis.weights);
+  const double scatter = lengthOfRows(work.basis.measurements) * model.model_error;
   if (model.remainder.size() == 0) {  // the errors follow no variable of the discrepancy
     remainder.floor = noise_floor;
     if (scatter > 0) remainder.size = scatter;
@@ -95,12 +96,12 @@ Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model) {
   remainder.floor = std::hypot(noise_floor, scatter);
   const NoiseHypothesis& noise = work.noise[likelyNoise(work, model)];
   double squares = 0;
-  for (std::size_t k = 0; k < work.basis.readings.size(); ++k) {
+  for (std::size_t k = 0; k < work.basis.measurements.size(); ++k) {
     const auto& whitener = noise.weights.whitener[k];
     const VectorXd whitened = model.remainder_left.segment(noise.weights.first_row[k], whitener.rows());
     squares += (whitener.inverse() * whitened).squaredNorm();
   }
-  remainder.size = std::sqrt(squares / static_cast<double>(work.basis.readings.size()));
+  remainder.size = std::sqrt(squares / static_cast<double>(work.basis.measurements.size()));
   std::map<std::string, double> shares;
   double whole = 0;
   for (std::size_t t = 0; t < work.discrepancy->terms().size(); ++t) {

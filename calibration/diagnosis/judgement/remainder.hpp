@@ -11,7 +11,7 @@ namespace tubeplan::calibration {
 /// Returns the errors that remain unexplained by a model's causes, and the variables that these errors follow.
 [[nodiscard]] Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model);
 
-/// Compares the errors of a model with the scatter of repeated readings.
+/// Compares the errors of a model with the scatter of repeated measurements.
 [[nodiscard]] Repeats repeatsBy(const DiagnosisWork& work, const CompetingModel& model);
 
 /// Analyses whether the errors of a model repeat at equal postures. Uses the errors of the baseline if the model has no

@@ -13,24 +13,24 @@ using Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-/// Returns the reading without load, wrench, approach directions and point, so that it differs from other readings only
-/// by its posture.
-Measurement byPostureAlone(Measurement reading) {
-  reading.load = 0;
-  reading.wrench = {};
-  reading.approach_directions.clear();
-  reading.point.clear();
-  return reading;
+/// Returns the measurement without load, wrench, approach directions and point, so that it differs from other
+/// measurements only by its posture.
+Measurement byPostureAlone(Measurement measurement) {
+  measurement.load = 0;
+  measurement.wrench = {};
+  measurement.approach_directions.clear();
+  measurement.point.clear();
+  return measurement;
 }
 
-/// Returns the errors [m] at each posture with two or more readings.
-std::vector<std::vector<Vector3d>> errorsByPosture(const std::vector<Measurement>& readings,
-                                                   const ReadingWeights& weights, const VectorXd& whitened) {
+/// Returns the errors [m] at each posture with two or more measurements.
+std::vector<std::vector<Vector3d>> errorsByPosture(const std::vector<Measurement>& measurements,
+                                                   const MeasurementWeights& weights, const VectorXd& whitened) {
   std::vector<Measurement> positions;
   std::vector<Vector3d> errors_of_positions;
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    if (readings[k].kind != MeasurementKind::kPosition) continue;
-    positions.push_back(byPostureAlone(readings[k]));
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
+    if (measurements[k].kind != MeasurementKind::kPosition) continue;
+    positions.push_back(byPostureAlone(measurements[k]));
     errors_of_positions.emplace_back(
         weights.whitener[k].triangularView<Eigen::Lower>().solve(whitened.segment<3>(weights.first_row[k])));
   }
@@ -51,10 +51,10 @@ Vector3d meanOf(const std::vector<Vector3d>& errors) {
 
 }  // namespace
 
-SamePosture judgeSamePosture(const std::vector<Measurement>& readings, const ReadingWeights& weights,
+SamePosture judgeSamePosture(const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
                              const VectorXd& whitened) {
   SamePosture result;
-  const auto errors = errorsByPosture(readings, weights, whitened);
+  const auto errors = errorsByPosture(measurements, weights, whitened);
   result.postures = static_cast<int>(errors.size());
   if (errors.size() < 2) return result;
   std::vector<Vector3d> all;

@@ -9,8 +9,8 @@ namespace tubeplan::calibration {
 
 /// One-way analysis of variance of the errors over postures (Fisher 1925; Searle, Casella and McCulloch 1992).
 struct SamePosture {
-  int postures = 0;  ///< number of postures with two or more readings
-  double share = 0;  ///< fraction of the errors' variance that is common to all readings of a posture
+  int postures = 0;  ///< number of postures with two or more measurements
+  double share = 0;  ///< fraction of the errors' variance that is common to all measurements of a posture
   /// Probability of so large a fraction by chance; NaN if fewer than two postures were repeated.
   double p_value = kNotKnown;
 
@@ -19,7 +19,7 @@ struct SamePosture {
 };
 
 /// Analyses the errors of positions measured in the world frame; `whitened` is the residual of a model.
-[[nodiscard]] SamePosture judgeSamePosture(const std::vector<Measurement>& readings, const ReadingWeights& weights,
-                                           const Eigen::VectorXd& whitened);
+[[nodiscard]] SamePosture judgeSamePosture(const std::vector<Measurement>& measurements,
+                                           const MeasurementWeights& weights, const Eigen::VectorXd& whitened);
 
 }  // namespace tubeplan::calibration

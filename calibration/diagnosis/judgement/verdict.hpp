@@ -8,9 +8,9 @@ enum class Verdict {
   kAdequate,         ///< nothing is missing
   kExplained,        ///< one cause, or one set of causes, explains the errors
   kPartlyExplained,  ///< some causes are certain, and errors remain that no cause explains
-  kAmbiguous,        ///< these readings cannot distinguish several causes, or a cause from an unknown effect
+  kAmbiguous,        ///< these measurements cannot distinguish several causes, or a cause from an unknown effect
   kUnexplained,      ///< an effect is missing, and no cause is certain
-  kInconclusive,     ///< too few readings, or too weak evidence
+  kInconclusive,     ///< too few measurements, or too weak evidence
   kStopped,
 };
 

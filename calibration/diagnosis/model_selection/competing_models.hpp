@@ -1,5 +1,5 @@
-// Models that compete to explain the readings: nothing missing, each single cause, several causes together. Each may
-// include an unknown discrepancy and a larger noise than stated. The leading models are selected by their evidence
+// Models that compete to explain the measurements: nothing missing, each single cause, several causes together. Each
+// may include an unknown discrepancy and a larger noise than stated. The leading models are selected by their evidence
 // about a single linearisation. The evidence of each leading model is then computed about a separate fit.
 #pragma once
 
@@ -69,11 +69,11 @@ struct CompetingModel {
 struct NoiseHypothesis {
   double model_error = 0;  ///< error of each coordinate beyond the stated noise [m]; 0: the stated noise
   double log_prior = 0;
-  ReadingWeights weights;
+  MeasurementWeights weights;
   Eigen::MatrixXd principal_terms;  ///< principal terms of the discrepancy (terms x principal terms)
   Eigen::MatrixXd discrepancy;      ///< whitened columns of the principal terms, with the rows of `weights`
-  /// Discrepancies with a single source each; null for very many readings, because the discrepancy with all terms then
-  /// discriminates equally well.
+  /// Discrepancies with a single source each; null for very many measurements, because the discrepancy with all terms
+  /// then discriminates equally well.
   std::unique_ptr<SingleSources> sources;
   EvidenceOptions options;
   std::unique_ptr<LinearEvidence> evidence;
@@ -86,8 +86,8 @@ struct DiagnosisWork {
   CauseList causes;
   std::unique_ptr<Signatures> signatures;
   std::unique_ptr<Discrepancy> discrepancy;
-  Eigen::MatrixXf kept_signatures;  ///< causes' columns at all readings for the stated noise; empty if too large
-  /// Noise assumptions: the stated noise first, then a larger noise if the readings suggest it.
+  Eigen::MatrixXf kept_signatures;  ///< causes' columns at all measurements for the stated noise; empty if too large
+  /// Noise assumptions: the stated noise first, then a larger noise if the measurements suggest it.
   std::vector<NoiseHypothesis> noise;
   std::vector<CompetingModel> models;  ///< competing models, most probable first
 

@@ -98,8 +98,8 @@ void fitNearest(DiagnosisWork& work) {
       *std::ranges::find_if(models, [](const CompetingModel& model) { return model.terms.empty(); });
   const double nothing = of_nothing.logWeight();
   fitModel(work, of_nothing);
-  // With very many readings fewer fits suffice, since models differ by far more than the error of linear evidence; each
-  // fit takes seconds.
+  // With very many measurements fewer fits suffice, since models differ by far more than the error of linear evidence;
+  // each fit takes seconds.
   const bool are_many = work.noise.front().weights.rows > kManyRows;
   const auto limit = static_cast<std::size_t>(are_many ? work.options.most_leaders / 3 : work.options.most_leaders);
   const std::size_t most = are_many ? limit : 2 * limit;

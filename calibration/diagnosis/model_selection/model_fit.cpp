@@ -12,7 +12,7 @@
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/prior.hpp"
 #include "calibration/estimation/span.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -72,7 +72,7 @@ LeastSquaresResult minimize(const DiagnosisWork& work, std::size_t by, const Pla
   const NoiseHypothesis& noise = work.noise[by];
   const double tolerance = std::clamp(kSmallFall / static_cast<double>(noise.weights.rows), 1e-6, 1e-4);
   const LeastSquaresOptions solver{tolerance, kIterations, LeastSquaresMethod::kLevenbergMarquardt, work.basis.stop};
-  return minimizeOrUnwind(fitProblem(placed.arm, unknowns, work.basis.readings, noise.weights, x, work.basis.stop),
+  return minimizeOrUnwind(fitProblem(placed.arm, unknowns, work.basis.measurements, noise.weights, x, work.basis.stop),
                           solver);
 }
 
@@ -115,7 +115,8 @@ void viewSources(const MatrixXd& J, const MatrixXd& S, const VectorXd& y, const 
 /// these effects. Returns false if the model cannot be evaluated.
 bool linearizeAt(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<Unknown>& unknowns,
                  const VectorXd& x, const NoiseHypothesis& noise, AtOptimum& at) {
-  at.residual = whitenedResidual(placed.arm, unknowns, work.basis.readings, noise.weights, x, true, work.basis.stop);
+  at.residual =
+      whitenedResidual(placed.arm, unknowns, work.basis.measurements, noise.weights, x, true, work.basis.stop);
   if (!at.residual.ok || !at.residual.r.allFinite() || !at.residual.jacobian.allFinite()) return false;
   const auto fitted = static_cast<Index>(work.basis.unknowns.size()), sizes = static_cast<Index>(placed.sizes.size());
   const auto shapes = static_cast<Index>(placed.shapes.size());
@@ -250,7 +251,7 @@ void describeFit(const DiagnosisWork& work, const PlacedModel& placed, const std
   Explanation& fit = model.fit;
   fit.fitted = applied(placed.arm, unknowns, x);
   fit.chi2 = at.front().residual.r.squaredNorm();
-  fit.after = errorSize(work.basis.readings, work.basis.weights, at.front().residual.error);
+  fit.after = errorSize(work.basis.measurements, work.basis.weights, at.front().residual.error);
   const auto numbers = static_cast<double>(placed.sizes.size() + placed.shapes.size());
   fit.p_value = chiSquareTail(fit.chi2, work.noise.front().options.noise_rows - numbers);
   // The parameters stay at their fitted values, so their standard deviations are computed with the prior of the fit.

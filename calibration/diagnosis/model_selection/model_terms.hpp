@@ -33,7 +33,7 @@ inline constexpr std::size_t kManyTerms = 60;  ///< if a cause has this many var
 
 [[nodiscard]] bool hasEffects(const DiagnosisWork& work, const std::vector<ModelTerm>& terms);
 
-/// Returns true if a cause at its largest usual size would change the readings by a visible amount that the fitted
+/// Returns true if a cause at its largest usual size would change the measurements by a visible amount that the fitted
 /// parameters cannot absorb.
 [[nodiscard]] bool isVisible(const DiagnosisWork& work, int cause);
 

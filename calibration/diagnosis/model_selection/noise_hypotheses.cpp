@@ -8,7 +8,7 @@
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -22,8 +22,8 @@ namespace {
 constexpr double kDiscrepancy = 0.05;
 constexpr double kSingleSource = 0.05;
 constexpr double kMoreNoise = 0.1;
-// Maximum number of readings whose columns are in memory at once.
-constexpr std::size_t kReadingsInMemory = 1024;
+// Maximum number of measurements whose columns are in memory at once.
+constexpr std::size_t kMeasurementsInMemory = 1024;
 constexpr Eigen::Index kPrincipalTerms = 80;  // number of principal terms of the discrepancy in the evidence of a fit
 // Maximum number of elements of the causes' columns that are kept in memory.
 constexpr double kMostKept = 5e7;
@@ -35,30 +35,30 @@ std::vector<double> discrepancySizes(double noise) {
   return sizes;
 }
 
-/// Returns blocks of reading indices; all readings of an unknown point are in one block.
-std::vector<std::vector<int>> blocksOf(const std::vector<Measurement>& readings) {
+/// Returns blocks of measurement indices; all measurements of an unknown point are in one block.
+std::vector<std::vector<int>> blocksOf(const std::vector<Measurement>& measurements) {
   std::vector<std::vector<int>> blocks;
-  for (const auto& group : groupsByPlace(readings)) {
-    if (blocks.empty() || blocks.back().size() + group.size() > kReadingsInMemory) blocks.emplace_back();
+  for (const auto& group : groupsByPlace(measurements)) {
+    if (blocks.empty() || blocks.back().size() + group.size() > kMeasurementsInMemory) blocks.emplace_back();
     blocks.back().insert(blocks.back().end(), group.begin(), group.end());
   }
   return blocks;
 }
 
 /// Converts rows that were whitened with the weights `from` to rows whitened with the weights `to`.
-void whitenAnew(const std::vector<Measurement>& readings, const ReadingWeights& from, const ReadingWeights& to,
-                MatrixXd& columns) {
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    auto rows = columns.middleRows(to.first_row[k], rowsOf(readings[k]));
+void whitenAnew(const std::vector<Measurement>& measurements, const MeasurementWeights& from,
+                const MeasurementWeights& to, MatrixXd& columns) {
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
+    auto rows = columns.middleRows(to.first_row[k], rowsOf(measurements[k]));
     rows = (to.whitener[k] * from.whitener[k].inverse() * rows).eval();
   }
 }
 
-/// Columns of one block of readings, whitened with the stated noise, including the components that touched points
+/// Columns of one block of measurements, whitened with the stated noise, including the components that touched points
 /// absorb.
 struct Block {
-  std::vector<Measurement> readings;
-  ReadingWeights weights;  ///< weights including the touched points
+  std::vector<Measurement> measurements;
+  MeasurementWeights weights;  ///< weights including the touched points
   MatrixXd J, S, Z;
   VectorXd y;
 };
@@ -66,53 +66,53 @@ struct Block {
 /// Returns the causes' columns of one block for the stated noise. The columns are computed once and kept if they fit
 /// into memory.
 MatrixXd signaturesOf(DiagnosisWork& work, const std::vector<int>& which, const Block& block,
-                      const ReadingWeights& apart) {
+                      const MeasurementWeights& apart) {
   const std::vector<int>& first_row = work.basis.weights.first_row;
   const auto rowOf = [&](std::size_t k) { return first_row[static_cast<std::size_t>(which[k])]; };
   Eigen::MatrixXf& kept = work.kept_signatures;
   MatrixXd S(block.y.size(), static_cast<Index>(work.signatures->columns().size()));
   if (kept.size() > 0 && work.noise.size() == 1) {
     for (std::size_t k = 0; k < which.size(); ++k)
-      S.middleRows(apart.first_row[k], rowsOf(block.readings[k])) =
-          kept.middleRows(rowOf(k), rowsOf(block.readings[k])).cast<double>();
+      S.middleRows(apart.first_row[k], rowsOf(block.measurements[k])) =
+          kept.middleRows(rowOf(k), rowsOf(block.measurements[k])).cast<double>();
     return S;
   }
-  S = work.signatures->columnsAt(block.readings, apart, work.basis.stop);
+  S = work.signatures->columnsAt(block.measurements, apart, work.basis.stop);
   if (S.rows() != block.y.size() || static_cast<double>(work.basis.weights.rows) * S.cols() > kMostKept) return S;
   kept.resize(work.basis.weights.rows, S.cols());
   for (std::size_t k = 0; k < which.size(); ++k)
-    kept.middleRows(rowOf(k), rowsOf(block.readings[k])) =
-        S.middleRows(apart.first_row[k], rowsOf(block.readings[k])).cast<float>();
+    kept.middleRows(rowOf(k), rowsOf(block.measurements[k])) =
+        S.middleRows(apart.first_row[k], rowsOf(block.measurements[k])).cast<float>();
   return S;
 }
 
 bool fillBlock(DiagnosisWork& work, const std::vector<int>& which, Block& block) {
   const FittedBasis& basis = work.basis;
-  block.readings = picked(basis.readings, which);
-  auto weights = weighReadings(basis.fitted, block.readings, {}, 0, basis.stop);
+  block.measurements = picked(basis.measurements, which);
+  auto weights = weighMeasurements(basis.fitted, block.measurements, {}, 0, basis.stop);
   if (!weights) return false;
   block.weights = std::move(*weights);
-  ReadingWeights apart = block.weights;
+  MeasurementWeights apart = block.weights;
   apart.points.clear();
   apart.shared.clear();
-  auto residual =
-      whitenedResidual(basis.fitted, basis.unknowns, block.readings, apart, zerosOf(basis.unknowns), true, basis.stop);
+  auto residual = whitenedResidual(basis.fitted, basis.unknowns, block.measurements, apart, zerosOf(basis.unknowns),
+                                   true, basis.stop);
   if (!residual.ok) return false;
   block.J = std::move(residual.jacobian);
   block.y = -residual.r;
   block.S = signaturesOf(work, which, block, apart);
-  block.Z = work.discrepancy->columnsAt(block.readings, apart);
+  block.Z = work.discrepancy->columnsAt(block.measurements, apart);
   return block.S.rows() == block.y.size() && block.Z.rows() == block.y.size();
 }
 
 /// Adds the block's columns to the Gram matrix, whitened for the stated noise plus `model_error` [m], without the
 /// components that unknown points absorb.
 void addTo(EvidenceGram& gram, const Block& block, double model_error) {
-  const ReadingWeights weights = reweighted(block.weights, block.readings, model_error);
+  const MeasurementWeights weights = reweighted(block.weights, block.measurements, model_error);
   gram.log_density += logDensityOf(weights);
   MatrixXd all(block.y.size(), block.J.cols() + block.S.cols() + block.Z.cols() + 1);
   all << block.J, block.S, block.Z, block.y;
-  if (model_error > 0) whitenAnew(block.readings, block.weights, weights, all);
+  if (model_error > 0) whitenAnew(block.measurements, block.weights, weights, all);
   takeSharedOff(weights, all);
   gram.add(all.leftCols(block.J.cols()), all.middleCols(block.J.cols(), block.S.cols()),
            all.middleCols(block.J.cols() + block.S.cols(), block.Z.cols()), all.rightCols<1>());
@@ -123,8 +123,8 @@ double degreesLeft(const DiagnosisWork& work) {
          numbersDetermined(posteriorCovariance(work.basis.residual.jacobian, work.basis.unknowns), work.basis.unknowns);
 }
 
-/// Stores the discrepancy's columns at all readings for the evidence of separate fits: those of principal terms and of
-/// single sources.
+/// Stores the discrepancy's columns at all measurements for the evidence of separate fits: those of principal terms and
+/// of single sources.
 void keepDiscrepancy(const DiagnosisWork& work, NoiseHypothesis& noise) {
   const auto& terms = work.discrepancy->terms();
   noise.principal_terms = noise.evidence->principalTerms(kPrincipalTerms);
@@ -132,15 +132,15 @@ void keepDiscrepancy(const DiagnosisWork& work, NoiseHypothesis& noise) {
   const bool has_sources =
       static_cast<double>(noise.weights.rows) * static_cast<double>(terms.size()) < kMostForSources;
   MatrixXd all(has_sources ? noise.weights.rows : 0, static_cast<Index>(terms.size()));
-  for (const auto& which : blocksOf(work.basis.readings)) {
+  for (const auto& which : blocksOf(work.basis.measurements)) {
     goOn(work.basis.stop);
-    const auto readings = picked(work.basis.readings, which);
-    const auto weights = weighReadings(work.basis.fitted, readings, {}, noise.model_error, work.basis.stop);
+    const auto measurements = picked(work.basis.measurements, which);
+    const auto weights = weighMeasurements(work.basis.fitted, measurements, {}, noise.model_error, work.basis.stop);
     if (!weights) return;
-    const MatrixXd columns = work.discrepancy->columnsAt(readings, *weights);
+    const MatrixXd columns = work.discrepancy->columnsAt(measurements, *weights);
     const MatrixXd principal = columns * noise.principal_terms;
-    for (std::size_t k = 0; k < readings.size(); ++k) {
-      const int to = noise.weights.first_row[static_cast<std::size_t>(which[k])], rows = rowsOf(readings[k]);
+    for (std::size_t k = 0; k < measurements.size(); ++k) {
+      const int to = noise.weights.first_row[static_cast<std::size_t>(which[k])], rows = rowsOf(measurements[k]);
       noise.discrepancy.middleRows(to, rows) = principal.middleRows(weights->first_row[k], rows);
       if (has_sources) all.middleRows(to, rows) = columns.middleRows(weights->first_row[k], rows);
     }
@@ -153,7 +153,7 @@ void keepDiscrepancy(const DiagnosisWork& work, NoiseHypothesis& noise) {
 
 /// Returns the stated noise of one coordinate [m].
 double noiseOfCoordinate(const DiagnosisWork& work) {
-  return noiseFloor(work.basis.readings, work.basis.weights) / lengthOfRows(work.basis.readings);
+  return noiseFloor(work.basis.measurements, work.basis.weights) / lengthOfRows(work.basis.measurements);
 }
 
 /// Returns the error of a coordinate in excess of the stated noise [m] that explains this chi-square; 0 if the stated
@@ -164,8 +164,8 @@ double errorBeyondNoise(const DiagnosisWork& work, double chi2, double freedom) 
 }
 
 /// Returns scale factors to try for the noise with this model error, from below 1 to beyond the error of the model
-/// without a discrepancy. With few readings an unknown function absorbs much of any noise, so a model error that was
-/// estimated with such a function is too small.
+/// without a discrepancy. With few measurements an unknown function absorbs much of any noise, so a model error that
+/// was estimated with such a function is too small.
 std::vector<double> noiseScales(const DiagnosisWork& work, double model_error) {
   constexpr double kLeast = 0.7, kMost = 1.5, kFarthest = 6, kStep = 1.08;
   const double per_coordinate = noiseOfCoordinate(work);
@@ -181,16 +181,17 @@ bool addNoise(DiagnosisWork& work, double model_error, double log_prior) {
   NoiseHypothesis noise;
   noise.model_error = model_error;
   noise.log_prior = log_prior;
-  noise.weights = reweighted(work.basis.weights, work.basis.readings, model_error);
+  noise.weights = reweighted(work.basis.weights, work.basis.measurements, model_error);
   EvidenceGram gram;
-  for (const auto& which : blocksOf(work.basis.readings)) {
+  for (const auto& which : blocksOf(work.basis.measurements)) {
     reportProgress(work.options.hooks, "catalogue");
     Block block;
     if (!fillBlock(work, which, block)) return false;
     addTo(gram, block, model_error);
   }
-  const double floor = noiseFloor(work.basis.readings, work.basis.weights);
-  noise.options.discrepancies = discrepancySizes(std::hypot(floor, lengthOfRows(work.basis.readings) * model_error));
+  const double floor = noiseFloor(work.basis.measurements, work.basis.weights);
+  noise.options.discrepancies =
+      discrepancySizes(std::hypot(floor, lengthOfRows(work.basis.measurements) * model_error));
   noise.options.discrepancy_prior = kDiscrepancy;
   noise.options.source_prior = kSingleSource;
   if (model_error > 0) noise.options.noise_scales = noiseScales(work, model_error);
@@ -210,7 +211,7 @@ double errorBeyondRichest(const DiagnosisWork& work) {
 
 }  // namespace
 
-double logDensityOf(const ReadingWeights& weights) {
+double logDensityOf(const MeasurementWeights& weights) {
   double log = -0.5 * weights.rows * std::log(2 * std::numbers::pi);
   for (const MatrixXd& whitener : weights.whitener) log += std::log(std::abs(whitener.determinant()));
   for (const SharedNoise& shared : weights.shared) log += (1 - shared.shrink.array()).log().sum();
@@ -218,9 +219,9 @@ double logDensityOf(const ReadingWeights& weights) {
 }
 
 bool linearize(DiagnosisWork& work) {
-  work.causes = listCauses(work.basis.fitted, work.basis.readings, work.basis.unknowns, work.options.hooks);
+  work.causes = listCauses(work.basis.fitted, work.basis.measurements, work.basis.unknowns, work.options.hooks);
   work.signatures = std::make_unique<Signatures>(work.basis.fitted, work.causes.causes);
-  work.discrepancy = std::make_unique<Discrepancy>(work.basis.fitted, work.basis.readings);
+  work.discrepancy = std::make_unique<Discrepancy>(work.basis.fitted, work.basis.measurements);
   if (!addNoise(work, 0, 0)) return false;
   const double more = errorBeyondRichest(work);
   return !(more > 0) || doubtNoise(work, more);

@@ -27,7 +27,7 @@ std::size_t bestTime(const DiagnosisWork& work, Cause cause, const ModelTerm& te
   cause.levels = times;
   const Signatures signatures(work.basis.fitted, {cause});
   EvidenceGram gram;
-  const Eigen::MatrixXd S = signatures.columnsAt(work.basis.readings, work.basis.weights, work.basis.stop);
+  const Eigen::MatrixXd S = signatures.columnsAt(work.basis.measurements, work.basis.weights, work.basis.stop);
   if (S.rows() != work.basis.residual.r.size()) return times.size() / 2;
   gram.add(work.basis.residual.jacobian, S, Eigen::MatrixXd(S.rows(), 0), -work.basis.residual.r);
   const LinearEvidence evidence(gram, work.basis.unknowns, {});
@@ -40,9 +40,9 @@ std::size_t bestTime(const DiagnosisWork& work, Cause cause, const ModelTerm& te
   return best;
 }
 
-/// Returns the time of a step as precisely as the readings' times allow: any time between two consecutive readings has
-/// the same effect. Tries the gaps near the time of the term's level. If there are very many gaps, a subset is tried
-/// first, then all gaps between the neighbours of the best.
+/// Returns the time of a step as precisely as the measurements' times allow: any time between two consecutive
+/// measurements has the same effect. Tries the gaps near the time of the term's level. If there are very many gaps, a
+/// subset is tried first, then all gaps between the neighbours of the best.
 double refinedTime(const DiagnosisWork& work, const CompetingModel& model, std::size_t index) {
   const ModelTerm& term = model.terms[index];
   const Cause& cause = work.cause(term.cause);
@@ -50,7 +50,7 @@ double refinedTime(const DiagnosisWork& work, const CompetingModel& model, std::
   const auto level = static_cast<std::size_t>(term.level);
   const double from = level > 0 ? levels[level - 1] : -std::numeric_limits<double>::infinity();
   const double to = level + 1 < levels.size() ? levels[level + 1] : std::numeric_limits<double>::infinity();
-  std::vector<double> gaps = timesBetween(work.basis.readings);
+  std::vector<double> gaps = timesBetween(work.basis.measurements);
   std::erase_if(gaps, [&](double time) { return time < from || time > to; });
   while (gaps.size() > kMostTimes) {
     const std::size_t step = gaps.size() / kMostTimes + 1;

@@ -14,7 +14,7 @@ struct PlacedModel {
   std::vector<std::size_t> counts;  ///< number of each term's unknowns in `sizes`
 };
 
-/// Returns the baseline's arm with the model's effects. A step is placed at the best time that the readings can
+/// Returns the baseline's arm with the model's effects. A step is placed at the best time that the measurements can
 /// resolve.
 [[nodiscard]] PlacedModel placeModel(const DiagnosisWork& work, const CompetingModel& model);
 

@@ -75,15 +75,15 @@ TEST_F(Program, helpsWithAnExampleForEachCommand) {
 TEST_F(Program, refusesToWriteOverItsInputs) {
   ASSERT_EQ(run("simulate " + shipped("bench.yaml") + " --design bench --readings 24 --seed 3 --out set").exit_code, 0);
   for (const char* name : {"bench.yaml", "cobra-arm.yaml"}) write(name, contentOf(shippedCells() / name));
-  const std::string readings = "set/measurements.csv", asked = "bench.yaml " + readings;
-  const std::string before = contentOf(folder / readings), arm = contentOf(folder / "cobra-arm.yaml");
-  expectRefused("identify " + asked + " --out " + readings, {"--out", "measurements.csv", "reads"});
-  expectRefused("identify " + asked + " --json ./" + readings, {"--json", "reads"});
+  const std::string measurements = "set/measurements.csv", asked = "bench.yaml " + measurements;
+  const std::string before = contentOf(folder / measurements), arm = contentOf(folder / "cobra-arm.yaml");
+  expectRefused("identify " + asked + " --out " + measurements, {"--out", "measurements.csv", "reads"});
+  expectRefused("identify " + asked + " --json ./" + measurements, {"--json", "reads"});
   expectRefused("compare " + asked + " --report set/../set/measurements.csv", {"--report", "reads"});
   expectRefused("improve " + asked + " --out cobra-arm.yaml", {"--out", "cobra-arm.yaml", "reads"});
   expectRefused("diagnose " + asked + " --json bench.yaml", {"--json", "bench.yaml", "reads"});
   expectRefused("diagnose " + asked + " --json a.txt --report a.txt", {"also writes 'a.txt'"});
-  EXPECT_EQ(contentOf(folder / readings), before);
+  EXPECT_EQ(contentOf(folder / measurements), before);
   EXPECT_EQ(contentOf(folder / "cobra-arm.yaml"), arm);
 }
 

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "app/formats/cell/cell_reader.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "tests/app/program.hpp"
 
 namespace tubeplan::app {
@@ -21,9 +21,9 @@ using nlohmann::json;
 
 class CompareCommand : public ProgramTest {
  protected:
-  /// Returns simulated position readings of the bench cell, in its units, with a sigma of 0.002 in and encoder noise;
-  /// `lost` is the half width of theta2's lost motion [deg].
-  [[nodiscard]] std::string readingsWith(double lost) const {
+  /// Returns simulated position measurements of the bench cell, in its units, with a sigma of 0.002 in and encoder
+  /// noise; `lost` is the half width of theta2's lost motion [deg].
+  [[nodiscard]] std::string measurementsWith(double lost) const {
     const Cell cell = readCell((shippedCells() / "bench.yaml").string());
     boost::random::mt19937_64 random(4);
     boost::random::uniform_real_distribution<double> share(-1, 1);
@@ -35,11 +35,11 @@ class CompareCommand : public ProgramTest {
       Eigen::Vector4d read(100 * share(random), 60 + 50 * share(random), 60 * share(random), 60 * share(random));
       Eigen::Vector4i approach_directions;
       for (int& approach_direction : approach_directions) approach_direction = share(random) < 0 ? -1 : 1;
-      calibration::Measurement reading;
-      reading.load = cell.units.toInternal(10. * (k % 4), dimension::kForce);
-      reading.q =
+      calibration::Measurement measurement;
+      measurement.load = cell.units.toInternal(10. * (k % 4), dimension::kForce);
+      measurement.q =
           (read + Eigen::Vector4d(0, lost * approach_directions[1], 0, 0)) * cell.units.factor(dimension::kAngle);
-      Eigen::Vector3d tip = calibration::predictReading(cell.arm, cell.X_WB, reading).value;
+      Eigen::Vector3d tip = calibration::predictMeasurement(cell.arm, cell.X_WB, measurement).value;
       tip /= cell.units.factor(dimension::kLength);
       for (auto& coordinate : tip) coordinate += 0.002 * normal(random);
       for (auto& angle : read) angle += 0.002 * normal(random);
@@ -52,10 +52,10 @@ class CompareCommand : public ProgramTest {
   }
 };
 
-// A long name of a reading is cut in the text output, but appears in full in the JSON.
-TEST_F(CompareCommand, aReadingsNameIsCutInTheText) {
+// A long name of a measurement is cut in the text output, but appears in full in the JSON.
+TEST_F(CompareCommand, aMeasurementsNameIsCutInTheText) {
   const std::string name(10000, 'n');
-  std::string text = readingsWith(0.1);
+  std::string text = measurementsWith(0.1);
   for (std::size_t at = text.find('\n'); at + 1 < text.size(); at = text.find('\n', at + 1)) text.insert(at + 1, name);
   (void)write("readings.csv", text);
   const Outcome outcome = run("compare " + shipped("bench.yaml") + " readings.csv");
@@ -66,7 +66,7 @@ TEST_F(CompareCommand, aReadingsNameIsCutInTheText) {
 }
 
 TEST_F(CompareCommand, anAdequateModelExitsWithZeroAndGivesEveryKey) {
-  (void)write("readings.csv", readingsWith(0));
+  (void)write("readings.csv", measurementsWith(0));
   const Outcome outcome = run("compare " + shipped("bench.yaml") + " readings.csv --json -");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const json report = json::parse(outcome.out);
@@ -90,7 +90,7 @@ TEST_F(CompareCommand, anAdequateModelExitsWithZeroAndGivesEveryKey) {
 }
 
 TEST_F(CompareCommand, aModelThatFallsShortExitsWithOneAndSaysWhatItsErrorFollows) {
-  (void)write("readings.csv", readingsWith(0.03));
+  (void)write("readings.csv", measurementsWith(0.03));
   const Outcome outcome = run("compare " + shipped("bench.yaml") + " readings.csv --json -");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
   const json report = json::parse(outcome.out);
@@ -105,8 +105,8 @@ TEST_F(CompareCommand, aModelThatFallsShortExitsWithOneAndSaysWhatItsErrorFollow
   expectSays(run("compare " + shipped("bench.yaml") + " readings.csv").out, "falls-short");
 }
 
-TEST_F(CompareCommand, itsPageDrawsTheErrorsOfEveryReading) {
-  (void)write("readings.csv", readingsWith(0));
+TEST_F(CompareCommand, itsPageDrawsTheErrorsOfEveryMeasurement) {
+  (void)write("readings.csv", measurementsWith(0));
   const Outcome outcome = run("compare " + shipped("bench.yaml") + " readings.csv --report page.html");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string page = contentOf(folder / "page.html");
@@ -116,7 +116,7 @@ TEST_F(CompareCommand, itsPageDrawsTheErrorsOfEveryReading) {
 }
 
 TEST_F(CompareCommand, badInputExitsWithTwo) {
-  (void)write("readings.csv", readingsWith(0));
+  (void)write("readings.csv", measurementsWith(0));
   (void)write("bad.yaml",
               changed(contentOf(shippedCells() / "bench.yaml"), "[tool.joint_stiffness.z", "[elbow.joint_stiffness.z"));
   std::filesystem::copy(shippedCells() / "cobra-arm.yaml", folder / "cobra-arm.yaml");
@@ -130,7 +130,7 @@ TEST_F(CompareCommand, badInputExitsWithTwo) {
 }
 
 TEST_F(CompareCommand, openShowsTheReportInABrowser) {
-  write("readings.csv", readingsWith(0));
+  write("readings.csv", measurementsWith(0));
   write("browser", "#!/bin/sh\necho \"$1\" >shown.txt.new && mv shown.txt.new shown.txt\n");
   std::filesystem::permissions(folder / "browser", std::filesystem::perms::owner_all);
   ASSERT_EQ(::setenv("BROWSER", (folder / "browser").c_str(), 1), 0);
@@ -157,8 +157,8 @@ std::string withCell(const std::string& table, std::size_t row, std::size_t colu
 // All commands treat outliers alike: an isolated outlier is set aside, named, and excluded from all results.
 TEST_F(CompareCommand, anOutlierIsSetAsideAsDiagnoseDoes) {
   const auto off = [](const std::string& inches) { return fmt::format("{}", std::stod(inches) + 0.2); };
-  (void)write("clean.csv", readingsWith(0));
-  (void)write("readings.csv", withCell(readingsWith(0), 18, 8, off));
+  (void)write("clean.csv", measurementsWith(0));
+  (void)write("readings.csv", withCell(measurementsWith(0), 18, 8, off));
   const json clean = json::parse(run("compare " + shipped("bench.yaml") + " clean.csv --json -").out);
   EXPECT_EQ(clean["set_aside"], json::array());
   for (const char* command : {"compare", "identify", "diagnose"}) {
@@ -179,7 +179,7 @@ TEST_F(CompareCommand, anOutlierIsSetAsideAsDiagnoseDoes) {
 // A row that was logged before the controller updated the joints is reported as a mistake, and is not treated as a
 // repeat of the previous row.
 TEST_F(CompareCommand, aStaleRowIsNamedAndExcusesNothing) {
-  std::string table = readingsWith(0);
+  std::string table = measurementsWith(0);
   std::vector<std::string> rows;
   for (std::size_t at = 0; at < table.size(); at = table.find('\n', at) + 1)
     rows.push_back(table.substr(at, table.find('\n', at) + 1 - at));

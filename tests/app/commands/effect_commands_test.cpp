@@ -45,9 +45,9 @@ TEST_F(EffectCommands, AModelWithNothingFreeIsDiagnosed) {
   }
 }
 
-/// For readings from a bench and another cell, whose base has another position and orientation, the verdict is
+/// For measurements from a bench and another cell, whose base has another position and orientation, the verdict is
 /// inconclusive.
-TEST_F(EffectCommands, ReadingsOfAnotherCellGetNoVerdict) {
+TEST_F(EffectCommands, MeasurementsOfAnotherCellGetNoVerdict) {
   simulate("");
   const auto outcome = run("diagnose " + shipped("mockup.yaml") + " set/measurements.csv --json -");
   const json found = json::parse(outcome.out);
@@ -68,9 +68,9 @@ TEST_F(EffectCommands, ReadingsOfAnotherCellGetNoVerdict) {
   EXPECT_FALSE(std::filesystem::exists(folder / "found.yaml"));
 }
 
-/// For readings of an arm with other stiffnesses, a fit of only the base is refused, since its residuals exceed the
+/// For measurements of an arm with other stiffnesses, a fit of only the base is refused, since its residuals exceed the
 /// noise; a fit with six free parameters is accepted.
-TEST_F(EffectCommands, ABaseThatLeavesTheReadingsOffIsSaid) {
+TEST_F(EffectCommands, ABaseThatLeavesTheMeasurementsOffIsSaid) {
   ASSERT_EQ(
       run("simulate " + shipped("mockup-true.yaml") + " --design bowl --readings 40 --loads 0,30 --out set").exit_code,
       0);
@@ -113,8 +113,8 @@ TEST_F(EffectCommands, EveryEffectOfTheCatalogueIsListedWithItsPlaces) {
 
 TEST_F(EffectCommands, AHiddenEffectIsNamedAddedAndTheErrorFalls) {
   simulate("hysteresis@theta4:0.06deg");
-  const std::string readings = path("set/measurements.csv");
-  const auto diagnosed = run("diagnose " + bench() + " " + readings + " --json -");
+  const std::string measurements = path("set/measurements.csv");
+  const auto diagnosed = run("diagnose " + bench() + " " + measurements + " --json -");
   ASSERT_EQ(diagnosed.exit_code, 0) << diagnosed.err;
   const json answer = json::parse(diagnosed.out);
   EXPECT_EQ(answer["verdict"], "explained");
@@ -125,18 +125,18 @@ TEST_F(EffectCommands, AHiddenEffectIsNamedAddedAndTheErrorFalls) {
 
   ASSERT_EQ(run("add " + bench() + " hysteresis@theta4 --out " + path("better.yaml")).exit_code, 0);
   const auto identified =
-      run("identify " + path("better.yaml") + " " + readings + " --out " + path("fitted.yaml") + " --json -");
+      run("identify " + path("better.yaml") + " " + measurements + " --out " + path("fitted.yaml") + " --json -");
   ASSERT_EQ(identified.exit_code, 0) << identified.err;
   const json found = json::parse(identified.out);
   EXPECT_LT(found["rms"]["heldout_after"].get<double>(), 1.1 * found["rms"]["noise_floor"].get<double>());
 
-  const auto ladder = run("ladder " + readings + " " + bench() + " " + path("fitted.yaml") + " --json -");
+  const auto ladder = run("ladder " + measurements + " " + bench() + " " + path("fitted.yaml") + " --json -");
   ASSERT_EQ(ladder.exit_code, 0) << ladder.err;
   const json comparison = json::parse(ladder.out)["models"];
   EXPECT_GT(comparison[0]["rms"]["heldout"].get<double>(), 1.5 * comparison[1]["rms"]["heldout"].get<double>());
 
   // `diagnose` reads the fitted cell and finds no further effect.
-  const auto again = json::parse(run("diagnose " + path("fitted.yaml") + " " + readings + " --json -").out);
+  const auto again = json::parse(run("diagnose " + path("fitted.yaml") + " " + measurements + " --json -").out);
   EXPECT_TRUE(again["alternatives"].empty()) << again["sentence"];
 }
 
@@ -215,12 +215,12 @@ TEST_F(EffectCommands, WrongNamesPlacesAndSizesAreRefused) {
 TEST_F(EffectCommands, AFormulaIsAddedFittedAndSetBesideTheCatalogue) {
   const std::string formula = "'theta3 += c*sin(3*theta1)'";
   simulate("'theta3 += c*sin(3*theta1); c=0.08'");
-  const std::string readings = path("set/measurements.csv");
+  const std::string measurements = path("set/measurements.csv");
   const auto added = run("add " + bench() + " formula@theta3 --formula " + formula + " --out " + path("better.yaml"));
   ASSERT_EQ(added.exit_code, 0) << added.err;
   EXPECT_NE(added.out.find("freed formula@theta3.c"), std::string::npos) << added.out;
   const auto identified =
-      run("identify " + path("better.yaml") + " " + readings + " --out " + path("fitted.yaml") + " --json -");
+      run("identify " + path("better.yaml") + " " + measurements + " --out " + path("fitted.yaml") + " --json -");
   ASSERT_EQ(identified.exit_code, 0) << identified.err;
   const json found = json::parse(identified.out);
   const auto& numbers = found["parameters"];
@@ -240,8 +240,8 @@ TEST_F(EffectCommands, AFormulaIsAddedFittedAndSetBesideTheCatalogue) {
   const Cell cell = readCell(path("fitted.yaml"));
   ASSERT_EQ(cell.arm.effects.size(), 1U);
   EXPECT_NEAR(cell.arm.effects[0].values[0] / cell.units.factor(dimension::kAngle), (*c)["value"].get<double>(), 1e-9);
-  EXPECT_EQ(run("compare " + path("fitted.yaml") + " " + readings).exit_code, 0);
-  const auto diagnosed = run("diagnose " + path("fitted.yaml") + " " + readings + " --json -");
+  EXPECT_EQ(run("compare " + path("fitted.yaml") + " " + measurements).exit_code, 0);
+  const auto diagnosed = run("diagnose " + path("fitted.yaml") + " " + measurements + " --json -");
   ASSERT_EQ(diagnosed.exit_code, 0) << diagnosed.err;
   EXPECT_TRUE(json::parse(diagnosed.out)["alternatives"].empty());
 }
@@ -296,12 +296,12 @@ TEST_F(EffectCommands, WrongFormulasAreRefused) {
   EXPECT_EQ(run("add " + bench() + " formula@theta2 --formula 'theta3 += c*load' --out x.yaml").exit_code, 2);
 }
 
-TEST_F(EffectCommands, AFormulaWithoutAValueAtAReadingNamesTheReading) {
+TEST_F(EffectCommands, AFormulaWithoutAValueAtAMeasurementNamesTheMeasurement) {
   simulate("");
   ASSERT_EQ(run("add " + bench() + " --formula 'theta3 += c/load' --out " + path("odd.yaml")).exit_code, 0);
-  const std::string readings = path("set/measurements.csv");
+  const std::string measurements = path("set/measurements.csv");
   for (const std::string command : {"identify ", "compare ", "diagnose "}) {
-    const auto outcome = run(command + path("odd.yaml") + " " + readings);
+    const auto outcome = run(command + path("odd.yaml") + " " + measurements);
     EXPECT_EQ(outcome.exit_code, 2) << command << outcome.out;
     EXPECT_NE(outcome.err.find("measurements.csv:"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("load = 0"), std::string::npos) << outcome.err;

@@ -1,4 +1,4 @@
-// `tubeplan identify` on sets of readings that are kept beside the repository on its developers' machines: fits to
+// `tubeplan identify` on sets of measurements that are kept beside the repository on its developers' machines: fits to
 // simulated sets pass the chi-square test, and models of measured robots predict held-out poses.
 #include <fmt/format.h>
 
@@ -18,11 +18,12 @@ using nlohmann::json;
 
 using calibration::Measurement;
 
-/// Appends a reading of the known distance for each pair of touches of two sockets 50 mm apart, separately for fitted
-/// and held-out touches.
-std::vector<Measurement> withSpacings(std::vector<Measurement> readings) {
+/// Appends a measurement of the known distance for each pair of touches of two sockets 50 mm apart, separately for
+/// fitted and held-out touches.
+std::vector<Measurement> withSpacings(std::vector<Measurement> measurements) {
   std::map<std::pair<std::string, bool>, std::vector<Measurement>> touches;
-  for (const auto& reading : readings) touches[{reading.point, reading.is_held_out}].push_back(reading);
+  for (const auto& measurement : measurements)
+    touches[{measurement.point, measurement.is_held_out}].push_back(measurement);
   for (const auto& [socket, first] : touches) {
     if (!socket.first.ends_with("-0")) continue;
     const std::string other = socket.first.substr(0, socket.first.size() - 1) + "1";
@@ -34,19 +35,19 @@ std::vector<Measurement> withSpacings(std::vector<Measurement> readings) {
       spacing.kind = calibration::MeasurementKind::kRelative;
       spacing.own[0] = 0.05;
       spacing.reference = std::make_shared<Measurement>(second[k]);
-      readings.push_back(std::move(spacing));
+      measurements.push_back(std::move(spacing));
     }
   }
-  return readings;
+  return measurements;
 }
 
 /// Returns the mean absolute difference between 50 mm and the distance of two sockets as located by the touches [mm].
-double socketsOff(const json& readings) {
+double socketsOff(const json& measurements) {
   std::map<std::string, std::pair<Eigen::Vector3d, int>> sockets;
-  for (const auto& reading : readings) {
-    if (reading["kind"] != "touch") continue;
-    auto& [sum, count] = sockets.try_emplace(reading["point"], Eigen::Vector3d::Zero(), 0).first->second;
-    for (int k = 0; k < 3; ++k) sum[k] += reading["position_before"][static_cast<std::size_t>(k)].get<double>();
+  for (const auto& measurement : measurements) {
+    if (measurement["kind"] != "touch") continue;
+    auto& [sum, count] = sockets.try_emplace(measurement["point"], Eigen::Vector3d::Zero(), 0).first->second;
+    for (int k = 0; k < 3; ++k) sum[k] += measurement["position_before"][static_cast<std::size_t>(k)].get<double>();
     ++count;
   }
   double off = 0;
@@ -71,7 +72,8 @@ class IdentifySets : public ProgramTest {
     return json::parse(outcome.out, nullptr, false);
   }
 
-  /// Returns the mean error of the held-out readings, in the cell's length unit, and expects that the fit reduces it.
+  /// Returns the mean error of the held-out measurements, in the cell's length unit, and expects that the fit reduces
+  /// it.
   [[nodiscard]] double heldOutMean(const std::string& arguments) const {
     const json result = identified(arguments);
     EXPECT_LT(result["errors"]["heldout_after"]["mean"], result["errors"]["heldout_before"]["mean"]);
@@ -83,15 +85,15 @@ class IdentifySets : public ProgramTest {
 #define SKIP_WITHOUT(folder) \
   if (!fs::exists(shared(folder))) GTEST_SKIP() << "skipped: no sets at ../shared/" folder
 
-// The fit to simulated readings without a hidden effect passes the chi-square test: with a correct model, the p-value
-// lies outside 0.001 to 0.999 only once in 500 fits.
+// The fit to simulated measurements without a hidden effect passes the chi-square test: with a correct model, the
+// p-value lies outside 0.001 to 0.999 only once in 500 fits.
 TEST_F(IdentifySets, PracticeSetsWithoutAHiddenEffectFitWithinChance) {
   SKIP_WITHOUT("hidden-effects");
   for (const auto& [set, cell] :
        {std::pair{"bench-none", "bench.yaml"}, {"bowl-none", "bowl.yaml"}, {"touch-none", "bench.yaml"}}) {
-    const std::string readings =
+    const std::string measurements =
         "'" + shared(std::string("hidden-effects/") + set + "/measurements.csv").string() + "'";
-    const json result = identified(shipped(cell) + " " + readings);
+    const json result = identified(shipped(cell) + " " + measurements);
     EXPECT_GT(result["p_value"], 0.001) << set;
     EXPECT_LT(result["p_value"], 0.999) << set;
     EXPECT_LT(result["rms"]["after"], 1.1 * result["rms"]["noise_floor"].get<double>()) << set;
@@ -127,7 +129,7 @@ TEST_F(IdentifySets, ComplianceUnderItsOwnWeight) {
   EXPECT_LE(heldOutMean(set + names), 0.32);
 }
 
-// Parameters that readings cannot distinguish are reported as such: only axes 1 and 2 move, so the compliances of
+// Parameters that measurements cannot distinguish are reported as such: only axes 1 and 2 move, so the compliances of
 // joints 2, 4 and 6 have the same effect.
 TEST_F(IdentifySets, WhatASetCannotTellApartIsSaid) {
   SKIP_WITHOUT("real");
@@ -146,8 +148,8 @@ TEST_F(IdentifySets, WhatASetCannotTellApartIsSaid) {
   }
 }
 
-// A stiffness fitted to the readings of two payloads predicts those of the third almost as well as a stiffness fitted
-// to them. Base and tip are fitted in each case.
+// A stiffness fitted to the measurements of two payloads predicts those of the third almost as well as a stiffness
+// fitted to them. Base and tip are fitted in each case.
 TEST_F(IdentifySets, TwoPayloadsForetellTheThird) {
   SKIP_WITHOUT("real");
   std::string both = contentOf(shared("real/kuka-iiwa7/measurements-payload-0kg.csv"));
@@ -171,8 +173,8 @@ TEST_F(IdentifySets, SocketsAKnownDistanceApartTellTheScale) {
   SKIP_WITHOUT("real/panda-touch");
   for (const char* name : {"arm.yaml", "cell.yaml"}) write(name, contentOf(shared("real/panda-touch") / name));
   const Cell cell = readCell((folder / "cell.yaml").string());
-  const auto readings = readMeasurements(shared("real/panda-touch/measurements.csv").string(), cell.arm, nullptr);
-  write("spacings.csv", measurementsCsv(withSpacings(readings), cell.arm, cell.units));
+  const auto measurements = readMeasurements(shared("real/panda-touch/measurements.csv").string(), cell.arm, nullptr);
+  write("spacings.csv", measurementsCsv(withSpacings(measurements), cell.arm, cell.units));
   const Outcome outcome =
       run("identify cell.yaml spacings.csv --free tool.tip,geometry --folds 0 --out fitted.yaml --json -");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

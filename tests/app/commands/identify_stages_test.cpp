@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/formats/cell/cell_reader.hpp"
-#include "tests/app/formats/measurements/readings_csv.hpp"
+#include "tests/app/formats/measurements/measurements_csv.hpp"
 #include "tests/app/program.hpp"
 
 namespace tubeplan::app {
 namespace {
 
-using calibration::Measurement, calibration::MeasurementKind, calibration::PlacedArm, calibration::ReadingMaker;
+using calibration::Measurement, calibration::MeasurementKind, calibration::PlacedArm, calibration::MeasurementMaker;
 using nlohmann::json;
 
 constexpr const char* kFirst = "tool.joint_stiffness.z";
@@ -24,16 +24,16 @@ class IdentifyStages : public ProgramTest {
     PlacedArm truth{deflection::cobraArm(), {{"A", Eigen::Isometry3d::Identity(), true}}};
     truth.base_poses.push_back({"B", Eigen::Isometry3d::Identity(), true});
     truth.arm.rows[5].joint_stiffness.z() *= 0.8;
-    ReadingMaker maker(truth, 77, ReadingMaker::Noise::kStated);
+    MeasurementMaker maker(truth, 77, MeasurementMaker::Noise::kStated);
     maker.add(MeasurementKind::kPosition, 6, "A");
-    for (Measurement& reading : maker.readings) reading.id = "A" + reading.id;
-    of_a = maker.readings;
+    for (Measurement& measurement : maker.measurements) measurement.id = "A" + measurement.id;
+    of_a = maker.measurements;
     maker.add(MeasurementKind::kPosition, 12, "B");
-    all = maker.readings;
+    all = maker.measurements;
     of_b.assign(all.begin() + 6, all.end());
-    write("all.csv", readingsCsv(all));
-    write("a.csv", readingsCsv(of_a));
-    write("b.csv", readingsCsv(of_b));
+    write("all.csv", measurementsCsv(all));
+    write("a.csv", measurementsCsv(of_a));
+    write("b.csv", measurementsCsv(of_b));
     for (const char* name : {"bench.yaml", "cobra-arm.yaml"}) write(name, contentOf(shippedCells() / name));
   }
 
@@ -54,17 +54,17 @@ class IdentifyStages : public ProgramTest {
 };
 
 // Rows that the cell states as rigid in one set-up, on a bench, stay flexible in the other, on the mezzanine. Without
-// that statement, the readings of both set-ups do not fit.
+// that statement, the measurements of both set-ups do not fit.
 TEST_F(IdentifyStages, AMountingThatIsRigidInOneSetUpLeavesTheOthersTheirs) {
   PlacedArm truth{deflection::cobraArm(), {{"bench", Eigen::Isometry3d::Identity(), true}}};
   truth.arm.rows[5].joint_stiffness.z() *= 0.8;
   truth.arm.rows[1].joint_stiffness.x() *= 1.2;
   truth.arm.mountings = {{"bench", {0, 1}}};
   truth.base_poses.push_back({"mezzanine", Eigen::Isometry3d::Identity(), true});
-  ReadingMaker maker(truth, 78, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(truth, 78, MeasurementMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 15, "bench");
   maker.add(MeasurementKind::kPosition, 15, "mezzanine");
-  write("both.csv", readingsCsv(maker.readings));
+  write("both.csv", measurementsCsv(maker.measurements));
   const std::string cell = contentOf(shippedCells() / "bench.yaml");
   write("stages.yaml", cell + "\nsetups: {bench: {rigid: [mezzanine-beam, mezzanine-platform]}}\n");
   const json found =
@@ -77,7 +77,7 @@ TEST_F(IdentifyStages, AMountingThatIsRigidInOneSetUpLeavesTheOthersTheirs) {
   EXPECT_LT(without["p_value"].get<double>(), 1e-6);
   write("typo.yaml", cell + "\nsetups: {bnech: {rigid: [mezzanine-beam]}}\n");
   const Outcome typo = run("identify typo.yaml both.csv --free tool.joint_stiffness.z");
-  EXPECT_EQ(typo.exit_code, 1) << typo.err;  // half of the readings contradict the cell
+  EXPECT_EQ(typo.exit_code, 1) << typo.err;  // half of the measurements contradict the cell
   expectSays(typo.out, "no reading is of the set-up 'bnech'");
   expectSays(typo.out, "did you mean 'bench'?");
 }
@@ -120,17 +120,17 @@ TEST_F(IdentifyStages, everyStageIsPrintedAndTheWholeIsWritten) {
   EXPECT_NEAR(compared["rms"]["before"], staged["rms"]["after"], 1e-6);
 }
 
-// An outlier of the second stage is reported with its own id: it is the third reading of that stage and the ninth of
-// the file.
+// An outlier of the second stage is reported with its own id: it is the third measurement of that stage and the ninth
+// of the file.
 TEST_F(IdentifyStages, anOutlierOfALaterStageHasItsOwnName) {
   all[8].p_W->x() += 0.1 * kInch;
-  write("all.csv", readingsCsv(all));
+  write("all.csv", measurementsCsv(all));
   const json staged = identified(fmt::format("bench.yaml all.csv --stage {}:A --stage {}:B", kFirst, kSecond));
   ASSERT_EQ(staged["outliers"].size(), 1u) << staged["outliers"];
   EXPECT_EQ(staged["outliers"][0]["id"], all[8].id);
 }
 
-TEST_F(IdentifyStages, aStageWithoutReadingsOrWithAStrangeNameIsRefused) {
+TEST_F(IdentifyStages, aStageWithoutMeasurementsOrWithAStrangeNameIsRefused) {
   const Outcome nowhere = run(fmt::format("identify bench.yaml all.csv --stage {}:C", kFirst));
   EXPECT_EQ(nowhere.exit_code, 2) << nowhere.out;
   const Outcome strange = run("identify bench.yaml all.csv --stage tool.jiont_stiffness.z");
@@ -141,9 +141,9 @@ TEST_F(IdentifyStages, aStageWithoutReadingsOrWithAStrangeNameIsRefused) {
   expectSays(both.err, "--free");
 }
 
-// --drop removes a parameter that the readings do not need: the elbow's joint offset, whose true value is that of the
-// drawing.
-TEST_F(IdentifyStages, dropGivesUpWhatTheReadingsDoNotNeedAndSaysWhy) {
+// --drop removes a parameter that the measurements do not need: the elbow's joint offset, whose true value is that of
+// the drawing.
+TEST_F(IdentifyStages, dropGivesUpWhatTheMeasurementsDoNotNeedAndSaysWhy) {
   const std::string free = fmt::format(" --free {},forearm.joint.offset", kFirst);
   const json kept = identified("bench.yaml all.csv" + free);
   EXPECT_EQ(kept["parameters"].size(), 2u);
@@ -176,9 +176,9 @@ TEST_F(IdentifyStages, dropKeepsWhatIsNeeded) {
 TEST_F(IdentifyStages, aDroppedStiffnessIsRigidInTheWrittenCell) {
   PlacedArm truth{deflection::cobraArm(), {{"", Eigen::Isometry3d::Identity(), true}}};
   truth.arm.rows[5].joint_stiffness.z() = deflection::kRigid;
-  ReadingMaker maker(truth, 78, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(truth, 78, MeasurementMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 30);
-  write("rigid.csv", readingsCsv(maker.readings));
+  write("rigid.csv", measurementsCsv(maker.measurements));
   const json found =
       identified(fmt::format("bench.yaml rigid.csv --drop 0.01 --out found.yaml --free {},{}", kFirst, kSecond));
   ASSERT_EQ(found["dropped"].size(), 1u) << found["parameters"];

@@ -1,18 +1,18 @@
 // `tubeplan identify` finds the true parameters, writes a cell that predicts the same, refuses wrong input, and warns
-// of mistakes in the readings.
+// of mistakes in the measurements.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/formats/cell/cell_reader.hpp"
 #include "app/formats/measurements/measurements_reader.hpp"
 #include "calibration/estimation/held_out.hpp"
-#include "tests/app/formats/measurements/readings_csv.hpp"
+#include "tests/app/formats/measurements/measurements_csv.hpp"
 #include "tests/app/program.hpp"
 
 namespace tubeplan::app {
 namespace {
 
-using calibration::Measurement, calibration::MeasurementKind, calibration::PlacedArm, calibration::ReadingMaker;
+using calibration::Measurement, calibration::MeasurementKind, calibration::PlacedArm, calibration::MeasurementMaker;
 using nlohmann::json;
 
 const std::string kFree = " --free tool.joint_stiffness.z,latch-link.beam.Iz --folds 0";
@@ -32,7 +32,7 @@ PlacedArm movedArm() {
 
 class Identify : public ProgramTest {
  protected:
-  Identify() : maker(trueArm(), 31, ReadingMaker::Noise::kStated) {}
+  Identify() : maker(trueArm(), 31, MeasurementMaker::Noise::kStated) {}
 
   [[nodiscard]] json identified(const std::string& arguments) const {
     const Outcome outcome = run("identify " + arguments + " --json -");
@@ -51,7 +51,7 @@ class Identify : public ProgramTest {
     EXPECT_FALSE(std::filesystem::exists(folder / "found.yaml"));
   }
 
-  void writeReadings(const std::string& name) const { write(name, readingsCsv(maker.readings)); }
+  void writeMeasurements(const std::string& name) const { write(name, measurementsCsv(maker.measurements)); }
 
   /// Expects at least one warning that contains these words.
   static void expectWarns(const json& result, const std::string& words) {
@@ -61,7 +61,7 @@ class Identify : public ProgramTest {
         << warnings << "\nwithout: " << words;
   }
 
-  ReadingMaker maker;
+  MeasurementMaker maker;
 };
 
 void expectTruth(const json& result, const PlacedArm& truth) {
@@ -84,14 +84,14 @@ void expectTruth(const json& result, const PlacedArm& truth) {
 TEST_F(Identify, FindsTheTruthFromSmallFilesOfEachKind) {
   const auto check = [&](const std::string& name) {
     SCOPED_TRACE(name);
-    writeReadings(name);
+    writeMeasurements(name);
     const json result = identified(shipped("bench.yaml") + " " + name + kFree);
     expectTruth(result, trueArm());
     EXPECT_LT(result["rms"]["after"], result["rms"]["before"]);
     EXPECT_GT(result["p_value"], 1e-3);
     EXPECT_TRUE(result["warnings"].empty()) << result["warnings"];
     EXPECT_TRUE(result["outliers"].empty()) << result["outliers"];
-    maker.readings.clear();
+    maker.measurements.clear();
   };
   maker.add(MeasurementKind::kPosition, 10);
   check("position.csv");
@@ -108,18 +108,18 @@ TEST_F(Identify, FindsTheTruthFromSmallFilesOfEachKind) {
 }
 
 TEST_F(Identify, WritesACellAndArmThatPredictTheSame) {
-  maker = ReadingMaker(movedArm(), 32, ReadingMaker::Noise::kStated);
+  maker = MeasurementMaker(movedArm(), 32, MeasurementMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 14);
-  writeReadings("readings.csv");
+  writeMeasurements("readings.csv");
   const json found = identified(shipped("bowl.yaml") + " readings.csv --out made/found.yaml" + kFree);
   expectTruth(found, movedArm());
   const Cell cell = readCell((folder / "made/found.yaml").string());
   EXPECT_EQ(std::filesystem::path(cell.arm_path).filename(), "found-arm.yaml");
   expectSays(contentOf(folder / "made/found-arm.yaml"), "# The Cobra arm on its mezzanine");
   EXPECT_TRUE(cell.base_covariance.has_value());
-  const auto readings = readMeasurements((folder / "readings.csv").string(), cell.arm);
+  const auto measurements = readMeasurements((folder / "readings.csv").string(), cell.arm);
   const PlacedArm placed{cell.arm, {{"", cell.X_WB, true}}};
-  EXPECT_NEAR(calibration::judge(placed, readings).rms / kInch, found["rms"]["after"], 1e-6);
+  EXPECT_NEAR(calibration::judge(placed, measurements).rms / kInch, found["rms"]["after"], 1e-6);
   const json again = identified("made/found.yaml readings.csv" + kFree);
   EXPECT_NEAR(again["rms"]["before"], found["rms"]["after"], 1e-6);
   const json &one = found["parameters"][0], &two = again["parameters"][0];
@@ -128,9 +128,9 @@ TEST_F(Identify, WritesACellAndArmThatPredictTheSame) {
   EXPECT_EQ(run(pose).exit_code, 0);
 }
 
-TEST_F(Identify, TheSameReadingsGiveTheSameBytes) {
+TEST_F(Identify, TheSameMeasurementsGiveTheSameBytes) {
   calibration::addEveryKind(maker, 3);
-  writeReadings("readings.csv");
+  writeMeasurements("readings.csv");
   const std::string call =
       "identify " + shipped("bench.yaml") +
       " readings.csv --free tool.joint_stiffness.z,latch-link.beam.Iz --folds 3 --starts 2 --seed 4 --json -";
@@ -140,7 +140,7 @@ TEST_F(Identify, TheSameReadingsGiveTheSameBytes) {
 // -v prints the iterations and changes nothing else; with --json - the iterations go to standard error.
 TEST_F(Identify, PrintsItsIterationsWhereThatIsAskedFor) {
   maker.add(MeasurementKind::kPosition, 12);
-  writeReadings("readings.csv");
+  writeMeasurements("readings.csv");
   const std::string arguments = "identify " + shipped("bench.yaml") + " readings.csv" + kFree;
   const Outcome plain = run(arguments), verbose = run(arguments + " -v"), as_json = run(arguments + " -v --json -");
   EXPECT_EQ(plain.out.find("iteration"), std::string::npos);
@@ -152,7 +152,7 @@ TEST_F(Identify, PrintsItsIterationsWhereThatIsAskedFor) {
 
 TEST_F(Identify, RefusesAFreeListThatMakesNoSense) {
   maker.add(MeasurementKind::kPosition, 6);
-  writeReadings("readings.csv");
+  writeMeasurements("readings.csv");
   for (const char* name : {"bench.yaml", "cobra-arm.yaml"}) write(name, contentOf(shippedCells() / name));
   const std::string cell = contentOf(folder / "bench.yaml");
   write("none.yaml", cell.substr(0, cell.find("identify:")));
@@ -169,43 +169,43 @@ TEST_F(Identify, RefusesAFreeListThatMakesNoSense) {
   expectRefused("wrong.yaml readings.csv", {"wrong.yaml", "identify", "tool.beem.Iz"});
 }
 
-TEST_F(Identify, RefusesReadingsThatTellNothing) {
+TEST_F(Identify, RefusesMeasurementsThatTellNothing) {
   const std::string bench = shipped("bench.yaml");
   maker.add(MeasurementKind::kPosition, 6);
-  const auto readings = maker.readings;
+  const auto measurements = maker.measurements;
   maker.addTouches(1, {0}, false);
-  writeReadings("once.csv");
+  writeMeasurements("once.csv");
   expectRefused(bench + " once.csv" + kFree, {"once.csv:8:", "point P7", "touched only once", "remove"});
-  maker.readings.assign(5, readings[0]);
-  for (std::size_t k = 0; k < 5; ++k) maker.readings[k].id = std::to_string(k);
-  writeReadings("same.csv");
+  maker.measurements.assign(5, measurements[0]);
+  for (std::size_t k = 0; k < 5; ++k) maker.measurements[k].id = std::to_string(k);
+  writeMeasurements("same.csv");
   expectRefused(bench + " same.csv" + kFree, {"same.csv:", "one posture", "several postures"});
-  maker.readings = readings;
-  for (auto& m : maker.readings) m.is_held_out = true;
-  std::string text = readingsCsv(readings);
+  maker.measurements = measurements;
+  for (auto& m : maker.measurements) m.is_held_out = true;
+  std::string text = measurementsCsv(measurements);
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 10)
     text.insert(at, text.substr(0, at).find('\n') == std::string::npos ? ",split   " : ",held-out");
   write("held.csv", changed(text, ",split   ", ",split"));
   expectRefused(bench + " held.csv" + kFree, {"held.csv:", "there is no reading to fit", "held-out"});
-  write("few.csv", readingsCsv({readings[0]}));
+  write("few.csv", measurementsCsv({measurements[0]}));
   expectRefused(shipped("bowl.yaml") + " few.csv" + kFree, {"few.csv:", "posture"});
-  write("two.csv", readingsCsv({readings[0], readings[1]}));
+  write("two.csv", measurementsCsv({measurements[0], measurements[1]}));
   expectRefused(shipped("bowl.yaml") + " two.csv" + kFree, {"two.csv:", "6 numbers", "8 free numbers", "add readings"});
 }
 
 TEST_F(Identify, RefusesFilesThatAreBroken) {
   const std::string bench = shipped("bench.yaml");
   maker.add(MeasurementKind::kPosition, 4);
-  writeReadings("good.csv");
+  writeMeasurements("good.csv");
   write("empty.csv", "");
   expectRefused(bench + " empty.csv" + kFree, {"empty.csv", "empty"});
   write("header.csv", contentOf(folder / "good.csv").substr(0, contentOf(folder / "good.csv").find('\n') + 1));
   expectRefused(bench + " header.csv" + kFree, {"header.csv", "no readings below the header"});
   expectRefused(bench + " missing.csv" + kFree, {"missing.csv", "no such file"});
-  write("nosigma.csv", readingsCsv(maker.readings, false));
+  write("nosigma.csv", measurementsCsv(maker.measurements, false));
   expectRefused(bench + " nosigma.csv" + kFree, {"nosigma.csv:2", "no sigma", "sigma_in", "--sigma"});
   for (const char* number : {"nan", "inf", "NaN", "1e999"}) {
-    auto lines = readingsCsv(maker.readings);
+    auto lines = measurementsCsv(maker.measurements);
     const std::size_t end = lines.find_last_of(',');
     write("nan.csv", lines.substr(0, end + 1) + number + "\n");
     expectRefused(bench + " nan.csv" + kFree, {"nan.csv:5 (column sigma_in)", number, "a finite number"});
@@ -217,8 +217,8 @@ TEST_F(Identify, RefusesFilesThatAreBroken) {
 
 TEST_F(Identify, TouchesThatContradictEachOtherAreNamed) {
   maker.addTouches(6, {0, 20 * kPound, 40 * kPound}, false);
-  maker.readings[4].q[1] += 1 * kDegree;  // an error of about an inch at the tip
-  writeReadings("readings.csv");
+  maker.measurements[4].q[1] += 1 * kDegree;  // an error of about an inch at the tip
+  writeMeasurements("readings.csv");
   const json result = identified(shipped("bench.yaml") + " readings.csv" + kFree);
   ASSERT_FALSE(result["outliers"].empty());
   EXPECT_EQ(result["outliers"][0]["id"], "5");
@@ -229,8 +229,8 @@ TEST_F(Identify, TouchesThatContradictEachOtherAreNamed) {
 
 TEST_F(Identify, OfTwoTouchesThatContradictBothAreNamed) {
   maker.addTouches(8, {0, 30 * kPound}, false);
-  maker.readings[4].q[1] += 1 * kDegree;
-  writeReadings("readings.csv");
+  maker.measurements[4].q[1] += 1 * kDegree;
+  writeMeasurements("readings.csv");
   const json result = identified(shipped("bench.yaml") + " readings.csv" + kFree);
   ASSERT_EQ(result["outliers"].size(), 2u) << result["outliers"];
   std::vector<std::string> ids{result["outliers"][0]["id"], result["outliers"][1]["id"]};
@@ -240,15 +240,15 @@ TEST_F(Identify, OfTwoTouchesThatContradictBothAreNamed) {
 
 TEST_F(Identify, WarnsOfLoadsInTheWrongUnit) {
   maker.add(MeasurementKind::kPosition, 10);
-  const auto readings = maker.readings;
-  for (auto& m : maker.readings) m.load *= 1000;
-  writeReadings("heavy.csv");
+  const auto measurements = maker.measurements;
+  for (auto& m : maker.measurements) m.load *= 1000;
+  writeMeasurements("heavy.csv");
   const Outcome heavy = run("identify " + shipped("bench.yaml") + " heavy.csv" + kFree + " --json -");
   EXPECT_LE(heavy.exit_code, 1) << heavy.err;
   expectWarns(json::parse(heavy.out), "the load");
-  maker.readings = readings;
-  for (auto& m : maker.readings) m.load /= 1000;
-  writeReadings("light.csv");
+  maker.measurements = measurements;
+  for (auto& m : maker.measurements) m.load /= 1000;
+  writeMeasurements("light.csv");
   const Outcome light = run("identify " + shipped("bench.yaml") + " light.csv" + kFree + " --json -");
   EXPECT_LE(light.exit_code, 1) << light.err;
   expectWarns(json::parse(light.out), "--assume loads=kip");
@@ -256,8 +256,8 @@ TEST_F(Identify, WarnsOfLoadsInTheWrongUnit) {
 
 TEST_F(Identify, WarnsOfRadiansUnderAColumnInDegrees) {
   maker.add(MeasurementKind::kPosition, 10);
-  for (auto& m : maker.readings) m.q *= kDegree;
-  writeReadings("radians.csv");
+  for (auto& m : maker.measurements) m.q *= kDegree;
+  writeMeasurements("radians.csv");
   for (const char* cell : {"bench.yaml", "bowl.yaml"}) {
     const Outcome outcome = run("identify " + shipped(cell) + " radians.csv" + kFree + " --json -");
     EXPECT_LE(outcome.exit_code, 1) << outcome.err;
@@ -268,8 +268,8 @@ TEST_F(Identify, WarnsOfRadiansUnderAColumnInDegrees) {
 
 TEST_F(Identify, WarnsOfCoordinatesInTheWrongUnit) {
   maker.add(MeasurementKind::kPosition, 10);
-  for (auto& m : maker.readings) *m.p_W *= 25.4;
-  writeReadings("millimetres.csv");
+  for (auto& m : maker.measurements) *m.p_W *= 25.4;
+  writeMeasurements("millimetres.csv");
   const Outcome outcome = run("identify " + shipped("bench.yaml") + " millimetres.csv" + kFree + " --json -");
   EXPECT_LE(outcome.exit_code, 1) << outcome.err;
   expectWarns(json::parse(outcome.out), "--assume coordinates=mm");
@@ -279,9 +279,9 @@ TEST_F(Identify, EverySetUpGetsACellOfItsOwnWithItsBase) {
   PlacedArm truth{deflection::cobraArm(),
                   {{"in", calibration::poseOf({0.05, -0.03, 0.02}, {0.01, -0.02, 0.05}), false},
                    {"over there/2", calibration::poseOf({-0.04, 0.06, 0.01}, {-0.02, 0.01, -0.08}), false}}};
-  ReadingMaker two(truth, 7, ReadingMaker::Noise::kStated);
+  MeasurementMaker two(truth, 7, MeasurementMaker::Noise::kStated);
   for (const char* setup : {"in", "over there/2"}) two.add(MeasurementKind::kPosition, 25, setup);
-  write("two.csv", readingsCsv(two.readings));
+  write("two.csv", measurementsCsv(two.measurements));
   (void)identified(shipped("bowl.yaml") + " two.csv --out found.yaml" + kFree);
   const Cell first = readCell((folder / "found-setup-in.yaml").string());
   const Cell second = readCell((folder / "found-setup-2-of-2.yaml").string());
@@ -295,12 +295,12 @@ TEST_F(Identify, EverySetUpGetsACellOfItsOwnWithItsBase) {
 
 TEST_F(Identify, TouchesOfUnknownPointsInRadiansUnderADegreesHeaderAreFlagged) {
   maker.addTouches(10, {0, 30 * kPound}, false);
-  auto readings = maker.readings;
-  for (auto& reading : readings) reading.q *= kDegree;  // radians under a heading in degrees
-  write("radians.csv", readingsCsv(readings));
+  auto measurements = maker.measurements;
+  for (auto& measurement : measurements) measurement.q *= kDegree;  // radians under a heading in degrees
+  write("radians.csv", measurementsCsv(measurements));
   const Outcome outcome = run("identify " + shipped("bench.yaml") + " radians.csv --json -" + kFree);
   expectWarns(json::parse(outcome.out), "are they radians?");
-  writeReadings("degrees.csv");
+  writeMeasurements("degrees.csv");
   const json degrees = identified(shipped("bench.yaml") + " degrees.csv" + kFree);
   for (const auto& warning : degrees["warnings"])
     EXPECT_EQ(warning.get<std::string>().find("radians"), std::string::npos) << warning;
@@ -308,12 +308,12 @@ TEST_F(Identify, TouchesOfUnknownPointsInRadiansUnderADegreesHeaderAreFlagged) {
 
 TEST_F(Identify, TouchesOfUnknownPointsThatFitBetterThanTheirNoiseAreFlagged) {
   const std::vector<double> loads{0, 20 * kPound, 40 * kPound};
-  ReadingMaker exact(trueArm(), 5, ReadingMaker::Noise::kNone);
+  MeasurementMaker exact(trueArm(), 5, MeasurementMaker::Noise::kNone);
   exact.addTouches(30, loads, false);
-  write("exact.csv", readingsCsv(exact.readings));
+  write("exact.csv", measurementsCsv(exact.measurements));
   expectWarns(identified(shipped("bench.yaml") + " exact.csv" + kFree), "an arm that shrinks");
   maker.addTouches(30, loads, false);
-  writeReadings("noisy.csv");
+  writeMeasurements("noisy.csv");
   const json noisy = identified(shipped("bench.yaml") + " noisy.csv" + kFree);
   for (const auto& warning : noisy["warnings"])
     EXPECT_EQ(warning.get<std::string>().find("shrinks"), std::string::npos) << warning;

@@ -1,5 +1,5 @@
-// `tubeplan improve` writes the model that it reports, states why it ended, and writes nothing if the readings allow no
-// verdict. The arguments for `add` that a diagnosis prints add the effect that it found.
+// `tubeplan improve` writes the model that it reports, states why it ended, and writes nothing if the measurements
+// allow no verdict. The arguments for `add` that a diagnosis prints add the effect that it found.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -16,14 +16,14 @@ class Improve : public ProgramTest {
  protected:
   [[nodiscard]] std::string bench() const { return shipped("bench.yaml"); }
 
-  void simulate(const std::string& hide, int readings = 120, int seed = 7) {
+  void simulate(const std::string& hide, int measurements = 120, int seed = 7) {
     const auto outcome =
-        run("simulate " + bench() + " --design bench --readings " + std::to_string(readings) + " --seed " +
+        run("simulate " + bench() + " --design bench --readings " + std::to_string(measurements) + " --seed " +
             std::to_string(seed) + " --spread 0.1 --out set" + (hide.empty() ? "" : " --hide '" + hide + "'"));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
 
-  /// Adds `by` to the x coordinate of the reading on line `line` of the table, counted from 0.
+  /// Adds `by` to the x coordinate of the measurement on line `line` of the table, counted from 0.
   static void spoilPlace(std::string& text, int line, double by) {
     std::vector<std::string> lines, fields;
     std::istringstream all(text), header(text.substr(0, text.find('\n')));
@@ -60,7 +60,7 @@ TEST_F(Improve, WritesTheModelThatItReports) {
   EXPECT_NEAR(json::parse(compared.out)["rms"]["before"].get<double>(), reported, 0.01 * reported);
 }
 
-/// A reading that is set aside is named, and enters neither the fit nor the reported errors.
+/// A measurement that is set aside is named, and enters neither the fit nor the reported errors.
 TEST_F(Improve, FitsWithoutWhatItSetsAside) {
   simulate("hysteresis@theta4:0.06deg");
   std::string text = contentOf(folder / "set/measurements.csv");

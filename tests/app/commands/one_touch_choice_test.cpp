@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/formats/sheet/touch_input.hpp"
 #include "tests/app/program.hpp"
 
@@ -47,7 +47,7 @@ class OneTouchChoice : public ProgramTest {
   [[nodiscard]] std::set<std::string> touchedIn(const std::string& file) const {
     const Cell cell = readCell((folder / "cell.yaml").string());
     std::set<std::string> holes;
-    for (const auto& touch : parseReadings(contentOf(folder / file), file, cell)) holes.insert(touch.point);
+    for (const auto& touch : parseMeasurementText(contentOf(folder / file), file, cell)) holes.insert(touch.point);
     return holes;
   }
 };

@@ -18,8 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RealSet {
-  const char *cell, *measurements;
-  std::size_t readings, joints;
+  const char *cell, *measurement_file;
+  std::size_t measurements, joints;
 };
 
 constexpr RealSet kSets[] = {
@@ -38,33 +38,34 @@ TEST(RealData, isReadWhole) {
   if (!fs::exists(folder)) GTEST_SKIP() << "skipped: no real sets at ../shared/real";
   for (const RealSet& set : kSets) {
     const Cell cell = readCell((folder / set.cell).string());
-    const auto readings = readMeasurements((folder / set.measurements).string(), cell.arm);
-    EXPECT_EQ(readings.size(), set.readings) << set.cell;
-    EXPECT_EQ(static_cast<std::size_t>(readings.front().q.size()), set.joints) << set.cell;
-    const auto held_out = std::count_if(readings.begin(), readings.end(), [](const auto& m) { return m.is_held_out; });
+    const auto measurements = readMeasurements((folder / set.measurement_file).string(), cell.arm);
+    EXPECT_EQ(measurements.size(), set.measurements) << set.cell;
+    EXPECT_EQ(static_cast<std::size_t>(measurements.front().q.size()), set.joints) << set.cell;
+    const auto held_out =
+        std::count_if(measurements.begin(), measurements.end(), [](const auto& m) { return m.is_held_out; });
     EXPECT_GT(held_out, 0) << set.cell;
-    EXPECT_LT(static_cast<std::size_t>(held_out), set.readings) << set.cell;
+    EXPECT_LT(static_cast<std::size_t>(held_out), set.measurements) << set.cell;
   }
 }
 
-/// If the last third of the readings is in metres or radians, under headings in millimetres and degrees, the reported
-/// mistake names the first and the last reading affected.
-TEST(RealData, aRunInAnotherUnitIsNamedByItsFirstAndLastReading) {
+/// If the last third of the measurements is in metres or radians, under headings in millimetres and degrees, the
+/// reported mistake names the first and the last measurement affected.
+TEST(RealData, aRunInAnotherUnitIsNamedByItsFirstAndLastMeasurement) {
   const fs::path folder = fs::path(TUBEPLAN_SOURCE_DIR) / "../shared/real";
   if (!fs::exists(folder)) GTEST_SKIP() << "skipped: no real sets at ../shared/real";
   for (const char* robot : {"motoman", "ur5", "wam"}) {
     const Cell cell = readCell((folder / robot / "cell.yaml").string());
     const std::string file = (folder / robot / "measurements.csv").string();
     const MeasurementTable table = parseMeasurementTable(readTextFile(file), file, cell.arm);
-    const std::size_t first = table.readings.size() * 2 / 3;
-    const std::string run = table.readings[first].id + ".." + table.readings.back().id;
+    const std::size_t first = table.measurements.size() * 2 / 3;
+    const std::string run = table.measurements[first].id + ".." + table.measurements.back().id;
     for (const bool is_of_angles : {false, true}) {
       SCOPED_TRACE(fmt::format("{} {}", robot, is_of_angles));
-      auto readings = table.readings;
-      for (std::size_t k = first; k < readings.size(); ++k)
-        is_of_angles ? void(readings[k].q *= std::numbers::pi / 180) : void(*readings[k].p_W *= 1e-3);
+      auto measurements = table.measurements;
+      for (std::size_t k = first; k < measurements.size(); ++k)
+        is_of_angles ? void(measurements[k].q *= std::numbers::pi / 180) : void(*measurements[k].p_W *= 1e-3);
       const auto checks = calibration::checkMeasurements(
-          {startOf(cell, readings), readings, freeNumbersOf(cell), table.units, nullptr});
+          {startOf(cell, measurements), measurements, freeNumbersOf(cell), table.units, nullptr});
       const auto* mistake = calibration::grossMistake(checks);
       ASSERT_TRUE(mistake);
       EXPECT_EQ(mistake->assume, is_of_angles ? "angles-of=" + run + ":rad" : "coordinates-of=" + run + ":m");
@@ -99,9 +100,9 @@ TEST(RealData, practiceSetsAreRead) {
   const Cell cell = readCell((shippedCells() / "bench.yaml").string());
   int sets = 0;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    const auto readings = readMeasurements((entry.path() / "measurements.csv").string(), cell.arm);
-    EXPECT_GE(readings.size(), 60u) << entry.path();
-    EXPECT_EQ(readings.front().approach_directions.size(), 4u);
+    const auto measurements = readMeasurements((entry.path() / "measurements.csv").string(), cell.arm);
+    EXPECT_GE(measurements.size(), 60u) << entry.path();
+    EXPECT_EQ(measurements.front().approach_directions.size(), 4u);
     ++sets;
   }
   EXPECT_GT(sets, 10);

@@ -1,5 +1,5 @@
-// For every kind of reading, a run sheet names the columns to fill in, is refused while they are empty, and is accepted
-// once they are filled in.
+// For every kind of measurement, a run sheet names the columns to fill in, is refused while they are empty, and is
+// accepted once they are filled in.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,11 +18,11 @@
 namespace tubeplan::app {
 namespace {
 
-using calibration::Measurement, calibration::ProposedMeasurement, calibration::ReadingCandidate;
+using calibration::Measurement, calibration::ProposedMeasurement, calibration::MeasurementCandidate;
 using nlohmann::json;
 
-/// A kind of reading, with the cell and the design by which readings are simulated; `design` holds the keys of the
-/// design other than `kind`.
+/// A kind of measurement, with the cell and the design by which measurements are simulated; `design` holds the keys of
+/// the design other than `kind`.
 struct SheetCase {
   std::string name, kind, cell, design;
   bool is_length_alone = false;
@@ -52,7 +52,8 @@ std::vector<SheetCase> sheetCases() {
 
 class EveryRunSheet : public ProgramTest, public ::testing::WithParamInterface<SheetCase> {
  protected:
-  /// Writes the cells and simulated readings of the unaltered arm, and makes a run sheet of possible next readings.
+  /// Writes the cells and simulated measurements of the unaltered arm, and makes a run sheet of possible next
+  /// measurements.
   void SetUp() override {
     (void)write("cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));
     (void)write("bench.yaml", contentOf(shippedCells() / "bench.yaml"));
@@ -61,20 +62,20 @@ class EveryRunSheet : public ProgramTest, public ::testing::WithParamInterface<S
     (void)write("design.yaml",
                 "{kind: " + GetParam().kind + (GetParam().design.empty() ? "" : ", ") + GetParam().design + "}");
     cell = readCell((folder / GetParam().cell).string());
-    makeReadings();
+    makeMeasurements();
     const calibration::PlacedArm truth{cell.arm, {{"", cell.X_WB, true}}};
-    candidates = discriminationCandidates(cell, truth, readings, {.postures = 8, .most_loads = 2});
+    candidates = discriminationCandidates(cell, truth, measurements, {.postures = 8, .most_loads = 2});
     ASSERT_FALSE(candidates.empty());
     next.times = 1;
     next.explanations.resize(2);
     for (std::size_t k = 0; k < candidates.size() && k < 3; ++k)
-      next.readings.push_back({static_cast<int>(k), 0, 1, 3});
-    sheet = runSheetOf(next, candidates, readings);
+      next.measurements.push_back({static_cast<int>(k), 0, 1, 3});
+    sheet = runSheetOf(next, candidates, measurements);
     for (const auto& proposed : sheet) {
-      auto reading = calibration::expectedReading(truth, proposed);
-      ASSERT_TRUE(reading);
-      if (kindOf(*reading).counts_steps) reading->own[0] = static_cast<double>(cell.tool->steps.size());
-      expected.push_back(*reading);
+      auto measurement = calibration::expectedMeasurement(truth, proposed);
+      ASSERT_TRUE(measurement);
+      if (kindOf(*measurement).counts_steps) measurement->own[0] = static_cast<double>(cell.tool->steps.size());
+      expected.push_back(*measurement);
     }
     text = runSheetCsv(sheet, cell.arm, cell.units);
     table = tubesheets::parseCsv(text);
@@ -103,28 +104,28 @@ class EveryRunSheet : public ProgramTest, public ::testing::WithParamInterface<S
   }
 
   Cell cell;
-  std::vector<Measurement> readings, expected;
-  std::vector<ReadingCandidate> candidates;
+  std::vector<Measurement> measurements, expected;
+  std::vector<MeasurementCandidate> candidates;
   calibration::DiscriminatingMeasurements next;
   std::vector<ProposedMeasurement> sheet;
   std::string text;
   tubesheets::CsvTable table;
 
  private:
-  void makeReadings() {
+  void makeMeasurements() {
     SimulationRequest request;
     request.design = (folder / "design.yaml").string();
-    request.readings = 16;
+    request.measurements = 16;
     const auto task = prepareSimulation(cell, request);
-    const auto campaign = simulateReadings(cell, task, 3, {});
+    const auto campaign = simulateMeasurements(cell, task, 3, {});
     ASSERT_EQ(campaign.status, calibration::CampaignStatus::kDone) << campaign.reason;
-    readings = campaign.readings;
-    for (auto& reading : readings) {
+    measurements = campaign.measurements;
+    for (auto& measurement : measurements) {
       if (!GetParam().is_length_alone) break;
-      reading.own[0] = reading.p_W->norm();
-      reading.p_W.reset();
+      measurement.own[0] = measurement.p_W->norm();
+      measurement.p_W.reset();
     }
-    (void)write("set.csv", measurementsCsv(readings, cell.arm, cell.units));
+    (void)write("set.csv", measurementsCsv(measurements, cell.arm, cell.units));
   }
 };
 
@@ -166,25 +167,25 @@ TEST_P(EveryRunSheet, FilledInInPartIsRefused) {
     EXPECT_EQ(some.exit_code, 2);
     expectSays(some.err, "next.csv:3");
   }
-  if (fillInOf(sheet.front(), cell.arm, cell.units).least < 2) return;  // a single number is a complete reading
+  if (fillInOf(sheet.front(), cell.arm, cell.units).least < 2) return;  // a single number is a complete measurement
   const auto half = compared(filled(sheet.size(), 1));
   EXPECT_EQ(half.exit_code, 2);
   expectSays(half.err, "next.csv:2");
 }
 
-TEST_P(EveryRunSheet, FilledInJoinsTheReadings) {
+TEST_P(EveryRunSheet, FilledInJoinsTheMeasurements) {
   const auto outcome = compared(filled(sheet.size()));
   ASSERT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << outcome.err << text;
   const json figures = json::parse(contentOf(folder / "figures.json"));
   std::set<std::string> joined;
-  for (const auto& reading : figures["readings"]) joined.insert(reading["id"]);
+  for (const auto& measurement : figures["readings"]) joined.insert(measurement["id"]);
   for (const auto& proposed : sheet) EXPECT_TRUE(joined.contains(proposed.id)) << proposed.id;
 }
 
 TEST_P(EveryRunSheet, PageAndReportAskForTheSameColumns) {
   json document = {{"sentence", ""}};
   next.status = calibration::DiscriminationStatus::kDone;
-  addNextReadings(next, candidates, cell.arm, cell.units, document);
+  addNextMeasurements(next, candidates, cell.arm, cell.units, document);
   const auto& listed = document["next_readings"];
   ASSERT_EQ(listed.size(), table.rows.size());
   for (std::size_t r = 0; r < sheet.size(); ++r) {

@@ -1,5 +1,5 @@
-// If a diagnosis finds several possible explanations, the readings that its run sheet proposes decide between them,
-// once they are filled in from the true arm and added to the earlier readings.
+// If a diagnosis finds several possible explanations, the measurements that its run sheet proposes decide between them,
+// once they are filled in from the true arm and added to the earlier measurements.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "app/formats/cell/cell_reader.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "deflection/effects/effect.hpp"
 #include "tests/app/program.hpp"
 #include "tests/units.hpp"
@@ -35,14 +35,14 @@ class RunSheet : public ProgramTest {
     std::string text = lines.front() + "\n";
     for (std::size_t k = 1; k < lines.size() && !lines[k].empty(); ++k) {
       boost::split(fields, lines[k], boost::is_any_of(","));
-      calibration::Measurement reading;
-      reading.load = std::stod(fields[3]) * kPound;
-      reading.q.resize(4);
+      calibration::Measurement measurement;
+      measurement.load = std::stod(fields[3]) * kPound;
+      measurement.q.resize(4);
       for (int j = 0; j < 4; ++j) {
-        reading.q[j] = std::stod(fields[static_cast<std::size_t>(4 + j)]) * kDegree;
-        reading.approach_directions.push_back(std::stoi(fields[static_cast<std::size_t>(12 + j)]));
+        measurement.q[j] = std::stod(fields[static_cast<std::size_t>(4 + j)]) * kDegree;
+        measurement.approach_directions.push_back(std::stoi(fields[static_cast<std::size_t>(12 + j)]));
       }
-      const Eigen::Vector3d tip = calibration::predictReading(cell_.arm, cell_.X_WB, reading).value / kInch;
+      const Eigen::Vector3d tip = calibration::predictMeasurement(cell_.arm, cell_.X_WB, measurement).value / kInch;
       for (int axis = 0; axis < 3; ++axis) {
         EXPECT_EQ(fields[static_cast<std::size_t>(8 + axis)], "");
         fields[static_cast<std::size_t>(8 + axis)] = fmt::format("{:.6f}", tip[axis] + noise(random));
@@ -78,7 +78,7 @@ TEST_F(RunSheet, FilledInAndGivenBackDecides) {
   EXPECT_EQ(after["alternatives"][0][0]["at"], "tool.z");
 }
 
-TEST_F(RunSheet, ReadingsOfSeveralFilesHaveIdsOfTheirOwn) {
+TEST_F(RunSheet, MeasurementsOfSeveralFilesHaveIdsOfTheirOwn) {
   ASSERT_EQ(run("simulate " + shipped("bench.yaml") + " --design bench --readings 20 --seed 1 --out s").exit_code, 0);
   const auto twice = run("compare " + shipped("bench.yaml") + " s/measurements.csv s/measurements.csv");
   EXPECT_EQ(twice.exit_code, 2);

@@ -1,5 +1,5 @@
-// `tubeplan simulate` writes readings that other commands can read, and a file with the true cell, which predicts them;
-// it refuses requests that cannot be simulated.
+// `tubeplan simulate` writes measurements that other commands can read, and a file with the true cell, which predicts
+// them; it refuses requests that cannot be simulated.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ using Eigen::Vector3d;
 
 class Simulate : public ProgramTest {
  protected:
-  /// Simulates readings into folder `out`, and returns them as other commands read them with this cell.
+  /// Simulates measurements into folder `out`, and returns them as other commands read them with this cell.
   [[nodiscard]] std::vector<Measurement> simulate(const std::string& cell, const std::string& arguments,
                                                   const std::string& out = "out") const {
     const Outcome outcome = run("simulate " + shipped(cell) + " " + arguments + " --out " + out);
@@ -78,18 +78,19 @@ TEST_F(Simulate, EveryDesignAndKindIsReadBack) {
   }
   for (const auto& m : simulate("bowl.yaml", "--design bowl --readings 30"))
     EXPECT_TRUE(m.kind == MeasurementKind::kTouch && m.p_W);
-  for (const int readings : {31, 32, 33}) {
+  for (const int measurements : {31, 32, 33}) {
     std::map<std::string, int> touches;
-    for (const auto& m : simulate("bench.yaml", fmt::format("--design touch --readings {}", readings))) {
+    for (const auto& m : simulate("bench.yaml", fmt::format("--design touch --readings {}", measurements))) {
       EXPECT_TRUE(m.kind == MeasurementKind::kTouch && !m.p_W && !m.point.empty());
       ++touches[m.point];
     }
     int all = 0;
     for (const auto& [point, count] : touches) {
-      EXPECT_GE(count, 2) << point << " of " << readings;  // a single touch of an unknown point gives no information
+      EXPECT_GE(count, 2) << point << " of "
+                          << measurements;  // a single touch of an unknown point gives no information
       all += count;
     }
-    EXPECT_EQ(all, readings);
+    EXPECT_EQ(all, measurements);
   }
   for (const auto& m : simulate("bench.yaml", "--design distance.yaml --readings 30"))
     EXPECT_TRUE(m.kind == MeasurementKind::kDistance && m.own[0] > 0);
@@ -104,9 +105,9 @@ TEST_F(Simulate, EveryDesignAndKindIsReadBack) {
 
 TEST_F(Simulate, InclinometersOnRowsAreIdentifiedFrom) {
   (void)write("tilts.yaml", "kind: tilt\nrows: [base-link, forearm, tool]\npostures: 10\n");
-  const auto readings = simulate("bench.yaml", "--design tilts.yaml --seed 3");
-  ASSERT_EQ(readings.size(), 90u) << "ten postures under three loads on three rows";
-  for (const auto& m : readings) EXPECT_TRUE(m.kind == MeasurementKind::kTilt && m.row) << m.id;
+  const auto measurements = simulate("bench.yaml", "--design tilts.yaml --seed 3");
+  ASSERT_EQ(measurements.size(), 90u) << "ten postures under three loads on three rows";
+  for (const auto& m : measurements) EXPECT_TRUE(m.kind == MeasurementKind::kTilt && m.row) << m.id;
   const Outcome found =
       run("identify " + shipped("bench.yaml") + " out/measurements.csv --free tool.joint_stiffness.z --json -");
   ASSERT_EQ(found.exit_code, 0) << found.err;
@@ -126,8 +127,8 @@ TEST_F(Simulate, ATrackersCorrelatedNoiseIsWrittenAndReadBack) {
     EXPECT_FALSE(m.sigma_W || m.correlation_W) << "an option goes before the design";
 }
 
-TEST_F(Simulate, TheTruthPredictsTheReadings) {
-  const auto readings = simulate("bowl.yaml", "--design bowl --readings 60 --spread 0.1 --sigma 0.002 --seed 5");
+TEST_F(Simulate, TheTruthPredictsTheMeasurements) {
+  const auto measurements = simulate("bowl.yaml", "--design bowl --readings 60 --spread 0.1 --sigma 0.002 --seed 5");
   const YamlNode root = truth();
   EXPECT_EQ(root.at("design").text(), "bowl");
   EXPECT_EQ(root.at("seed").number(), 5);
@@ -149,7 +150,7 @@ TEST_F(Simulate, TheTruthPredictsTheReadings) {
   const auto X_WB = baseOf(root.at("bases").list().at(0));
   EXPECT_GT(X_WB.translation().norm(), 0.01 * kInch) << "a base that is not known is off";
   double squares = 0;
-  for (const auto& m : readings) {
+  for (const auto& m : measurements) {
     const auto shape =
         deflection::solveFlexibleKinematics(cell.arm, {m.q, m.load, deflection::gravityInBase(cell.arm, X_WB)});
     squares += (X_WB * shape.X_BD.p - *m.p_W).squaredNorm() / 180;
@@ -184,8 +185,8 @@ TEST_F(Simulate, TheSameSeedGivesTheSameBytesAndAnotherDoesNot) {
 TEST_F(Simulate, PosturesKeepClearOfTheScene) {
   const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
   for (const std::string design : {"bench", "touch", "bowl"}) {
-    const auto readings = simulate("mockup.yaml", "--design " + design + " --readings 60");
-    ASSERT_EQ(readings.size(), 60u);
+    const auto measurements = simulate("mockup.yaml", "--design " + design + " --readings 60");
+    ASSERT_EQ(measurements.size(), 60u);
     planner::Workcell work;
     work.arm = cell.arm;
     work.X_WB = baseOf(truth().at("bases").list().at(0));
@@ -193,7 +194,7 @@ TEST_F(Simulate, PosturesKeepClearOfTheScene) {
     // Only in touches of holes may the tool be in the sheet.
     if (design != "bowl")
       for (auto& obstacle : work.scene.obstacles) std::erase(obstacle.allow, "tool-tip");
-    for (const auto& m : readings) {
+    for (const auto& m : measurements) {
       work.load = m.load;
       const auto frames = planner::bodyFrames(work, m.q, nullptr);
       std::string names;
@@ -205,8 +206,8 @@ TEST_F(Simulate, PosturesKeepClearOfTheScene) {
 }
 
 TEST_F(Simulate, HoldsOutAShareOfThePoints) {
-  const auto readings = simulate("bench.yaml", "--design bench --readings 60 --held-out 0.25");
-  EXPECT_EQ(std::count_if(readings.begin(), readings.end(), [](const auto& m) { return m.is_held_out; }), 15);
+  const auto measurements = simulate("bench.yaml", "--design bench --readings 60 --held-out 0.25");
+  EXPECT_EQ(std::count_if(measurements.begin(), measurements.end(), [](const auto& m) { return m.is_held_out; }), 15);
 }
 
 TEST_F(Simulate, CalibrateFindsTheBase) {
@@ -244,7 +245,7 @@ TEST_F(Simulate, RefusesCampaignsThatCannotBe) {
   expectRefused(shipped("bench.yaml") + " --design setups.yaml --readings 9", {"2 set-ups", "known: false"});
 }
 
-TEST_F(Simulate, WritesOverNoReadingsButItsOwn) {
+TEST_F(Simulate, WritesOverNoMeasurementsButItsOwn) {
   std::filesystem::create_directories(folder / "real");
   (void)write("real/measurements.csv", "of a robot\n");
   const std::string made = "simulate " + shipped("bench.yaml") + " --design bench --readings 5 --out ";

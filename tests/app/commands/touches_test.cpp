@@ -1,5 +1,5 @@
-// `touches` proposes readings that reduce the uncertainty as predicted, and `sensitivity` ranks the parameters of an
-// arm.
+// `touches` proposes measurements that reduce the uncertainty as predicted, and `sensitivity` ranks the parameters of
+// an arm.
 #include "app/jobs/touches.hpp"
 
 #include <fmt/format.h>
@@ -98,8 +98,8 @@ TEST_F(LookAhead, touchesForTheBaseAreInReachWhereItStandsOtherwise) {
   const planner::Workcell cell = workcellOf(found.cell, "test");
   std::vector<calibration::TouchPlan> plans;
   for (const auto& step : found.base.value().next.design.steps) {
-    const auto& reading = found.base->chosen(step).readings.front();
-    plans.push_back({reading.point, reading.point, reading.known_W.value(), reading.q});
+    const auto& measurement = found.base->chosen(step).measurements.front();
+    plans.push_back({measurement.point, measurement.point, measurement.known_W.value(), measurement.q});
   }
   ASSERT_EQ(plans.size(), 3U);
   EXPECT_EQ(calibration::keepTouchable(cell.arm, cell.X_WB, plans).size(), 3U);
@@ -117,8 +117,8 @@ TEST_F(LookAhead, touchesForetellsWhatCalibrateStates) {
     const TouchOutcome found = proposeTouches(request);
     std::vector<calibration::TouchPlan> plans;
     for (const auto& step : found.base.value().next.design.steps) {
-      const auto& reading = found.base->chosen(step).readings.front();
-      plans.push_back({reading.point, reading.point, reading.known_W.value(), reading.q});
+      const auto& measurement = found.base->chosen(step).measurements.front();
+      plans.push_back({measurement.point, measurement.point, measurement.known_W.value(), measurement.q});
     }
     calibration::TouchSimulationOptions simulation;
     simulation.sigma = found.base_noise.sigma;
@@ -179,9 +179,10 @@ TEST_F(LookAhead, touchesSharpensTheStiffnessesOfTheBench) {
   EXPECT_GT(parameters["bits"]["after"], parameters["bits"]["random"]);
   for (const auto& number : parameters["numbers"]) EXPECT_LT(number["sigma"]["after"], number["sigma"]["now"]);
   double bits = 0;
-  for (const auto& reading : found["next_readings"]) {
-    EXPECT_TRUE(reading["load"] == 0 || reading["load"] == 20 || reading["load"] == 40) << reading["load"];
-    bits += reading["adds"]["bits"].get<double>();
+  for (const auto& measurement : found["next_readings"]) {
+    EXPECT_TRUE(measurement["load"] == 0 || measurement["load"] == 20 || measurement["load"] == 40)
+        << measurement["load"];
+    bits += measurement["adds"]["bits"].get<double>();
   }
   EXPECT_NEAR(bits, parameters["bits"]["after"].get<double>(), 1e-9 * bits);
   const std::string csv = contentOf(folder / "next.csv");
@@ -299,7 +300,7 @@ TEST_F(LookAhead, sensitivityForetellsWhatAChangedArmDoes) {
   EXPECT_EQ(found["work"]["postures"], 60);
 }
 
-TEST_F(LookAhead, readingsSayHowFarEachNumberMayBeOff) {
+TEST_F(LookAhead, measurementsSayHowFarEachNumberMayBeOff) {
   std::string csv = "id,kind,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in\n";
   int id = 0;
   for (const char* joints : {"-30,40,-30,-10", "80,120,-90,-30", "10,20,10,5", "150,60,-40,20", "-100,90,30,60"})

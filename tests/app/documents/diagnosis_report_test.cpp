@@ -5,7 +5,7 @@
 #include <regex>
 
 #include "tests/app/program.hpp"
-#include "tests/calibration/bench_readings.hpp"
+#include "tests/calibration/bench_measurements.hpp"
 
 namespace tubeplan::app {
 namespace {
@@ -78,29 +78,30 @@ TEST(DiagnosisReport, anythingButAnObjectIsAnEmptyPage) {
 
 class DiagnosisReportOfProgram : public ProgramTest {
  protected:
-  static constexpr int kReadings = 36;
+  static constexpr int kMeasurements = 36;
 
-  /// Returns a CSV table of readings, whose ids contain text that would end a script block if it were not escaped.
-  [[nodiscard]] static std::string measurements(const std::string& effect, const std::vector<double>& values) {
-    const auto readings =
-        calibration::benchReadings(calibration::shippedBench(), effect, "theta4", values, kReadings, 7);
+  /// Returns a CSV table of measurements, whose ids contain text that would end a script block if it were not escaped.
+  [[nodiscard]] static std::string measurementsCsv(const std::string& effect, const std::vector<double>& values) {
+    const auto measurements =
+        calibration::benchMeasurements(calibration::shippedBench(), effect, "theta4", values, kMeasurements, 7);
     std::string csv =
         "id,kind,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in,theta1_dir,theta2_dir,"
         "theta3_dir,theta4_dir\n";
-    for (const auto& reading : readings) {
-      csv += fmt::format("{}{},position,{:.9g}", kHostile.front(), reading.id, reading.load / kPound);
-      for (const double q : reading.q) csv += fmt::format(",{:.9f}", q / kDegree);
-      for (const double x : *reading.p_W) csv += fmt::format(",{:.9f}", x / kInch);
+    for (const auto& measurement : measurements) {
+      csv += fmt::format("{}{},position,{:.9g}", kHostile.front(), measurement.id, measurement.load / kPound);
+      for (const double q : measurement.q) csv += fmt::format(",{:.9f}", q / kDegree);
+      for (const double x : *measurement.p_W) csv += fmt::format(",{:.9f}", x / kInch);
       csv += ",0.003";
-      for (const int approach_direction : reading.approach_directions) csv += fmt::format(",{}", approach_direction);
+      for (const int approach_direction : measurement.approach_directions)
+        csv += fmt::format(",{}", approach_direction);
       csv += "\n";
     }
     return csv;
   }
 };
 
-TEST_F(DiagnosisReportOfProgram, isWrittenWithWhatJsonSaysAndItsReadings) {
-  write("readings.csv", measurements("hysteresis", {0.1 * kDegree}));
+TEST_F(DiagnosisReportOfProgram, isWrittenWithWhatJsonSaysAndItsMeasurements) {
+  write("readings.csv", measurementsCsv("hysteresis", {0.1 * kDegree}));
   const auto outcome =
       run("diagnose " + shipped("bench.yaml") + " readings.csv --effects 1 --report page.html --json -");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -119,25 +120,25 @@ TEST_F(DiagnosisReportOfProgram, isWrittenWithWhatJsonSaysAndItsReadings) {
   EXPECT_EQ(data["sentence"], together);
   EXPECT_EQ(data["ranking"][0]["words"], "a joint's position depends on the direction of its last motion");
   EXPECT_EQ(data["explanations"][0]["effects"][0]["varies_with"], json({"sense"}));
-  ASSERT_EQ(data["readings"].size(), static_cast<std::size_t>(kReadings));
+  ASSERT_EQ(data["readings"].size(), static_cast<std::size_t>(kMeasurements));
   EXPECT_EQ(data["readings"][0]["id"], kHostile.front() + "1");
   EXPECT_EQ(occurrences(page, "<script"), occurrences(renderDiagnosisReport(json::object()), "<script"));
-  for (const auto& reading : data["readings"]) {
-    EXPECT_EQ(reading["position"].size(), 3U);
-    EXPECT_EQ(reading["before"].size(), 3U);
-    EXPECT_EQ(reading["after"], reading["explained"][0]);
-    EXPECT_EQ(reading["joints"].size(), data["joints"].size());
+  for (const auto& measurement : data["readings"]) {
+    EXPECT_EQ(measurement["position"].size(), 3U);
+    EXPECT_EQ(measurement["before"].size(), 3U);
+    EXPECT_EQ(measurement["after"], measurement["explained"][0]);
+    EXPECT_EQ(measurement["joints"].size(), data["joints"].size());
   }
   ASSERT_EQ(data["ladder"].size(), 3U);
   EXPECT_GT(data["ladder"][1]["rms"], data["ladder"][2]["rms"]);
   EXPECT_GT(data["ladder"][1]["heldout_rms"], data["ladder"][2]["heldout_rms"]);
   EXPECT_EQ(data["ladder"][2]["name"], "with hysteresis at theta4");
   ASSERT_EQ(data["added_variable"].size(), 1U);
-  EXPECT_EQ(data["added_variable"][0]["points"].size(), 3U * kReadings);
+  EXPECT_EQ(data["added_variable"][0]["points"].size(), 3U * kMeasurements);
 }
 
 TEST_F(DiagnosisReportOfProgram, aPlaceThatCannotBeWrittenIsRefusedBeforeTheWork) {
-  write("readings.csv", measurements("", {}));
+  write("readings.csv", measurementsCsv("", {}));
   const auto outcome = run("diagnose " + shipped("bench.yaml") + " readings.csv --report .");
   EXPECT_NE(outcome.exit_code, 0);
   expectSays(outcome.err, "--report");

@@ -1,5 +1,5 @@
-// Documents state errors in the unit of the measured quantity, contributions that add up to the error, and the readings
-// set aside, the same in every command.
+// Documents state errors in the unit of the measured quantity, contributions that add up to the error, and the
+// measurements set aside, the same in every command.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,7 +15,7 @@
 #include "app/formats/cell/cell_reader.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "tests/app/program.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::app {
 namespace {
@@ -33,7 +33,7 @@ class ErrorFigures : public ProgramTest {
     return json::parse(outcome.out, nullptr, false);
   }
 
-  /// Adds half an inch to x in these rows of the readings in folder `set`.
+  /// Adds half an inch to x in these rows of the measurements in folder `set`.
   void misread(const std::vector<std::size_t>& rows) const {
     std::vector<std::string> lines;
     std::istringstream text(contentOf(folder / "set/measurements.csv"));
@@ -69,74 +69,74 @@ class ErrorFigures : public ProgramTest {
   }
 };
 
-/// Returns exact readings of this kind, taken by a known arm. If the kind measures angles, one angle is wrong by half a
-/// degree.
-std::vector<calibration::Measurement> readingsOf(const MeasurementKindRow& kind) {
-  calibration::ReadingMaker maker(calibration::cobra(), 5);
+/// Returns exact measurements of this kind, taken by a known arm. If the kind measures angles, one angle is wrong by
+/// half a degree.
+std::vector<calibration::Measurement> measurementsOf(const MeasurementKindRow& kind) {
+  calibration::MeasurementMaker maker(calibration::cobra(), 5);
   if (kind.is_touch)
     maker.addTouches(8, {0, 30 * kPound}, true);
   else
     maker.add(kind.kind, 16);
-  if (kind.turn_rows == 0) return maker.readings;
-  auto& own = maker.readings[3].own;
+  if (kind.turn_rows == 0) return maker.measurements;
+  auto& own = maker.measurements[3].own;
   // Changes the last angle: a change of an elevation turns the direction by the same angle, but one of an azimuth by
   // less.
   const auto from_last = std::make_reverse_iterator(own.end());
   *std::find_if(from_last, std::make_reverse_iterator(own.begin()), [](double a) { return std::isfinite(a); }) +=
       kHalfDegree;
-  return maker.readings;
+  return maker.measurements;
 }
 
 TEST_F(ErrorFigures, areInTheUnitOfWhatWasMeasured) {
   const Units units = readCell((shippedCells() / "bench.yaml").string()).units;
   for (const MeasurementKindRow& kind : calibration::measurementKinds()) {
     SCOPED_TRACE(kind.name);
-    const auto readings = readingsOf(kind);
-    const auto result = calibration::compare(calibration::cobra(), readings, {});
+    const auto measurements = measurementsOf(kind);
+    const auto result = calibration::compare(calibration::cobra(), measurements, {});
     ASSERT_EQ(result.status, calibration::ComparisonStatus::kDone) << result.reason;
-    const json figures = comparisonJson(result, readings, 0, units);
+    const json figures = comparisonJson(result, measurements, 0, units);
     const bool is_angle = kind.turn_rows == kind.rows;
     const std::string unit(is_angle ? units.angle().name : units.length().name);
     EXPECT_EQ(figures["error_unit"], unit);
     expectAddsUp(figures, kind.name);
     for (const json& worst : figures["worst"]) EXPECT_EQ(worst["unit"], unit);
-    for (const json& reading : figures["readings"]) EXPECT_EQ(reading["size_unit"], unit);
+    for (const json& measurement : figures["readings"]) EXPECT_EQ(measurement["size_unit"], unit);
     expectSays(comparisonText(figures), " " + unit + " as it stands");
     if (!is_angle) continue;
-    EXPECT_EQ(figures["worst"][0]["id"], readings[3].id);
+    EXPECT_EQ(figures["worst"][0]["id"], measurements[3].id);
     EXPECT_NEAR(figures["worst"][0]["size"].get<double>(), 0.5, 0.01);
     EXPECT_NEAR(figures["as_it_stands"]["worst"].get<double>(), 0.5, 0.01);
     EXPECT_NEAR(figures["rms"]["before"].get<double>(), 0.5 / std::sqrt(16), 0.01);
   }
 }
 
-/// For readings that measure only angles, a diagnosis states the error of every reading as an angle.
+/// For measurements that measure only angles, a diagnosis states the error of every measurement as an angle.
 TEST_F(ErrorFigures, ofADiagnosisAreInTheUnitOfWhatWasMeasured) {
   const Units units = readCell((shippedCells() / "bench.yaml").string()).units;
   for (const MeasurementKindRow& kind : calibration::measurementKinds()) {
     if (kind.turn_rows == 0 || kind.turn_rows != kind.rows) continue;
     SCOPED_TRACE(kind.name);
-    calibration::ReadingMaker maker(calibration::cobra(), 5, calibration::ReadingMaker::Noise::kStated);
+    calibration::MeasurementMaker maker(calibration::cobra(), 5, calibration::MeasurementMaker::Noise::kStated);
     maker.add(kind.kind, 24);
     calibration::DiagnosisOptions options;
     options.most_causes = 1;
-    const auto result = calibration::diagnose(calibration::cobra(), maker.readings, options);
-    const json figures = diagnosisJson(result, maker.readings, units);
+    const auto result = calibration::diagnose(calibration::cobra(), maker.measurements, options);
+    const json figures = diagnosisJson(result, maker.measurements, units);
     ASSERT_FALSE(figures["readings"].empty());
     double square = 0;
-    for (const json& reading : figures["readings"]) {
-      EXPECT_EQ(reading["size_unit"], units.angle().name);
-      EXPECT_EQ(reading["size_explained"].size(), reading["explained"].size());
-      EXPECT_GT(reading["size_before"].get<double>(), 0);
-      square += std::pow(reading["size_before"].get<double>(), 2);
+    for (const json& measurement : figures["readings"]) {
+      EXPECT_EQ(measurement["size_unit"], units.angle().name);
+      EXPECT_EQ(measurement["size_explained"].size(), measurement["explained"].size());
+      EXPECT_GT(measurement["size_before"].get<double>(), 0);
+      square += std::pow(measurement["size_before"].get<double>(), 2);
     }
     const double rms = figures["rms"]["before"].get<double>();
     EXPECT_NEAR(std::sqrt(square / static_cast<double>(figures["readings"].size())), rms, 1e-6 * rms);
   }
 }
 
-/// For readings with hysteresis that the model lacks and two gross errors, all commands set the same readings aside and
-/// state the same errors.
+/// For measurements with hysteresis that the model lacks and two gross errors, all commands set the same measurements
+/// aside and state the same errors.
 TEST_F(ErrorFigures, areTheSameInEveryDocument) {
   const std::string cell = shipped("bench.yaml");
   const Outcome made = run("simulate " + cell +

@@ -3,7 +3,7 @@
 
 #include "app/formats/arm/arm_reader.hpp"
 #include "app/formats/cell/cell_reader.hpp"
-#include "app/formats/foreign/foreign_readings.hpp"
+#include "app/formats/foreign/foreign_measurements.hpp"
 #include "app/formats/measurements/measurements_reader.hpp"
 #include "app/formats/plan/plan_reader.hpp"
 #include "app/formats/yaml/strict_yaml.hpp"

@@ -1,4 +1,5 @@
-// All commands agree on the same readings: if one reports a mistake, all report the mistake and end in the same way.
+// All commands agree on the same measurements: if one reports a mistake, all report the mistake and end in the same
+// way.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -16,23 +17,23 @@ namespace {
 
 using calibration::Measurement;
 
-/// Returns simulated readings with the deliberate mistakes `of`, one or two applied in turn, as the program reads them
-/// from a table.
-CellReadings spoiltReadings(const std::vector<calibration::Spoil>& of) {
+/// Returns simulated measurements with the deliberate mistakes `of`, one or two applied in turn, as the program reads
+/// them from a table.
+CellMeasurements spoiltMeasurements(const std::vector<calibration::Spoil>& of) {
   Cell cell = readCell((shippedCells() / "bench.yaml").string());
-  auto readings = calibration::spoiltCampaign(cell.arm, 3, of.front());
+  auto measurements = calibration::spoiltCampaign(cell.arm, 3, of.front());
   std::mt19937_64 random(4);
-  for (std::size_t k = 1; k < of.size(); ++k) of[k].apply(readings, random);
-  const std::string name = "spoilt.csv", table = measurementsCsv(readings, cell.arm, cell.units);
-  CellReadings input{cell, name, {}};
+  for (std::size_t k = 1; k < of.size(); ++k) of[k].apply(measurements, random);
+  const std::string name = "spoilt.csv", table = measurementsCsv(measurements, cell.arm, cell.units);
+  CellMeasurements input{cell, name, {}};
   auto [read, checks] = parseAndCheck(table, name, input.cell, {});
-  input.readings = std::move(read);
+  input.measurements = std::move(read);
   input.checks = std::move(checks);
   return input;
 }
 
 /// Expects all commands to agree; returns true if they named a mistake.
-bool expectAgreement(const CellReadings& input) {
+bool expectAgreement(const CellMeasurements& input) {
   const auto diagnosed = diagnoseModel(input, {});
   const auto compared = compareModel(input, {.folds = 0});
   IdentificationRequest request;
@@ -67,7 +68,7 @@ class OneVerdict : public testing::TestWithParam<std::size_t> {};
 TEST_P(OneVerdict, OfAllWhoJudge) {
   const auto& spoil = calibration::spoils()[GetParam()];
   SCOPED_TRACE(spoil.name);
-  const bool is_named = expectAgreement(spoiltReadings({spoil}));
+  const bool is_named = expectAgreement(spoiltMeasurements({spoil}));
   if (std::string(spoil.name).starts_with("nothing")) {
     EXPECT_FALSE(is_named);
   }
@@ -82,13 +83,13 @@ TEST_P(OneVerdict, OfTwoMistakesAtOnce) {
   ASSERT_NE(sign, calibration::spoils().end());
   const auto& spoil = calibration::spoils()[GetParam()];
   SCOPED_TRACE(spoil.name);
-  (void)expectAgreement(spoiltReadings({spoil, *sign}));
+  (void)expectAgreement(spoiltMeasurements({spoil, *sign}));
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEverySpoil, OneVerdict, testing::Range<std::size_t>(0, calibration::spoils().size()));
 
 /// A command on m.csv, the JSON pointer to the verdict in its figures (empty if it gives none), and the verdict that is
-/// expected if the readings contain a mistake.
+/// expected if the measurements contain a mistake.
 struct Asked {
   const char *command, *where, *over_a_mistake;
 };
@@ -112,17 +113,17 @@ class OneAnswer : public ProgramTest {
       write(file, contentOf(shippedCells() / file));
   }
 
-  /// Writes turned0.csv, turned1.csv and turned2.csv: the readings with the signs of 0, 1 and 2 joints inverted.
+  /// Writes turned0.csv, turned1.csv and turned2.csv: the measurements with the signs of 0, 1 and 2 joints inverted.
   void simulate(const std::string& words) const {
     const auto made = run("simulate " + words + " --seed 7 --out made");
     ASSERT_EQ(made.exit_code, 0) << made.err;
     Cell cell = readCell((folder / words.substr(0, words.find(' '))).string());
     const std::string table = contentOf(folder / "made/measurements.csv");
     for (const int turned : {0, 1, 2}) {
-      auto readings = parseReadings(table, "made", cell, 0);
-      for (auto& reading : readings)
-        for (int joint = 2; joint < 2 + turned; ++joint) reading.q[joint] = -reading.q[joint];
-      write("turned" + std::to_string(turned) + ".csv", measurementsCsv(readings, cell.arm, cell.units));
+      auto measurements = parseMeasurementText(table, "made", cell, 0);
+      for (auto& measurement : measurements)
+        for (int joint = 2; joint < 2 + turned; ++joint) measurement.q[joint] = -measurement.q[joint];
+      write("turned" + std::to_string(turned) + ".csv", measurementsCsv(measurements, cell.arm, cell.units));
     }
   }
 
@@ -153,7 +154,7 @@ class OneAnswer : public ProgramTest {
   }
 };
 
-TEST_F(OneAnswer, OfAllWhoTakeReadingsOfABench) {
+TEST_F(OneAnswer, OfAllWhoTakeMeasurementsOfABench) {
   ASSERT_NO_FATAL_FAILURE(simulate("bench.yaml --design bench --readings 40 --spread 0.1"));
   for (const int turned : {0, 1, 2}) expectOneAnswer(kOfBench, turned);
 }

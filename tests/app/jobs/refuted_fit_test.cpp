@@ -1,4 +1,4 @@
-// A fit that the readings refute is reported as falling short, for all options of the fit and even if it does not
+// A fit that the measurements refute is reported as falling short, for all options of the fit and even if it does not
 // converge.
 #include <gtest/gtest.h>
 
@@ -26,15 +26,15 @@ constexpr const char* kOptions[] = {"--folds 0",
 
 class RefutedFits : public ProgramTest {
  protected:
-  /// Writes m.csv: the simulated readings of a cell, each altered by `change`.
+  /// Writes m.csv: the simulated measurements of a cell, each altered by `change`.
   void simulate(const std::string& words, const std::function<void(std::size_t, calibration::Measurement&)>& change) {
     cell_ = shipped(words.substr(0, words.find(' ')));
     const auto made = run("simulate " + cell_ + words.substr(words.find(' ')) + " --seed 3 --out made");
     ASSERT_EQ(made.exit_code, 0) << made.err;
     const Cell cell = readCell((shippedCells() / words.substr(0, words.find(' '))).string());
-    auto readings = parseReadings(contentOf(folder / "made/measurements.csv"), "made", cell);
-    for (std::size_t k = 0; k < readings.size(); ++k) change(k, readings[k]);
-    write("m.csv", measurementsCsv(readings, cell.arm, cell.units));
+    auto measurements = parseMeasurementText(contentOf(folder / "made/measurements.csv"), "made", cell);
+    for (std::size_t k = 0; k < measurements.size(); ++k) change(k, measurements[k]);
+    write("m.csv", measurementsCsv(measurements, cell.arm, cell.units));
   }
 
   [[nodiscard]] nlohmann::json identified(const std::string& options) const {
@@ -57,7 +57,7 @@ class RefutedFits : public ProgramTest {
 
 TEST_F(RefutedFits, FallShortByAnyOption) {
   simulate("bench.yaml --design bench --readings 16",
-           [](std::size_t k, auto& reading) { reading.p_W->z() += 0.01 * (static_cast<double>(k % 3) - 1); });
+           [](std::size_t k, auto& measurement) { measurement.p_W->z() += 0.01 * (static_cast<double>(k % 3) - 1); });
   for (const char* options : kOptions) expectRefuted(options);
 }
 
@@ -65,16 +65,16 @@ TEST_F(RefutedFits, FallShortByAnyOption) {
 /// short.
 TEST_F(RefutedFits, FallShortWhereTheFitDoesNotConverge) {
   double stale = 0;
-  simulate("bowl.yaml --design touch --readings 18", [&](std::size_t k, auto& reading) {
-    if (k == 0) stale = reading.q[1];
-    reading.q[1] = stale;
+  simulate("bowl.yaml --design touch --readings 18", [&](std::size_t k, auto& measurement) {
+    if (k == 0) stale = measurement.q[1];
+    measurement.q[1] = stale;
   });
   const std::string options = "--folds 0 --method levenberg-marquardt --assume as-is";
   EXPECT_EQ(identified(options)["status"], "not-converged");
   expectRefuted(options);
 }
 
-TEST_F(RefutedFits, DoNotComeOfReadingsThatFit) {
+TEST_F(RefutedFits, DoNotComeOfMeasurementsThatFit) {
   simulate("bench.yaml --design bench --readings 40", [](std::size_t, auto&) {});
   for (const char* options : kOptions) {
     SCOPED_TRACE(options);

@@ -1,5 +1,5 @@
-// Postures sent by a running arm are answered at once and not stored, and its readings are added to the loaded
-// readings. Readings can also be held out of fits.
+// Postures sent by a running arm are answered at once and not stored, and its measurements are added to the loaded
+// measurements. Measurements can also be held out of fits.
 #include "app/workbench/live.hpp"
 
 #include <fmt/format.h>
@@ -9,10 +9,10 @@
 #include <sstream>
 
 #include "app/formats/cell/cell_reader.hpp"
-#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/workbench/line_server.hpp"
-#include "app/workbench/reading_sets.hpp"
+#include "app/workbench/measurement_sets.hpp"
 #include "tests/app/workbench/running_server.hpp"
 
 namespace tubeplan::app {
@@ -98,7 +98,7 @@ TEST_F(LiveTest, ALineWithoutEndClosesItsConnection) {
   EXPECT_FALSE(controller.ask("10 45 -35 12").starts_with("error: "));
 }
 
-TEST_F(LiveTest, ReadingsJoinTheOthersAndAreCompared) {
+TEST_F(LiveTest, MeasurementsJoinTheOthersAndAreCompared) {
   serve("bench.yaml");
   std::string text = kHeader;
   for (int id = 1; id <= 12; ++id) text += row(id);
@@ -129,7 +129,7 @@ TEST_F(LiveTest, CopiesThatJoinAreCountedOnce) {
   EXPECT_EQ(post("/api/measurements/part").body["measurements"]["readings"], 30);
 }
 
-TEST_F(LiveTest, NoReadingsChangeBesideARunningJob) {
+TEST_F(LiveTest, NoMeasurementsChangeBesideARunningJob) {
   serve("bench.yaml");
   simulate();
   ASSERT_EQ(send(kHeader + row(41)).status, 202);
@@ -144,7 +144,7 @@ TEST_F(LiveTest, NoReadingsChangeBesideARunningJob) {
   EXPECT_EQ(post("/api/measurements/part").body["measurements"]["readings"], 30);
 }
 
-TEST_F(LiveTest, ReadingsThatJoinedArePartedAgainAndTheMarksOfTheOthersStay) {
+TEST_F(LiveTest, MeasurementsThatJoinedArePartedAgainAndTheMarksOfTheOthersStay) {
   serve("bench.yaml");
   EXPECT_EQ(post("/api/measurements/part").status, 404) << "no readings";
   const auto sent = [&](const std::string& rows) {
@@ -167,19 +167,19 @@ TEST_F(LiveTest, ReadingsThatJoinedArePartedAgainAndTheMarksOfTheOthersStay) {
 
 TEST_F(LiveTest, WhatCannotBeReadTogetherJoinsAsItIs) {
   const Cell cell = readCell((opened() / "bench.yaml").string());
-  auto readings = parseReadings(kHeader + row(1) + row(2), "two", cell);
-  const auto known = joinedSet(nullptr, readings, cell);
-  EXPECT_EQ(known->readings.size(), 2u);
+  auto measurements = parseMeasurementText(kHeader + row(1) + row(2), "two", cell);
+  const auto known = joinedSet(nullptr, measurements, cell);
+  EXPECT_EQ(known->measurements.size(), 2u);
   EXPECT_NE(known->source, nullptr);
-  readings.resize(1);
-  readings.front().id = "3";
-  readings.front().q[0] = 100;  // far beyond the joint limits, so a file with this reading would be refused
-  const auto joined = joinedSet(known.get(), readings, cell);
-  EXPECT_EQ(joined->readings.size(), 3u);
+  measurements.resize(1);
+  measurements.front().id = "3";
+  measurements.front().q[0] = 100;  // far beyond the joint limits, so a file with this measurement would be refused
+  const auto joined = joinedSet(known.get(), measurements, cell);
+  EXPECT_EQ(joined->measurements.size(), 3u);
   EXPECT_EQ(joined->source, nullptr);
 }
 
-TEST_F(LiveTest, AReadingThatJoinsMovesThePosterior) {
+TEST_F(LiveTest, AMeasurementThatJoinsMovesThePosterior) {
   serve("bench.yaml");
   simulate();
   const auto kindsSince = [&](std::size_t first) {
@@ -218,7 +218,7 @@ TEST_F(LiveTest, AWatchedFileIsReadByWholeRowsOnceEach) {
   EXPECT_EQ(json::parse(server->workbench().events().wait(seen, std::chrono::milliseconds(100)).live)["joints"][0], 10);
 }
 
-TEST_F(LiveTest, ReadingsAreHeldOutAndTakenBack) {
+TEST_F(LiveTest, MeasurementsAreHeldOutAndTakenBack) {
   serve("bench.yaml");
   simulate();
   done("/api/compare");
@@ -232,7 +232,7 @@ TEST_F(LiveTest, ReadingsAreHeldOutAndTakenBack) {
   done("/api/compare", {{"ladder", true}});
   int judged = 0;
   const json compared = get("/api/results/compare").body, rows = get("/api/measurements").body["rows"];
-  for (const auto& reading : compared["readings"]) judged += reading["held_out"] ? 1 : 0;
+  for (const auto& measurement : compared["readings"]) judged += measurement["held_out"] ? 1 : 0;
   EXPECT_EQ(judged, 3);
   EXPECT_EQ(get("/api/results/ladder").status, 200);
   EXPECT_EQ(hold({"3", "4", "5"}, false).body["measurements"]["held_out"], 0);

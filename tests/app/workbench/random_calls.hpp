@@ -94,7 +94,7 @@ class RandomCalls {
     return text + "}";
   }
 
-  std::string readings() {
+  std::string measurements() {
     std::string text =
         "id,kind,point,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_in\n"
         "1,position,,0,0,30,-60,20,70,1,20,0.005\n2,position,,20,10,40,-50,10,60,12,22,0.005\n"
@@ -200,7 +200,7 @@ class RandomCalls {
     const std::string method = draw() % 10 == 0 ? one(kMethods) : draw() % 4 == 0 ? "GET" : "POST";
     const std::string where = path(method);
     const std::string type = where.find("measurements?") != std::string::npos ? "text/csv" : one(kTypes);
-    std::string body = method == "GET" ? "" : type == "text/csv" ? readings() : object(0);
+    std::string body = method == "GET" ? "" : type == "text/csv" ? measurements() : object(0);
     if (draw() % 5 == 0) body = damaged(body);
     const std::size_t length = draw() % 20 ? body.size() : draw() % 200;
     std::string text = method + " " + where + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port_) + "\r\n";

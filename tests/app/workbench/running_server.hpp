@@ -129,9 +129,9 @@ class WorkbenchTest : public FolderTest {
     return job;
   }
 
-  /// Simulates readings of the bench with a joint offset that the bench's model lacks.
-  void simulate(int readings = 30) {
-    done("/api/simulate", {{"design", "bench"}, {"readings", readings}, {"hide", {"joint-offset@theta3:0.3deg"}}});
+  /// Simulates measurements of the bench with a joint offset that the bench's model lacks.
+  void simulate(int measurements = 30) {
+    done("/api/simulate", {{"design", "bench"}, {"readings", measurements}, {"hide", {"joint-offset@theta3:0.3deg"}}});
   }
 
   std::unique_ptr<RunningServer> server;

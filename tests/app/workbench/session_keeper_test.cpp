@@ -12,11 +12,11 @@ class SessionKeeping : public WorkbenchTest {
  protected:
   [[nodiscard]] std::filesystem::path state() const { return folder / "state"; }
 
-  void serveKept(const std::string& cell, const std::vector<std::string>& readings = {}, bool fresh = false) {
+  void serveKept(const std::string& cell, const std::vector<std::string>& measurements = {}, bool fresh = false) {
     server.reset();
     WorkbenchOptions options;
     options.cell = (opened() / cell).string();
-    options.measurements = readings;
+    options.measurement_files = measurements;
     options.folder = opened().string();
     options.state = state().string();
     options.fresh = fresh;
@@ -43,12 +43,12 @@ TEST_F(SessionKeeping, theNextProgramGoesOnWhereTheLastOneWas) {
   serveKept("bench.yaml");
   makeWork();
   const json state = lasting(get("/api/state").body), result = get("/api/results/compare").body;
-  const std::string cell = get("/api/export/cell.yaml").text, readings = get("/api/export/measurements.csv").text;
+  const std::string cell = get("/api/export/cell.yaml").text, measurements = get("/api/export/measurements.csv").text;
   serveKept("bench.yaml");
   EXPECT_EQ(lasting(get("/api/state").body), state);
   EXPECT_EQ(get("/api/results/compare").body, result);
   EXPECT_EQ(get("/api/export/cell.yaml").text, cell);
-  EXPECT_EQ(get("/api/export/measurements.csv").text, readings);
+  EXPECT_EQ(get("/api/export/measurements.csv").text, measurements);
   EXPECT_EQ(post("/api/undo").body["model"], 0);  // the undo stack is restored too
   done("/api/compare");
 }
@@ -77,13 +77,13 @@ TEST_F(SessionKeeping, touchesComeBack) {
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_EQ(back["touches"][k]["name"], touches["touches"][k]["name"]);
     EXPECT_EQ(back["touches"][k]["simulated"], true);
-    for (std::size_t j = 0; j < 4; ++j)  // stored with twelve digits, as in any file of readings
+    for (std::size_t j = 0; j < 4; ++j)  // stored with twelve digits, as in any file of measurements
       EXPECT_NEAR(back["touches"][k]["joints"][j], touches["touches"][k]["joints"][j], 1e-9);
   }
   EXPECT_EQ(get("/api/results/calibrate").body["base"], base);
 }
 
-TEST_F(SessionKeeping, anotherCellOrOtherReadingsAreBegunAnewAndTheSessionStays) {
+TEST_F(SessionKeeping, anotherCellOrOtherMeasurementsAreBegunAnewAndTheSessionStays) {
   serveKept("bench.yaml");
   makeWork();
   serveKept("bench.yaml", {}, true);
@@ -152,7 +152,7 @@ TEST_F(SessionKeeping, twoProgramsOnOneCellKeepASessionEach) {
   options.state = state().string();
   RunningServer other(options);
   EXPECT_NE(other.workbench().keeper().file(), server->workbench().keeper().file());
-  EXPECT_EQ(other.workbench().session().readings, nullptr);
+  EXPECT_EQ(other.workbench().session().measurements, nullptr);
 }
 
 TEST_F(SessionKeeping, withoutAStateFolderNothingIsKept) {

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-json listing(std::size_t readings) { return {{"readings", std::vector<int>(readings)}}; }
+json listing(std::size_t measurements) { return {{"readings", std::vector<int>(measurements)}}; }
 
 TEST(Session, OldDocumentsOfOtherModelsGiveWayToNewOnes) {
   Session session;

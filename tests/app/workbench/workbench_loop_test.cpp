@@ -101,7 +101,7 @@ TEST_F(WorkbenchLoop, anyStepIsGoneBackToAndEffectsAndFreeNumbersAreSwitchedOff)
   EXPECT_EQ(post("/api/models/go", {{"model", 3}}).body["can_redo"], false);
 }
 
-TEST_F(WorkbenchLoop, readingsSetAsideAreSeenByNoFitUntilTheyAreTakenBack) {
+TEST_F(WorkbenchLoop, measurementsSetAsideAreSeenByNoFitUntilTheyAreTakenBack) {
   serve("bench.yaml");
   EXPECT_EQ(post("/api/measurements/set-aside", {{"ids", {"1"}}}).status, 404);
   simulate();
@@ -178,9 +178,9 @@ TEST_F(WorkbenchLoop, leverageIsTheTipsMotionByAJoint) {
   EXPECT_EQ(get("/api/leverage?at=theta9").status, 422);
 }
 
-// Levers and moments refer to the world frame, so an unknown base is fitted to the readings; they then nearly equal
+// Levers and moments refer to the world frame, so an unknown base is fitted to the measurements; they then nearly equal
 // those on the known base.
-TEST_F(WorkbenchLoop, leverageAndMomentsOfABaseThatIsNotKnownAreTheReadings) {
+TEST_F(WorkbenchLoop, leverageAndMomentsOfABaseThatIsNotKnownAreTheMeasurements) {
   serve("bench.yaml");
   simulate();
   const std::string csv = get("/api/export/measurements.csv").text;

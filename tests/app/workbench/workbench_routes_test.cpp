@@ -184,7 +184,7 @@ TEST_F(WorkbenchRoutes, selectionsAndTheCatalogue) {
   EXPECT_EQ(std::count_if(catalogue.begin(), catalogue.end(), is_backlash), 1);
 }
 
-TEST_F(WorkbenchRoutes, readingsAreLoadedOrRefusedWithTheReadersOwnWords) {
+TEST_F(WorkbenchRoutes, measurementsAreLoadedOrRefusedWithTheReadersOwnWords) {
   serve("bench.yaml");
   simulate(12);
   const std::string csv = get("/api/export/measurements.csv").text;
@@ -481,18 +481,18 @@ TEST_F(WorkbenchRoutes, aPlanStopsWhenItIsAskedTo) {
   EXPECT_EQ(get("/api/results/plan").status, 404);
 }
 
-TEST_F(WorkbenchRoutes, otherReadingsEndWhatIsFoundOutFromThoseBeforeAndNoPlan) {
+TEST_F(WorkbenchRoutes, otherMeasurementsEndWhatIsFoundOutFromThoseBeforeAndNoPlan) {
   std::filesystem::copy_file(shippedCells() / "mockup.yaml", opened() / "large.yaml");
   serve("large.yaml");
   simulate(400);
-  const std::string readings = get("/api/export/measurements.csv").text;
+  const std::string measurements = get("/api/export/measurements.csv").text;
   const int plan = post("/api/plan", {{"tubes", "spread:20"}}).body["id"];
   const int diagnosis = post("/api/diagnose").body["id"];  // starts after the plan
-  EXPECT_EQ(client->Post("/api/measurements?name=first.csv", readings, "text/csv")->status, 200);
+  EXPECT_EQ(client->Post("/api/measurements?name=first.csv", measurements, "text/csv")->status, 200);
   EXPECT_EQ(ended(plan)["status"], "done");
   EXPECT_EQ(get("/api/results/plan").status, 200);
   untilAtWork(diagnosis, "diagnose");
-  EXPECT_EQ(client->Post("/api/measurements?name=second.csv", readings, "text/csv")->status, 200);
+  EXPECT_EQ(client->Post("/api/measurements?name=second.csv", measurements, "text/csv")->status, 200);
   EXPECT_EQ(ended(diagnosis)["status"], "cancelled");
   EXPECT_EQ(get("/api/results/diagnose").status, 404);
 }

@@ -1,4 +1,4 @@
-// Choice of the most informative readings, tested on random linear problems.
+// Choice of the most informative measurements, tested on random linear problems.
 #include "calibration/design/optimal_design.hpp"
 
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, OptimalDesign, ::testing::Range<std::uint64_t>(1
 
 TEST_P(OptimalDesign, FiguresAreThoseOfThePlainInverse) {
   const auto problem = randomProblem(40, GetParam());
-  const auto design = chooseReadings(problem, optionsFor(Optimality::kDeterminant, 5));
+  const auto design = chooseMeasurements(problem, optionsFor(Optimality::kDeterminant, 5));
   ASSERT_EQ(design.status, DesignStatus::kDone);
   const auto chosen = chosenOf(design);
   EXPECT_EQ(std::set<int>(chosen.begin(), chosen.end()).size(), 5u);
@@ -89,9 +89,9 @@ TEST_P(OptimalDesign, FiguresAreThoseOfThePlainInverse) {
 
 TEST_P(OptimalDesign, BeatsRandomChoices) {
   const auto problem = randomProblem(60, GetParam());
-  const auto by_determinant = chooseReadings(problem, optionsFor(Optimality::kDeterminant, 6));
-  const auto by_worst = chooseReadings(problem, optionsFor(Optimality::kWorstTip, 6));
-  const auto by_mean = chooseReadings(problem, optionsFor(Optimality::kMeanTip, 6));
+  const auto by_determinant = chooseMeasurements(problem, optionsFor(Optimality::kDeterminant, 6));
+  const auto by_worst = chooseMeasurements(problem, optionsFor(Optimality::kWorstTip, 6));
+  const auto by_mean = chooseMeasurements(problem, optionsFor(Optimality::kMeanTip, 6));
   for (const auto& choice : drawChoices(60, 6, 200, GetParam())) {
     const MatrixXd random = covarianceOf(problem, choice);
     EXPECT_LT(logDeterminant(by_determinant.covariance), logDeterminant(random));
@@ -100,8 +100,8 @@ TEST_P(OptimalDesign, BeatsRandomChoices) {
   }
 }
 
-// The criterion of the chosen three readings must be within 1 % of the best, which is found by trying all 364 triples
-// of 14.
+// The criterion of the chosen three measurements must be within 1 % of the best, which is found by trying all 364
+// triples of 14.
 TEST_P(OptimalDesign, ExchangeComesWithinAPercentOfTheBestTriple) {
   const auto problem = randomProblem(14, GetParam());
   double best_determinant = 1e300, best_mean = 1e300;
@@ -112,8 +112,8 @@ TEST_P(OptimalDesign, ExchangeComesWithinAPercentOfTheBestTriple) {
         best_determinant = std::min(best_determinant, logDeterminant(covariance));
         best_mean = std::min(best_mean, tipSigma(problem.work, covariance).rms);
       }
-  const auto in_all = chooseReadings(problem, optionsFor(Optimality::kDeterminant, 3));
-  const auto at_tip = chooseReadings(problem, optionsFor(Optimality::kMeanTip, 3));
+  const auto in_all = chooseMeasurements(problem, optionsFor(Optimality::kDeterminant, 3));
+  const auto at_tip = chooseMeasurements(problem, optionsFor(Optimality::kMeanTip, 3));
   EXPECT_LE(logDeterminant(in_all.covariance), best_determinant + 0.01 * std::abs(best_determinant));
   EXPECT_LE(tipSigma(problem.work, at_tip.covariance).rms, 1.01 * best_mean);
 }
@@ -122,9 +122,9 @@ TEST_P(OptimalDesign, ExchangeNeverMakesTheChoiceWorse) {
   const auto problem = randomProblem(40, GetParam());
   for (const auto optimality : {Optimality::kDeterminant, Optimality::kWorstTip, Optimality::kMeanTip}) {
     auto options = optionsFor(optimality, 5);
-    const auto exchanged = chooseReadings(problem, options);
+    const auto exchanged = chooseMeasurements(problem, options);
     options.most_passes = 0;
-    const auto greedy = chooseReadings(problem, options);
+    const auto greedy = chooseMeasurements(problem, options);
     const auto score = [&](const Design& design) {
       if (optimality == Optimality::kDeterminant) return logDeterminant(design.covariance);
       const TipSigma tip = tipSigma(problem.work, design.covariance);
@@ -135,9 +135,9 @@ TEST_P(OptimalDesign, ExchangeNeverMakesTheChoiceWorse) {
   }
 }
 
-TEST_P(OptimalDesign, TheWorstPlaceIsKnownBetterByEachReading) {
+TEST_P(OptimalDesign, TheWorstPlaceIsKnownBetterByEachMeasurement) {
   const auto problem = randomProblem(40, GetParam());
-  const auto by_worst = chooseReadings(problem, optionsFor(Optimality::kWorstTip, 8));
+  const auto by_worst = chooseMeasurements(problem, optionsFor(Optimality::kWorstTip, 8));
   double before = tipSigma(problem.work, problem.information.inverse()).worst;
   for (const auto& step : by_worst.steps) {
     EXPECT_LT(step.tip.worst, before);
@@ -146,23 +146,23 @@ TEST_P(OptimalDesign, TheWorstPlaceIsKnownBetterByEachReading) {
   double fewer = 1e300;
   for (int count = 1; count <= 8; ++count) {
     const double now =
-        tipSigma(problem.work, chooseReadings(problem, optionsFor(Optimality::kWorstTip, count)).covariance).worst;
+        tipSigma(problem.work, chooseMeasurements(problem, optionsFor(Optimality::kWorstTip, count)).covariance).worst;
     EXPECT_LT(now, fewer);
     fewer = now;
   }
-  const auto by_determinant = chooseReadings(problem, optionsFor(Optimality::kDeterminant, 8));
+  const auto by_determinant = chooseMeasurements(problem, optionsFor(Optimality::kDeterminant, 8));
   EXPECT_LE(by_worst.steps.back().tip.worst, by_determinant.steps.back().tip.worst);
 }
 
 TEST(OptimalDesign, TooFewCandidatesAreTold) {
   const auto problem = randomProblem(4, 1);
-  const auto design = chooseReadings(problem, optionsFor(Optimality::kDeterminant, 5));
+  const auto design = chooseMeasurements(problem, optionsFor(Optimality::kDeterminant, 5));
   EXPECT_EQ(design.status, DesignStatus::kTooFewCandidates);
   EXPECT_NE(design.reason.find("4 readings"), std::string::npos) << design.reason;
   EXPECT_TRUE(design.steps.empty());
 }
 
-TEST(OptimalDesign, DrawsAreDifferentReadingsAndTheSameForTheSameSeed) {
+TEST(OptimalDesign, DrawsAreDifferentMeasurementsAndTheSameForTheSameSeed) {
   const auto choices = drawChoices(9, 4, 50, 3);
   ASSERT_EQ(choices.size(), 50u);
   std::set<int> seen;

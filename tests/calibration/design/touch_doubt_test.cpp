@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "calibration/design/next_readings.hpp"
+#include "calibration/design/next_measurements.hpp"
 #include "calibration/design/touch_choice.hpp"
 #include "tests/calibration/estimation/cobra_touches.hpp"
 #include "tests/deflection/cobra.hpp"
@@ -19,7 +19,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 struct DoubtedCell {
   deflection::Arm arm;
   Eigen::Isometry3d X_WB;
-  std::vector<ReadingCandidate> candidates;
+  std::vector<MeasurementCandidate> candidates;
   Work work;
 };
 
@@ -50,7 +50,7 @@ std::vector<Measurement> noisyTouches(const DoubtedCell& cell, const std::vector
   std::normal_distribution<double> normal(0, 1);
   std::vector<Measurement> touches;
   for (const int k : candidates) {
-    const auto& proposed = cell.candidates[static_cast<std::size_t>(k)].readings.front();
+    const auto& proposed = cell.candidates[static_cast<std::size_t>(k)].measurements.front();
     Measurement& touch = touches.emplace_back(conditionsOf(proposed));
     touch.id = touch.point;
     touch.p_W = *proposed.known_W;
@@ -70,7 +70,7 @@ double tipSigmaBy(const BaseCalibration& base, const Work& work) {
   for (const auto& q : work.postures) {
     Measurement at;
     at.q = q;
-    const Prediction tip = predictReading(base.arm, base.X_WB, at, request);
+    const Prediction tip = predictMeasurement(base.arm, base.X_WB, at, request);
     MatrixXd slopes(3, 6 + static_cast<Index>(numbers.size()));
     slopes.leftCols(6) = tip.by_base;
     for (std::size_t k = 0; k < numbers.size(); ++k)
@@ -97,7 +97,7 @@ TEST_P(TouchDoubt, SigmasForetoldAreThoseOfTheCalibration) {
       const auto estimate = nothingTouched(cell, doubt, model_error);
       const auto posed = poseDesign(estimate, cell.candidates, cell.work);
       const auto choice = chooseTouches(posed.problem, count);
-      const auto next = forecastReadings(estimate, posed, judgeReadings(posed.problem, choice.chosen));
+      const auto next = forecastMeasurements(estimate, posed, judgeMeasurements(posed.problem, choice.chosen));
       BaseCalibrationOptions options;
       options.arm = doubt;
       options.model_error = model_error;
@@ -125,7 +125,7 @@ TEST_P(TouchDoubt, TheBestTripleIsBestBesideTheDoubt) {
   for (int i = 0; i < 8; ++i)
     for (int j = i + 1; j < 8; ++j)
       for (int k = j + 1; k < 8; ++k)
-        least = std::min(least, tipSigma(problem.work, judgeReadings(problem, {i, j, k}).covariance).rms);
+        least = std::min(least, tipSigma(problem.work, judgeMeasurements(problem, {i, j, k}).covariance).rms);
   EXPECT_NEAR(best, least, 1e-6 * least);
 }
 
@@ -137,7 +137,7 @@ TEST_P(TouchDoubt, MoreDoubtOfStiffnessesLowersNoSigma) {
     doubt.stiffness = stiffness;
     const auto estimate = nothingTouched(cell, doubt);
     const auto posed = poseDesign(estimate, cell.candidates, cell.work);
-    const auto next = forecastReadings(estimate, posed, judgeReadings(posed.problem, {0, 1, 2, 3}));
+    const auto next = forecastMeasurements(estimate, posed, judgeMeasurements(posed.problem, {0, 1, 2, 3}));
     VectorXd now(7);
     for (Index k = 0; k < 6; ++k) now[k] = next.numbers[static_cast<std::size_t>(k)].after;
     now[6] = next.tip_after.rms;
@@ -148,11 +148,11 @@ TEST_P(TouchDoubt, MoreDoubtOfStiffnessesLowersNoSigma) {
 
 /// The same touches must be chosen from touch plans as from a design problem, whether the arm is exact, has uncertain
 /// parameters, or has a model error as well.
-TEST_P(TouchDoubt, PlansAreChosenAsTheirReadingsAre) {
+TEST_P(TouchDoubt, PlansAreChosenAsTheirMeasurementsAre) {
   const auto cell = doubtedCell(GetParam());
   std::vector<TouchPlan> plans;
   for (const auto& candidate : cell.candidates) {
-    const auto& touch = candidate.readings.front();
+    const auto& touch = candidate.measurements.front();
     plans.push_back({"", touch.point, *touch.known_W, touch.q});
   }
   for (const auto& doubt : {DoubtBeside{}, DoubtBeside{ArmUncertainty{}, 0}, DoubtBeside{ArmUncertainty{}, 1e-3}})

@@ -1,4 +1,4 @@
-// A diagnosis must name hidden effects, lower the error of held-out readings to the noise, and name no effect where
+// A diagnosis must name hidden effects, lower the error of held-out measurements to the noise, and name no effect where
 // none is hidden.
 #include "calibration/diagnosis/diagnosis.hpp"
 
@@ -11,9 +11,9 @@
 
 #include "calibration/diagnosis/causes/cause.hpp"
 #include "calibration/estimation/fit.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
-#include "tests/calibration/bench_readings.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
+#include "tests/calibration/bench_measurements.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -42,8 +42,8 @@ DiagnosisOptions optionsFor(const app::Cell& cell) {
 Diagnosis diagnosisOf(const std::string& effect, const std::string& at, const std::vector<double>& values,
                       std::uint64_t seed, int count = 90) {
   const auto cell = shippedBench();
-  const auto readings = benchReadings(cell, effect, at, values, count, seed);
-  return diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  const auto measurements = benchMeasurements(cell, effect, at, values, count, seed);
+  return diagnose(benchStart(cell, measurements), measurements, optionsFor(cell));
 }
 
 bool holds(const Diagnosis& diagnosis, const std::string& effect, const std::string& at) {
@@ -117,7 +117,7 @@ TEST(Diagnosis, RanksCausesWithTheirOwnSizes) {
 
 /// A compliance of the forearm's tube has the same effect in all postures as a compliance of its bearing, so the
 /// diagnosis must report one cause with two names.
-TEST(Diagnosis, CausesThatNoReadingTellsApartAreOneWithBothNames) {
+TEST(Diagnosis, CausesThatNoMeasurementTellsApartAreOneWithBothNames) {
   const Diagnosis found = diagnosisOf("joint-compliance", "forearm.y", {4e-5}, 5);
   ASSERT_EQ(found.verdict, Verdict::kExplained);
   ASSERT_EQ(found.alternatives.front().effects.size(), 1U);
@@ -141,20 +141,20 @@ TEST(Diagnosis, NamesNothingWhereNothingIsHidden) {
 // and must not call it scatter, even if no smooth function of few joints fits it.
 TEST(Diagnosis, SaysThatWhatRepeatsAtAPostureFollowsIt) {
   const auto cell = shippedBench();
-  std::vector<Measurement> readings;
+  std::vector<Measurement> measurements;
   std::mt19937_64 random(4);
   std::normal_distribution<double> normal;
-  for (Measurement reading : benchReadings(cell, "", "", {}, 30, 4))
+  for (Measurement measurement : benchMeasurements(cell, "", "", {}, 30, 4))
     for (const double load : {0., 90., 180.}) {
-      reading.load = load;
-      reading.id = std::to_string(readings.size() + 1);
-      reading.p_W = predictReading(cell.arm, cell.X_WB, reading).value;
+      measurement.load = load;
+      measurement.id = std::to_string(measurements.size() + 1);
+      measurement.p_W = predictMeasurement(cell.arm, cell.X_WB, measurement).value;
       for (int axis = 0; axis < 3; ++axis)
-        (*reading.p_W)[axis] +=
-            reading.sigma * (normal(random) + 3 * std::sin(40 * reading.q[axis] + 55 * reading.q[3]));
-      readings.push_back(reading);
+        (*measurement.p_W)[axis] +=
+            measurement.sigma * (normal(random) + 3 * std::sin(40 * measurement.q[axis] + 55 * measurement.q[3]));
+      measurements.push_back(measurement);
     }
-  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  const Diagnosis found = diagnose(benchStart(cell, measurements), measurements, optionsFor(cell));
   EXPECT_EQ(found.verdict, Verdict::kUnexplained);
   EXPECT_FALSE(found.isScatterAlone());
   ASSERT_FALSE(found.remainder.follows.empty());
@@ -162,12 +162,12 @@ TEST(Diagnosis, SaysThatWhatRepeatsAtAPostureFollowsIt) {
 }
 
 // If the noise is twice as large as stated, the diagnosis must report scatter that no effect and no function of the
-// readings explains.
-TEST(Diagnosis, SaysThatReadingsScatterBeyondTheirNoise) {
+// measurements explains.
+TEST(Diagnosis, SaysThatMeasurementsScatterBeyondTheirNoise) {
   const auto cell = shippedBench();
-  auto readings = benchReadings(cell, "", "", {}, 90, 4);
-  for (auto& reading : readings) reading.sigma /= 2;
-  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  auto measurements = benchMeasurements(cell, "", "", {}, 90, 4);
+  for (auto& measurement : measurements) measurement.sigma /= 2;
+  const Diagnosis found = diagnose(benchStart(cell, measurements), measurements, optionsFor(cell));
   EXPECT_EQ(found.verdict, Verdict::kUnexplained);
   EXPECT_TRUE(found.isScatterAlone());
   EXPECT_TRUE(found.alternatives.empty());
@@ -175,36 +175,37 @@ TEST(Diagnosis, SaysThatReadingsScatterBeyondTheirNoise) {
   EXPECT_GT(found.remainder.size, 0.5 * found.noise_floor);
 }
 
-// With few readings and slightly understated noise, the prior may favour the hypothesis that nothing is missing. If
+// With few measurements and slightly understated noise, the prior may favour the hypothesis that nothing is missing. If
 // chi-square shows a lack of fit, the verdict must nevertheless not be adequate.
 TEST(Diagnosis, IsNotAdequateAtAChiSquareThatNoiseHardlyGives) {
   const auto cell = shippedBench();
   int hardly = 0;
   for (const int seed : {1, 2, 3, 4, 5, 6}) {
-    auto readings = benchReadings(cell, "", "", {}, 16, seed);
-    for (auto& reading : readings) reading.sigma /= 1.4;
-    const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+    auto measurements = benchMeasurements(cell, "", "", {}, 16, seed);
+    for (auto& measurement : measurements) measurement.sigma /= 1.4;
+    const Diagnosis found = diagnose(benchStart(cell, measurements), measurements, optionsFor(cell));
     hardly += found.p_value < kLackOfFit ? 1 : 0;
     EXPECT_TRUE(found.verdict != Verdict::kAdequate || found.p_value >= kLackOfFit) << "seed " << seed;
   }
   EXPECT_GE(hardly, 3);
 }
 
-// If repeated readings show that the noise is twice as large as stated, the verdict must be that nothing is missing.
-TEST(Diagnosis, TakesTheScatterOfRepeatedReadingsForNoise) {
+// If repeated measurements show that the noise is twice as large as stated, the verdict must be that nothing is
+// missing.
+TEST(Diagnosis, TakesTheScatterOfRepeatedMeasurementsForNoise) {
   const auto cell = shippedBench();
-  auto readings = benchReadings(cell, "", "", {}, 40, 4);
-  ReadingMaker maker(benchStart(cell, readings), 3, ReadingMaker::Noise::kStated);
-  const std::size_t postures = readings.size();
+  auto measurements = benchMeasurements(cell, "", "", {}, 40, 4);
+  MeasurementMaker maker(benchStart(cell, measurements), 3, MeasurementMaker::Noise::kStated);
+  const std::size_t postures = measurements.size();
   for (std::size_t k = 0; k < postures; ++k)
     for (int more = 0; more < 2; ++more) {
-      Measurement again = readings[k];
+      Measurement again = measurements[k];
       again.id += more == 0 ? "b" : "c";
-      again.p_W = predictReading(cell.arm, cell.X_WB, again).value + maker.noise3(again.sigma);
-      readings.push_back(again);
+      again.p_W = predictMeasurement(cell.arm, cell.X_WB, again).value + maker.noise3(again.sigma);
+      measurements.push_back(again);
     }
-  for (auto& reading : readings) reading.sigma /= 2;
-  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  for (auto& measurement : measurements) measurement.sigma /= 2;
+  const Diagnosis found = diagnose(benchStart(cell, measurements), measurements, optionsFor(cell));
   EXPECT_EQ(found.verdict, Verdict::kAdequate);
   EXPECT_NEAR(found.repeats.noise_ratio, 2, 0.35);
   EXPECT_GT(found.nothing_probability, 0.9);
@@ -215,13 +216,13 @@ TEST(Diagnosis, TakesTheScatterOfRepeatedReadingsForNoise) {
 TEST(Diagnosis, DoesNotCallScatterWhatFollowsAPattern) {
   const auto cell = shippedBench();
   for (const auto& [cycles, follows] : {std::pair(3, "time"), std::pair(7, "cycles of time")}) {
-    auto readings = benchReadings(cell, "", "", {}, 120, 5);
-    for (std::size_t k = 0; k < readings.size(); ++k) {
-      readings[k].conditions[Condition::kTime] = 60. * static_cast<double>(k);
+    auto measurements = benchMeasurements(cell, "", "", {}, 120, 5);
+    for (std::size_t k = 0; k < measurements.size(); ++k) {
+      measurements[k].conditions[Condition::kTime] = 60. * static_cast<double>(k);
       const double phase = 2 * std::numbers::pi * cycles * static_cast<double>(k) / 120;
-      readings[k].p_W->z() += 4 * readings[k].sigma * std::sin(phase);
+      measurements[k].p_W->z() += 4 * measurements[k].sigma * std::sin(phase);
     }
-    const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+    const Diagnosis found = diagnose(benchStart(cell, measurements), measurements, optionsFor(cell));
     EXPECT_EQ(found.verdict, Verdict::kUnexplained);
     EXPECT_FALSE(found.isScatterAlone());
     ASSERT_FALSE(found.remainder.follows.empty());
@@ -232,7 +233,7 @@ TEST(Diagnosis, DoesNotCallScatterWhatFollowsAPattern) {
 
 TEST(Cause, FreesNumbersWithThePriorsOfTheFit) {
   const auto cell = shippedBench();
-  PlacedArm placed = benchStart(cell, benchReadings(cell, "", "", {}, 10, 1));
+  PlacedArm placed = benchStart(cell, benchMeasurements(cell, "", "", {}, 10, 1));
   FreeChoice choice{{"tool.joint_stiffness.z"}, false};
   choice.priors.length = 1e-5;
   (void)chooseUnknowns(placed, choice);
@@ -241,14 +242,14 @@ TEST(Cause, FreesNumbersWithThePriorsOfTheFit) {
   EXPECT_EQ(placeCause(placed, cause, 0).front().prior_sigma, 1e-5);
 }
 
-// With so few readings, an unknown function of the joints could fit the larger noise, but the diagnosis must consider
-// scatter more probable than such a function.
-TEST(Diagnosis, SaysThatFewReadingsMayOnlyScatter) {
+// With so few measurements, an unknown function of the joints could fit the larger noise, but the diagnosis must
+// consider scatter more probable than such a function.
+TEST(Diagnosis, SaysThatFewMeasurementsMayOnlyScatter) {
   const auto cell = shippedBench();
   for (const std::uint64_t seed : {4, 5, 6}) {
-    auto readings = benchReadings(cell, "", "", {}, 40, seed);
-    for (auto& reading : readings) reading.sigma /= 2;
-    const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+    auto measurements = benchMeasurements(cell, "", "", {}, 40, seed);
+    for (auto& measurement : measurements) measurement.sigma /= 2;
+    const Diagnosis found = diagnose(benchStart(cell, measurements), measurements, optionsFor(cell));
     EXPECT_TRUE(found.alternatives.empty()) << seed;
     EXPECT_GT(found.scatter_probability, 0.5) << seed;
   }
@@ -258,9 +259,9 @@ TEST(Diagnosis, SaysThatFewReadingsMayOnlyScatter) {
 // effects together nearly fit the error.
 TEST(Diagnosis, SaysWhatAnUnknownErrorFollows) {
   const auto cell = shippedBench();
-  auto readings = benchReadings(cell, "", "", {}, 90, 6);
-  for (auto& reading : readings) reading.q[2] -= 0.0012 * std::sin(3 * reading.q[2] + 1);
-  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  auto measurements = benchMeasurements(cell, "", "", {}, 90, 6);
+  for (auto& measurement : measurements) measurement.q[2] -= 0.0012 * std::sin(3 * measurement.q[2] + 1);
+  const Diagnosis found = diagnose(benchStart(cell, measurements), measurements, optionsFor(cell));
   EXPECT_EQ(found.verdict, Verdict::kUnexplained);
   ASSERT_FALSE(found.remainder.follows.empty());
   EXPECT_EQ(found.remainder.follows.front().first, "theta3");
@@ -270,41 +271,41 @@ TEST(Diagnosis, SaysWhatAnUnknownErrorFollows) {
 
 TEST(Diagnosis, SetsGrossOutliersAsideAndSaysSo) {
   const auto cell = shippedBench();
-  auto readings = benchReadings(cell, "", "", {}, 90, 8);
-  readings[17].p_W->x() += 0.003;
-  readings[60].p_W->z() -= 0.004;
-  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  auto measurements = benchMeasurements(cell, "", "", {}, 90, 8);
+  measurements[17].p_W->x() += 0.003;
+  measurements[60].p_W->z() -= 0.004;
+  const Diagnosis found = diagnose(benchStart(cell, measurements), measurements, optionsFor(cell));
   EXPECT_EQ(found.set_aside, (std::vector<int>{17, 60}));
   EXPECT_TRUE(found.alternatives.empty());
 }
 
 TEST(Diagnosis, SetsSeveralOutliersAsideAlsoWhereOneHidesAnother) {
   const auto cell = shippedBench();
-  auto readings = benchReadings(cell, "", "", {}, 40, 8);
-  readings[7].p_W->x() += 0.05;
-  readings[17].p_W->z() -= 0.05;
-  readings[30].p_W->y() += 0.003;
-  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  auto measurements = benchMeasurements(cell, "", "", {}, 40, 8);
+  measurements[7].p_W->x() += 0.05;
+  measurements[17].p_W->z() -= 0.05;
+  measurements[30].p_W->y() += 0.003;
+  const Diagnosis found = diagnose(benchStart(cell, measurements), measurements, optionsFor(cell));
   EXPECT_EQ(found.set_aside, (std::vector<int>{7, 17, 30}));
   EXPECT_TRUE(found.alternatives.empty());
   EXPECT_NE(found.verdict, Verdict::kUnexplained);
 }
 
-/// If all readings name the same reflector, the diagnosis must not take the measured positions for one fixed point, and
-/// must still find the hidden offset.
-TEST(Diagnosis, AReadingsOwnPlaceMayHaveTheReflectorsName) {
+/// If all measurements name the same reflector, the diagnosis must not take the measured positions for one fixed point,
+/// and must still find the hidden offset.
+TEST(Diagnosis, AMeasurementsOwnPlaceMayHaveTheReflectorsName) {
   const auto cell = shippedBench();
-  auto readings = benchReadings(cell, "joint-offset", "theta4", {0.002}, 60, 5);
-  for (auto& reading : readings) reading.point = "SMR1";
-  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  auto measurements = benchMeasurements(cell, "joint-offset", "theta4", {0.002}, 60, 5);
+  for (auto& measurement : measurements) measurement.point = "SMR1";
+  const Diagnosis found = diagnose(benchStart(cell, measurements), measurements, optionsFor(cell));
   EXPECT_TRUE(holds(found, "joint-offset", "theta4")) << found.reason;
 }
 
-TEST(Diagnosis, TellsWhichEffectsTheReadingsCannotShow) {
+TEST(Diagnosis, TellsWhichEffectsTheMeasurementsCannotShow) {
   const auto cell = shippedBench();
-  auto readings = benchReadings(cell, "", "", {}, 45, 3);
-  for (auto& reading : readings) reading.approach_directions.clear();
-  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  auto measurements = benchMeasurements(cell, "", "", {}, 45, 3);
+  for (auto& measurement : measurements) measurement.approach_directions.clear();
+  const Diagnosis found = diagnose(benchStart(cell, measurements), measurements, optionsFor(cell));
   const auto mentions = [&](const std::string& effect) {
     return std::any_of(found.not_tried.begin(), found.not_tried.end(),
                        [&](const std::string& why) { return why.starts_with(effect + ":"); });
@@ -319,29 +320,29 @@ TEST(Diagnosis, TellsWhichEffectsTheReadingsCannotShow) {
 // the slip, without a spurious link length that makes up for the coarse time.
 TEST(Diagnosis, LeavesOutWhatOnlyACoarseTimeAskedFor) {
   const auto cell = shippedBench();
-  auto readings = benchReadings(cell, "", "", {}, 1000, 1);
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    readings[k].conditions[Condition::kTime] = 60. * static_cast<double>(k);
+  auto measurements = benchMeasurements(cell, "", "", {}, 1000, 1);
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
+    measurements[k].conditions[Condition::kTime] = 60. * static_cast<double>(k);
     if (k < 500) continue;
     const Eigen::AngleAxisd yaw(0.1 * kDegree, Eigen::Vector3d::UnitZ());
-    readings[k].p_W = yaw * *readings[k].p_W + Eigen::Vector3d(0.1 * kInch, 0, 0);
+    measurements[k].p_W = yaw * *measurements[k].p_W + Eigen::Vector3d(0.1 * kInch, 0, 0);
   }
-  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  const Diagnosis found = diagnose(benchStart(cell, measurements), measurements, optionsFor(cell));
   EXPECT_EQ(found.verdict, Verdict::kExplained);
   ASSERT_EQ(found.alternatives.size(), 1U);
   ASSERT_TRUE(holds(found, "base-slip", "base"));
   EXPECT_NEAR(found.alternatives.front().effects.front().fitted.values[4], 499.5 * 60, 31);
 }
 
-// These readings cannot distinguish backlash from stiffening of the same axis. The diagnosis must report hysteresis,
-// which is certain in either case, as the cause on which the alternatives agree.
+// These measurements cannot distinguish backlash from stiffening of the same axis. The diagnosis must report
+// hysteresis, which is certain in either case, as the cause on which the alternatives agree.
 TEST(Diagnosis, SaysWhatTheAlternativesAgreeOn) {
   const auto cell = shippedBench();
   auto with_backlash = cell;
   with_backlash.arm.effects.push_back(deflection::makeEffect(cell.arm, "backlash", "tool.z").effect);
   with_backlash.arm.effects.back().values = {0.1 * kDegree};
-  const auto readings = benchReadings(with_backlash, "hysteresis", "theta3", {0.0008}, 60, 3);
-  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  const auto measurements = benchMeasurements(with_backlash, "hysteresis", "theta3", {0.0008}, 60, 3);
+  const Diagnosis found = diagnose(benchStart(cell, measurements), measurements, optionsFor(cell));
   ASSERT_EQ(found.verdict, Verdict::kAmbiguous);
   ASSERT_TRUE(found.agreed);
   ASSERT_EQ(found.agreed->effects.size(), 1U);
@@ -360,9 +361,9 @@ TEST(Diagnosis, FindsThreeErrorsOfGeometryAmongAllOfIt) {
   };
   hide("joint-offset", "theta4", 0.1 * kDegree);
   hide("link-length", "forearm", 0.067 * kInch);
-  const auto readings = benchReadings(hidden, "joint-offset", "theta2", {0.142 * kDegree}, 90, 2);
+  const auto measurements = benchMeasurements(hidden, "joint-offset", "theta2", {0.142 * kDegree}, 90, 2);
   const auto cell = shippedBench();
-  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  const Diagnosis found = diagnose(benchStart(cell, measurements), measurements, optionsFor(cell));
   ASSERT_FALSE(found.alternatives.empty());
   std::vector<std::string> names;
   for (const FoundEffect& effect : found.alternatives.front().effects) names.push_back(effect.effect + "@" + effect.at);
@@ -374,12 +375,12 @@ TEST(Diagnosis, FindsThreeErrorsOfGeometryAmongAllOfIt) {
 // hour.
 TEST(Diagnosis, NamesASlowDrift) {
   const auto cell = shippedBench();
-  auto readings = benchReadings(cell, "", "", {}, 90, 4);
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    readings[k].conditions[Condition::kTime] = 120. * static_cast<double>(k);
-    *readings[k].p_W += readings[k].conditions[Condition::kTime] * Eigen::Vector3d(1e-8, -1.5e-8, 2.5e-8);
+  auto measurements = benchMeasurements(cell, "", "", {}, 90, 4);
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
+    measurements[k].conditions[Condition::kTime] = 120. * static_cast<double>(k);
+    *measurements[k].p_W += measurements[k].conditions[Condition::kTime] * Eigen::Vector3d(1e-8, -1.5e-8, 2.5e-8);
   }
-  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  const Diagnosis found = diagnose(benchStart(cell, measurements), measurements, optionsFor(cell));
   EXPECT_EQ(found.verdict, Verdict::kExplained);
   EXPECT_TRUE(holds(found, "base-drift", "base"));
 }
@@ -394,15 +395,15 @@ TEST(Diagnosis, SaysOneJointWhereTheOthersShowNothing) {
 // explain the error. The diagnosis must set both touches aside and name no slip.
 TEST(Diagnosis, AnOutlierAmongTouchesIsNoSlip) {
   const PlacedArm start = cobra();
-  ReadingMaker maker(start, 3, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(start, 3, MeasurementMaker::Noise::kStated);
   maker.addTouches(31, {0, 30 * kPound}, false);
-  auto& readings = maker.readings;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    readings[k].conditions[Condition::kTime] = 60. * static_cast<double>(k);
-  readings[41].q[2] += 0.1 * kDegree;
+  auto& measurements = maker.measurements;
+  for (std::size_t k = 0; k < measurements.size(); ++k)
+    measurements[k].conditions[Condition::kTime] = 60. * static_cast<double>(k);
+  measurements[41].q[2] += 0.1 * kDegree;
   DiagnosisOptions options;
   options.baseline.free = {{"tool.joint_stiffness.z"}, false};
-  const Diagnosis found = diagnose(start, readings, options);
+  const Diagnosis found = diagnose(start, measurements, options);
   EXPECT_TRUE(found.alternatives.empty());
   EXPECT_EQ(found.set_aside, (std::vector<int>{40, 41}));
 }

@@ -228,7 +228,7 @@ TEST(BaseCalibration, NamesTheOneTouchThatDoesNotAgreeWithTheOthers) {
 }
 
 /// If one joint reading of one touch is wrong by half a degree or by five degrees, the fit must be rejected. Of ten
-/// such cases, the wrong reading must be among those named in at least nine, and be named first in at least seven.
+/// such cases, the wrong measurement must be among those named in at least nine, and be named first in at least seven.
 TEST(BaseCalibration, NamesTheJointReadingThatIsOff) {
   const auto cell = touchedCell({{-40, 10}, {38, 12}, {10, 45}, {-5, 20}, {30, 35}});
   for (const double off : {0.5, 5.}) {
@@ -240,8 +240,8 @@ TEST(BaseCalibration, NamesTheJointReadingThatIsOff) {
         const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal);
         EXPECT_TRUE(isFitRefused(found)) << off;
         EXPECT_EQ(found.residuals.size(), touches.size()) << "a refused fit shows what it left";
-        for (std::size_t k = 0; k < found.suspect_readings.size(); ++k) {
-          const auto& suspect = found.suspect_readings[k];
+        for (std::size_t k = 0; k < found.suspect_measurements.size(); ++k) {
+          const auto& suspect = found.suspect_measurements[k];
           if (suspect.touch != touches[touch].id || suspect.joint != joint) continue;
           ++named;
           first += k == 0;

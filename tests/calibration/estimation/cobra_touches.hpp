@@ -3,7 +3,7 @@
 
 #include "app/formats/cell/cell_reader.hpp"
 #include "calibration/estimation/base_calibration.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/random_stream.hpp"
 #include "calibration/simulation/simulated_touch.hpp"
 #include "tests/units.hpp"

@@ -1,12 +1,12 @@
-// Readings with correlated coordinate errors must be weighted by their full covariance, which makes a fit more
+// Measurements with correlated coordinate errors must be weighted by their full covariance, which makes a fit more
 // accurate.
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/identification.hpp"
 #include "calibration/measurement_checks/axes.hpp"
 #include "calibration/measurement_checks/shifted_rows.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -64,12 +64,12 @@ TEST(CorrelatedCoordinates, TurnWithTheAxesThatTheyAreWrittenIn) {
 }
 
 TEST(CorrelatedCoordinates, GoWithWhatWasMeasuredWhereRowsAreShifted) {
-  std::vector<Measurement> readings(3, correlated(MeasurementKind::kPosition));
-  for (std::size_t k = 0; k < 3; ++k) (*readings[k].correlation_W)[0] = 0.1 * static_cast<double>(k);
-  mistakes::shifted_rows::shift(1, readings);
-  ASSERT_EQ(readings.size(), 2u);
-  EXPECT_EQ((*readings[0].correlation_W)[0], 0.1);
-  EXPECT_EQ((*readings[1].correlation_W)[0], 0.2);
+  std::vector<Measurement> measurements(3, correlated(MeasurementKind::kPosition));
+  for (std::size_t k = 0; k < 3; ++k) (*measurements[k].correlation_W)[0] = 0.1 * static_cast<double>(k);
+  mistakes::shifted_rows::shift(1, measurements);
+  ASSERT_EQ(measurements.size(), 2u);
+  EXPECT_EQ((*measurements[0].correlation_W)[0], 0.1);
+  EXPECT_EQ((*measurements[1].correlation_W)[0], 0.2);
 }
 
 /// Number of 95 % intervals, number of those that contain the true value, and sum of their relative widths.
@@ -78,13 +78,13 @@ struct IntervalCoverage {
   double width = 0;
 };
 
-void fit(const PlacedArm& truth, const std::vector<Measurement>& readings, const std::vector<std::string>& names,
+void fit(const PlacedArm& truth, const std::vector<Measurement>& measurements, const std::vector<std::string>& names,
          IntervalCoverage& coverage) {
   IdentificationOptions options;
   options.free = {names, false};
   options.folds = 0;
   options.intervals_by_profile = false;
-  const auto result = identify(truth, readings, options);
+  const auto result = identify(truth, measurements, options);
   ASSERT_EQ(result.status, IdentificationStatus::kDone);
   for (const auto& number : result.numbers) {
     const double value = deflection::findParameter(truth.arm, number.unknown.name)->value;
@@ -105,13 +105,13 @@ TEST(CorrelatedCoordinates, IntervalsHoldTheTruthAndAreSharperForIt) {
   for (auto& row : truth.arm.rows) row.joint.encoder_sigma /= 20;
   IntervalCoverage whole, apart;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    ReadingMaker maker(truth, seed, ReadingMaker::Noise::kStated);
+    MeasurementMaker maker(truth, seed, MeasurementMaker::Noise::kStated);
     maker.sigma_W = Vector3d(0.001, 0.005, 0.005) * kInch;
     maker.correlation_W = Vector3d(0.9, 0.9, 0.9);
     maker.add(MeasurementKind::kPosition, 40);
-    fit(truth, maker.readings, names, whole);
-    for (auto& reading : maker.readings) reading.correlation_W.reset();
-    fit(truth, maker.readings, names, apart);
+    fit(truth, maker.measurements, names, whole);
+    for (auto& measurement : maker.measurements) measurement.correlation_W.reset();
+    fit(truth, maker.measurements, names, apart);
   }
   ASSERT_EQ(whole.count, 800);
   EXPECT_GE(whole.holds, 0.93 * 800);

@@ -12,7 +12,7 @@ namespace {
 ErrorSize sizeWith(double rms) {
   ErrorSize size;
   size.rms = rms;
-  size.readings = 12;
+  size.measurements = 12;
   return size;
 }
 
@@ -38,7 +38,7 @@ TEST(ErrorBudget, addsUpInSquares) {
     SCOPED_TRACE(one.name);
     const ErrorBudget budget = errorBudget({sizeWith(one.before), sizeWith(one.after)}, {}, one.floor);
     EXPECT_TRUE(budget.is_held_out);
-    EXPECT_EQ(budget.readings, 12);
+    EXPECT_EQ(budget.measurements, 12);
     EXPECT_EQ(budget.total, one.before);
     EXPECT_NEAR(budget.explained, one.explained, 1e-12);
     EXPECT_NEAR(budget.remainder, one.remainder, 1e-12);
@@ -55,15 +55,15 @@ TEST(ErrorBudget, isOfTheFittedErrorsWhereNoneIsHeldOut) {
   EXPECT_TRUE(std::isnan(errorBudget({}, {}, 1).total));
 }
 
-TEST(ErrorBudget, isOfAnglesWhereEveryReadingMeasuresNothingElse) {
+TEST(ErrorBudget, isOfAnglesWhereEveryMeasurementMeasuresNothingElse) {
   EXPECT_FALSE(measureAnglesAlone({}));
   for (const MeasurementKindRow& row : measurementKinds()) {
-    Measurement reading;
-    reading.kind = row.kind;
-    EXPECT_EQ(measureAnglesAlone({reading}), row.turn_rows == row.rows) << row.name;
+    Measurement measurement;
+    measurement.kind = row.kind;
+    EXPECT_EQ(measureAnglesAlone({measurement}), row.turn_rows == row.rows) << row.name;
     Measurement place;
     place.kind = MeasurementKind::kPosition;
-    EXPECT_FALSE(measureAnglesAlone({reading, place})) << row.name;
+    EXPECT_FALSE(measureAnglesAlone({measurement, place})) << row.name;
   }
 }
 

@@ -17,8 +17,8 @@ inline IdentificationOptions freeing(const std::vector<std::string>& names) {
   return options;
 }
 
-/// Returns options that free the named parameters without priors, for exact readings of an arm that differs much from
-/// its file.
+/// Returns options that free the named parameters without priors, for exact measurements of an arm that differs much
+/// from its file.
 inline IdentificationOptions freeingBlindly(const std::vector<std::string>& names) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   IdentificationOptions options = freeing(names);

@@ -8,7 +8,7 @@
 #include "calibration/estimation/identification.hpp"
 #include "calibration/estimation/prior.hpp"
 #include "calibration/estimation/whitened_residual.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -30,23 +30,23 @@ struct Seen {
   [[nodiscard]] double numbers() const { return effectiveNumbers(covariance, unknowns); }
 };
 
-Seen see(PlacedArm placed, const std::vector<Measurement>& readings, const FreeChoice& choice) {
+Seen see(PlacedArm placed, const std::vector<Measurement>& measurements, const FreeChoice& choice) {
   Seen seen;
   auto unknowns = chooseUnknowns(placed, choice);
   EXPECT_TRUE(unknowns.problems.empty());
   seen.unknowns = unknowns.list;
-  const auto weights = weighReadings(placed, readings);
+  const auto weights = weighMeasurements(placed, measurements);
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(seen.unknowns.size()));
-  seen.jacobian = whitenedResidual(placed, seen.unknowns, readings, *weights, zero, true).jacobian;
+  seen.jacobian = whitenedResidual(placed, seen.unknowns, measurements, *weights, zero, true).jacobian;
   seen.covariance = posteriorCovariance(seen.jacobian, seen.unknowns);
   seen.found = judgeIdentifiability(seen.jacobian, seen.covariance, seen.unknowns, zero);
   return seen;
 }
 
 std::vector<Measurement> positions(const PlacedArm& placed, int count, const std::string& setup = "") {
-  ReadingMaker maker(placed, 11);
+  MeasurementMaker maker(placed, 11);
   maker.add(MeasurementKind::kPosition, count, setup);
-  return maker.readings;
+  return maker.measurements;
 }
 
 Eigen::MatrixXd inTypicalSizes(const Seen& seen) {
@@ -90,10 +90,10 @@ PlacedArm sixAxisArm() {
   return placed;
 }
 
-std::vector<Measurement> preciseReadings(const PlacedArm& placed, int count) {
-  auto readings = positions(placed, count);
-  for (auto& m : readings) m.sigma = 1e-6;
-  return readings;
+std::vector<Measurement> preciseMeasurements(const PlacedArm& placed, int count) {
+  auto measurements = positions(placed, count);
+  for (auto& m : measurements) m.sigma = 1e-6;
+  return measurements;
 }
 
 TEST(Identifiability, ConfoundedNumbersAreDeterminedInCombinationAndNameEachOther) {
@@ -112,13 +112,13 @@ TEST(Identifiability, ConfoundedNumbersAreDeterminedInCombinationAndNameEachOthe
 
 // Deflections do not depend on the base's position, so its shifts must keep their start values and be reported as not
 // identifiable.
-TEST(Identifiability, WhatNoReadingDependsOnStaysAtItsStartAndSaysSo) {
+TEST(Identifiability, WhatNoMeasurementDependsOnStaysAtItsStartAndSaysSo) {
   PlacedArm placed = cobra();
   placed.base_poses[0].is_known = false;
-  ReadingMaker maker(placed, 2);
+  MeasurementMaker maker(placed, 2);
   maker.add(MeasurementKind::kDeflection, 10);
   const FreeChoice choice{{"tool.joint_stiffness.z"}, true};
-  const Seen seen = see(placed, maker.readings, choice);
+  const Seen seen = see(placed, maker.measurements, choice);
   for (const char* name : {"base.shift.x", "base.shift.y", "base.shift.z"}) {
     EXPECT_EQ(seen.of(name).verdict, kNo) << name;
     EXPECT_TRUE(seen.of(name).with.empty()) << name;
@@ -127,7 +127,7 @@ TEST(Identifiability, WhatNoReadingDependsOnStaysAtItsStartAndSaysSo) {
   IdentificationOptions options;
   options.free = choice;
   options.folds = 0;
-  const auto result = identify(placed, maker.readings, options);
+  const auto result = identify(placed, maker.measurements, options);
   EXPECT_EQ(result.numbers[0].identifiable, kNo);
   EXPECT_FALSE(result.numbers[0].note.empty());
   EXPECT_NEAR(result.fitted.base_poses[0].X_WB.translation().x(), placed.base_poses[0].X_WB.translation().x(), 1e-9);
@@ -138,7 +138,7 @@ TEST(Identifiability, WhatNoReadingDependsOnStaysAtItsStartAndSaysSo) {
 TEST(Identifiability, GeometryOfASixAxisArmIsDetermined) {
   PlacedArm placed = sixAxisArm();
   makePrecise(placed);
-  const Seen seen = see(placed, preciseReadings(placed, 60), {{"geometry"}, true});
+  const Seen seen = see(placed, preciseMeasurements(placed, 60), {{"geometry"}, true});
   EXPECT_EQ(seen.unknowns.size(), 27u);
   EXPECT_EQ(rankOf(seen), 27);
   EXPECT_NEAR(seen.numbers(), 27, 0.01);
@@ -152,7 +152,7 @@ TEST(Identifiability, TheTurnOfTheTipIsNamedWhereBothThatMakeItAreFreed) {
   const std::set<std::string> in_combination{"link6.joint.offset", "tool.tip.x", "tool.tip.y"};
   std::vector<std::string> free(in_combination.begin(), in_combination.end());
   free.push_back("geometry");
-  const Seen seen = see(placed, preciseReadings(placed, 60), {free, true});
+  const Seen seen = see(placed, preciseMeasurements(placed, 60), {free, true});
   EXPECT_EQ(seen.unknowns.size(), 28u);
   EXPECT_EQ(rankOf(seen), 27);
   for (std::size_t k = 0; k < seen.unknowns.size(); ++k)
@@ -164,7 +164,7 @@ TEST(Identifiability, ParallelAxesHaveALeanInPlaceOfADistanceAlongThem) {
   PlacedArm placed = cobra();
   placed.base_poses[0].is_known = false;
   makePrecise(placed);
-  const Seen seen = see(placed, preciseReadings(placed, 60), {{"geometry"}, true});
+  const Seen seen = see(placed, preciseMeasurements(placed, 60), {{"geometry"}, true});
   EXPECT_EQ(rankOf(seen), 19);  // four per axis for four axes, and three of the tip
   EXPECT_NEAR(seen.numbers(), 19, 0.01);
   for (const char* name : {"forearm.dh.beta", "tool.dh.beta"}) EXPECT_EQ(seen.of(name).verdict, kYes);
@@ -174,7 +174,7 @@ TEST(Identifiability, BesideAKnownBaseTheFirstAxisIsFound) {
   PlacedArm placed = sixAxisArm();
   makePrecise(placed);
   placed.base_poses[0].is_known = true;
-  const Seen seen = see(placed, preciseReadings(placed, 60), {{"geometry"}, true});
+  const Seen seen = see(placed, preciseMeasurements(placed, 60), {{"geometry"}, true});
   for (const char* name :
        {"link1.dh.alpha", "link1.dh.a", "link1.dh.d", "link1.dh.beta", "link1.dh.b", "link1.joint.offset"})
     EXPECT_EQ(seen.of(name).verdict, kYes) << name;
@@ -183,17 +183,17 @@ TEST(Identifiability, BesideAKnownBaseTheFirstAxisIsFound) {
 
 TEST(Identifiability, WhatNoiseHidesIsNotIdentifiable) {
   const auto choice = FreeChoice{{"tool.joint_stiffness.z", "latch-link.beam.Iz"}, false};
-  auto readings = positions(cobra(), 12);
-  for (const auto& number : see(cobra(), readings, choice).found) EXPECT_EQ(number.verdict, kYes);
-  for (auto& m : readings) m.sigma = 10 * kInch;
-  const Seen blurred = see(cobra(), readings, choice);
+  auto measurements = positions(cobra(), 12);
+  for (const auto& number : see(cobra(), measurements, choice).found) EXPECT_EQ(number.verdict, kYes);
+  for (auto& m : measurements) m.sigma = 10 * kInch;
+  const Seen blurred = see(cobra(), measurements, choice);
   for (const auto& number : blurred.found) EXPECT_EQ(number.verdict, kNo);
   EXPECT_LT(blurred.numbers(), 1);
 }
 
 // The verdict must not change if the fit starts with stiffnesses that are wrong by a large factor.
 TEST(Identifiability, AStartFarTooStiffSaysTheSame) {
-  auto readings = positions(cobra(), 12);
+  auto measurements = positions(cobra(), 12);
   for (const double factor : {1 / 3., 1., 3., 1000.}) {
     PlacedArm off = cobra();
     for (auto& row : off.arm.rows) {
@@ -205,7 +205,7 @@ TEST(Identifiability, AStartFarTooStiffSaysTheSame) {
                      "mezzanine-beam.joint_stiffness.z", "mezzanine-beam.beam.Iz", "forearm.joint_stiffness.z"},
                     false};
     options.folds = 0;
-    const auto result = identify(off, readings, options);
+    const auto result = identify(off, measurements, options);
     EXPECT_EQ(result.numbers[0].identifiable, kYes) << factor;
     EXPECT_EQ(result.numbers[1].identifiable, kYes) << factor;
   }
@@ -214,13 +214,13 @@ TEST(Identifiability, AStartFarTooStiffSaysTheSame) {
 /// Whatever the noise, a stiffness that is called identifiable must have a finite interval and a sigma smaller than its
 /// value.
 TEST(Identifiability, AnIntervalWithoutAnEndIsNotYes) {
-  auto readings = positions(cobra(), 6);
+  auto measurements = positions(cobra(), 6);
   for (double sigma = 1e-6; sigma < 1; sigma *= 3) {
-    for (auto& m : readings) m.sigma = sigma;
+    for (auto& m : measurements) m.sigma = sigma;
     IdentificationOptions options;
     options.free = {{"forearm.joint_stiffness.z", "tool.joint_stiffness.z"}, false};
     options.folds = 0;
-    const auto result = identify(cobra(), readings, options);
+    const auto result = identify(cobra(), measurements, options);
     for (const auto& number : result.numbers) {
       if (number.identifiable != kYes) continue;
       EXPECT_TRUE(std::isfinite(number.lower) && std::isfinite(number.upper)) << number.unknown.name << " " << sigma;
@@ -233,10 +233,10 @@ TEST(Identifiability, SingularValuesAreThoseOfTheColumnsInTypicalSizes) {
   IdentificationOptions options;
   options.free = {{"tool.joint_stiffness.z", "latch-link.beam.Iz"}, false};
   options.folds = 0;
-  const auto readings = positions(cobra(), 12);
-  const auto result = identify(cobra(), readings, options);
+  const auto measurements = positions(cobra(), 12);
+  const auto result = identify(cobra(), measurements, options);
   ASSERT_EQ(result.singular_values.size(), 2);
-  const Seen seen = see(cobra(), readings, options.free);
+  const Seen seen = see(cobra(), measurements, options.free);
   const double squares = inTypicalSizes(seen).squaredNorm();
   EXPECT_NEAR(result.singular_values.squaredNorm(), squares, 1e-3 * squares);
   EXPECT_GE(result.singular_values[0], result.singular_values[1]);

@@ -1,5 +1,5 @@
-// Identification must recover the parameters of a known arm from readings: exactly without noise, and reliably in spite
-// of gross errors.
+// Identification must recover the parameters of a known arm from measurements: exactly without noise, and reliably in
+// spite of gross errors.
 #include "calibration/estimation/identification.hpp"
 
 #include <gtest/gtest.h>
@@ -8,12 +8,12 @@
 
 #include "calibration/estimation/held_out.hpp"
 #include "tests/calibration/estimation/freeing.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
 
-using Noise = ReadingMaker::Noise;
+using Noise = MeasurementMaker::Noise;
 
 double& stiffnessOf(deflection::Arm& arm, const std::string& name) {
   return deflection::locate(arm, deflection::findParameter(arm, name)->path);
@@ -40,7 +40,7 @@ void expectFound(const Identification& result, const PlacedArm& truth, double re
     EXPECT_LE((result.fitted.base_poses[p].X_WB.matrix() - truth.base_poses[p].X_WB.matrix()).norm(), relative) << p;
 }
 
-TEST(Identification, FindsTheTruthFromEveryKindOfReading) {
+TEST(Identification, FindsTheTruthFromEveryKindOfMeasurement) {
   const struct {
     MeasurementKind kind;
     int count;
@@ -51,22 +51,22 @@ TEST(Identification, FindsTheTruthFromEveryKindOfReading) {
   const PlacedArm truth = cobra();
   unsigned ways = 2;
   for (const auto& [kind, count] : kKinds) {
-    ReadingMaker maker(truth, 21);
+    MeasurementMaker maker(truth, 21);
     maker.add(kind, count);
     SCOPED_TRACE(static_cast<int>(kind));
-    expectFound(identify(offByThree(truth, kSoft, ways++), maker.readings, freeingBlindly(kSoft)), truth, 1e-6);
+    expectFound(identify(offByThree(truth, kSoft, ways++), maker.measurements, freeingBlindly(kSoft)), truth, 1e-6);
   }
   for (const bool known : {false, true}) {
-    ReadingMaker maker(truth, 22);
+    MeasurementMaker maker(truth, 22);
     maker.addTouches(8, {0, 20 * kPound, 40 * kPound}, known);
     SCOPED_TRACE(known ? "known points" : "unknown points");
-    expectFound(identify(offByThree(truth, kSoft, ways++), maker.readings, freeingBlindly(kSoft)), truth, 1e-6);
+    expectFound(identify(offByThree(truth, kSoft, ways++), maker.measurements, freeingBlindly(kSoft)), truth, 1e-6);
   }
 }
 
 TEST(Identification, FindsTheTruthFromAMixOfKindsAtTwoSetUpsFromAnyFactorOfThree) {
   const PlacedArm truth = cobraTwice();
-  ReadingMaker maker(truth, 23);
+  MeasurementMaker maker(truth, 23);
   addEveryKind(maker, 4, "A");
   maker.add(MeasurementKind::kPosition, 6, "B");
   maker.add(MeasurementKind::kDeflection, 4, "B");
@@ -78,7 +78,7 @@ TEST(Identification, FindsTheTruthFromAMixOfKindsAtTwoSetUpsFromAnyFactorOfThree
     stiffnessOf(start.arm, "forearm.dh.a") += 0.004;
     stiffnessOf(start.arm, "forearm.joint.offset") -= 0.01;
     SCOPED_TRACE(ways);
-    const auto result = identify(start, maker.readings, freeingBlindly(names));
+    const auto result = identify(start, maker.measurements, freeingBlindly(names));
     expectFound(result, truth, 1e-6);
     EXPECT_LT(result.chi2, 1e-6);
     EXPECT_LT(result.after.max, 1e-8);
@@ -89,9 +89,9 @@ TEST(Identification, FindsTheTruthFromAMixOfKindsAtTwoSetUpsFromAnyFactorOfThree
 TEST(Identification, AnAxisTakenAsRigidIsFoundToGive) {
   PlacedArm truth = cobra();
   truth.arm.rows[2].joint_stiffness.y() = 40000;
-  ReadingMaker maker(truth, 24);
+  MeasurementMaker maker(truth, 24);
   maker.add(MeasurementKind::kPosition, 8);
-  const auto result = identify(cobra(), maker.readings, freeingBlindly({"base-link.joint_stiffness.y"}));
+  const auto result = identify(cobra(), maker.measurements, freeingBlindly({"base-link.joint_stiffness.y"}));
   expectFound(result, truth, 1e-6);
 }
 
@@ -99,9 +99,9 @@ TEST(Identification, TheNumbersOfANoisyFitAreWithinTheirIntervals) {
   // The probability that more than two of twelve 95 % intervals miss the true value is below 0.02.
   int outside = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    ReadingMaker maker(cobra(), seed, Noise::kStated);
+    MeasurementMaker maker(cobra(), seed, Noise::kStated);
     addEveryKind(maker, 3);
-    const auto result = identify(cobra(), maker.readings, freeing(kSoft));
+    const auto result = identify(cobra(), maker.measurements, freeing(kSoft));
     EXPECT_GT(result.p_value, 1e-3);
     EXPECT_EQ(result.degrees_of_freedom, 3 * 3 + 3 * 3 + 3 + 3 * 6 + 3 * 9 - 9 - 3);
     for (const auto& number : result.numbers) {
@@ -113,48 +113,48 @@ TEST(Identification, TheNumbersOfANoisyFitAreWithinTheirIntervals) {
 }
 
 TEST(Identification, TheSameSeedGivesTheSameNumbers) {
-  ReadingMaker maker(cobra(), 25, Noise::kStated);
+  MeasurementMaker maker(cobra(), 25, Noise::kStated);
   maker.add(MeasurementKind::kPosition, 8);
   auto options = freeing(kSoft);
   options.starts = 3;
   options.folds = 3;
-  const auto one = identify(cobra(), maker.readings, options), two = identify(cobra(), maker.readings, options);
+  const auto one = identify(cobra(), maker.measurements, options), two = identify(cobra(), maker.measurements, options);
   for (std::size_t k = 0; k < one.numbers.size(); ++k) EXPECT_EQ(one.numbers[k].value, two.numbers[k].value);
   EXPECT_EQ(one.heldout.rms, two.heldout.rms);
   EXPECT_EQ(one.starts_agreeing, 3);
 }
 
-TEST(Identification, HeldOutReadingsAreJudgedButNotFitted) {
-  ReadingMaker maker(cobra(), 26);
+TEST(Identification, HeldOutMeasurementsAreJudgedButNotFitted) {
+  MeasurementMaker maker(cobra(), 26);
   maker.add(MeasurementKind::kPosition, 10);
   for (std::size_t k = 8; k < 10; ++k) {
-    maker.readings[k].is_held_out = true;
-    *maker.readings[k].p_W += Eigen::Vector3d(0, 0.02, 0);
+    maker.measurements[k].is_held_out = true;
+    *maker.measurements[k].p_W += Eigen::Vector3d(0, 0.02, 0);
   }
-  const auto result = identify(cobra(), maker.readings, freeing(kSoft));
+  const auto result = identify(cobra(), maker.measurements, freeing(kSoft));
   EXPECT_LT(result.after.max, 1e-8);
-  EXPECT_EQ(result.heldout.readings, 2);
+  EXPECT_EQ(result.heldout.measurements, 2);
   EXPECT_NEAR(result.heldout.mean, 0.02, 1e-7);
   EXPECT_EQ(result.used.size(), 8u);
 }
 
 TEST(Identification, RefusesWithAReason) {
-  ReadingMaker maker(cobra(), 27);
+  MeasurementMaker maker(cobra(), 27);
   maker.add(MeasurementKind::kPosition, 3);
-  EXPECT_EQ(identify(cobra(), maker.readings, freeing({})).status, IdentificationStatus::kRefused);
-  const auto unknown = identify(cobra(), maker.readings, freeing({"tool.jiont_stiffness.z"}));
+  EXPECT_EQ(identify(cobra(), maker.measurements, freeing({})).status, IdentificationStatus::kRefused);
+  const auto unknown = identify(cobra(), maker.measurements, freeing({"tool.jiont_stiffness.z"}));
   EXPECT_EQ(unknown.status, IdentificationStatus::kRefused);
   ASSERT_EQ(unknown.problems.size(), 1u);
   const auto empty = identify(cobra(), {}, freeing(kSoft));
   EXPECT_EQ(empty.status, IdentificationStatus::kRefused);
   EXPECT_FALSE(empty.reason.empty());
-  ReadingMaker lone(cobra(), 28);
+  MeasurementMaker lone(cobra(), 28);
   lone.add(MeasurementKind::kPosition, 2);
   lone.addTouches(1, {0}, false);
-  lone.readings[0].is_held_out = true;
-  const auto once = identify(cobra(), lone.readings, freeing(kSoft));
-  ASSERT_TRUE(once.reading_problem);
-  EXPECT_EQ(once.reading_problem->reading, 2) << "as it was given, held-out readings counted";
+  lone.measurements[0].is_held_out = true;
+  const auto once = identify(cobra(), lone.measurements, freeing(kSoft));
+  ASSERT_TRUE(once.measurement_problem);
+  EXPECT_EQ(once.measurement_problem->measurement, 2) << "as it was given, held-out readings counted";
 }
 
 /// Returns the Cobra arm as a rigid arm, which is faster to evaluate; the treatment of outliers does not depend on
@@ -168,28 +168,29 @@ PlacedArm rigidCobra() {
 
 const std::vector<std::string> kOffsets{"latch-link.joint.offset", "forearm.joint.offset", "tool.joint.offset"};
 
-/// Returns the readings with gross errors of length `size` [m] added to those with the indices `which`, in three
+/// Returns the measurements with gross errors of length `size` [m] added to those with the indices `which`, in three
 /// directions in turn.
-std::vector<Measurement> spoilt(std::vector<Measurement> readings, const std::vector<std::size_t>& which, double size) {
+std::vector<Measurement> spoilt(std::vector<Measurement> measurements, const std::vector<std::size_t>& which,
+                                double size) {
   const Eigen::Vector3d ways[] = {{1, 0, 0}, {0, 0.6, -0.8}, {-0.6, 0.8, 0}};
-  for (std::size_t k = 0; k < which.size(); ++k) *readings[which[k]].p_W += size * ways[k % 3];
-  return readings;
+  for (std::size_t k = 0; k < which.size(); ++k) *measurements[which[k]].p_W += size * ways[k % 3];
+  return measurements;
 }
 
 TEST(Outliers, PlantedOnesAreNamedWithTheirSize) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    ReadingMaker maker(rigidCobra(), seed, Noise::kStated);
+    MeasurementMaker maker(rigidCobra(), seed, Noise::kStated);
     maker.add(MeasurementKind::kPosition, 40);
-    const auto readings = spoilt(maker.readings, {4, 23}, 0.1 * kInch);
+    const auto measurements = spoilt(maker.measurements, {4, 23}, 0.1 * kInch);
     for (const auto loss : {RobustLoss::kNone, RobustLoss::kHuber, RobustLoss::kCauchy}) {
       auto options = freeing(kOffsets);
       options.loss = loss;
-      const auto result = identify(rigidCobra(), readings, options);
+      const auto result = identify(rigidCobra(), measurements, options);
       ASSERT_EQ(result.status, IdentificationStatus::kDone) << result.reason;
       std::set<int> named;
       for (const auto& outlier : result.outliers) {
-        named.insert(outlier.reading);
-        // The reported size also includes the reading's own noise of a few thousandths of an inch.
+        named.insert(outlier.measurement);
+        // The reported size also includes the measurement's own noise of a few thousandths of an inch.
         EXPECT_NEAR(outlier.size, 0.1 * kInch, 0.025 * kInch) << seed << " loss " << static_cast<int>(loss);
       }
       EXPECT_EQ(named, (std::set<int>{4, 23})) << seed << " loss " << static_cast<int>(loss);
@@ -197,61 +198,61 @@ TEST(Outliers, PlantedOnesAreNamedWithTheirSize) {
   }
 }
 
-TEST(Outliers, CleanReadingsHaveNone) {
+TEST(Outliers, CleanMeasurementsHaveNone) {
   PlacedArm placed = rigidCobra();
   placed.base_poses[0].is_known = true;
   int clean = 0;
   constexpr int kSeeds = 100;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    ReadingMaker maker(placed, seed, Noise::kStated);
+    MeasurementMaker maker(placed, seed, Noise::kStated);
     maker.add(MeasurementKind::kPosition, 12);
     maker.add(MeasurementKind::kDistance, 6);
-    clean += identify(placed, maker.readings, freeing(kOffsets)).outliers.empty();
+    clean += identify(placed, maker.measurements, freeing(kOffsets)).outliers.empty();
   }
   EXPECT_GE(clean, 95);
 }
 
-// If the stated noise is too small by a factor of eight everywhere, all readings fit equally badly, and none may be
+// If the stated noise is too small by a factor of eight everywhere, all measurements fit equally badly, and none may be
 // named an outlier.
 TEST(Outliers, AMisfitEverywhereIsNoOutlier) {
   PlacedArm start = rigidCobra();
   for (auto& row : start.arm.rows) row.joint.encoder_sigma /= 8;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    ReadingMaker maker(rigidCobra(), seed, Noise::kStated);
+    MeasurementMaker maker(rigidCobra(), seed, Noise::kStated);
     maker.add(MeasurementKind::kPosition, 30);
-    for (auto& m : maker.readings) m.sigma /= 8;
-    const auto result = identify(start, maker.readings, freeing(kOffsets));
+    for (auto& m : maker.measurements) m.sigma /= 8;
+    const auto result = identify(start, maker.measurements, freeing(kOffsets));
     EXPECT_TRUE(result.outliers.empty()) << seed;
     // The model error must make up the difference between the true and the stated variance: (8^2 - 1) sigma^2.
-    EXPECT_NEAR(result.model_error / maker.readings.front().sigma, 8 * std::sqrt(63) / 8, 2) << seed;
+    EXPECT_NEAR(result.model_error / maker.measurements.front().sigma, 8 * std::sqrt(63) / 8, 2) << seed;
   }
 }
 
 // If a robust loss reduces the weights of some touches of unknown points, the reported errors must still be relative to
 // points estimated without the loss, as judge() estimates them.
 TEST(RobustLoss, ReportsTheErrorThatTheFittedArmHas) {
-  ReadingMaker maker(cobra(), 5, Noise::kStated);
+  MeasurementMaker maker(cobra(), 5, Noise::kStated);
   maker.addTouches(15, {0, 30 * kPound}, false);
-  for (std::size_t k = 0; k < maker.readings.size(); k += 7) maker.readings[k].q[1] += 0.2 * kDegree;
+  for (std::size_t k = 0; k < maker.measurements.size(); k += 7) maker.measurements[k].q[1] += 0.2 * kDegree;
   IdentificationOptions options = freeing(kSoft);
   options.loss = RobustLoss::kCauchy;
-  const auto result = identify(cobra(), maker.readings, options);
+  const auto result = identify(cobra(), maker.measurements, options);
   ASSERT_EQ(result.status, IdentificationStatus::kDone) << result.reason;
-  EXPECT_NEAR(judge(result.fitted, maker.readings).rms, result.after.rms, 1e-3 * result.after.rms);
+  EXPECT_NEAR(judge(result.fitted, maker.measurements).rms, result.after.rms, 1e-3 * result.after.rms);
 }
 
 // With either robust loss, the mean of chi-square per degree of freedom must stay near 1, although the loss reduces the
-// weights of good readings slightly.
+// weights of good measurements slightly.
 TEST(RobustLoss, LeavesTheLackOfFitComparableWithItsFreedom) {
   for (const auto loss : {RobustLoss::kHuber, RobustLoss::kCauchy}) {
     double each = 0;
     constexpr int kSeeds = 12;
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-      ReadingMaker maker(rigidCobra(), seed, Noise::kStated);
+      MeasurementMaker maker(rigidCobra(), seed, Noise::kStated);
       maker.add(MeasurementKind::kPosition, 60);
       auto options = freeing(kOffsets);
       options.loss = loss;
-      const auto result = identify(rigidCobra(), maker.readings, options);
+      const auto result = identify(rigidCobra(), maker.measurements, options);
       each += result.chi2 / result.degrees_of_freedom / kSeeds;
     }
     EXPECT_NEAR(each, 1, 0.06) << static_cast<int>(loss);
@@ -259,27 +260,27 @@ TEST(RobustLoss, LeavesTheLackOfFitComparableWithItsFreedom) {
 }
 
 TEST(Stages, ANumberThatIsFreedAgainIsNotHeldBesideItself) {
-  ReadingMaker maker(cobra(), 8, Noise::kStated);
+  MeasurementMaker maker(cobra(), 8, Noise::kStated);
   maker.add(MeasurementKind::kPosition, 60);
   const IdentificationStage stage{{"tool.joint_stiffness.z"}, ""};
-  const auto once = identifyInStages(cobra(), maker.readings, {stage}, freeing({}));
-  const auto twice = identifyInStages(cobra(), maker.readings, {stage, stage}, freeing({}));
+  const auto once = identifyInStages(cobra(), maker.measurements, {stage}, freeing({}));
+  const auto twice = identifyInStages(cobra(), maker.measurements, {stage, stage}, freeing({}));
   EXPECT_NEAR(twice.back().numbers.front().sigma, once.back().numbers.front().sigma,
               1e-3 * once.back().numbers.front().sigma);
 }
 
-TEST(RobustLoss, HoldsAgainstGrossErrorsInOneReadingOfTwenty) {
+TEST(RobustLoss, HoldsAgainstGrossErrorsInOneMeasurementOfTwenty) {
   double worst_plain = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const PlacedArm truth = rigidCobra();
-    ReadingMaker maker(truth, seed, Noise::kStated);
+    MeasurementMaker maker(truth, seed, Noise::kStated);
     maker.add(MeasurementKind::kPosition, 40);
-    const auto readings = spoilt(maker.readings, {7, 31}, 1.0625 * kInch);
+    const auto measurements = spoilt(maker.measurements, {7, 31}, 1.0625 * kInch);
     for (const auto loss : {RobustLoss::kNone, RobustLoss::kHuber, RobustLoss::kCauchy}) {
       auto options = freeing(kOffsets);
       options.loss = loss;
-      const auto clean = identify(truth, maker.readings, freeing(kOffsets));
-      const auto result = identify(truth, readings, options);
+      const auto clean = identify(truth, maker.measurements, freeing(kOffsets));
+      const auto result = identify(truth, measurements, options);
       ASSERT_EQ(result.status, IdentificationStatus::kDone) << result.reason;
       double worst = 0;
       for (std::size_t k = 6; k < 9; ++k)

@@ -4,7 +4,7 @@
 
 #include "calibration/estimation/identification.hpp"
 #include "calibration/independent_geometry.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "tests/calibration/estimation/freeing.hpp"
 #include "tests/calibration/random_mechanisms.hpp"
 
@@ -27,15 +27,15 @@ deflection::Arm builtFrom(const PlacedArm& drawn, RandomStream& random) {
 
 /// Returns noise-free measurements of the tip position at random postures over the joints' whole ranges.
 std::vector<Measurement> exactPositions(const deflection::Arm& arm, RandomStream& random) {
-  std::vector<Measurement> readings(120);
-  for (Measurement& m : readings) {
-    m.id = std::to_string(&m - readings.data() + 1);
+  std::vector<Measurement> measurements(120);
+  for (Measurement& m : measurements) {
+    m.id = std::to_string(&m - measurements.data() + 1);
     m.q.resize(arm.jointCount());
     for (Eigen::Index j = 0; j < m.q.size(); ++j) m.q[j] = random.uniform(arm.joint(j).lower, arm.joint(j).upper);
     m.sigma = kTrackerSigma;
-    m.p_W = predictReading(arm, Eigen::Isometry3d::Identity(), m).value;
+    m.p_W = predictMeasurement(arm, Eigen::Isometry3d::Identity(), m).value;
   }
-  return readings;
+  return measurements;
 }
 
 TEST(KnownBase, LeavesNothingOfARandomArmsGeometryUnexplained) {
@@ -44,8 +44,8 @@ TEST(KnownBase, LeavesNothingOfARandomArmsGeometryUnexplained) {
       SCOPED_TRACE(testing::Message() << seed << (deflection::isStandard(drawn.arm.rows) ? " standard" : " modified"));
       drawn.base_poses[0].is_known = true;
       RandomStream random(100 + seed);
-      const auto readings = exactPositions(builtFrom(drawn, random), random);
-      const Identification found = identify(drawn, readings, freeing({"geometry"}));
+      const auto measurements = exactPositions(builtFrom(drawn, random), random);
+      const Identification found = identify(drawn, measurements, freeing({"geometry"}));
       ASSERT_EQ(found.status, IdentificationStatus::kDone) << found.reason;
       EXPECT_GT(found.before.rms, 10 * kTrackerSigma);
       EXPECT_LT(found.after.rms, 0.1 * kTrackerSigma);

@@ -1,11 +1,11 @@
 // Effect of priors on a fit and its covariance, in linear problems with known solutions and for parameters that the
-// readings do not determine.
+// measurements do not determine.
 #include "calibration/estimation/prior.hpp"
 
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/fit.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -33,7 +33,7 @@ TEST(Prior, CovarianceIsTheInverseOfBothInformations) {
   EXPECT_LE((posteriorCovariance(J, unknowns) - MatrixXd(information.inverse())).norm(), 1e-12);
 }
 
-TEST(Prior, WithoutReadingsTheCovarianceIsThePriors) {
+TEST(Prior, WithoutMeasurementsTheCovarianceIsThePriors) {
   const auto unknowns = unknownsWith({0.5, 2});
   const MatrixXd C = posteriorCovariance(MatrixXd(0, 2), unknowns);
   EXPECT_NEAR(C(0, 0), 0.25, 1e-15);
@@ -41,7 +41,7 @@ TEST(Prior, WithoutReadingsTheCovarianceIsThePriors) {
   EXPECT_NEAR(effectiveNumbers(C, unknowns), 0, 1e-12);
 }
 
-TEST(Prior, WithoutPriorsWhatReadingsDoNotReachHasNoCovarianceAndIsNotCounted) {
+TEST(Prior, WithoutPriorsWhatMeasurementsDoNotReachHasNoCovarianceAndIsNotCounted) {
   const auto unknowns = unknownsWith({kNone, kNone});
   MatrixXd J = randomJacobian(6, 2, 2);
   J.col(1).setZero();
@@ -64,13 +64,13 @@ TEST(Prior, TheEffectiveNumberIsTheTraceOfTheHatMatrix) {
 // The sigmas must not change if the variables are expressed in other units, although those of a compliance and of a
 // force then differ by many powers of ten.
 TEST(Prior, CovarianceDoesNotHangOnUnits) {
-  ReadingMaker maker(cobra(), 8, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(cobra(), 8, MeasurementMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 12);
   PlacedArm placed = cobra();
   auto unknowns = chooseUnknowns(placed, {{"tool.joint_stiffness.z", "forearm.weight.end", "forearm.dh.a"}, true}).list;
-  const auto weights = weighReadings(placed, maker.readings);
+  const auto weights = weighMeasurements(placed, maker.measurements);
   const auto n = static_cast<Index>(unknowns.size());
-  const MatrixXd J = whitenedResidual(placed, unknowns, maker.readings, *weights, VectorXd::Zero(n), true).jacobian;
+  const MatrixXd J = whitenedResidual(placed, unknowns, maker.measurements, *weights, VectorXd::Zero(n), true).jacobian;
   const VectorXd sigma = posteriorCovariance(J, unknowns).diagonal().cwiseSqrt();
   VectorXd units(n);
   auto scaled = unknowns;
@@ -115,13 +115,13 @@ TEST(Prior, MovesWithAnUnknownThatIsRebased) {
 }
 
 /// Returns noisy measurements of the tip position.
-std::vector<Measurement> rigidReadings(const PlacedArm& truth, int count) {
-  ReadingMaker maker(truth, 31, ReadingMaker::Noise::kStated);
+std::vector<Measurement> rigidMeasurements(const PlacedArm& truth, int count) {
+  MeasurementMaker maker(truth, 31, MeasurementMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, count);
-  return maker.readings;
+  return maker.measurements;
 }
 
-TEST(Prior, WhatReadingsDetermineOnlyTogetherIsSharedByThePriors) {
+TEST(Prior, WhatMeasurementsDetermineOnlyTogetherIsSharedByThePriors) {
   PlacedArm start = cobra();
   start.arm = deflection::rigidCopy(start.arm);
   PlacedArm truth = start;
@@ -131,8 +131,8 @@ TEST(Prior, WhatReadingsDetermineOnlyTogetherIsSharedByThePriors) {
   // With half the sigma of the others, it must get a quarter of their correction.
   choice.priors.named["tool.dh.d"] = 0.0025;
   auto unknowns = chooseUnknowns(start, choice).list;
-  const auto readings = rigidReadings(truth, 20);
-  const Fit fit = fitUnknowns(start, unknowns, readings, VectorXd::Zero(3), {});
+  const auto measurements = rigidMeasurements(truth, 20);
+  const Fit fit = fitUnknowns(start, unknowns, measurements, VectorXd::Zero(3), {});
   ASSERT_EQ(fit.solution.status, LeastSquaresStatus::kConverged);
   EXPECT_NEAR(fit.solution.x.sum(), 0.004, 1e-4);
   EXPECT_NEAR(fit.solution.x[0], fit.solution.x[1], 1e-6);
@@ -141,25 +141,25 @@ TEST(Prior, WhatReadingsDetermineOnlyTogetherIsSharedByThePriors) {
   EXPECT_EQ(fit.degrees_of_freedom, 59);
 }
 
-/// If readings in a small joint range state a noise a thousand times smaller than the actual errors, the fit must keep
-/// close to the drawing, which is correct.
-TEST(Prior, HoldsAgainstReadingsThatStateFarTooLittleNoise) {
+/// If measurements in a small joint range state a noise a thousand times smaller than the actual errors, the fit must
+/// keep close to the drawing, which is correct.
+TEST(Prior, HoldsAgainstMeasurementsThatStateFarTooLittleNoise) {
   PlacedArm start = cobra();
   start.arm = deflection::rigidCopy(start.arm);
   for (auto& row : start.arm.rows) row.joint.encoder_sigma = 0;
-  ReadingMaker maker(start, 31, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(start, 31, MeasurementMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 15);
-  auto readings = maker.readings;
-  const VectorXd q = readings.front().q;
-  for (auto& reading : readings) {
-    reading.q = q + 0.05 * (reading.q - q);
-    reading.p_W = predictReading(start.arm, start.base_poses[0].X_WB, reading).value + maker.noise3(2e-3);
-    reading.sigma = 1e-6;
+  auto measurements = maker.measurements;
+  const VectorXd q = measurements.front().q;
+  for (auto& measurement : measurements) {
+    measurement.q = q + 0.05 * (measurement.q - q);
+    measurement.p_W = predictMeasurement(start.arm, start.base_poses[0].X_WB, measurement).value + maker.noise3(2e-3);
+    measurement.sigma = 1e-6;
   }
   auto unknowns = chooseUnknowns(start, {{"geometry"}, false}).list;
   const auto zero = VectorXd::Zero(static_cast<Index>(unknowns.size()));
-  const Fit fit = fitUnknowns(start, unknowns, readings, zero, {});
-  const Fit blind = fitUnknowns(start, unknowns, readings, zero, {{}, RobustLoss::kNone, 0.});
+  const Fit fit = fitUnknowns(start, unknowns, measurements, zero, {});
+  const Fit blind = fitUnknowns(start, unknowns, measurements, zero, {{}, RobustLoss::kNone, 0.});
   EXPECT_LT(fit.p_value, 1e-10);
   EXPECT_NEAR(fit.weights.model_error, 2e-3, 5e-4);
   EXPECT_LT(priorResiduals(unknowns, fit.solution.x).cwiseAbs().maxCoeff(), 1.5);
@@ -171,41 +171,41 @@ TEST(ModelError, IsFoundBesideTheNoise) {
     double mean = 0;
     constexpr int kSeeds = 20;
     for (int seed = 1; seed <= kSeeds; ++seed) {
-      ReadingMaker maker(cobra(), static_cast<std::uint64_t>(seed), ReadingMaker::Noise::kStated);
+      MeasurementMaker maker(cobra(), static_cast<std::uint64_t>(seed), MeasurementMaker::Noise::kStated);
       maker.add(MeasurementKind::kPosition, 40);
-      for (auto& reading : maker.readings) *reading.p_W += maker.noise3(size);
-      const auto weights = weighReadings(cobra(), maker.readings);
-      const auto residual = whitenedResidual(cobra(), {}, maker.readings, *weights, {}, false);
-      mean += modelErrorOf(maker.readings, *weights, residual.error, weights->degrees_of_freedom) / kSeeds;
+      for (auto& measurement : maker.measurements) *measurement.p_W += maker.noise3(size);
+      const auto weights = weighMeasurements(cobra(), maker.measurements);
+      const auto residual = whitenedResidual(cobra(), {}, maker.measurements, *weights, {}, false);
+      mean += modelErrorOf(maker.measurements, *weights, residual.error, weights->degrees_of_freedom) / kSeeds;
     }
     EXPECT_NEAR(mean, size, size > 0 ? 0.1 * size : 5e-5) << size;
   }
 }
 
-/// The model error of distance readings must be found without bias, although the median of the squared error of their
-/// single row is less than half its mean.
+/// The model error of distance measurements must be found without bias, although the median of the squared error of
+/// their single row is less than half its mean.
 TEST(ModelError, IsFoundOfDistancesToo) {
   constexpr double kSize = 1e-3;
   double mean = 0;
   constexpr int kSeeds = 30;
   for (int seed = 1; seed <= kSeeds; ++seed) {
-    ReadingMaker maker(cobra(), static_cast<std::uint64_t>(seed), ReadingMaker::Noise::kStated);
+    MeasurementMaker maker(cobra(), static_cast<std::uint64_t>(seed), MeasurementMaker::Noise::kStated);
     maker.add(MeasurementKind::kDistance, 60);
-    for (auto& reading : maker.readings) reading.own[0] += maker.noise(kSize);
-    const auto weights = weighReadings(cobra(), maker.readings);
-    const auto residual = whitenedResidual(cobra(), {}, maker.readings, *weights, {}, false);
-    mean += modelErrorOf(maker.readings, *weights, residual.error, weights->degrees_of_freedom) / kSeeds;
+    for (auto& measurement : maker.measurements) measurement.own[0] += maker.noise(kSize);
+    const auto weights = weighMeasurements(cobra(), maker.measurements);
+    const auto residual = whitenedResidual(cobra(), {}, maker.measurements, *weights, {}, false);
+    mean += modelErrorOf(maker.measurements, *weights, residual.error, weights->degrees_of_freedom) / kSeeds;
   }
   EXPECT_NEAR(mean, kSize, 0.04 * kSize);
 }
 
 TEST(ModelError, IsNoneWhereThereIsNoFreedomAndWhereTheNoiseIsEnough) {
-  ReadingMaker maker(cobra(), 3, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(cobra(), 3, MeasurementMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 10);
-  const auto weights = weighReadings(cobra(), maker.readings);
-  const auto residual = whitenedResidual(cobra(), {}, maker.readings, *weights, {}, false);
-  EXPECT_EQ(modelErrorOf(maker.readings, *weights, residual.error, 0), 0);
-  EXPECT_EQ(modelErrorOf(maker.readings, *weights, 0.1 * residual.error, 30), 0);
+  const auto weights = weighMeasurements(cobra(), maker.measurements);
+  const auto residual = whitenedResidual(cobra(), {}, maker.measurements, *weights, {}, false);
+  EXPECT_EQ(modelErrorOf(maker.measurements, *weights, residual.error, 0), 0);
+  EXPECT_EQ(modelErrorOf(maker.measurements, *weights, 0.1 * residual.error, 30), 0);
 }
 
 }  // namespace

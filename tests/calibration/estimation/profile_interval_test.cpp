@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/prior.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -13,24 +13,24 @@ namespace {
 struct Fitted {
   PlacedArm start;
   std::vector<Unknown> unknowns;
-  std::vector<Measurement> readings;
+  std::vector<Measurement> measurements;
   Fit fit;
 
   [[nodiscard]] double sigmaOf(int k) const { return std::sqrt(fit.covariance(k, k)); }
   [[nodiscard]] ProfileInterval profile(int k) const {
-    return profileInterval(start, unknowns, readings, fit, k, sigmaOf(k));
+    return profileInterval(start, unknowns, measurements, fit, k, sigmaOf(k));
   }
-  /// Returns the minimum of the fit: chi-square of the readings plus the squared prior residuals.
+  /// Returns the minimum of the fit: chi-square of the measurements plus the squared prior residuals.
   [[nodiscard]] double leastChi2() const {
     return fit.solution.chi2 + priorResiduals(unknowns, fit.solution.x).squaredNorm();
   }
 };
 
-Fitted fitted(PlacedArm start, const std::vector<Measurement>& readings, const FreeChoice& choice) {
-  Fitted result{std::move(start), {}, readings, {}};
+Fitted fitted(PlacedArm start, const std::vector<Measurement>& measurements, const FreeChoice& choice) {
+  Fitted result{std::move(start), {}, measurements, {}};
   result.unknowns = chooseUnknowns(result.start, choice).list;
   const auto n = static_cast<Eigen::Index>(result.unknowns.size());
-  result.fit = fitUnknowns(result.start, result.unknowns, result.readings, Eigen::VectorXd::Zero(n), {});
+  result.fit = fitUnknowns(result.start, result.unknowns, result.measurements, Eigen::VectorXd::Zero(n), {});
   EXPECT_EQ(result.fit.solution.status, LeastSquaresStatus::kConverged) << result.fit.solution.reason;
   return result;
 }
@@ -40,9 +40,9 @@ Fitted fitted(PlacedArm start, const std::vector<Measurement>& readings, const F
 TEST(ProfileInterval, EqualsTheNormalOneWhereTheModelIsLinear) {
   PlacedArm placed = cobra();
   placed.arm = deflection::rigidCopy(placed.arm);
-  ReadingMaker maker(placed, 3, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(placed, 3, MeasurementMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 8);
-  const Fitted f = fitted(placed, maker.readings, {{"tool.tip"}, false});
+  const Fitted f = fitted(placed, maker.measurements, {{"tool.tip"}, false});
   for (int k = 0; k < 3; ++k) {
     const auto interval = f.profile(k);
     const double half = 1.959964 * f.sigmaOf(k);
@@ -54,9 +54,9 @@ TEST(ProfileInterval, EqualsTheNormalOneWhereTheModelIsLinear) {
 TEST(ProfileInterval, OfASingleUnknownNothingElseIsFittedAgain) {
   PlacedArm placed = cobra();
   placed.arm = deflection::rigidCopy(placed.arm);
-  ReadingMaker maker(placed, 4, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(placed, 4, MeasurementMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 4);
-  const Fitted f = fitted(placed, maker.readings, {{"tool.tip.x"}, false});
+  const Fitted f = fitted(placed, maker.measurements, {{"tool.tip.x"}, false});
   const auto interval = f.profile(0);
   EXPECT_NEAR(interval.upper - interval.lower, 2 * 1.959964 * f.sigmaOf(0), 0.01 * f.sigmaOf(0));
 }
@@ -64,9 +64,9 @@ TEST(ProfileInterval, OfASingleUnknownNothingElseIsFittedAgain) {
 // At each end of the interval, after all other unknowns are refitted, chi-square must have risen by its 95 % quantile,
 // 3.84.
 TEST(ProfileInterval, EndsWhereTheMisfitHasRisenByItsShare) {
-  ReadingMaker maker(cobra(), 5, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(cobra(), 5, MeasurementMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 8);
-  const Fitted f = fitted(cobra(), maker.readings, {{"forearm.joint_stiffness.z", "latch-link.beam.Iz"}, false});
+  const Fitted f = fitted(cobra(), maker.measurements, {{"forearm.joint_stiffness.z", "latch-link.beam.Iz"}, false});
   const double sigma = f.sigmaOf(0);
   const double give = 1 / valueAt(f.unknowns[0], f.fit.solution.x[0]);
   ASSERT_GT(sigma, 0.2 * give) << "not a case where the interval is wide";
@@ -77,10 +77,10 @@ TEST(ProfileInterval, EndsWhereTheMisfitHasRisenByItsShare) {
     fixed[0].lower = fixed[0].upper = end;
     Eigen::VectorXd x = f.fit.solution.x;
     x[0] = end;
-    const auto solution = minimizeLeastSquares(fitProblem(f.start, fixed, f.readings, f.fit.weights, x), {});
+    const auto solution = minimizeLeastSquares(fitProblem(f.start, fixed, f.measurements, f.fit.weights, x), {});
     EXPECT_NEAR(solution.chi2 - f.leastChi2(), 3.841459, 0.02);
   }
-  // The interval must extend farther upwards, because readings limit a stiffness less from above than from below.
+  // The interval must extend farther upwards, because measurements limit a stiffness less from above than from below.
   const auto [least, most] = valuesBetween(f.unknowns[0], interval.lower, interval.upper);
   EXPECT_GT(most - 1 / give, 1 / give - least);
 }
@@ -88,12 +88,12 @@ TEST(ProfileInterval, EndsWhereTheMisfitHasRisenByItsShare) {
 TEST(ProfileInterval, ANumberThatMayBeRigidHasNoUpperEnd) {
   PlacedArm truth = cobra();
   truth.arm.rows[4].joint_stiffness.z() = deflection::kRigid;
-  ReadingMaker maker(truth, 6, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(truth, 6, MeasurementMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 6);
-  for (auto& m : maker.readings) m.sigma *= 10;
+  for (auto& m : maker.measurements) m.sigma *= 10;
   PlacedArm start = cobra();
   start.arm.rows[4].joint_stiffness.z() *= 20;
-  const Fitted f = fitted(start, maker.readings, {{"forearm.joint_stiffness.z"}, false});
+  const Fitted f = fitted(start, maker.measurements, {{"forearm.joint_stiffness.z"}, false});
   const auto interval = f.profile(0);
   const auto [least, most] = valuesBetween(f.unknowns[0], interval.lower, interval.upper);
   EXPECT_GT(least, 0);

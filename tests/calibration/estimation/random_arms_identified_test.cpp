@@ -1,8 +1,8 @@
-// Stiffnesses of random arms must be recovered from exact readings, as far as these determine them.
+// Stiffnesses of random arms must be recovered from exact measurements, as far as these determine them.
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/identification.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "tests/calibration/estimation/freeing.hpp"
 #include "tests/deflection/random_arms.hpp"
 
@@ -12,8 +12,8 @@ namespace {
 using namespace deflection;
 
 /// Returns noise-free measurements of the tip position at random postures, under three loads in turn.
-std::vector<Measurement> exactReadings(const Arm& arm, int count) {
-  std::vector<Measurement> readings;
+std::vector<Measurement> exactMeasurements(const Arm& arm, int count) {
+  std::vector<Measurement> measurements;
   for (int k = 0; k < count; ++k) {
     const Posture posture = randomPostureOf(arm, 300);
     Measurement m;
@@ -23,24 +23,24 @@ std::vector<Measurement> exactReadings(const Arm& arm, int count) {
     m.load = 100. * (k % 3);
     if (posture.wrench) m.wrench = TipWrench{posture.wrench->force_B, posture.wrench->moment_B};
     m.sigma = 5e-5;
-    const auto predicted = predictReading(arm, Eigen::Isometry3d::Identity(), m);
+    const auto predicted = predictMeasurement(arm, Eigen::Isometry3d::Identity(), m);
     RC_PRE(predicted.ok);
     m.p_W = predicted.value;
-    readings.push_back(m);
+    measurements.push_back(m);
   }
-  return readings;
+  return measurements;
 }
 
-bool isStiff(const Arm& arm, const std::vector<Measurement>& readings) {
-  return std::all_of(readings.begin(), readings.end(), [&](const Measurement& m) {
+bool isStiff(const Arm& arm, const std::vector<Measurement>& measurements) {
+  return std::all_of(measurements.begin(), measurements.end(), [&](const Measurement& m) {
     return isModest(arm, solveFlexibleKinematics(arm, postureOf(m, arm, Eigen::Isometry3d::Identity())));
   });
 }
 
 RC_GTEST_PROP(RandomArms, AreIdentified, ()) {
   const Arm arm = randomArm();
-  const auto readings = exactReadings(arm, 24);
-  RC_PRE(isStiff(arm, readings));
+  const auto measurements = exactMeasurements(arm, 24);
+  RC_PRE(isStiff(arm, measurements));
   IdentificationOptions options = freeingBlindly({});
   PlacedArm start{arm, {{"", Eigen::Isometry3d::Identity(), true}}};
   for (const auto& parameter : parametersOf(arm)) {
@@ -50,14 +50,14 @@ RC_GTEST_PROP(RandomArms, AreIdentified, ()) {
     locate(start.arm, parameter.path) *= below(2) ? 1.5 : 1 / 1.5;
   }
   RC_PRE(!options.free.names.empty());
-  const auto found = identify(start, readings, options);
+  const auto found = identify(start, measurements, options);
   RC_CLASSIFY(found.status == IdentificationStatus::kDone, "done");
   if (found.status != IdentificationStatus::kDone) {
     RC_ASSERT(!found.reason.empty());
     return;
   }
-  // Stiffnesses that the readings do not determine may keep their start values, but the fit must reproduce the
-  // readings.
+  // Stiffnesses that the measurements do not determine may keep their start values, but the fit must reproduce the
+  // measurements.
   RC_ASSERT(found.after.rms <= 0.02 * 5e-5 + 1e-4 * found.before.rms);
   for (const auto& number : found.numbers) {
     const double value = findParameter(arm, number.unknown.name)->value;

@@ -1,5 +1,5 @@
-// Repeated readings at one posture must correct the stated noise, but only by a plausible factor: a larger scatter must
-// not excuse a lack of fit.
+// Repeated measurements at one posture must correct the stated noise, but only by a plausible factor: a larger scatter
+// must not excuse a lack of fit.
 #include "calibration/estimation/repeats.hpp"
 
 #include <gtest/gtest.h>
@@ -7,18 +7,18 @@
 #include <cmath>
 #include <random>
 
-#include "calibration/measurements/reading_placement.hpp"
+#include "calibration/measurements/measurement_placement.hpp"
 #include "calibration/patterns/comparison.hpp"
 #include "tests/calibration/campaign.hpp"
 
 namespace tubeplan::calibration {
 namespace {
 
-Comparison compared(const std::vector<Measurement>& readings) {
+Comparison compared(const std::vector<Measurement>& measurements) {
   ComparisonOptions options;
   options.refit.folds = 0;
-  return compare(placeForReadings(deflection::cobraArm(), Eigen::Isometry3d::Identity(), true, readings), readings,
-                 options);
+  return compare(placeForMeasurements(deflection::cobraArm(), Eigen::Isometry3d::Identity(), true, measurements),
+                 measurements, options);
 }
 
 Comparison comparedWithNoise(double ratio, std::uint64_t seed) {
@@ -44,15 +44,15 @@ TEST(Repeats, ExcuseAModelUpToTheirBoundOnly) {
     }
 }
 
-// If each of two reflectors on the tool is measured twice at each posture, only readings of the same reflector at the
-// same posture must count as repeats.
+// If each of two reflectors on the tool is measured twice at each posture, only measurements of the same reflector at
+// the same posture must count as repeats.
 TEST(Repeats, AreOfOnePlaceOnTheTool) {
-  auto readings = makeCampaign(deflection::cobraArm(), 4);
-  readings.resize(3);
+  auto measurements = makeCampaign(deflection::cobraArm(), 4);
+  measurements.resize(3);
   std::vector<Measurement> seen;
-  for (const auto& reading : readings)
+  for (const auto& measurement : measurements)
     for (const bool is_tip : {true, false, true, false}) {
-      seen.push_back(reading);
+      seen.push_back(measurement);
       seen.back().p_TQ.reset();
       if (!is_tip) seen.back().p_TQ = Eigen::Vector3d(0, 0, 0.08);
     }
@@ -61,14 +61,14 @@ TEST(Repeats, AreOfOnePlaceOnTheTool) {
     for (std::size_t b = 0; b < a; ++b) EXPECT_EQ(groups[a] == groups[b], a / 4 == b / 4 && a % 2 == b % 2);
 }
 
-// If one reading has the joint readings of the row before, so that two readings at one posture are far apart, the
-// scatter must not count as noise, and the model must be judged inadequate.
+// If one measurement has the joint readings of the row before, so that two measurements at one posture are far apart,
+// the scatter must not count as noise, and the model must be judged inadequate.
 TEST(Repeats, AStaleRowIsNotNoise) {
-  auto readings = makeCampaign(deflection::cobraArm(), 4);
-  readings[20].q = readings[19].q;
-  readings[20].load = readings[19].load;
-  readings[20].approach_directions = readings[19].approach_directions;
-  const Comparison result = compared(readings);
+  auto measurements = makeCampaign(deflection::cobraArm(), 4);
+  measurements[20].q = measurements[19].q;
+  measurements[20].load = measurements[19].load;
+  measurements[20].approach_directions = measurements[19].approach_directions;
+  const Comparison result = compared(measurements);
   ASSERT_EQ(result.after_refit.repeats.groups, 1);
   EXPECT_TRUE(areBeyondNoise(result.after_refit.repeats));
   EXPECT_EQ(result.verdict, Adequacy::kInadequate);

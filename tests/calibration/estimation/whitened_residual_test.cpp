@@ -7,7 +7,7 @@
 #include "calibration/estimation/campaign_residual.hpp"
 #include "calibration/estimation/fit.hpp"
 #include "deflection/effects/effect.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -22,7 +22,7 @@ FreeChoice everyScale() {
           true};
 }
 
-VectorXd anyStep(const std::vector<Unknown>& unknowns, ReadingMaker& random) {
+VectorXd anyStep(const std::vector<Unknown>& unknowns, MeasurementMaker& random) {
   VectorXd x(static_cast<Index>(unknowns.size()));
   for (Index k = 0; k < x.size(); ++k) {
     const Unknown& unknown = unknowns[static_cast<std::size_t>(k)];
@@ -34,9 +34,9 @@ VectorXd anyStep(const std::vector<Unknown>& unknowns, ReadingMaker& random) {
   return x;
 }
 
-/// Returns a maker with readings of every kind in two set-ups, including touches of unknown points.
-ReadingMaker everyKindTwice() {
-  ReadingMaker maker(cobraTwice(), 3);
+/// Returns a maker with measurements of every kind in two set-ups, including touches of unknown points.
+MeasurementMaker everyKindTwice() {
+  MeasurementMaker maker(cobraTwice(), 3);
   addEveryKind(maker, 2, "A");
   addEveryKind(maker, 2, "B");
   addUntouched(maker, 2, "B");
@@ -46,12 +46,12 @@ ReadingMaker everyKindTwice() {
 // Without unknowns, the Jacobian must have rows but no columns, even if the same state was evaluated without a Jacobian
 // before. Builds with sanitizers detect any access outside of it.
 TEST(WhitenedResidual, HasSlopesWithoutColumnsWhereNothingIsUnknown) {
-  ReadingMaker maker = everyKindTwice();
+  MeasurementMaker maker = everyKindTwice();
   const PlacedArm start = cobraTwice();
-  const auto weights = weighReadings(start, maker.readings);
+  const auto weights = weighMeasurements(start, maker.measurements);
   ASSERT_TRUE(weights);
   const std::vector<Unknown> nothing;
-  CampaignResidual residual(start, nothing, maker.readings, *weights);
+  CampaignResidual residual(start, nothing, maker.measurements, *weights);
   VectorXd alone, r;
   MatrixXd jacobian;
   ASSERT_TRUE(residual.evaluate(VectorXd(), alone, nullptr));
@@ -64,19 +64,19 @@ TEST(WhitenedResidual, HasSlopesWithoutColumnsWhereNothingIsUnknown) {
 // Whatever the weights and the order of evaluations, a residual that reuses stored results must equal a fresh
 // evaluation.
 TEST(WhitenedResidual, IsTheSameAtAStateThatIsAskedForAgain) {
-  ReadingMaker maker = everyKindTwice();
+  MeasurementMaker maker = everyKindTwice();
   PlacedArm start = cobraTwice();
   const auto unknowns = chooseUnknowns(start, everyScale()).list;
   const VectorXd x = anyStep(unknowns, maker);
-  const auto stated = weighReadings(start, maker.readings);
+  const auto stated = weighMeasurements(start, maker.measurements);
   ASSERT_TRUE(stated);
-  ReadingWeights weights = *stated;
-  CampaignResidual kept(start, unknowns, maker.readings, weights);
+  MeasurementWeights weights = *stated;
+  CampaignResidual kept(start, unknowns, maker.measurements, weights);
   const auto expectFresh = [&](const VectorXd& at, bool with_jacobian) {
     VectorXd r, error;
     MatrixXd jacobian;
     ASSERT_TRUE(kept.evaluate(at, r, with_jacobian ? &jacobian : nullptr, &error));
-    const auto fresh = whitenedResidual(start, unknowns, maker.readings, weights, at, with_jacobian);
+    const auto fresh = whitenedResidual(start, unknowns, maker.measurements, weights, at, with_jacobian);
     // Different kernels may solve the deflected shapes with and without a Jacobian, so results agree only to rounding.
     EXPECT_TRUE(r.isApprox(fresh.r, 1e-9));
     EXPECT_TRUE(error.isApprox(fresh.error, 1e-9));
@@ -84,7 +84,7 @@ TEST(WhitenedResidual, IsTheSameAtAStateThatIsAskedForAgain) {
   };
   expectFresh(x, false);
   expectFresh(x, true);
-  weights = reweighted(weights, maker.readings, 0.001);
+  weights = reweighted(weights, maker.measurements, 0.001);
   expectFresh(x, true);
   expectFresh(x, false);
   expectFresh(0.5 * x, false);
@@ -92,22 +92,22 @@ TEST(WhitenedResidual, IsTheSameAtAStateThatIsAskedForAgain) {
 }
 
 TEST(WhitenedResidual, JacobianMatchesDifferencesFarFromTheStart) {
-  ReadingMaker maker = everyKindTwice();
+  MeasurementMaker maker = everyKindTwice();
   PlacedArm start = cobraTwice();
   const auto unknowns = chooseUnknowns(start, everyScale());
   ASSERT_TRUE(unknowns.problems.empty());
   ASSERT_EQ(unknowns.list.size(), 21u);
   const VectorXd x = anyStep(unknowns.list, maker);
-  const auto weights = weighReadings(start, maker.readings);
+  const auto weights = weighMeasurements(start, maker.measurements);
   ASSERT_TRUE(weights);
-  const auto exact = whitenedResidual(start, unknowns.list, maker.readings, *weights, x, true);
+  const auto exact = whitenedResidual(start, unknowns.list, maker.measurements, *weights, x, true);
   ASSERT_TRUE(exact.ok);
   for (Index k = 0; k < x.size(); ++k) {
     const double h = 0.002 * unknowns.list[static_cast<std::size_t>(k)].typical;
     const auto at = [&](double step) {
       VectorXd moved = x;
       moved[k] += step;
-      return whitenedResidual(start, unknowns.list, maker.readings, *weights, moved, false).r;
+      return whitenedResidual(start, unknowns.list, maker.measurements, *weights, moved, false).r;
     };
     const VectorXd slope = (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
     EXPECT_LE((slope - exact.jacobian.col(k)).norm(), 1e-5 * exact.jacobian.col(k).norm())
@@ -116,16 +116,16 @@ TEST(WhitenedResidual, JacobianMatchesDifferencesFarFromTheStart) {
   }
 }
 
-// If a displacement is converted to another kind of reading, it keeps its `reference`, which must no longer affect its
-// noise.
+// If a displacement is converted to another kind of measurement, it keeps its `reference`, which must no longer affect
+// its noise.
 TEST(WhitenedResidual, AReferenceWeighsOnlyWhereTheKindHasOne) {
   const PlacedArm placed = cobra();
-  ReadingMaker maker(placed, 6);
+  MeasurementMaker maker(placed, 6);
   maker.add(MeasurementKind::kRelative, 3);
-  for (auto& reading : maker.readings) reading.kind = MeasurementKind::kPosition;
-  auto alone = maker.readings;
-  for (auto& reading : alone) reading.reference = nullptr;
-  const auto with = weighReadings(placed, maker.readings), without = weighReadings(placed, alone);
+  for (auto& measurement : maker.measurements) measurement.kind = MeasurementKind::kPosition;
+  auto alone = maker.measurements;
+  for (auto& measurement : alone) measurement.reference = nullptr;
+  const auto with = weighMeasurements(placed, maker.measurements), without = weighMeasurements(placed, alone);
   ASSERT_TRUE(with && without);
   for (std::size_t k = 0; k < alone.size(); ++k) EXPECT_EQ(with->noise[k], without->noise[k]);
 }
@@ -133,7 +133,7 @@ TEST(WhitenedResidual, AReferenceWeighsOnlyWhereTheKindHasOne) {
 // If only some components of a base step are free, the residual and their Jacobian columns must be the same as if all
 // were free and the others 0.
 TEST(WhitenedResidual, SomeNumbersOfABaseHaveTheSlopesThatTheyHaveAmongAll) {
-  ReadingMaker maker = everyKindTwice();
+  MeasurementMaker maker = everyKindTwice();
   PlacedArm start = cobraTwice();
   const auto all = chooseUnknowns(start, everyScale()).list;
   std::vector<Unknown> some;
@@ -151,10 +151,10 @@ TEST(WhitenedResidual, SomeNumbersOfABaseHaveTheSlopesThatTheyHaveAmongAll) {
   }
   ASSERT_LT(some.size(), all.size() - 6);
   of_some.conservativeResize(static_cast<Index>(some.size()));
-  const auto weights = weighReadings(start, maker.readings);
+  const auto weights = weighMeasurements(start, maker.measurements);
   ASSERT_TRUE(weights);
-  const auto whole = whitenedResidual(start, all, maker.readings, *weights, x, true);
-  const auto part = whitenedResidual(start, some, maker.readings, *weights, of_some, true);
+  const auto whole = whitenedResidual(start, all, maker.measurements, *weights, x, true);
+  const auto part = whitenedResidual(start, some, maker.measurements, *weights, of_some, true);
   ASSERT_TRUE(whole.ok && part.ok);
   EXPECT_TRUE(part.r.isApprox(whole.r, 1e-9));
   EXPECT_TRUE(part.jacobian.isApprox(whole.jacobian(Eigen::all, columns), 1e-9));
@@ -163,7 +163,7 @@ TEST(WhitenedResidual, SomeNumbersOfABaseHaveTheSlopesThatTheyHaveAmongAll) {
 /// Evaluation in batches and one by one must give the same results. The arm `slow` is evaluated one by one, because an
 /// effect, here of zero size, excludes the batch kernels.
 TEST(WhitenedResidual, IsTheSameSideBySideAndOneByOne) {
-  ReadingMaker maker(cobraTwice(), 5, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(cobraTwice(), 5, MeasurementMaker::Noise::kStated);
   addEveryKind(maker, 3, "A");
   addEveryKind(maker, 3, "B");
   addUntouched(maker, 2, "A");
@@ -176,13 +176,13 @@ TEST(WhitenedResidual, IsTheSameSideBySideAndOneByOne) {
   PlacedArm slow = fast;
   slow.arm.effects.push_back(deflection::makeEffect(slow.arm, "contact-force", "tip").effect);
   const VectorXd x = anyStep(unknowns, maker);
-  const auto weights = weighReadings(applied(fast, unknowns, x), maker.readings);
-  const auto same_weights = weighReadings(applied(slow, unknowns, x), maker.readings);
+  const auto weights = weighMeasurements(applied(fast, unknowns, x), maker.measurements);
+  const auto same_weights = weighMeasurements(applied(slow, unknowns, x), maker.measurements);
   ASSERT_TRUE(weights && same_weights);
-  for (std::size_t k = 0; k < maker.readings.size(); ++k)
+  for (std::size_t k = 0; k < maker.measurements.size(); ++k)
     EXPECT_LE((weights->whitener[k] - same_weights->whitener[k]).norm(), 1e-8 * weights->whitener[k].norm());
-  const auto a = whitenedResidual(fast, unknowns, maker.readings, *weights, x, true);
-  const auto b = whitenedResidual(slow, unknowns, maker.readings, *weights, x, true);
+  const auto a = whitenedResidual(fast, unknowns, maker.measurements, *weights, x, true);
+  const auto b = whitenedResidual(slow, unknowns, maker.measurements, *weights, x, true);
   ASSERT_TRUE(a.ok && b.ok);
   EXPECT_LE((a.r - b.r).norm(), 1e-8 * b.r.norm());
   EXPECT_LE((a.error - b.error).norm(), 1e-8 * b.error.norm());
@@ -191,20 +191,20 @@ TEST(WhitenedResidual, IsTheSameSideBySideAndOneByOne) {
         << unknowns[static_cast<std::size_t>(k)].name;
 }
 
-TEST(WhitenedResidual, DoesNotHangOnHowManyReadingsAreTakenAtOnce) {
-  PlacedArm exact = cobra();  // no encoder noise, because copies of a reading would share it
+TEST(WhitenedResidual, DoesNotHangOnHowManyMeasurementsAreTakenAtOnce) {
+  PlacedArm exact = cobra();  // no encoder noise, because copies of a measurement would share it
   for (auto& row : exact.arm.rows) row.joint.encoder_sigma = 0;
-  ReadingMaker maker(cobra(), 7, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(cobra(), 7, MeasurementMaker::Noise::kStated);
   addEveryKind(maker, 2);
   addUntouched(maker, 2);
-  const auto few = maker.readings;
-  while (maker.readings.size() < 1300) maker.readings.insert(maker.readings.end(), few.begin(), few.end());
-  const auto own = weighReadings(exact, few), all = weighReadings(exact, maker.readings);
-  ReadingWeights plain_own = *own, plain_all = *all;
+  const auto few = maker.measurements;
+  while (maker.measurements.size() < 1300) maker.measurements.insert(maker.measurements.end(), few.begin(), few.end());
+  const auto own = weighMeasurements(exact, few), all = weighMeasurements(exact, maker.measurements);
+  MeasurementWeights plain_own = *own, plain_all = *all;
   plain_own.points.clear();
   plain_all.points.clear();
   const VectorXd of_few = whitenedResidual(exact, {}, few, plain_own, {}, false).r;
-  const VectorXd of_all = whitenedResidual(exact, {}, maker.readings, plain_all, {}, false).r;
+  const VectorXd of_all = whitenedResidual(exact, {}, maker.measurements, plain_all, {}, false).r;
   for (Index row = 0; row < of_all.size(); row += of_few.size())
     EXPECT_EQ(VectorXd(of_all.segment(row, of_few.size())), of_few);
 }
@@ -217,11 +217,11 @@ struct ExplicitPoints {
 };
 
 ExplicitPoints withExplicitPoints(const PlacedArm& start, const std::vector<Unknown>& unknowns,
-                                  const std::vector<Measurement>& readings, const ReadingWeights& weights,
+                                  const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
                                   const VectorXd& x) {
-  ReadingWeights plain = weights;
+  MeasurementWeights plain = weights;
   plain.points.clear();
-  auto measured = readings;
+  auto measured = measurements;
   for (auto& m : measured)
     if (!m.p_W) m.p_W = Eigen::Vector3d(0.3, 0.2, 0.1);  // start position of every unknown point
   const auto residual = whitenedResidual(start, unknowns, measured, plain, x, true);
@@ -229,7 +229,7 @@ ExplicitPoints withExplicitPoints(const PlacedArm& start, const std::vector<Unkn
                         residual.r};
   result.jacobian.leftCols(x.size()) = residual.jacobian;
   for (std::size_t p = 0; p < weights.points.size(); ++p)
-    for (const int k : weights.points[p].readings)
+    for (const int k : weights.points[p].measurements)
       result.jacobian.block<3, 3>(weights.first_row[static_cast<std::size_t>(k)],
                                   x.size() + 3 * static_cast<Index>(p)) =
           -weights.whitener[static_cast<std::size_t>(k)];
@@ -237,18 +237,18 @@ ExplicitPoints withExplicitPoints(const PlacedArm& start, const std::vector<Unkn
 }
 
 TEST(WhitenedResidual, EliminatedPointsEqualExplicitOnes) {
-  ReadingMaker maker(cobraTwice(), 4, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(cobraTwice(), 4, MeasurementMaker::Noise::kStated);
   addEveryKind(maker, 4, "A");
   addEveryKind(maker, 4, "B");
   PlacedArm start = cobraTwice();
   const auto unknowns = chooseUnknowns(start, {{"tool.joint_stiffness.z", "latch-link.beam.Iz"}, true}).list;
   VectorXd x(static_cast<Index>(unknowns.size()));
   for (Index k = 0; k < x.size(); ++k) x[k] = 0.01 * unknowns[static_cast<std::size_t>(k)].typical;
-  const auto weights = weighReadings(applied(start, unknowns, x), maker.readings);
+  const auto weights = weighMeasurements(applied(start, unknowns, x), maker.measurements);
   ASSERT_EQ(weights->points.size(), 8u);
   EXPECT_EQ(weights->degrees_of_freedom, weights->rows - 24);
-  auto eliminated = whitenedResidual(start, unknowns, maker.readings, *weights, x, true);
-  auto whole = withExplicitPoints(start, unknowns, maker.readings, *weights, x);
+  auto eliminated = whitenedResidual(start, unknowns, maker.measurements, *weights, x, true);
+  auto whole = withExplicitPoints(start, unknowns, maker.measurements, *weights, x);
   for (Index k = 0; k < x.size(); ++k) {  // scale: a compliance and an angle differ by many powers of ten
     eliminated.jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
     whole.jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
@@ -264,18 +264,18 @@ TEST(WhitenedResidual, EliminatedPointsEqualExplicitOnes) {
 }
 
 TEST(WhitenedResidual, AnUnknownPointIsEstimatedFromItsTouches) {
-  ReadingMaker maker(cobra(), 6, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(cobra(), 6, MeasurementMaker::Noise::kStated);
   maker.addTouches(3, {0, 20 * kPound, 40 * kPound}, false);
-  const auto weights = weighReadings(cobra(), maker.readings);
-  const auto residual = whitenedResidual(cobra(), {}, maker.readings, *weights, {}, false);
+  const auto weights = weighMeasurements(cobra(), maker.measurements);
+  const auto residual = whitenedResidual(cobra(), {}, maker.measurements, *weights, {}, false);
   for (const auto& point : weights->points) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const int k : point.readings) {
+    for (const int k : point.measurements) {
       const auto row = weights->first_row[static_cast<std::size_t>(k)];
       sum += weights->covariance(static_cast<std::size_t>(k)).inverse() * residual.error.segment(row, 3);
     }
     // At the estimated position of the point, the weighted errors of its touches must add up to zero.
-    EXPECT_LE(sum.norm(), 1e-6 / maker.readings.front().sigma);
+    EXPECT_LE(sum.norm(), 1e-6 / maker.measurements.front().sigma);
   }
   EXPECT_EQ(weights->points.size(), 3u);
 }
@@ -284,13 +284,13 @@ TEST(WhitenedResidual, NoiseLeavesItsFloorAndOneOfChiSquareForEachDegreeOfFreedo
   double squares = 0, floor = 0, chi2 = 0, freedom = 0;
   constexpr int kSeeds = 60;
   for (int seed = 1; seed <= kSeeds; ++seed) {
-    ReadingMaker maker(cobra(), static_cast<std::uint64_t>(seed), ReadingMaker::Noise::kStated);
+    MeasurementMaker maker(cobra(), static_cast<std::uint64_t>(seed), MeasurementMaker::Noise::kStated);
     addEveryKind(maker, 2);
-    const auto weights = weighReadings(cobra(), maker.readings);
-    const auto residual = whitenedResidual(cobra(), {}, maker.readings, *weights, {}, false);
-    squares += errorLengths(maker.readings, *weights, residual.error).squaredNorm() /
-               static_cast<double>(maker.readings.size() * kSeeds);
-    floor += std::pow(noiseFloor(maker.readings, *weights), 2) / kSeeds;
+    const auto weights = weighMeasurements(cobra(), maker.measurements);
+    const auto residual = whitenedResidual(cobra(), {}, maker.measurements, *weights, {}, false);
+    squares += errorLengths(maker.measurements, *weights, residual.error).squaredNorm() /
+               static_cast<double>(maker.measurements.size() * kSeeds);
+    floor += std::pow(noiseFloor(maker.measurements, *weights), 2) / kSeeds;
     chi2 += residual.r.squaredNorm();
     freedom += weights->degrees_of_freedom;
   }
@@ -298,33 +298,34 @@ TEST(WhitenedResidual, NoiseLeavesItsFloorAndOneOfChiSquareForEachDegreeOfFreedo
   EXPECT_NEAR(squares / floor, 1, 0.1);
 }
 
-TEST(WhitenedResidual, AFactorWeakensItsReading) {
-  ReadingMaker maker(cobra(), 8, ReadingMaker::Noise::kStated);
+TEST(WhitenedResidual, AFactorWeakensItsMeasurement) {
+  MeasurementMaker maker(cobra(), 8, MeasurementMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 3);
   VectorXd factors = VectorXd::Ones(3);
   factors[1] = 0.25;
-  const auto plain = weighReadings(cobra(), maker.readings), weakened = weighReadings(cobra(), maker.readings, factors);
-  const auto a = whitenedResidual(cobra(), {}, maker.readings, *plain, {}, false).r;
-  const auto b = whitenedResidual(cobra(), {}, maker.readings, *weakened, {}, false).r;
+  const auto plain = weighMeasurements(cobra(), maker.measurements),
+             weakened = weighMeasurements(cobra(), maker.measurements, factors);
+  const auto a = whitenedResidual(cobra(), {}, maker.measurements, *plain, {}, false).r;
+  const auto b = whitenedResidual(cobra(), {}, maker.measurements, *weakened, {}, false).r;
   EXPECT_LE((b.head(3) - a.head(3)).norm(), 1e-12);
   EXPECT_LE((b.segment(3, 3) - 0.5 * a.segment(3, 3)).norm(), 1e-9);
 }
 
 TEST(WhitenedResidual, SaysWhenTheModelCannotBeEvaluated) {
-  ReadingMaker maker(cobra(), 9);
+  MeasurementMaker maker(cobra(), 9);
   maker.add(MeasurementKind::kPosition, 2);
-  maker.readings[1].load = 1e7;
-  EXPECT_FALSE(weighReadings(cobra(), maker.readings).has_value());
+  maker.measurements[1].load = 1e7;
+  EXPECT_FALSE(weighMeasurements(cobra(), maker.measurements).has_value());
 }
 
 TEST(WhitenedResidual, AModelErrorIsOneMoreVarianceOfEveryCoordinate) {
-  ReadingMaker maker(cobra(), 10, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(cobra(), 10, MeasurementMaker::Noise::kStated);
   addEveryKind(maker, 2);
-  const double model_error = 2 * maker.readings.front().sigma;
-  const auto plain = weighReadings(cobra(), maker.readings);
-  const auto whole = weighReadings(cobra(), maker.readings, {}, model_error);
-  const auto again = reweighted(*plain, maker.readings, model_error);
-  for (std::size_t k = 0; k < maker.readings.size(); ++k) {
+  const double model_error = 2 * maker.measurements.front().sigma;
+  const auto plain = weighMeasurements(cobra(), maker.measurements);
+  const auto whole = weighMeasurements(cobra(), maker.measurements, {}, model_error);
+  const auto again = reweighted(*plain, maker.measurements, model_error);
+  for (std::size_t k = 0; k < maker.measurements.size(); ++k) {
     MatrixXd expected = plain->covariance(k);
     expected.diagonal().array() += model_error * model_error;
     EXPECT_LE((whole->covariance(k) - expected).norm(), 1e-12 * expected.norm());
@@ -334,7 +335,7 @@ TEST(WhitenedResidual, AModelErrorIsOneMoreVarianceOfEveryCoordinate) {
               1e-9);
     EXPECT_EQ(again.whitener[k], whole->whitener[k]);
   }
-  EXPECT_EQ(noiseFloor(maker.readings, *whole), noiseFloor(maker.readings, *plain));
+  EXPECT_EQ(noiseFloor(maker.measurements, *whole), noiseFloor(maker.measurements, *plain));
   EXPECT_EQ(whole->degrees_of_freedom, plain->degrees_of_freedom);
 }
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/measurements/reading_prediction.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -29,7 +29,7 @@ Identification baseFit(const Eigen::Matrix<double, 6, 6>& covariance) {
 }
 
 std::vector<Eigen::VectorXd> somePostures(int count) {
-  ReadingMaker maker(cobra(), 3);
+  MeasurementMaker maker(cobra(), 3);
   std::vector<Eigen::VectorXd> postures;
   for (int k = 0; k < count; ++k) postures.push_back(maker.drawPosture());
   return postures;

@@ -25,7 +25,7 @@ Eigen::Matrix2d covarianceOf(const std::vector<TipErrorCase>& cases) {
   return covariance;
 }
 
-TEST(TipError, OfAnExactArmIsThatOfBaseAndReadings) {
+TEST(TipError, OfAnExactArmIsThatOfBaseAndMeasurements) {
   const auto cell = touchedCell();
   BaseCalibrationOptions exact;
   exact.arm = ArmUncertainty::none();

@@ -1,5 +1,5 @@
-// If a clock was set or misread during a campaign, the checks name the first affected reading and correct the times.
-// They do not report pauses and rows that are not in time order.
+// If a clock was set or misread during a campaign, the checks name the first affected measurement and correct the
+// times. They do not report pauses and rows that are not in time order.
 #include "calibration/measurement_checks/clock.hpp"
 
 #include <gtest/gtest.h>
@@ -13,42 +13,42 @@ namespace {
 
 constexpr double kMinute = 60, kHourLong = 3600;  // [s]
 
-/// Returns `count` readings, about one minute apart.
-CheckedReadings timedReadings(int count, std::uint64_t seed) {
-  CheckedReadings checked;
+/// Returns `count` measurements, about one minute apart.
+CheckedMeasurements timedMeasurements(int count, std::uint64_t seed) {
+  CheckedMeasurements checked;
   RandomStream random(seed);
   double time = 1000;
   for (int k = 0; k < count; ++k) {
-    Measurement reading;
-    reading.id = "P" + std::to_string(k + 1);
-    reading.conditions[deflection::Condition::kTime] = time;
+    Measurement measurement;
+    measurement.id = "P" + std::to_string(k + 1);
+    measurement.conditions[deflection::Condition::kTime] = time;
     time += random.uniform(0.6, 1.5) * kMinute;
-    checked.readings.push_back(reading);
+    checked.measurements.push_back(measurement);
   }
   return checked;
 }
 
-void setClock(CheckedReadings& checked, std::size_t first, double by) {
-  for (std::size_t k = first; k < checked.readings.size(); ++k)
-    checked.readings[k].conditions[deflection::Condition::kTime] += by;
+void setClock(CheckedMeasurements& checked, std::size_t first, double by) {
+  for (std::size_t k = first; k < checked.measurements.size(); ++k)
+    checked.measurements[k].conditions[deflection::Condition::kTime] += by;
 }
 
-TEST(Clock, IsNamedWithTheReadingWhereItWasSet) {
+TEST(Clock, IsNamedWithTheMeasurementWhereItWasSet) {
   for (const double by : {-kHourLong, kHourLong, 2 * kHourLong, -600., -86400., -1000 * 86400., 400 * 86400.})
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-      auto checked = timedReadings(30, seed);
-      const auto clean = checked.readings;
+      auto checked = timedMeasurements(30, seed);
+      const auto clean = checked.measurements;
       const std::size_t first = 5 + seed * 2;
       setClock(checked, first, by);
       const auto checks = clockJumps(checked);
       ASSERT_EQ(checks.size(), 1U) << by << " seed " << seed;
       // A step back by one day is midnight on a clock without a date; any other step may be right.
       EXPECT_EQ(checks.front().severity, by == -86400. ? CheckSeverity::kMistake : CheckSeverity::kRemark) << by;
-      const std::string assume = checks.front().assume, id = checked.readings[first].id;
+      const std::string assume = checks.front().assume, id = checked.measurements[first].id;
       ASSERT_TRUE(assume.starts_with("clock=") && assume.ends_with("@" + id)) << assume << " for " << id;
       const auto mend = mistakes::clock::kind().mend(checked, assume.substr(6));
       ASSERT_TRUE(mend) << assume;
-      auto mended = checked.readings;
+      auto mended = checked.measurements;
       mend->apply(mended);
       for (std::size_t k = 0; k < mended.size(); ++k)
         EXPECT_NEAR(mended[k].conditions[deflection::Condition::kTime],
@@ -60,18 +60,18 @@ TEST(Clock, IsNamedWithTheReadingWhereItWasSet) {
 TEST(Clock, OneTimeThatIsOffIsNamedAlone) {
   for (const double by : {-900., 5000., -7e5, 7e5})
     for (std::size_t k : {1U, 7U, 15U, 28U}) {
-      auto checked = timedReadings(30, k);
-      checked.readings[k].conditions[deflection::Condition::kTime] += by;
+      auto checked = timedMeasurements(30, k);
+      checked.measurements[k].conditions[deflection::Condition::kTime] += by;
       const auto checks = clockJumps(checked);
       ASSERT_EQ(checks.size(), 1U) << by << " at " << k;
-      EXPECT_NE(checks.front().sentence.find("reading " + checked.readings[k].id + " is"), std::string::npos)
+      EXPECT_NE(checks.front().sentence.find("reading " + checked.measurements[k].id + " is"), std::string::npos)
           << checks.front().sentence;
       EXPECT_EQ(checks.front().assume, "");
     }
 }
 
 TEST(Clock, TwoThatWereSetAreBothNamed) {
-  auto checked = timedReadings(60, 3);
+  auto checked = timedMeasurements(60, 3);
   setClock(checked, 10, -kHourLong);
   setClock(checked, 40, -500);
   const auto checks = clockJumps(checked);
@@ -82,24 +82,24 @@ TEST(Clock, TwoThatWereSetAreBothNamed) {
 
 TEST(Clock, PausesAndOtherOrdersAreLeftAlone) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    auto checked = timedReadings(40, seed);
+    auto checked = timedMeasurements(40, seed);
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;
     setClock(checked, 20, 2500 + 17 * static_cast<double>(seed));  // a coffee break
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;
     setClock(checked, 12, 14.5 * kHourLong);  // a night's pause
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;
-    RandomStream(seed).shuffle(checked.readings);
+    RandomStream(seed).shuffle(checked.measurements);
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;
-    for (auto& reading : checked.readings) reading.conditions[deflection::Condition::kTime] = 5;
+    for (auto& measurement : checked.measurements) measurement.conditions[deflection::Condition::kTime] = 5;
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;
-    for (auto& reading : checked.readings)
-      reading.conditions[deflection::Condition::kTime] = std::numeric_limits<double>::quiet_NaN();
+    for (auto& measurement : checked.measurements)
+      measurement.conditions[deflection::Condition::kTime] = std::numeric_limits<double>::quiet_NaN();
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;
   }
 }
 
-TEST(Clock, IsMendedFromAReadingOn) {
-  const auto checked = timedReadings(10, 1);
+TEST(Clock, IsMendedFromAMeasurementOn) {
+  const auto checked = timedMeasurements(10, 1);
   for (const char* value : {"", "3600", "x@P3", "@P3", "3600@P99", "nan@P3"})
     EXPECT_FALSE(mistakes::clock::kind().mend(checked, value)) << value;
 }

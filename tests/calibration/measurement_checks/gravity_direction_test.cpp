@@ -6,21 +6,21 @@
 #include <cstdio>
 #include <numbers>
 
-#include "tests/calibration/synthetic_readings.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
 
-/// Returns the findings for 40 readings of a Cobra under gravity `gravity_W`, whose cell states that gravity points
+/// Returns the findings for 40 measurements of a Cobra under gravity `gravity_W`, whose cell states that gravity points
 /// downwards.
 MeasurementChecks checksUnder(const Eigen::Vector3d& gravity_W, bool is_base_known, std::uint64_t seed = 8) {
   PlacedArm real = cobra();
   real.arm.gravity_W = gravity_W;
-  ReadingMaker maker(real, seed, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(real, seed, MeasurementMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 40);
   PlacedArm start = cobra();
   start.base_poses.front().is_known = is_base_known;
-  return checkMeasurements({start, maker.readings, {{"tool.tip"}, true}, {}});
+  return checkMeasurements({start, maker.measurements, {{"tool.tip"}, true}, {}});
 }
 
 TEST(GravityDirection, IsNamedWithTheKeyOfTheCell) {
@@ -92,8 +92,8 @@ TEST(GravityDirection, IsFoundWhereItIsObliqueAndTheBaseUnknown) {
   EXPECT_GE(named, 5);
 }
 
-// If gravity is along a coordinate axis, exchanged axes explain the readings equally well; the explanation that leaves
-// the base at its nominal place is named.
+// If gravity is along a coordinate axis, exchanged axes explain the measurements equally well; the explanation that
+// leaves the base at its nominal place is named.
 TEST(GravityDirection, IsToldFromExchangedAxesByTheBase) {
   for (const Eigen::Vector3d& gravity_W :
        {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, -1, 0)}) {
@@ -102,12 +102,12 @@ TEST(GravityDirection, IsToldFromExchangedAxesByTheBase) {
   }
   for (const char* order : {"yzx", "zxy", "x-zy", "x-y-z"}) {
     PlacedArm start = cobra();
-    ReadingMaker maker(start, 8, ReadingMaker::Noise::kStated);
+    MeasurementMaker maker(start, 8, MeasurementMaker::Noise::kStated);
     maker.add(MeasurementKind::kPosition, 40);
     start.base_poses.front().is_known = false;
-    const CheckedReadings checked{start, maker.readings, {{"tool.tip"}, true}, {}};
-    CheckedReadings exchanged = checked;
-    findMistakeKind("axes")->mend(checked, order)->change(exchanged.readings);
+    const CheckedMeasurements checked{start, maker.measurements, {{"tool.tip"}, true}, {}};
+    CheckedMeasurements exchanged = checked;
+    findMistakeKind("axes")->mend(checked, order)->change(exchanged.measurements);
     const auto checks = checkMeasurements(exchanged);
     const auto* gross = grossMistake(checks);
     ASSERT_NE(gross, nullptr) << order;

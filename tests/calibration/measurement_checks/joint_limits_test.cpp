@@ -22,7 +22,7 @@ deflection::Joint<double> jointBetween(double lower, double upper) {
   return joint;
 }
 
-TEST(JointLimits, AReadingPastThemIsTakenOneTurnBackWhereThatIsWithin) {
+TEST(JointLimits, AMeasurementPastThemIsTakenOneTurnBackWhereThatIsWithin) {
   const struct {
     double lower, upper, read, back;  // [deg]
   } cases[] = {{-180, 180, 212, -148}, {-180, 180, 359.5, -0.5}, {0, 360, -30, 330},   {-90, 200, -150, 210},
@@ -50,27 +50,27 @@ TEST(JointLimits, AHairIsAThousandthOfTheRange) {
   EXPECT_TRUE(isPastLimit(endless, -120.1 * kDeg));
 }
 
-/// Applies `change` to the readings of a set, writes them in the format of a measurement file, and returns what is read
-/// back.
-app::ReadingsWithChecks readUnwound(SeededSet& set, const std::function<void(std::vector<Measurement>&)>& change) {
-  change(set.table.readings);
-  return app::parseAndCheck(app::measurementsCsv(set.table.readings, set.cell.arm, set.cell.units), "m.csv", set.cell,
-                            {});
+/// Applies `change` to the measurements of a set, writes them in the format of a measurement file, and returns what is
+/// read back.
+app::MeasurementsWithChecks readUnwound(SeededSet& set, const std::function<void(std::vector<Measurement>&)>& change) {
+  change(set.table.measurements);
+  return app::parseAndCheck(app::measurementsCsv(set.table.measurements, set.cell.arm, set.cell.units), "m.csv",
+                            set.cell, {});
 }
 
-void countFromZero(std::vector<Measurement>& readings) {
-  for (auto& m : readings)
+void countFromZero(std::vector<Measurement>& measurements) {
+  for (auto& m : measurements)
     if (m.q[0] < 0) m.q[0] += kFullTurn;
 }
 
-TEST(JointLimits, ReadingsOfAnEncoderFromZeroToATurnAreTakenBackAndSaidSo) {
+TEST(JointLimits, MeasurementsOfAnEncoderFromZeroToATurnAreTakenBackAndSaidSo) {
   auto set = simulatedSet("bench.yaml", "bench", 30, {}, 3);
   ASSERT_TRUE(set);
-  const auto original = set->table.readings;
+  const auto original = set->table.measurements;
   const auto read = readUnwound(*set, countFromZero);
-  ASSERT_EQ(read.readings.size(), original.size());
+  ASSERT_EQ(read.measurements.size(), original.size());
   for (std::size_t k = 0; k < original.size(); ++k)
-    EXPECT_NEAR(read.readings[k].q[0], original[k].q[0], 1e-6) << original[k].id;
+    EXPECT_NEAR(read.measurements[k].q[0], original[k].q[0], 1e-6) << original[k].id;
   const auto said = std::ranges::find(read.checks.checks, std::string("whole-turn"), &MeasurementCheck::name);
   ASSERT_NE(said, read.checks.checks.end());
   EXPECT_EQ(said->severity, CheckSeverity::kRemark);
@@ -78,43 +78,43 @@ TEST(JointLimits, ReadingsOfAnEncoderFromZeroToATurnAreTakenBackAndSaidSo) {
   EXPECT_EQ(grossMistake(read.checks), nullptr);
 }
 
-// A reading 0.1 deg beyond a joint limit is accepted with a remark that names it; a file with a reading 0.3 deg beyond
-// the limit is refused.
-TEST(JointLimits, AReadingAHairPastIsTakenAndSaidSo) {
+// A measurement 0.1 deg beyond a joint limit is accepted with a remark that names it; a file with a measurement 0.3 deg
+// beyond the limit is refused.
+TEST(JointLimits, AMeasurementAHairPastIsTakenAndSaidSo) {
   const auto raised = [](double hair) {
-    return [hair](std::vector<Measurement>& readings) { readings[4].q[1] = (180 + hair) * kDeg; };
+    return [hair](std::vector<Measurement>& measurements) { measurements[4].q[1] = (180 + hair) * kDeg; };
   };
   auto set = simulatedSet("bench.yaml", "bench", 30, {}, 3), other = set;
   ASSERT_TRUE(set);
   const auto read = readUnwound(*set, raised(0.1));
-  EXPECT_NEAR(read.readings[4].q[1], 180.1 * kDeg, 1e-9);
+  EXPECT_NEAR(read.measurements[4].q[1], 180.1 * kDeg, 1e-9);
   const auto said = std::ranges::find(read.checks.checks, std::string("past-limit"), &MeasurementCheck::name);
   ASSERT_NE(said, read.checks.checks.end());
-  EXPECT_NE(said->sentence.find("theta2 of reading " + read.readings[4].id), std::string::npos) << said->sentence;
+  EXPECT_NE(said->sentence.find("theta2 of reading " + read.measurements[4].id), std::string::npos) << said->sentence;
   EXPECT_THROW((void)readUnwound(*other, raised(0.3)), app::InputError);
 }
 
-// A file is refused if one turn does not bring all readings of a joint within its limits, since its encoder then does
-// not count from 0 to 360 deg.
-TEST(JointLimits, AJointWithAReadingThatNoTurnBringsBackIsRefused) {
+// A file is refused if one turn does not bring all readings of a joint within its limits, since its encoder then
+// does not count from 0 to 360 deg.
+TEST(JointLimits, AJointWithAMeasurementThatNoTurnBringsBackIsRefused) {
   auto set = simulatedSet("bench.yaml", "bench", 30, {}, 3);
   ASSERT_TRUE(set);
   EXPECT_THROW((void)readUnwound(*set,
-                                 [](std::vector<Measurement>& readings) {
-                                   countFromZero(readings);
-                                   readings.front().q[0] = 3 * kFullTurn;
+                                 [](std::vector<Measurement>& measurements) {
+                                   countFromZero(measurements);
+                                   measurements.front().q[0] = 3 * kFullTurn;
                                  }),
                app::InputError);
 }
 
-// If one encoder counts from zero and another joint has the wrong sign, the readings of the encoder are corrected and
-// the wrong sign is still named.
+// If one encoder counts from zero and another joint has the wrong sign, the readings of the encoder are corrected
+// and the wrong sign is still named.
 TEST(JointLimits, AnotherMistakeBesideTheTurnIsNamed) {
   auto set = simulatedSet("bench.yaml", "bench", 30, {}, 3);
   ASSERT_TRUE(set);
-  const auto read = readUnwound(*set, [](std::vector<Measurement>& readings) {
-    countFromZero(readings);
-    for (auto& m : readings) m.q[2] *= -1;
+  const auto read = readUnwound(*set, [](std::vector<Measurement>& measurements) {
+    countFromZero(measurements);
+    for (auto& m : measurements) m.q[2] *= -1;
   });
   const auto* gross = grossMistake(read.checks);
   ASSERT_NE(gross, nullptr);

@@ -10,9 +10,9 @@
 namespace tubeplan::calibration {
 namespace {
 
-CheckedReadings checkedMotors(const SeededSet& set) {
-  return {app::startOf(set.cell, set.table.readings), set.table.readings, app::freeNumbersOf(set.cell), set.table.units,
-          nullptr};
+CheckedMeasurements checkedMotors(const SeededSet& set) {
+  return {app::startOf(set.cell, set.table.measurements), set.table.measurements, app::freeNumbersOf(set.cell),
+          set.table.units, nullptr};
 }
 
 TEST(JointPair, IsOfTwoJointsAndSharesThatPartThem) {
@@ -35,21 +35,21 @@ TEST(JointPair, TakesSensesOfMotionThatTheMotorsTell) {
        {Row{1, 1, 1, 0}, Row{-1, -1, -1, 0}, Row{1, -1, 0, 1}, Row{-1, 1, 0, -1}, Row{0, 1, 0, 0}, Row{0, 0, 0, 0}}) {
     auto set = cleanSet(0);
     ASSERT_TRUE(set);
-    set->table.readings.resize(1);
-    auto& reading = set->table.readings.front();
-    reading.q << 0.1, 0.2, 0.7, 0.3;
-    reading.approach_directions = {1, 1, row.first, row.second};
+    set->table.measurements.resize(1);
+    auto& measurement = set->table.measurements.front();
+    measurement.q << 0.1, 0.2, 0.7, 0.3;
+    measurement.approach_directions = {1, 1, row.first, row.second};
     const auto mend = mistakes::joint_pair::mend(checkedMotors(*set), "theta3:theta4:0.5:0.5:0.5:-0.5");
     ASSERT_TRUE(mend);
-    mend->apply(set->table.readings);
-    EXPECT_NEAR(reading.q[2], 0.5, 1e-12);
-    EXPECT_NEAR(reading.q[3], 0.2, 1e-12);
-    EXPECT_EQ(reading.approach_directions, (std::vector<int>{1, 1, row.sum, row.difference}));
+    mend->apply(set->table.measurements);
+    EXPECT_NEAR(measurement.q[2], 0.5, 1e-12);
+    EXPECT_NEAR(measurement.q[3], 0.2, 1e-12);
+    EXPECT_EQ(measurement.approach_directions, (std::vector<int>{1, 1, row.sum, row.difference}));
   }
 }
 
 // If the columns contain the motor angles, and a unit, sign or coordinate axis is wrong, too, the proposed correction
-// restores the clean readings in all cases but at most one.
+// restores the clean measurements in all cases but at most one.
 TEST(JointPair, IsNamedBesideAnotherMistake) {
   int made = 0, mended = 0;
   std::string found;
@@ -58,8 +58,8 @@ TEST(JointPair, IsNamedBesideAnotherMistake) {
       auto set = cleanSet(number);
       ASSERT_TRUE(set);
       SeededRandom random(number + 7);
-      SeededPair pair{*set, set->table.readings, {}, other};
-      for (auto& m : pair.set.table.readings) {
+      SeededPair pair{*set, set->table.measurements, {}, other};
+      for (auto& m : pair.set.table.measurements) {
         const double bend = m.q[2], turn = m.q[3];
         m.q[2] = bend + turn, m.q[3] = bend - turn;
       }

@@ -1,5 +1,5 @@
-// Common mistakes in readings are named, no mistake is reported in clean readings, and each proposal corrects its
-// mistake. studies/measurement_checks.cpp runs the same judgement on many more sets.
+// Common mistakes in measurements are named, no mistake is reported in clean measurements, and each proposal corrects
+// its mistake. studies/measurement_checks.cpp runs the same judgement on many more sets.
 #include "calibration/measurement_checks/measurement_checks.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include "calibration/patterns/comparison.hpp"
 #include "deflection/row_conventions.hpp"
 #include "tests/calibration/measurement_checks/seeded_pairs.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -40,8 +40,8 @@ TEST_P(MeasurementChecks, NameTheMistake) {
   EXPECT_GE(named, kSets - 1) << found;
 }
 
-/// Returns chi-square per degree of freedom of a correct model for readings corrected as a check proposes. A zero or
-/// scale found with the drawing's stiffnesses leaves a residual error, so the model frees these parameters.
+/// Returns chi-square per degree of freedom of a correct model for measurements corrected as a check proposes. A zero
+/// or scale found with the drawing's stiffnesses leaves a residual error, so the model frees these parameters.
 double chi2Mended(SeededSet& set, const std::string& assume) {
   (void)app::takeAssumptions({assume}, set.table, set.cell);
   ComparisonOptions options;
@@ -55,7 +55,7 @@ double chi2Mended(SeededSet& set, const std::string& assume) {
     set.cell.arm.effects.push_back(deflection::makeEffect(set.cell.arm, "joint-scale", joint).effect);
     options.refit.free.names.push_back("joint-scale@" + joint + ".scale");
   }
-  const auto comparison = compare(app::startOf(set.cell, set.table.readings), set.table.readings, options);
+  const auto comparison = compare(app::startOf(set.cell, set.table.measurements), set.table.measurements, options);
   return comparison.after_refit.chi2 / comparison.after_refit.degrees_of_freedom;
 }
 
@@ -87,7 +87,7 @@ TEST_P(MeasurementChecks, AreMendedByWhatTheyOffer) {
 
 INSTANTIATE_TEST_SUITE_P(OfEveryKind, MeasurementChecks, ::testing::Range<std::size_t>(0, seededMistakes().size()));
 
-// No finding states an error below the noise, even if the readings are so few that the free parameters fit them
+// No finding states an error below the noise, even if the measurements are so few that the free parameters fit them
 // exactly.
 TEST(MeasurementChecksOf, ErrorsAreQuotedNoLowerThanTheNoise) {
   int quoted = 0;
@@ -97,12 +97,13 @@ TEST(MeasurementChecksOf, ErrorsAreQuotedNoLowerThanTheNoise) {
         SeededRandom random(number + count);
         auto set = cleanSet(number);
         ASSERT_TRUE(set);
-        set->table.readings.resize(std::min(count, set->table.readings.size()));
+        set->table.measurements.resize(std::min(count, set->table.measurements.size()));
         if (!kind.make(*set, random)) continue;
         double noise = std::numeric_limits<double>::infinity();
-        for (const auto& m : set->table.readings) noise = std::min(noise, m.sigma);
+        for (const auto& m : set->table.measurements) noise = std::min(noise, m.sigma);
         for (const auto& check : checksOf(*set).checks) {
-          if (check.name == "hole" || !findMistakeKind(check.name)) continue;  // a hole's error belongs to one reading
+          if (check.name == "hole" || !findMistakeKind(check.name))
+            continue;  // a hole's error belongs to one measurement
           for (const double error : {check.error_as_is, check.error_if_mended}) {
             if (!std::isfinite(error)) continue;
             ++quoted;
@@ -115,7 +116,7 @@ TEST(MeasurementChecksOf, ErrorsAreQuotedNoLowerThanTheNoise) {
   EXPECT_GT(quoted, 20);
 }
 
-TEST(MeasurementChecksOf, CleanReadingsSuspectNothing) {
+TEST(MeasurementChecksOf, CleanMeasurementsSuspectNothing) {
   for (std::uint64_t number = 0; number < 10; ++number) {
     const auto set = cleanSet(number);
     ASSERT_TRUE(set) << number;
@@ -135,9 +136,9 @@ TEST(MeasurementChecksOf, PhysicsIsNoMistake) {
   }
 }
 
-// Drifts, and slips of the base in readings with times, are left to the diagnosis: no mistake that begins at a reading
-// is proposed for them.
-TEST(MistakesFromAReading, AreNotSeenInWhatCreeps) {
+// Drifts, and slips of the base in measurements with times, are left to the diagnosis: no mistake that begins at a
+// measurement is proposed for them.
+TEST(MistakesFromAMeasurement, AreNotSeenInWhatCreeps) {
   static constexpr const char* kHidden[] = {"base-drift@base", "thermal-growth@arm", "base-slip@base"};
   for (const char* hidden : kHidden)
     for (const std::uint64_t seed : {1, 2, 3}) {
@@ -149,24 +150,24 @@ TEST(MistakesFromAReading, AreNotSeenInWhatCreeps) {
 }
 
 /// A zero that drifts as the arm warms up, by as much as a step of twenty times the noise, is not named as a mistake
-/// that begins at a reading.
-TEST(MistakesFromAReading, AreNotSeenInAZeroThatCreeps) {
+/// that begins at a measurement.
+TEST(MistakesFromAMeasurement, AreNotSeenInAZeroThatCreeps) {
   for (const std::uint64_t number : {0, 3, 5, 8})
     for (const double share : {0.1, 0.4, 3.}) {
       auto set = cleanSet(number);
       ASSERT_TRUE(set);
-      auto& readings = set->table.readings;
-      const auto count = static_cast<double>(readings.size());
-      for (std::size_t k = 0; k < readings.size(); ++k)
-        readings[k].q[1] +=
+      auto& measurements = set->table.measurements;
+      const auto count = static_cast<double>(measurements.size());
+      for (std::size_t k = 0; k < measurements.size(); ++k)
+        measurements[k].q[1] +=
             0.0015 * (1 - std::exp(-static_cast<double>(k) / (share * count))) / (1 - std::exp(-1 / share));
       for (const auto& check : checksOf(*set).checks)
         EXPECT_EQ(check.assume.find('@'), std::string::npos) << set->name << " " << share << ": " << check.sentence;
     }
 }
 
-// Once the readings are corrected as proposed, the checks find no further mistake in them.
-TEST(MistakesFromAReading, AreGoneOnceMended) {
+// Once the measurements are corrected as proposed, the checks find no further mistake in them.
+TEST(MistakesFromAMeasurement, AreGoneOnceMended) {
   int mended = 0;
   for (const char* label : {"counts lost midway", "another target midway", "tracker bumped midway"})
     for (std::uint64_t number = 0; number < 4; ++number) {
@@ -188,7 +189,7 @@ TEST(MistakesFromAReading, AreGoneOnceMended) {
 
 // If one mistake affects the whole table and another starts within it, both are named, in the order of their
 // correction.
-TEST(MistakesFromAReading, AreNamedBesideOthers) {
+TEST(MistakesFromAMeasurement, AreNamedBesideOthers) {
   int made = 0, named = 0;
   std::string found;
   for (const char* other : {"coordinates in mm", "one axis mirrored", "a joint's sign", "radians under deg"})
@@ -257,9 +258,9 @@ TEST(MeasurementChecksOf, RowsByTheStandardConventionAreNamed) {
   for (const bool is_standard : {true, false}) {
     PlacedArm real = elbowArm();
     if (is_standard) deflection::readAsStandard(real.arm.rows);
-    ReadingMaker maker(real, 5, ReadingMaker::Noise::kStated);
+    MeasurementMaker maker(real, 5, MeasurementMaker::Noise::kStated);
     maker.add(MeasurementKind::kPosition, 40);
-    const auto checks = checkMeasurements({elbowArm(), maker.readings, {{"tool.tip"}, true}, {}});
+    const auto checks = checkMeasurements({elbowArm(), maker.measurements, {{"tool.tip"}, true}, {}});
     const auto* gross = grossMistake(checks);
     EXPECT_EQ(gross != nullptr, is_standard);
     if (is_standard && gross) {
@@ -273,9 +274,9 @@ TEST(MeasurementChecksOf, ATwistWithTheOtherSignIsNamed) {
   PlacedArm real = elbowArm();
   auto& alpha = std::get<deflection::DenavitHartenberg<double>>(real.arm.rows[4].placement).alpha;
   alpha = -alpha;
-  ReadingMaker maker(real, 6, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(real, 6, MeasurementMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 40);
-  const auto checks = checkMeasurements({elbowArm(), maker.readings, {{"tool.tip"}, true}, {}});
+  const auto checks = checkMeasurements({elbowArm(), maker.measurements, {{"tool.tip"}, true}, {}});
   const auto* gross = grossMistake(checks);
   ASSERT_NE(gross, nullptr);
   EXPECT_EQ(gross->name, "twist");
@@ -284,7 +285,7 @@ TEST(MeasurementChecksOf, ATwistWithTheOtherSignIsNamed) {
 }
 
 // For at least 10 of the first 12 pairs of mistakes, the checks name both, or propose a correction with which the
-// readings fit as well as the clean ones. studies/measurement_checks.cpp counts five hundred pairs.
+// measurements fit as well as the clean ones. studies/measurement_checks.cpp counts five hundred pairs.
 TEST(PairsOfMistakes, AreBothNamed) {
   constexpr int kPairs = 12;
   int made = 0, named = 0;
@@ -307,7 +308,7 @@ TEST(PairsOfMistakes, AreBothNamed) {
 TEST(MeasurementChecksOf, JointsRoundedEachByItselfAreRemarkedOn) {
   auto set = cleanSet(0);
   ASSERT_TRUE(set);
-  for (auto& m : set->table.readings)
+  for (auto& m : set->table.measurements)
     for (Eigen::Index j = 0; j < m.q.size(); ++j) {
       const double step = j % 2 ? 0.005 : 0.5 * std::numbers::pi / 180;
       m.q[j] = std::round(m.q[j] / step) * step;
@@ -323,17 +324,17 @@ TEST(MeasurementChecksOf, JointsRoundedEachByItselfAreRemarkedOn) {
 TEST(MeasurementChecksOf, PulsesOfSeveralJointsAreAskedFor) {
   auto set = cleanSet(0);
   ASSERT_TRUE(set);
-  for (auto& m : set->table.readings) m.q *= 1000;
+  for (auto& m : set->table.measurements) m.q *= 1000;
   const auto checks = checksOf(*set).checks;
   EXPECT_NE(std::ranges::find(checks, std::string("joint-scale"), &MeasurementCheck::name), checks.end());
 }
 
-/// Joint readings rounded as on a display get a remark; readings with all digits get none.
+/// Joint readings rounded as on a display get a remark; measurements with all digits get none.
 TEST(MeasurementChecksOf, RoundedJointsAreRemarkedOn) {
   for (const double degrees : {0., 0.1, 0.5}) {
     auto set = cleanSet(0);
     ASSERT_TRUE(set);
-    for (auto& m : set->table.readings)
+    for (auto& m : set->table.measurements)
       for (double& q : m.q) {
         if (degrees == 0) continue;
         const double step = degrees * std::numbers::pi / 180;
@@ -349,81 +350,81 @@ TEST(MeasurementChecksOf, RoundedJointsAreRemarkedOn) {
 TEST(MeasurementChecksOf, MissingColumnsSayWhatTheyWouldShow) {
   const auto set = simulatedSet("bench.yaml", "bench", 12, {}, 5);
   ASSERT_TRUE(set);
-  auto readings = *set;
-  for (auto& m : readings.table.readings) {
+  auto measurements = *set;
+  for (auto& m : measurements.table.measurements) {
     m.approach_directions.clear();
     m.conditions = {};
   }
   std::vector<std::string> columns;
-  for (const auto& missing : checksOf(readings).missing) columns.push_back(missing.column);
+  for (const auto& missing : checksOf(measurements).missing) columns.push_back(missing.column);
   EXPECT_EQ(columns, (std::vector<std::string>{"<joint>_dir", "temperature", "time"}));
 }
 
 // If the measured values are shifted by a row, the direction of a tilt and the tool point of a position are shifted
 // with them.
 TEST(MeasurementChecksOf, ShiftedRowsKeepWholeWhatWasMeasured) {
-  std::vector<Measurement> readings(3);
-  readings[1].kind = MeasurementKind::kTilt;
-  readings[1].direction_W = Eigen::Vector3d::UnitZ();
-  readings[1].row = 2;
-  readings[2].p_TQ = Eigen::Vector3d(0.1, 0, 0);
-  mistakes::shifted_rows::shift(1, readings);
-  ASSERT_EQ(readings.size(), 2u);
-  EXPECT_EQ(readings[0].kind, MeasurementKind::kTilt);
-  EXPECT_TRUE(readings[0].direction_W);
-  EXPECT_EQ(readings[0].row, 2);
-  EXPECT_FALSE(readings[1].direction_W || readings[1].row);
-  EXPECT_TRUE(readings[1].p_TQ);
+  std::vector<Measurement> measurements(3);
+  measurements[1].kind = MeasurementKind::kTilt;
+  measurements[1].direction_W = Eigen::Vector3d::UnitZ();
+  measurements[1].row = 2;
+  measurements[2].p_TQ = Eigen::Vector3d(0.1, 0, 0);
+  mistakes::shifted_rows::shift(1, measurements);
+  ASSERT_EQ(measurements.size(), 2u);
+  EXPECT_EQ(measurements[0].kind, MeasurementKind::kTilt);
+  EXPECT_TRUE(measurements[0].direction_W);
+  EXPECT_EQ(measurements[0].row, 2);
+  EXPECT_FALSE(measurements[1].direction_W || measurements[1].row);
+  EXPECT_TRUE(measurements[1].p_TQ);
 }
 
-CheckedReadings checkedOf(const SeededSet& set) {
-  return {app::startOf(set.cell, set.table.readings), set.table.readings, app::freeNumbersOf(set.cell), set.table.units,
-          nullptr};
+CheckedMeasurements checkedOf(const SeededSet& set) {
+  return {app::startOf(set.cell, set.table.measurements), set.table.measurements, app::freeNumbersOf(set.cell),
+          set.table.units, nullptr};
 }
 
-TEST(MeasurementChecksOf, CopiesAreTakenOutWhereNoTwoReadingsWouldBeAlike) {
+TEST(MeasurementChecksOf, CopiesAreTakenOutWhereNoTwoMeasurementsWouldBeAlike) {
   auto set = simulatedSet("bench.yaml", "bench", 30, {}, 7);
   ASSERT_TRUE(set);
   auto clean = checkedOf(*set);
   EXPECT_FALSE(takeCopiesOut(clean));
-  EXPECT_EQ(clean.readings.size(), 30U);
+  EXPECT_EQ(clean.measurements.size(), 30U);
   for (int k : {3, 3, 17}) {
-    set->table.readings.push_back(set->table.readings[static_cast<std::size_t>(k)]);
-    set->table.readings.back().id += "-again" + std::to_string(set->table.readings.size());
+    set->table.measurements.push_back(set->table.measurements[static_cast<std::size_t>(k)]);
+    set->table.measurements.back().id += "-again" + std::to_string(set->table.measurements.size());
   }
   auto copied = checkedOf(*set);
   const auto check = takeCopiesOut(copied);
   ASSERT_TRUE(check);
   EXPECT_EQ(check->severity, CheckSeverity::kRemark);
-  EXPECT_EQ(copied.readings.size(), 30U);
-  EXPECT_EQ(copied.readings.back().id, clean.readings.back().id);
+  EXPECT_EQ(copied.measurements.size(), 30U);
+  EXPECT_EQ(copied.measurements.back().id, clean.measurements.back().id);
 }
 
-// Readings that are equal only because they are coarse, as a dial gauge's often are, are not taken for copies.
-TEST(MeasurementChecksOf, CoarseReadingsThatAgreeAreNoCopies) {
+// Measurements that are equal only because they are coarse, as a dial gauge's often are, are not taken for copies.
+TEST(MeasurementChecksOf, CoarseMeasurementsThatAgreeAreNoCopies) {
   auto set = simulatedSet("bench.yaml", "bench", 30, {}, 7);
   ASSERT_TRUE(set);
   const double step = 0.01 * set->table.units.coordinates.factor;
-  for (auto& m : set->table.readings) {
+  for (auto& m : set->table.measurements) {
     *m.p_W = (*m.p_W / step).array().round().matrix() * step;
     m.sigma = 3 * step;
   }
-  set->table.readings.push_back(set->table.readings.front());
-  set->table.readings.back().id += "-again";
+  set->table.measurements.push_back(set->table.measurements.front());
+  set->table.measurements.back().id += "-again";
   auto checked = checkedOf(*set);
   EXPECT_FALSE(takeCopiesOut(checked));
-  EXPECT_EQ(checked.readings.size(), 31U);
+  EXPECT_EQ(checked.measurements.size(), 31U);
 }
 
-TEST(MeasurementChecksOf, ManyReadingsAreThinnedOut) {
+TEST(MeasurementChecksOf, ManyMeasurementsAreThinnedOut) {
   auto set = simulatedSet("bench.yaml", "bench", 120, {}, 6);
   ASSERT_TRUE(set);
-  const auto few = set->table.readings;
+  const auto few = set->table.measurements;
   for (int copy = 1; copy < 100; ++copy)
     for (auto m : few) {
       m.id += "-" + std::to_string(copy);
       m.conditions[Condition::kTime] += copy;
-      set->table.readings.push_back(m);
+      set->table.measurements.push_back(m);
     }
   SeededRandom random(1);
   ASSERT_TRUE(seeded::jointSign(*set, random));
@@ -436,7 +437,7 @@ TEST(MeasurementChecksOf, ManyReadingsAreThinnedOut) {
 // would be excluded, which would improve the fit of the others.
 TEST(MistakeKinds, HolesWereNotCountedSoThatOneIsMissing) {
   const app::Cell cell = shippedCell("mockup.yaml");
-  CheckedReadings checked;
+  CheckedMeasurements checked;
   checked.sheet = &*cell.sheet;
   for (const auto& [row, column] : {std::pair{1, 40}, std::pair{20, 40}}) {
     const auto& tube = *cell.sheet->find(row, column);
@@ -444,17 +445,17 @@ TEST(MistakeKinds, HolesWereNotCountedSoThatOneIsMissing) {
     touch.kind = MeasurementKind::kTouch;
     touch.point = tubesheets::tubeName(row, column);
     touch.p_W = Eigen::Vector3d(tube.x, tube.y, 0);
-    checked.readings.push_back(touch);
+    checked.measurements.push_back(touch);
   }
   const MistakeKind& holes = *findMistakeKind("holes");
   EXPECT_FALSE(holes.mend(checked, "R-1"));
   const auto mend = holes.mend(checked, "R+1");
   ASSERT_TRUE(mend);
-  auto readings = checked.readings;
-  mend->apply(readings);
-  ASSERT_EQ(readings.size(), 2U);
-  EXPECT_EQ(readings[0].point, "R2C40");
-  EXPECT_EQ(readings[1].p_W->y(), cell.sheet->find(21, 40)->y);
+  auto measurements = checked.measurements;
+  mend->apply(measurements);
+  ASSERT_EQ(measurements.size(), 2U);
+  EXPECT_EQ(measurements[0].point, "R2C40");
+  EXPECT_EQ(measurements[1].p_W->y(), cell.sheet->find(21, 40)->y);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // If several joints are read in encoder pulses, with different or equal counts per degree, the checks find their
-// scales, unless there are too few readings.
+// scales, unless there are too few measurements.
 #include "calibration/measurement_checks/scales_together.hpp"
 
 #include <gtest/gtest.h>
@@ -11,10 +11,10 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// Converts readings of the listed joints to whole encoder counts, at `counts` per degree.
+/// Converts measurements of the listed joints to whole encoder counts, at `counts` per degree.
 void countPulses(SeededSet& set, const std::vector<int>& joints, const std::vector<double>& counts) {
   constexpr double kDegree = std::numbers::pi / 180;
-  for (auto& m : set.table.readings)
+  for (auto& m : set.table.measurements)
     for (std::size_t k = 0; k < joints.size(); ++k)
       m.q[joints[k]] = std::round(m.q[joints[k]] / kDegree * counts[k]) * kDegree;
 }
@@ -30,7 +30,7 @@ TEST(ScalesTogether, OfSeveralJointsAreNamed) {
         auto set = cleanSet(number);
         ASSERT_TRUE(set);
         SeededRandom random(number + 31);
-        SeededPair pulses{*set, set->table.readings, {}, "pulses"};
+        SeededPair pulses{*set, set->table.measurements, {}, "pulses"};
         std::vector<double> counts;
         for (std::size_t k = 0; k < joints.size(); ++k)
           counts.push_back(are_alike && k > 0 ? counts.front() : drawnBetween(200, 5000, random));
@@ -47,13 +47,13 @@ TEST(ScalesTogether, OfSeveralJointsAreNamed) {
   EXPECT_GE(mended, made * 3 / 4) << found;
 }
 
-TEST(ScalesTogether, AreNoneOfTooManyJointsOrTooFewReadings) {
+TEST(ScalesTogether, AreNoneOfTooManyJointsOrTooFewMeasurements) {
   auto set = cleanSet(0);
   ASSERT_TRUE(set);
   countPulses(*set, {1, 2}, {700, 900});
-  set->table.readings.resize(3);
-  const CheckedReadings few{app::startOf(set->cell, set->table.readings), set->table.readings,
-                            app::freeNumbersOf(set->cell), set->table.units, nullptr};
+  set->table.measurements.resize(3);
+  const CheckedMeasurements few{app::startOf(set->cell, set->table.measurements), set->table.measurements,
+                                app::freeNumbersOf(set->cell), set->table.units, nullptr};
   EXPECT_TRUE(likelyScales(few, {1, 2}).empty());
 }
 

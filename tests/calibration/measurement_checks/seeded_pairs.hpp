@@ -1,4 +1,4 @@
-// Two common mistakes introduced together into clean readings, and the judgement of whether the checks name both.
+// Two common mistakes introduced together into clean measurements, and the judgement of whether the checks name both.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ inline const SeededMistake& seededMistake(const std::string& label) {
   return *std::ranges::find_if(seededMistakes(), [&](const auto& mistake) { return mistake.label == label; });
 }
 
-/// Returns clean readings with the pair of mistakes of this number; empty if the set does not allow the pair, or if
+/// Returns clean measurements with the pair of mistakes of this number; empty if the set does not allow the pair, or if
 /// both mistakes are of one kind. Zeros of the last joint are excluded, since for tip positions they are equivalent to
 /// a tool mounted elsewhere.
 inline std::optional<SeededPair> seededPair(std::uint64_t number) {
@@ -43,7 +43,7 @@ inline std::optional<SeededPair> seededPair(std::uint64_t number) {
   const auto& then = seededMistake(labels[random() % labels.size()]);
   auto set = cleanSet(number);
   if (!set) return std::nullopt;
-  SeededPair pair{*set, set->table.readings, {}, std::string(first.label) + " + " + then.label};
+  SeededPair pair{*set, set->table.measurements, {}, std::string(first.label) + " + " + then.label};
   for (const auto* mistake : {&first, &then}) {
     const auto mend = mistake->make(pair.set, random);
     if (!mend || mend->starts_with("joint-zero=theta4")) return std::nullopt;
@@ -58,8 +58,8 @@ inline std::optional<SeededPair> seededPair(std::uint64_t number) {
 enum class PairNaming { kBoth, kAsGood, kOne, kOther, kNone };
 inline constexpr const char* kPairNamings[] = {"both", "as good", "one", "another", "none"};
 
-/// Returns the largest difference between the readings corrected as a check proposes and the clean readings: joints
-/// [rad, modulo a turn] and positions [m]; infinite if the proposal is refused.
+/// Returns the largest difference between the measurements corrected as a check proposes and the clean measurements:
+/// joints [rad, modulo a turn] and positions [m]; infinite if the proposal is refused.
 inline double distanceMended(const SeededPair& pair, const std::string& assume) {
   app::MeasurementTable table = pair.set.table;
   app::Cell cell = pair.set.cell;
@@ -69,7 +69,7 @@ inline double distanceMended(const SeededPair& pair, const std::string& assume) 
     return std::numeric_limits<double>::infinity();
   }
   double largest = 0;
-  for (const auto& m : table.readings) {
+  for (const auto& m : table.measurements) {
     const auto clean = std::ranges::find(pair.clean, m.id, &Measurement::id);
     for (int j = 0; j < m.q.size(); ++j)
       largest = std::max(largest, std::abs(std::remainder(m.q[j] - clean->q[j], 2 * std::numbers::pi)));
@@ -78,33 +78,34 @@ inline double distanceMended(const SeededPair& pair, const std::string& assume) 
   return largest;
 }
 
-/// Returns the set with its readings corrected as a check proposes.
+/// Returns the set with its measurements corrected as a check proposes.
 inline SeededSet mendedSet(const SeededPair& pair, const std::string& assume) {
   SeededSet set = pair.set;
   (void)app::takeAssumptions({assume}, set.table, set.cell);
   return set;
 }
 
-/// Returns true if the corrected readings fit as well as the clean ones: the errors, both with the tip as drawn and
+/// Returns true if the corrected measurements fit as well as the clean ones: the errors, both with the tip as drawn and
 /// with all parameters free, are less than 1.5 times as large.
 inline bool fitsAsClean(const SeededPair& pair, const std::string& assume) {
   SeededSet clean = pair.set;
-  clean.table.readings = pair.clean;
+  clean.table.measurements = pair.clean;
   const SeededSet mended = mendedSet(pair, assume);
   const CheckOptions options;
   const auto checkedOf = [](const SeededSet& set) {
-    return CheckedReadings{app::startOf(set.cell, set.table.readings), set.table.readings, app::freeNumbersOf(set.cell),
-                           set.table.units, set.cell.sheet ? &*set.cell.sheet : nullptr};
+    return CheckedMeasurements{app::startOf(set.cell, set.table.measurements), set.table.measurements,
+                               app::freeNumbersOf(set.cell), set.table.units,
+                               set.cell.sheet ? &*set.cell.sheet : nullptr};
   };
-  const CheckedReadings of_clean = checkedOf(clean), of_mended = checkedOf(mended);
+  const CheckedMeasurements of_clean = checkedOf(clean), of_mended = checkedOf(mended);
   const MistakeTrials without(of_clean, options), with(of_mended, options);
   return with.asIs().held_error < 1.5 * without.asIs().held_error &&
          with.asIs().open_error < 1.5 * without.asIs().open_error;
 }
 
-/// Judges how the checks name the two mistakes. Both: a proposal, or an equally good one, restores the clean readings
-/// to within 0.05 rad and 0.05 m. As good: a named mistake corrects the readings to fit as well as clean ones. One: a
-/// proposal contains one of the two mistakes.
+/// Judges how the checks name the two mistakes. Both: a proposal, or an equally good one, restores the clean
+/// measurements to within 0.05 rad and 0.05 m. As good: a named mistake corrects the measurements to fit as well as
+/// clean ones. One: a proposal contains one of the two mistakes.
 inline PairNaming judgePair(const SeededPair& pair, const MeasurementChecks& checks) {
   constexpr double kSame = 0.05;
   bool is_one = false, is_any = false;

@@ -1,5 +1,5 @@
-// Sets of clean readings of arms that differ slightly from their drawing, simulated for a design of a shipped cell or
-// chosen by number.
+// Sets of clean measurements of arms that differ slightly from their drawing, simulated for a design of a shipped cell
+// or chosen by number.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,15 +14,15 @@
 
 #include "app/formats/cell/cell_reader.hpp"
 #include "app/formats/cell/simulation_input.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/formats/measurements/measurements_reader.hpp"
 #include "app/formats/measurements/measurements_writer.hpp"
-#include "app/formats/measurements/reading_input.hpp"
 #include "app/studies/model/cell_fit.hpp"
 #include "calibration/measurement_checks/measurement_checks.hpp"
 
 namespace tubeplan::calibration {
 
-/// Cell with readings in the format of a measurement file.
+/// Cell with measurements in the format of a measurement file.
 struct SeededSet {
   std::string name;
   app::Cell cell;
@@ -42,34 +42,35 @@ inline app::Cell shippedCell(const std::string& name) {
   return app::readCell((std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells" / name).string());
 }
 
-/// Returns readings simulated for a design of a shipped cell, with stiffnesses wrong by a tenth, a displaced base if it
-/// is unknown, and the effects `hidden`. Empty if the simulation cannot make the readings.
-inline std::optional<SeededSet> simulatedSet(const std::string& cell_name, const std::string& design, int readings,
+/// Returns measurements simulated for a design of a shipped cell, with stiffnesses wrong by a tenth, a displaced base
+/// if it is unknown, and the effects `hidden`. Empty if the simulation cannot make the measurements.
+inline std::optional<SeededSet> simulatedSet(const std::string& cell_name, const std::string& design, int measurements,
                                              const std::vector<std::string>& hidden, std::uint64_t seed,
                                              const std::function<void(app::SimulationTask&)>& change = {}) {
-  SeededSet set{fmt::format("{} {} {} readings seed {} {}", cell_name, design, readings, seed, fmt::join(hidden, "+")),
-                shippedCell(cell_name),
-                {}};
+  SeededSet set{
+      fmt::format("{} {} {} readings seed {} {}", cell_name, design, measurements, seed, fmt::join(hidden, "+")),
+      shippedCell(cell_name),
+      {}};
   app::SimulationRequest request;
   request.design = design;
-  request.readings = readings;
+  request.measurements = measurements;
   request.hide = hidden;
   request.spread = set.cell.identify.empty() ? 0 : 0.1;
   request.seed = seed;
   auto task = app::prepareSimulation(set.cell, request);
   if (change) change(task);
-  const auto campaign = app::simulateReadings(set.cell, task, seed, {});
+  const auto campaign = app::simulateMeasurements(set.cell, task, seed, {});
   if (campaign.status != CampaignStatus::kDone) return std::nullopt;
-  set.table = app::parseMeasurementTable(app::measurementsCsv(campaign.readings, set.cell.arm, set.cell.units),
+  set.table = app::parseMeasurementTable(app::measurementsCsv(campaign.measurements, set.cell.arm, set.cell.units),
                                          "simulated.csv", set.cell.arm, set.cell.sheet ? &*set.cell.sheet : nullptr);
-  app::stateSigma(set.table.readings, set.cell, "simulated.csv", 0);
+  app::stateSigma(set.table.measurements, set.cell, "simulated.csv", 0);
   return set;
 }
 
 inline MeasurementChecks checksOf(const SeededSet& set) {
-  const CheckedReadings checked{app::startOf(set.cell, set.table.readings), set.table.readings,
-                                app::freeNumbersOf(set.cell), set.table.units,
-                                set.cell.sheet ? &*set.cell.sheet : nullptr};
+  const CheckedMeasurements checked{app::startOf(set.cell, set.table.measurements), set.table.measurements,
+                                    app::freeNumbersOf(set.cell), set.table.units,
+                                    set.cell.sheet ? &*set.cell.sheet : nullptr};
   return checkMeasurements(checked);
 }
 

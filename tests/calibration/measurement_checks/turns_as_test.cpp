@@ -10,8 +10,8 @@
 #include <map>
 
 #include "calibration/measurement_checks/measurement_checks.hpp"
-#include "calibration/measurements/reading_placement.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "calibration/measurements/measurement_placement.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -32,20 +32,21 @@ const std::map<std::string, WriteTurn>& turnWriters() {
 
 struct Turned {
   PlacedArm start;
-  std::vector<Measurement> clean, readings;
+  std::vector<Measurement> clean, measurements;
 };
 
 Turned turnedIn(const WriteTurn& write, MeasurementKind kind, int count, std::uint64_t seed, bool is_base_known) {
-  ReadingMaker maker(cobra(), seed, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(cobra(), seed, MeasurementMaker::Noise::kStated);
   maker.add(kind, count);
-  Turned turned{placeForReadings(cobra().arm, cobra().base_poses[0].X_WB, is_base_known, maker.readings),
-                maker.readings, maker.readings};
-  for (auto& reading : turned.readings) reading.own = write(deflection::rotationFromFixedAngles<double>(reading.own));
+  Turned turned{placeForMeasurements(cobra().arm, cobra().base_poses[0].X_WB, is_base_known, maker.measurements),
+                maker.measurements, maker.measurements};
+  for (auto& measurement : turned.measurements)
+    measurement.own = write(deflection::rotationFromFixedAngles<double>(measurement.own));
   return turned;
 }
 
-CheckedReadings checkedTurns(const Turned& turned) {
-  return {turned.start, turned.readings, {{"tool.tip"}, false}, {}};
+CheckedMeasurements checkedTurns(const Turned& turned) {
+  return {turned.start, turned.measurements, {{"tool.tip"}, false}, {}};
 }
 
 TEST(TurnsAs, EveryFormIsATurnOfTheTable) {
@@ -73,7 +74,7 @@ TEST(TurnsAs, IsNamedAndMendedOfEveryForm) {
                                                 is_base_known ? "known" : "unknown");
           ASSERT_NE(gross, nullptr) << label;
           EXPECT_EQ(gross->assume, "turns-as=" + name) << label << ": " << gross->sentence;
-          auto mended = turned.readings;
+          auto mended = turned.measurements;
           mistakes::turns_as::mend(checked, name)->apply(mended);
           for (std::size_t k = 0; k < mended.size(); ++k)
             EXPECT_TRUE(deflection::rotationFromFixedAngles<double>(mended[k].own)
@@ -84,10 +85,10 @@ TEST(TurnsAs, IsNamedAndMendedOfEveryForm) {
 
 TEST(TurnsAs, IsNotSeenInTurnsThatAreRight) {
   for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
-    ReadingMaker maker(cobra(), seed, ReadingMaker::Noise::kStated);
+    MeasurementMaker maker(cobra(), seed, MeasurementMaker::Noise::kStated);
     maker.add(MeasurementKind::kPose, 30);
-    const auto start = placeForReadings(cobra().arm, cobra().base_poses[0].X_WB, false, maker.readings);
-    const auto checks = checkMeasurements({start, maker.readings, {{"tool.tip"}, false}, {}});
+    const auto start = placeForMeasurements(cobra().arm, cobra().base_poses[0].X_WB, false, maker.measurements);
+    const auto checks = checkMeasurements({start, maker.measurements, {{"tool.tip"}, false}, {}});
     EXPECT_EQ(grossMistake(checks), nullptr) << seed;
   }
 }

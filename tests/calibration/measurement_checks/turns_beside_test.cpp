@@ -7,9 +7,9 @@
 #include <functional>
 
 #include "calibration/measurement_checks/measurement_checks.hpp"
-#include "calibration/measurements/reading_placement.hpp"
+#include "calibration/measurements/measurement_placement.hpp"
 #include "deflection/rotation.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -48,12 +48,12 @@ const std::vector<MistakeMade>& mistakesOfOthers() {
 }
 
 MeasurementChecks checksOfPoses(const std::vector<const MistakeMade*>& made, std::uint64_t seed) {
-  ReadingMaker maker(cobra(), seed, ReadingMaker::Noise::kStated);
+  MeasurementMaker maker(cobra(), seed, MeasurementMaker::Noise::kStated);
   maker.add(MeasurementKind::kPose, 40);
-  const auto start = placeForReadings(cobra().arm, cobra().base_poses[0].X_WB, seed % 2 == 0, maker.readings);
-  for (auto& reading : maker.readings)
-    for (const auto* mistake : made) mistake->make(reading);
-  return checkMeasurements({start, maker.readings, {{"tool.tip"}, false}, {}});
+  const auto start = placeForMeasurements(cobra().arm, cobra().base_poses[0].X_WB, seed % 2 == 0, maker.measurements);
+  for (auto& measurement : maker.measurements)
+    for (const auto* mistake : made) mistake->make(measurement);
+  return checkMeasurements({start, maker.measurements, {{"tool.tip"}, false}, {}});
 }
 
 TEST(TurnsBeside, AnotherMistakeBothAreNamed) {

@@ -1,9 +1,9 @@
-// For readings under tip forces and moments, and for arms with side chains, derivatives are exact and 95 % intervals
-// contain the truth as often as they should.
+// For measurements under tip forces and moments, and for arms with side chains, derivatives are exact and 95 %
+// intervals contain the truth as often as they should.
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/identification.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "deflection/rotation.hpp"
 #include "tests/calibration/bench_campaign.hpp"
 #include "tests/calibration/estimation/freeing.hpp"
@@ -56,14 +56,14 @@ TEST(LoadsOnTheArm, DerivativesByTheBaseTurnTheWrenchToo) {
     m.wrench = TipWrench{{40, -70, 20}, {15, 5, -25}};
     PredictionRequest request;
     request.by_base = true;
-    const auto prediction = predictReading(arm, X_WB, m, request);
+    const auto prediction = predictMeasurement(arm, X_WB, m, request);
     ASSERT_TRUE(prediction.ok);
     for (int axis = 0; axis < 3; ++axis) {
       constexpr double kStep = 1e-4;
       const auto turned = [&](double h) {
         Eigen::Isometry3d X = X_WB;
         X.linear() = deflection::rotationFromVector<double>(h * Vector3d::Unit(axis)) * X.linear();
-        return predictReading(arm, X, m).value;
+        return predictMeasurement(arm, X, m).value;
       };
       const Eigen::VectorXd slope = (turned(kStep) - turned(-kStep)) / (2 * kStep);
       EXPECT_LE((slope - prediction.by_base.col(3 + axis)).norm(), 1e-6 * slope.norm()) << axis;
@@ -90,13 +90,13 @@ TEST(LoadsOnTheArm, PushesShowWhatGravityCannot) {
     for (const auto& name : names)
       deflection::locate(known.arm, deflection::findParameter(known.arm, name)->path) =
           deflection::findParameter(start.arm, name)->value;
-    const auto pushed = identify(known, campaign.readings, freeing(names));
+    const auto pushed = identify(known, campaign.measurements, freeing(names));
     coverage.add(pushed, truth.arm);
     pushed_width += pushed.numbers[0].upper - pushed.numbers[0].lower;
-    const auto by_weight = identify(known, hung.readings, freeing(names));
+    const auto by_weight = identify(known, hung.measurements, freeing(names));
     hung_width += by_weight.numbers[0].upper - by_weight.numbers[0].lower;
-    for (auto& reading : campaign.readings) reading.wrench.reset();
-    blind_p = std::max(blind_p, identify(known, campaign.readings, freeing(names)).p_value);
+    for (auto& measurement : campaign.measurements) measurement.wrench.reset();
+    blind_p = std::max(blind_p, identify(known, campaign.measurements, freeing(names)).p_value);
   }
   EXPECT_EQ(coverage.all, 120);
   EXPECT_LE(coverage.outside, 14);  // 6 expected; more than 14 have a probability below 0.002
@@ -113,12 +113,12 @@ TEST(LoadsOnTheArm, WeightOfASideChainIsFound) {
     ASSERT_EQ(campaign.status, CampaignStatus::kDone) << campaign.reason;
     PlacedArm start = placed(truth.arm);
     start.arm.side_chains[0].rows[1].weight.lumps[0].weight = 40;
-    coverage.add(identify(start, campaign.readings,
+    coverage.add(identify(start, campaign.measurements,
                           freeing({"left-elbow.weight.lumps.1", "mezzanine-platform.joint_stiffness.x"})),
                  truth.arm);
     start.arm.side_chains.clear();
-    ignored_p = std::max(ignored_p,
-                         identify(start, campaign.readings, freeing({"mezzanine-platform.joint_stiffness.x"})).p_value);
+    ignored_p = std::max(
+        ignored_p, identify(start, campaign.measurements, freeing({"mezzanine-platform.joint_stiffness.x"})).p_value);
   }
   EXPECT_EQ(coverage.all, 60);
   EXPECT_LE(coverage.outside, 9);  // 3 expected; more than 9 have a probability below 0.002

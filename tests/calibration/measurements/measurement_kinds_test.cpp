@@ -1,4 +1,4 @@
-// Properties that every kind of reading in the table of measurement kinds must have.
+// Properties that every kind of measurement in the table of measurement kinds must have.
 #include "calibration/measurements/measurement_kinds.hpp"
 
 #include <gtest/gtest.h>
@@ -8,12 +8,12 @@
 
 #include "calibration/estimation/identification.hpp"
 #include "deflection/rotation.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
 
-Measurement anyReading(const MeasurementKindRow& row) {
+Measurement anyMeasurement(const MeasurementKindRow& row) {
   constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
   Measurement m;
   m.kind = row.kind;
@@ -24,23 +24,23 @@ Measurement anyReading(const MeasurementKindRow& row) {
   return m;
 }
 
-/// Returns readings of every kind, at the tip and at another point of the tool. Displacements are also given as a
+/// Returns measurements of every kind, at the tip and at another point of the tool. Displacements are also given as a
 /// length, step counts also with all steps entered.
-std::vector<Measurement> readingsOfEveryKind() {
-  std::vector<Measurement> readings;
+std::vector<Measurement> measurementsOfEveryKind() {
+  std::vector<Measurement> measurements;
   for (const MeasurementKindRow& row : measurementKinds()) {
-    readings.push_back(anyReading(row));
-    readings.push_back(anyReading(row));
-    readings.back().p_TQ = Eigen::Vector3d(0.02, -0.05, 0.03);
-    if (row.is_from_reading) {
-      readings.push_back(anyReading(row));
-      readings.back().p_W.reset();
+    measurements.push_back(anyMeasurement(row));
+    measurements.push_back(anyMeasurement(row));
+    measurements.back().p_TQ = Eigen::Vector3d(0.02, -0.05, 0.03);
+    if (row.is_from_measurement) {
+      measurements.push_back(anyMeasurement(row));
+      measurements.back().p_W.reset();
     }
     if (!row.counts_steps) continue;
-    readings.push_back(anyReading(row));
-    readings.back().own[1] = 0;
+    measurements.push_back(anyMeasurement(row));
+    measurements.back().own[1] = 0;
   }
-  return readings;
+  return measurements;
 }
 
 ToolPose anyTool() {
@@ -60,7 +60,7 @@ TEST(MeasurementKinds, StandInTheOrderOfTheirEnumeration) {
 
 TEST(MeasurementKinds, SlopesAreDifferencesOfValues) {
   const ToolPose tool = anyTool();
-  for (const Measurement& m : readingsOfEveryKind()) {
+  for (const Measurement& m : measurementsOfEveryKind()) {
     const char* name = kindOf(m).name;
     ASSERT_EQ(predictedValue(m, tool).size(), rowsOf(m)) << name;
     const MeasuredSlope slope = predictedSlope(m, tool);
@@ -83,13 +83,13 @@ TEST(MeasurementKinds, WhatIsRecordedWasMeasured) {
   const ToolPose tool = anyTool();
   for (const MeasurementKindRow& row : measurementKinds()) {
     if (row.is_touch || row.settle) continue;  // records no value: the touched place is the tip's position
-    Measurement m = anyReading(row);
+    Measurement m = anyMeasurement(row);
     row.record(tool, 1, MeasuredValue::Zero(row.rows), m);
     EXPECT_LE((row.measured(m) - row.value(m, tool)).norm(), 1e-12) << row.name;
   }
 }
 
-TEST(MeasurementKinds, WhatIsRecordedIsAllThatAReadingHasToState) {
+TEST(MeasurementKinds, WhatIsRecordedIsAllThatAMeasurementHasToState) {
   const KnownPlaces places{Eigen::Vector3d(0.3, -0.2, 0.5), Eigen::Vector3d(0.1, 0.2, -0.4),
                            Eigen::Vector3d(0.6, 0, 0.8), Eigen::Vector3d::UnitZ()};
   for (const MeasurementKindRow& row : measurementKinds()) {
@@ -111,7 +111,7 @@ TEST(MeasurementKinds, WhatIsRecordedIsAllThatAReadingHasToState) {
 // The sines of the tilts equal the vertical components of the tool's axes, and their squares sum to one.
 TEST(MeasurementKinds, TiltsAreTheElevationsOfTheToolsAxes) {
   const ToolPose tool = anyTool();
-  Measurement m = anyReading(kindOf(MeasurementKind::kTilt));
+  Measurement m = anyMeasurement(kindOf(MeasurementKind::kTilt));
   m.direction_W = Eigen::Vector3d::UnitZ();
   m.own.setZero();
   const MeasuredValue angles = predictedValue(m, tool) / kTurnLever;
@@ -123,21 +123,21 @@ TEST(MeasurementKinds, TiltsAreTheElevationsOfTheToolsAxes) {
   EXPECT_NEAR(sum, 1, 1e-12);
 }
 
-// For each kind of reading, between 180 and 198 of 200 intervals of 95 % contain the truth; for correct intervals, this
-// has a probability of 0.998.
+// For each kind of measurement, between 180 and 198 of 200 intervals of 95 % contain the truth; for correct intervals,
+// this has a probability of 0.998.
 TEST(MeasurementKinds, IntervalsHoldTheTruthAsOftenAsTheySay) {
   for (const MeasurementKindRow& row : measurementKinds()) {
     if (row.is_touch) continue;  // one inverse solution per touch is too slow; the tests of campaigns cover touches
     int holds = 0, count = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
       const PlacedArm truth = cobra();
-      ReadingMaker maker(truth, seed, ReadingMaker::Noise::kStated);
+      MeasurementMaker maker(truth, seed, MeasurementMaker::Noise::kStated);
       maker.add(row.kind, 30);
       IdentificationOptions options;
       options.free = {{"tool.joint_stiffness.z"}, false};
       options.folds = 0;
       options.intervals_by_profile = false;
-      const auto result = identify(truth, maker.readings, options);
+      const auto result = identify(truth, maker.measurements, options);
       if (result.status != IdentificationStatus::kDone) continue;
       const double value = deflection::findParameter(truth.arm, "tool.joint_stiffness.z")->value;
       ++count;

@@ -5,8 +5,8 @@
 
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/identification.hpp"
-#include "calibration/measurements/reading_problems.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "calibration/measurements/measurement_problems.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -18,26 +18,27 @@ std::vector<MeasurementKind> kindsOfSurfaces() {
   return kinds;
 }
 
-std::vector<Measurement> touches(MeasurementKind kind, int count, ReadingMaker::Noise noise, std::uint64_t seed = 3) {
-  ReadingMaker maker(cobra(), seed, noise);
+std::vector<Measurement> touches(MeasurementKind kind, int count, MeasurementMaker::Noise noise,
+                                 std::uint64_t seed = 3) {
+  MeasurementMaker maker(cobra(), seed, noise);
   maker.add(kind, count);
-  return maker.readings;
+  return maker.measurements;
 }
 
-/// Returns the readings without stated values such as a sphere's radius.
-std::vector<Measurement> withoutGiven(std::vector<Measurement> readings) {
-  for (auto& reading : readings) reading.own.setConstant(std::numeric_limits<double>::quiet_NaN());
-  return readings;
+/// Returns the measurements without stated values such as a sphere's radius.
+std::vector<Measurement> withoutGiven(std::vector<Measurement> measurements) {
+  for (auto& measurement : measurements) measurement.own.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return measurements;
 }
 
-TEST(Surfaces, ExactReadingsLieOnThem) {
+TEST(Surfaces, ExactMeasurementsLieOnThem) {
   for (const auto kind : kindsOfSurfaces())
-    for (const auto& readings :
-         {touches(kind, 30, ReadingMaker::Noise::kNone), withoutGiven(touches(kind, 30, ReadingMaker::Noise::kNone))}) {
-      const auto surfaces = surfacesOf(cobra(), readings);
+    for (const auto& measurements : {touches(kind, 30, MeasurementMaker::Noise::kNone),
+                                     withoutGiven(touches(kind, 30, MeasurementMaker::Noise::kNone))}) {
+      const auto surfaces = surfacesOf(cobra(), measurements);
       ASSERT_EQ(surfaces.size(), 3u) << kindOf(kind).name;
       for (const auto& surface : surfaces) {
-        EXPECT_EQ(surface.readings, 10);
+        EXPECT_EQ(surface.measurements, 10);
         EXPECT_LE(surface.rms, 1e-9) << surface.kind << " " << surface.point;
       }
     }
@@ -47,18 +48,19 @@ TEST(Surfaces, ExactReadingsLieOnThem) {
 // product of two vectors between its tips, and the centre of a sphere is at the same distance from all of its tips.
 TEST(Surfaces, AreThoseThatWereTouched) {
   const PlacedArm placed = cobra();
-  const auto tipsOf = [&](const std::vector<Measurement>& readings) {
+  const auto tipsOf = [&](const std::vector<Measurement>& measurements) {
     std::vector<Eigen::Vector3d> tips;
-    for (const auto& m : readings) tips.push_back(toolAt(placed.arm, placed.base_poses.front().X_WB, m, kFine)->p_W);
+    for (const auto& m : measurements)
+      tips.push_back(toolAt(placed.arm, placed.base_poses.front().X_WB, m, kFine)->p_W);
     return tips;
   };
-  const auto on_plane = touches(MeasurementKind::kPlane, 10, ReadingMaker::Noise::kNone);
+  const auto on_plane = touches(MeasurementKind::kPlane, 10, MeasurementMaker::Noise::kNone);
   const auto tips = tipsOf(on_plane);
   const auto plane = surfacesOf(placed, on_plane).front().surface;
   EXPECT_LE((tips[1] - tips[0]).cross(tips[2] - tips[0]).normalized().cross(plane.direction_W).norm(), 1e-6);
-  const auto on_ball = touches(MeasurementKind::kSphere, 10, ReadingMaker::Noise::kNone);
-  for (const auto& readings : {on_ball, withoutGiven(on_ball)}) {
-    const auto ball = surfacesOf(placed, readings).front().surface;
+  const auto on_ball = touches(MeasurementKind::kSphere, 10, MeasurementMaker::Noise::kNone);
+  for (const auto& measurements : {on_ball, withoutGiven(on_ball)}) {
+    const auto ball = surfacesOf(placed, measurements).front().surface;
     EXPECT_NEAR(ball.radius, on_ball.front().own[0], 1e-9);
     for (const auto& tip : tipsOf(on_ball)) EXPECT_NEAR((tip - ball.p_W).norm(), ball.radius, 1e-9);
   }
@@ -68,20 +70,21 @@ TEST(Surfaces, ResidualIsZeroAndItsSlopesAreDifferences) {
   for (const auto kind : kindsOfSurfaces()) {
     PlacedArm start = cobra();
     start.base_poses.front().is_known = false;
-    const auto readings = touches(kind, 30, ReadingMaker::Noise::kNone);
+    const auto measurements = touches(kind, 30, MeasurementMaker::Noise::kNone);
     const auto unknowns =
         chooseUnknowns(start, {{"tool.joint_stiffness.z", "forearm.dh.a", "latch-link.joint.offset"}, true}).list;
-    const auto weights = weighReadings(start, readings);
+    const auto weights = weighMeasurements(start, measurements);
     ASSERT_TRUE(weights);
     EXPECT_EQ(weights->degrees_of_freedom, 30 - 3 * 3) << "three numbers of each: the radius is stated";
     const Eigen::VectorXd zero = zerosOf(unknowns);
-    const auto at = whitenedResidual(start, unknowns, readings, *weights, zero, true);
+    const auto at = whitenedResidual(start, unknowns, measurements, *weights, zero, true);
     ASSERT_TRUE(at.ok);
     EXPECT_LE(at.error.norm(), 1e-9);
     for (Eigen::Index k = 0; k < zero.size(); ++k) {
       const double h = 1e-4 * unknowns[static_cast<std::size_t>(k)].typical;
       const auto moved = [&](double by) {
-        return whitenedResidual(start, unknowns, readings, *weights, by * Eigen::VectorXd::Unit(zero.size(), k), false)
+        return whitenedResidual(start, unknowns, measurements, *weights, by * Eigen::VectorXd::Unit(zero.size(), k),
+                                false)
             .r.eval();
       };
       const Eigen::VectorXd slope = (8 * (moved(h) - moved(-h)) - (moved(2 * h) - moved(-2 * h))) / (12 * h);
@@ -91,25 +94,25 @@ TEST(Surfaces, ResidualIsZeroAndItsSlopesAreDifferences) {
   }
 }
 
-// Unknown surfaces move with an unknown base, so the readings do not determine its position.
+// Unknown surfaces move with an unknown base, so the measurements do not determine its position.
 TEST(Surfaces, DoNotSeeWhereTheBaseIs) {
   for (const auto kind : kindsOfSurfaces()) {
     PlacedArm start = cobra();
     start.base_poses.front().is_known = false;
-    const auto readings = touches(kind, 30, ReadingMaker::Noise::kNone);
+    const auto measurements = touches(kind, 30, MeasurementMaker::Noise::kNone);
     const auto unknowns = chooseUnknowns(start, {{}, true}).list;
-    const auto weights = weighReadings(start, readings);
+    const auto weights = weighMeasurements(start, measurements);
     ASSERT_TRUE(weights);
-    const auto at = whitenedResidual(start, unknowns, readings, *weights, zerosOf(unknowns), true);
+    const auto at = whitenedResidual(start, unknowns, measurements, *weights, zerosOf(unknowns), true);
     ASSERT_TRUE(at.ok);
-    EXPECT_LE(at.jacobian.leftCols(3).norm(), 1e-6 * std::sqrt(30.) / readings.front().sigma) << kindOf(kind).name;
+    EXPECT_LE(at.jacobian.leftCols(3).norm(), 1e-6 * std::sqrt(30.) / measurements.front().sigma) << kindOf(kind).name;
   }
 }
 
 // If the forearm is 2 mm longer than drawn, touches of unknown surfaces reveal its length, as a tracker does.
 TEST(Surfaces, TellALengthOfTheArm) {
   for (const auto kind : kindsOfSurfaces()) {
-    const auto readings = touches(kind, 90, ReadingMaker::Noise::kStated, 11);
+    const auto measurements = touches(kind, 90, MeasurementMaker::Noise::kStated, 11);
     PlacedArm drawing = cobra();
     double& length = deflection::locate(drawing.arm, deflection::findParameter(drawing.arm, "forearm.dh.a")->path);
     const double truth = length;
@@ -118,7 +121,7 @@ TEST(Surfaces, TellALengthOfTheArm) {
     options.free = {{"forearm.dh.a"}, false};
     options.folds = 0;
     options.intervals_by_profile = false;
-    const auto found = identify(drawing, readings, options);
+    const auto found = identify(drawing, measurements, options);
     ASSERT_EQ(found.status, IdentificationStatus::kDone) << found.reason;
     const auto& number = found.numbers.front();
     EXPECT_NEAR(number.value, truth, 4 * number.sigma) << kindOf(kind).name;
@@ -129,12 +132,12 @@ TEST(Surfaces, TellALengthOfTheArm) {
 
 TEST(Surfaces, TooFewTouchesOfOneAreRefused) {
   for (const auto kind : kindsOfSurfaces()) {
-    const auto readings = touches(kind, 13, ReadingMaker::Noise::kNone);
-    ASSERT_EQ(leastOfPlace(readings.front()), 4);
-    const auto problem = findReadingProblem(readings, {});
+    const auto measurements = touches(kind, 13, MeasurementMaker::Noise::kNone);
+    ASSERT_EQ(leastOfPlace(measurements.front()), 4);
+    const auto problem = findMeasurementProblem(measurements, {});
     ASSERT_TRUE(problem);
-    EXPECT_EQ(problem->reading, 10) << "three touches of the second surface";
-    EXPECT_FALSE(findReadingProblem(touches(kind, 14, ReadingMaker::Noise::kNone), {}));
+    EXPECT_EQ(problem->measurement, 10) << "three touches of the second surface";
+    EXPECT_FALSE(findMeasurementProblem(touches(kind, 14, MeasurementMaker::Noise::kNone), {}));
   }
 }
 

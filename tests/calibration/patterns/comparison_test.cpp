@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/measurements/reading_placement.hpp"
+#include "calibration/measurements/measurement_placement.hpp"
 #include "tests/calibration/campaign.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 #include "tests/units.hpp"
 
 namespace tubeplan::calibration {
@@ -27,26 +27,26 @@ ComparisonOptions refitOf(const std::vector<std::string>& names) {
 
 const std::vector<std::string> kTwoStiffnesses = {"tool.joint_stiffness.z", "forearm.joint_stiffness.z"};
 
-Comparison compareCobra(const std::vector<Measurement>& readings,
+Comparison compareCobra(const std::vector<Measurement>& measurements,
                         const std::vector<std::string>& free = kTwoStiffnesses) {
-  return compare(placeForReadings(deflection::cobraArm(), Isometry3d::Identity(), true, readings), readings,
+  return compare(placeForMeasurements(deflection::cobraArm(), Isometry3d::Identity(), true, measurements), measurements,
                  refitOf(free));
 }
 
 /// Linear model: a given Jacobian, and random residuals from which the components that the Jacobian absorbs are
 /// removed.
 struct LinearWorld {
-  ReadingScene scene;
-  ReadingWeights weights;
+  MeasurementScene scene;
+  MeasurementWeights weights;
   WhitenedResidual residual;
   MatrixXd Q;
 
-  explicit LinearWorld(const std::vector<Measurement>& readings) {
-    PlacedArm placed = placeForReadings(deflection::cobraArm(), Isometry3d::Identity(), false, readings);
+  explicit LinearWorld(const std::vector<Measurement>& measurements) {
+    PlacedArm placed = placeForMeasurements(deflection::cobraArm(), Isometry3d::Identity(), false, measurements);
     const auto unknowns = chooseUnknowns(placed, {kTwoStiffnesses, true}).list;
-    scene = observe(placed, readings);
-    weights = *weighReadings(placed, readings);
-    residual = whitenedResidual(placed, unknowns, readings, weights,
+    scene = observe(placed, measurements);
+    weights = *weighMeasurements(placed, measurements);
+    residual = whitenedResidual(placed, unknowns, measurements, weights,
                                 VectorXd::Zero(static_cast<Eigen::Index>(unknowns.size())), true);
     Q = MatrixXd(residual.jacobian.householderQr().householderQ()).leftCols(residual.jacobian.cols());
   }
@@ -60,15 +60,16 @@ struct LinearWorld {
   }
 };
 
-// For a relative reading, `seen` must be the displacement from the reference, because the error of the measured length
-// lies along this vector.
+// For a relative measurement, `seen` must be the displacement from the reference, because the error of the measured
+// length lies along this vector.
 TEST(Comparison, theErrorOfAWayLiesAlongIt) {
-  ReadingMaker maker(cobra(), 4, ReadingMaker::Noise::kNone);
+  MeasurementMaker maker(cobra(), 4, MeasurementMaker::Noise::kNone);
   maker.add(MeasurementKind::kRelative, 6);
-  const auto scene = observe(cobra(), maker.readings);
+  const auto scene = observe(cobra(), maker.measurements);
   ASSERT_TRUE(scene.ok);
-  for (std::size_t k = 0; k < maker.readings.size(); ++k)
-    EXPECT_LE((scene.seen.col(static_cast<Eigen::Index>(k)) - *maker.readings[k].p_W).norm(), 1e-4) << "the way read";
+  for (std::size_t k = 0; k < maker.measurements.size(); ++k)
+    EXPECT_LE((scene.seen.col(static_cast<Eigen::Index>(k)) - *maker.measurements[k].p_W).norm(), 1e-4)
+        << "the way read";
 }
 
 TEST(Comparison, noiseShowsPatternsNoOftenerThanPromised) {
@@ -165,14 +166,14 @@ TEST(Comparison, whatGoesWithAConditionIsFoundByIt) {
     return std::ranges::any_of(deflection::kConditionKinds, [&](const auto& kind) { return kind.name == name; });
   };
   for (const auto& kind : deflection::kConditionKinds) {
-    auto readings = makeCampaign(deflection::cobraArm(), 6);
-    for (std::size_t k = 0; k < readings.size(); ++k) {
+    auto measurements = makeCampaign(deflection::cobraArm(), 6);
+    for (std::size_t k = 0; k < measurements.size(); ++k) {
       const double share = std::fmod(0.618034 * static_cast<double>(k), 1);
-      readings[k].conditions = {};
-      readings[k].conditions[kind.condition] = kind.usual + 10 * share;
-      readings[k].p_W->z() += 30 * kReadingSigma * share;
+      measurements[k].conditions = {};
+      measurements[k].conditions[kind.condition] = kind.usual + 10 * share;
+      measurements[k].p_W->z() += 30 * kMeasurementSigma * share;
     }
-    const auto result = compareCobra(readings);
+    const auto result = compareCobra(measurements);
     EXPECT_EQ(result.verdict, Adequacy::kInadequate) << kind.name;
     ASSERT_FALSE(result.patterns.findings.empty()) << kind.name;
     EXPECT_EQ(result.patterns.findings.front().kind, kind.name);
@@ -184,11 +185,11 @@ TEST(Comparison, whatGoesWithAConditionIsFoundByIt) {
 
 TEST(Comparison, aPlantedOffsetIsSeenAndGoneOnceItIsFitted) {
   const auto truth = withEffect(deflection::cobraArm(), "joint-offset", "theta3", 0.1 * kDegree);
-  const auto readings = makeCampaign(truth, 8);
-  const auto without = compareCobra(readings);
+  const auto measurements = makeCampaign(truth, 8);
+  const auto without = compareCobra(measurements);
   EXPECT_EQ(without.verdict, Adequacy::kInadequate);
   EXPECT_FALSE(without.patterns.findings.empty());
-  const auto with = compareCobra(readings, {"forearm.joint.offset", "tool.joint_stiffness.z"});
+  const auto with = compareCobra(measurements, {"forearm.joint.offset", "tool.joint_stiffness.z"});
   EXPECT_EQ(with.as_it_stands.adequacy, Adequacy::kInadequate);
   EXPECT_EQ(with.verdict, Adequacy::kAdequate);
   EXPECT_TRUE(with.patterns.findings.empty());
@@ -207,67 +208,67 @@ TEST(Comparison, nothingFreeIsJudgedAsItStands) {
 TEST(Comparison, whatOnlyNoiseMovesIsNotAsked) {
   // If holes of a flat sheet are touched, the predicted height varies only because of the error, so the height must not
   // be tested. Neither may joints and positions be tested that do not vary beyond noise.
-  auto readings = makeCampaign(deflection::cobraArm(), 21);
-  for (auto& reading : readings) {
-    const Vector3d tip = *reading.p_W;
-    reading.kind = MeasurementKind::kTouch;
-    reading.point = reading.id;
-    reading.p_W = Vector3d(tip.x(), tip.y(), 1);
+  auto measurements = makeCampaign(deflection::cobraArm(), 21);
+  for (auto& measurement : measurements) {
+    const Vector3d tip = *measurement.p_W;
+    measurement.kind = MeasurementKind::kTouch;
+    measurement.point = measurement.id;
+    measurement.p_W = Vector3d(tip.x(), tip.y(), 1);
   }
-  const auto placed = placeForReadings(deflection::cobraArm(), Isometry3d::Identity(), true, readings);
-  const auto names = [](const ReadingScene& scene, const std::string& kind_name) {
+  const auto placed = placeForMeasurements(deflection::cobraArm(), Isometry3d::Identity(), true, measurements);
+  const auto names = [](const MeasurementScene& scene, const std::string& kind_name) {
     std::vector<std::string> list;
     for (const auto& kind : patternKinds())
       if (kind.name == kind_name)
         for (const auto& variable : kind.variables(scene)) list.push_back(variable.name);
     return list;
   };
-  EXPECT_EQ(names(observe(placed, readings), "position"), (std::vector<std::string>{"position x", "position y"}));
-  EXPECT_EQ(names(observe(placed, readings), "joint").size(), 8u) << "each joint, and its cycles";
-  const auto still = makeCampaign(deflection::cobraArm(), 22, {1, 40, kReadingSigma, kReadingSigma});
+  EXPECT_EQ(names(observe(placed, measurements), "position"), (std::vector<std::string>{"position x", "position y"}));
+  EXPECT_EQ(names(observe(placed, measurements), "joint").size(), 8u) << "each joint, and its cycles";
+  const auto still = makeCampaign(deflection::cobraArm(), 22, {1, 40, kMeasurementSigma, kMeasurementSigma});
   EXPECT_TRUE(names(observe(placed, still), "joint").empty());
   EXPECT_TRUE(names(observe(placed, still), "position").empty());
 }
 
-TEST(Comparison, worstReadingIsTheOneThatWasSpoiled) {
-  auto readings = makeCampaign(deflection::cobraArm(), 10);
-  readings[17].p_W->y() -= 20 * kReadingSigma;
-  readings[3].is_held_out = true;
-  const auto result = compareCobra(readings);
+TEST(Comparison, worstMeasurementIsTheOneThatWasSpoiled) {
+  auto measurements = makeCampaign(deflection::cobraArm(), 10);
+  measurements[17].p_W->y() -= 20 * kMeasurementSigma;
+  measurements[3].is_held_out = true;
+  const auto result = compareCobra(measurements);
   EXPECT_EQ(result.worst.front(), 17);
-  EXPECT_EQ(result.worst.size(), readings.size() - 1);
-  const auto& worst = result.readings[17];
-  EXPECT_LT(worst.error_after.y(), -15 * kReadingSigma) << "measured less predicted";
-  EXPECT_TRUE(result.readings[3].is_held_out);
-  EXPECT_LT(result.readings[3].sigmas_after, 6);
+  EXPECT_EQ(result.worst.size(), measurements.size() - 1);
+  const auto& worst = result.measurements[17];
+  EXPECT_LT(worst.error_after.y(), -15 * kMeasurementSigma) << "measured less predicted";
+  EXPECT_TRUE(result.measurements[3].is_held_out);
+  EXPECT_LT(result.measurements[3].sigmas_after, 6);
 }
 
 TEST(Comparison, refusesWhatCannotBeFitted) {
-  const auto readings = makeCampaign(deflection::cobraArm(), 10);
-  const auto unknown = compareCobra(readings, {"elbow.joint_stiffness.z"});
+  const auto measurements = makeCampaign(deflection::cobraArm(), 10);
+  const auto unknown = compareCobra(measurements, {"elbow.joint_stiffness.z"});
   EXPECT_EQ(unknown.status, ComparisonStatus::kRefused);
   EXPECT_EQ(unknown.verdict, Adequacy::kNotRun);
   ASSERT_EQ(unknown.problems.size(), 1u);
-  auto all_out = readings;
-  for (auto& reading : all_out) reading.is_held_out = true;
+  auto all_out = measurements;
+  for (auto& measurement : all_out) measurement.is_held_out = true;
   EXPECT_EQ(compareCobra(all_out).status, ComparisonStatus::kRefused);
 }
 
 TEST(Repeats, closedFormOfPureErrorAndLackOfFit) {
-  // Two readings of one posture have the errors d and -d, and a reading of another posture has the error 3 s. The
-  // stated standard deviation is s, and the encoders are exact.
+  // Two measurements of one posture have the errors d and -d, and a measurement of another posture has the error 3 s.
+  // The stated standard deviation is s, and the encoders are exact.
   auto arm = deflection::cobraArm();
   for (auto& row : arm.rows) row.joint.encoder_sigma = 0;
-  auto readings = makeCampaign(arm, 1, {2, 1, 0, kReadingSigma});
-  readings.insert(readings.begin(), readings[0]);
-  const double s = kReadingSigma, d = 2 * s;
-  const auto placed = placeForReadings(arm, Isometry3d::Identity(), true, readings);
-  const auto weights = weighReadings(placed, readings);
+  auto measurements = makeCampaign(arm, 1, {2, 1, 0, kMeasurementSigma});
+  measurements.insert(measurements.begin(), measurements[0]);
+  const double s = kMeasurementSigma, d = 2 * s;
+  const auto placed = placeForMeasurements(arm, Isometry3d::Identity(), true, measurements);
+  const auto weights = weighMeasurements(placed, measurements);
   VectorXd error(9);
   error << d, 0, 0, -d, 0, 0, 0, 3 * s, 0;
   const double chi2 = error.squaredNorm() / (s * s);
-  const auto repeats = judgeRepeats(readings, *weights, error, chi2, 9);
-  EXPECT_EQ(groupRepeats(readings), (std::vector<int>{0, 0, 1}));
+  const auto repeats = judgeRepeats(measurements, *weights, error, chi2, 9);
+  EXPECT_EQ(groupRepeats(measurements), (std::vector<int>{0, 0, 1}));
   EXPECT_EQ(repeats.groups, 1);
   EXPECT_EQ(repeats.pure_freedom, 3);
   EXPECT_NEAR(repeats.pure_error, 8, 1e-9);
@@ -279,18 +280,18 @@ TEST(Repeats, closedFormOfPureErrorAndLackOfFit) {
 }
 
 TEST(Repeats, areUnderTheSameLoadsAndBesideTheSameSideChains) {
-  auto readings = makeCampaign(deflection::cobraArm(), 1, {1, 1, 0, kReadingSigma});
-  readings.resize(4, readings[0]);
-  for (auto& reading : readings) reading.side_q = Eigen::Vector2d(0.3, -0.2);
-  EXPECT_EQ(groupRepeats(readings), (std::vector<int>{0, 0, 0, 0}));
-  readings[1].wrench = TipWrench{{40, 0, 0}};
-  readings[2].wrench = TipWrench{{0, 40, 0}};
-  readings[3].side_q[1] += 0.5;
-  EXPECT_EQ(groupRepeats(readings), (std::vector<int>{0, 1, 2, 3}));
+  auto measurements = makeCampaign(deflection::cobraArm(), 1, {1, 1, 0, kMeasurementSigma});
+  measurements.resize(4, measurements[0]);
+  for (auto& measurement : measurements) measurement.side_q = Eigen::Vector2d(0.3, -0.2);
+  EXPECT_EQ(groupRepeats(measurements), (std::vector<int>{0, 0, 0, 0}));
+  measurements[1].wrench = TipWrench{{40, 0, 0}};
+  measurements[2].wrench = TipWrench{{0, 40, 0}};
+  measurements[3].side_q[1] += 0.5;
+  EXPECT_EQ(groupRepeats(measurements), (std::vector<int>{0, 1, 2, 3}));
 }
 
 TEST(Repeats, understatedNoiseIsSaidAndDoesNotCondemnTheModel) {
-  CampaignPlan plan{18, 4, 2.5 * kReadingSigma, kReadingSigma};
+  CampaignPlan plan{18, 4, 2.5 * kMeasurementSigma, kMeasurementSigma};
   const auto result = compareCobra(makeCampaign(deflection::cobraArm(), 12, plan));
   const auto& repeats = result.after_refit.repeats;
   EXPECT_EQ(repeats.groups, 18);
@@ -302,7 +303,7 @@ TEST(Repeats, understatedNoiseIsSaidAndDoesNotCondemnTheModel) {
 }
 
 TEST(Repeats, lackOfFitIsFoundWhereTheStatedNoiseWouldHideIt) {
-  CampaignPlan plan{18, 4, kReadingSigma, 12 * kReadingSigma};
+  CampaignPlan plan{18, 4, kMeasurementSigma, 12 * kMeasurementSigma};
   auto truth = withEffect(deflection::cobraArm(), "joint-offset", "theta2", 0.02 * kDegree);
   const auto result = compareCobra(makeCampaign(truth, 13, plan));
   EXPECT_TRUE(result.noise_disagrees);
@@ -314,17 +315,17 @@ TEST(Repeats, lackOfFitIsFoundWhereTheStatedNoiseWouldHideIt) {
 TEST(JointEquivalents, correctionsTakeThePredictedTipToTheMeasuredOne) {
   const auto arm = deflection::cobraArm();
   const auto truth = withEffect(arm, "joint-offset", "theta1", 0.1 * kDegree);
-  const auto readings = makeCampaign(truth, 14, {30, 1, 0, kReadingSigma});
-  const auto placed = placeForReadings(arm, Isometry3d::Identity(), true, readings);
-  const auto weights = weighReadings(placed, readings);
-  const auto residual = whitenedResidual(placed, {}, readings, *weights, VectorXd::Zero(0), false);
-  const auto joints = equivalentJoints(placed, readings, residual.error);
+  const auto measurements = makeCampaign(truth, 14, {30, 1, 0, kMeasurementSigma});
+  const auto placed = placeForMeasurements(arm, Isometry3d::Identity(), true, measurements);
+  const auto weights = weighMeasurements(placed, measurements);
+  const auto residual = whitenedResidual(placed, {}, measurements, *weights, VectorXd::Zero(0), false);
+  const auto joints = equivalentJoints(placed, measurements, residual.error);
   ASSERT_TRUE(joints.ok);
   EXPECT_EQ(joints.degrees_of_freedom, 3 * 30);
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    Measurement corrected = readings[k];
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
+    Measurement corrected = measurements[k];
     corrected.q += joints.corrections.col(static_cast<Eigen::Index>(k));
-    const Vector3d left = predictReading(arm, Isometry3d::Identity(), corrected).value - *readings[k].p_W;
+    const Vector3d left = predictMeasurement(arm, Isometry3d::Identity(), corrected).value - *measurements[k].p_W;
     EXPECT_LT(left.norm(), 0.02 * residual.error.segment<3>(3 * static_cast<Eigen::Index>(k)).norm());
   }
   // Only joint 1 moves the tip out of the arm's plane; its corrections contain the encoder's noise.
@@ -337,11 +338,11 @@ TEST(JointEquivalents, correctionsTakeThePredictedTipToTheMeasuredOne) {
 
 TEST(JointEquivalents, encodersOwnNoiseGivesItsOwnChiSquare) {
   const auto arm = deflection::cobraArm();
-  const auto readings = makeCampaign(arm, 15, {100, 1, 0, kReadingSigma});
-  const auto placed = placeForReadings(arm, Isometry3d::Identity(), true, readings);
-  const auto weights = weighReadings(placed, readings);
-  const auto residual = whitenedResidual(placed, {}, readings, *weights, VectorXd::Zero(0), false);
-  const auto joints = equivalentJoints(placed, readings, residual.error);
+  const auto measurements = makeCampaign(arm, 15, {100, 1, 0, kMeasurementSigma});
+  const auto placed = placeForMeasurements(arm, Isometry3d::Identity(), true, measurements);
+  const auto weights = weighMeasurements(placed, measurements);
+  const auto residual = whitenedResidual(placed, {}, measurements, *weights, VectorXd::Zero(0), false);
+  const auto joints = equivalentJoints(placed, measurements, residual.error);
   EXPECT_NEAR(joints.chi2 / joints.degrees_of_freedom, 1, 4 * std::sqrt(2. / joints.degrees_of_freedom));
 }
 

@@ -1,11 +1,11 @@
-// No verdict may contradict the figures reported with it, no matter how the readings were corrupted.
+// No verdict may contradict the figures reported with it, no matter how the measurements were corrupted.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "calibration/diagnosis/diagnosis.hpp"
 #include "calibration/estimation/fit.hpp"
-#include "calibration/measurements/reading_placement.hpp"
+#include "calibration/measurements/measurement_placement.hpp"
 #include "calibration/patterns/comparison.hpp"
 #include "calibration/statistics.hpp"
 #include "tests/calibration/spoils.hpp"
@@ -18,11 +18,11 @@ constexpr double kSlack = 1.2;  // allowed random variation of a root mean squar
 class VerdictFigures : public testing::TestWithParam<std::size_t> {
  protected:
   const Spoil& spoil() const { return spoils()[GetParam()]; }
-  std::vector<Measurement> readings(std::uint64_t seed) const {
+  std::vector<Measurement> measurements(std::uint64_t seed) const {
     return spoiltCampaign(deflection::cobraArm(), seed, spoil());
   }
-  static PlacedArm start(const std::vector<Measurement>& readings) {
-    return placeForReadings(deflection::cobraArm(), Eigen::Isometry3d::Identity(), true, readings);
+  static PlacedArm start(const std::vector<Measurement>& measurements) {
+    return placeForMeasurements(deflection::cobraArm(), Eigen::Isometry3d::Identity(), true, measurements);
   }
 };
 
@@ -33,7 +33,7 @@ bool excuses(const Repeats& repeats) {
 TEST_P(VerdictFigures, OfAComparisonAgree) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed)
     for (const auto& free : std::vector<std::vector<std::string>>{{}, {"tool.joint_stiffness.z"}}) {
-      const std::vector<Measurement> made = readings(seed);
+      const std::vector<Measurement> made = measurements(seed);
       ComparisonOptions options;
       options.refit.free = {free, true};
       options.refit.folds = 0;
@@ -55,7 +55,7 @@ TEST_P(VerdictFigures, OfAComparisonAgree) {
 }
 
 TEST_P(VerdictFigures, OfADiagnosisAgree) {
-  const std::vector<Measurement> made = readings(3);
+  const std::vector<Measurement> made = measurements(3);
   DiagnosisOptions options;
   options.baseline.free = {{"tool.joint_stiffness.z"}, true};
   const Diagnosis result = diagnose(start(made), made, options);

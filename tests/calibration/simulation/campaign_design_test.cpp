@@ -1,5 +1,5 @@
-// Simulated campaigns must keep the readings of each set-up together, hold out whole points, vary only the stiffnesses
-// of the true arm, and refuse invalid designs.
+// Simulated campaigns must keep the measurements of each set-up together, hold out whole points, vary only the
+// stiffnesses of the true arm, and refuse invalid designs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ TEST(SimulatedCampaign, SaysWhyNoPostureServes) {
   const auto blocked = simulateCampaign(truth, designOf(MeasurementKind::kPosition, 1e-4), options);
   EXPECT_EQ(blocked.status, CampaignStatus::kOutOfReach);
   EXPECT_NE(blocked.reason.find("in collision with the scene"), std::string::npos) << blocked.reason;
-  EXPECT_TRUE(blocked.readings.empty()) << "all loads of a posture or none";
+  EXPECT_TRUE(blocked.measurements.empty()) << "all loads of a posture or none";
 }
 
 TEST(SimulatedCampaign, StopsWhenAsked) {
@@ -33,17 +33,17 @@ TEST(SimulatedCampaign, StopsWhenAsked) {
   const auto campaign = simulateCampaign(benchTruth(), designOf(MeasurementKind::kPosition, 1e-4), {},
                                          {{}, [&asked] { return ++asked > 20; }});
   EXPECT_EQ(campaign.status, CampaignStatus::kStopped);
-  EXPECT_LT(campaign.readings.size(), 120u);
+  EXPECT_LT(campaign.measurements.size(), 120u);
 }
 
 TEST(SimulatedCampaign, RefusesDesignsThatMeanNothing) {
-  const auto problem = [](auto change, int readings = 30) {
+  const auto problem = [](auto change, int measurements = 30) {
     CampaignDesign design = designOf(MeasurementKind::kPosition, 1e-4);
     change(design);
-    return simulate(benchTruth(design.setups), design, readings);
+    return simulate(benchTruth(design.setups), design, measurements);
   };
-  const auto refused = [&](auto change, int readings = 30) {
-    return problem(change, readings).status == CampaignStatus::kRefused;
+  const auto refused = [&](auto change, int measurements = 30) {
+    return problem(change, measurements).status == CampaignStatus::kRefused;
   };
   EXPECT_FALSE(refused([](auto&) {}));
   EXPECT_TRUE(refused([](auto&) {}, 0));
@@ -69,9 +69,9 @@ TEST(SimulatedCampaign, HoldsOutWholePoints) {
   const auto campaign = simulate(benchTruth(), design, 300);
   std::map<std::string, std::set<bool>> sides;
   std::set<std::string> kept;
-  for (const auto& reading : campaign.readings) {
-    sides[reading.point].insert(reading.is_held_out);
-    if (reading.is_held_out) kept.insert(reading.point);
+  for (const auto& measurement : campaign.measurements) {
+    sides[measurement.point].insert(measurement.is_held_out);
+    if (measurement.is_held_out) kept.insert(measurement.point);
   }
   for (const auto& [point, side] : sides) EXPECT_EQ(side.size(), 1u) << point;
   EXPECT_EQ(kept.size(), 30u);
@@ -80,11 +80,12 @@ TEST(SimulatedCampaign, HoldsOutWholePoints) {
 TEST(SimulatedCampaign, KeepsOneSetUpTogetherAndEachOnItsOwnBase) {
   CampaignDesign design = designOf(MeasurementKind::kPosition, 1e-4);
   design.setups = 3;
-  const auto readings = simulate(benchTruth(3), design, 90).readings;
-  EXPECT_TRUE(
-      std::is_sorted(readings.begin(), readings.end(), [](const auto& a, const auto& b) { return a.setup < b.setup; }));
+  const auto measurements = simulate(benchTruth(3), design, 90).measurements;
+  EXPECT_TRUE(std::is_sorted(measurements.begin(), measurements.end(),
+                             [](const auto& a, const auto& b) { return a.setup < b.setup; }));
   for (const char* setup : {"S1", "S2", "S3"})
-    EXPECT_EQ(std::count_if(readings.begin(), readings.end(), [&](const auto& m) { return m.setup == setup; }), 30);
+    EXPECT_EQ(std::count_if(measurements.begin(), measurements.end(), [&](const auto& m) { return m.setup == setup; }),
+              30);
 }
 
 TEST(CampaignTruth, SpreadsStiffnessesAlone) {

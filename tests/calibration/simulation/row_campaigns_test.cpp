@@ -1,13 +1,13 @@
-// Campaigns with inclinometers on rows of the arm must give exact readings, and these readings must reveal hidden
-// effects.
+// Campaigns with inclinometers on rows of the arm must give exact measurements, and these measurements must reveal
+// hidden effects.
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "app/studies/measurements/discrimination_candidates.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
-#include "calibration/measurements/reading_placement.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_placement.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "deflection/effects/effect.hpp"
 #include "tests/calibration/bench_campaign.hpp"
 
@@ -27,14 +27,14 @@ TEST(RowCampaigns, ASimulatedPostureIsReadOnEveryRowUnderEveryLoad) {
   design.turn_sigma = 0;
   const auto campaign = simulate(truth, design, 60);
   ASSERT_EQ(campaign.status, CampaignStatus::kDone) << campaign.reason;
-  for (std::size_t k = 0; k < campaign.readings.size(); ++k) {
-    const Measurement& reading = campaign.readings[k];
-    EXPECT_EQ(reading.row, design.rows[k % 2]);
-    EXPECT_EQ(reading.load, design.loads[k / 2 % 3]);
-    EXPECT_EQ(reading.q, campaign.readings[k - k % 6].q);
-    EXPECT_EQ(rowsOf(reading), 2) << "an axis upright is not read";
-    const auto expected = predictReading(truth.arm, truth.bases.front().X_WB, reading).value;
-    EXPECT_LE((expected - kindOf(reading).measured(reading)).norm(), 1e-9);
+  for (std::size_t k = 0; k < campaign.measurements.size(); ++k) {
+    const Measurement& measurement = campaign.measurements[k];
+    EXPECT_EQ(measurement.row, design.rows[k % 2]);
+    EXPECT_EQ(measurement.load, design.loads[k / 2 % 3]);
+    EXPECT_EQ(measurement.q, campaign.measurements[k - k % 6].q);
+    EXPECT_EQ(rowsOf(measurement), 2) << "an axis upright is not read";
+    const auto expected = predictMeasurement(truth.arm, truth.bases.front().X_WB, measurement).value;
+    EXPECT_LE((expected - kindOf(measurement).measured(measurement)).norm(), 1e-9);
   }
   design.kind = MeasurementKind::kPosition;
   EXPECT_EQ(simulate(truth, design, 60).status, CampaignStatus::kRefused);
@@ -48,11 +48,11 @@ Diagnosis diagnosisOfTilts(const deflection::Arm& arm, const std::string& effect
   deflection::Arm truth = arm;
   truth.effects.push_back(deflection::makeEffect(arm, effect, at).effect);
   truth.effects.back().values = values;
-  auto readings = simulate(drawTruth(truth, benchCell().X_WB), tiltsOfRows(arm, rows), 120, seed).readings;
-  for (auto& reading : readings) reading.sigma = kTurnLever * reading.turn_sigma;
+  auto measurements = simulate(drawTruth(truth, benchCell().X_WB), tiltsOfRows(arm, rows), 120, seed).measurements;
+  for (auto& measurement : measurements) measurement.sigma = kTurnLever * measurement.turn_sigma;
   DiagnosisOptions options;
   options.baseline.free = {{"tool.joint_stiffness.z"}, false};
-  return diagnose(placeForReadings(arm, benchCell().X_WB, true, readings), readings, options);
+  return diagnose(placeForMeasurements(arm, benchCell().X_WB, true, measurements), measurements, options);
 }
 
 const FoundEffect* findEffect(const Explanation& explanation, const std::string& effect, const std::string& at) {
@@ -103,25 +103,25 @@ TEST(RowCampaigns, NameAHiddenSagByGravity) {
   EXPECT_GE(alone, 5) << "one in twenty may have something beside it";
 }
 
-// Further readings must be proposed on the rows that were measured so far, at postures that the arm can reach.
+// Further measurements must be proposed on the rows that were measured so far, at postures that the arm can reach.
 TEST(RowCampaigns, AreGoneOnWithOnTheSameRows) {
   const auto& cell = benchCell();
   const CampaignDesign design = tiltsOfRows(cell.arm, {"base-link", "forearm"});
-  const auto readings = simulate(drawTruth(cell.arm, cell.X_WB), design, 60).readings;
-  const PlacedArm placed = placeForReadings(cell.arm, cell.X_WB, true, readings);
-  const auto candidates = app::discriminationCandidates(cell, placed, readings);
+  const auto measurements = simulate(drawTruth(cell.arm, cell.X_WB), design, 60).measurements;
+  const PlacedArm placed = placeForMeasurements(cell.arm, cell.X_WB, true, measurements);
+  const auto candidates = app::discriminationCandidates(cell, placed, measurements);
   ASSERT_GT(candidates.size(), 10u);
   std::set<int> rows;
   for (const auto& candidate : candidates)
-    for (const auto& reading : candidate.readings) {
-      ASSERT_TRUE(reading.row);
-      rows.insert(*reading.row);
-      EXPECT_EQ(reading.kind, MeasurementKind::kTilt);
-      const auto expected = expectedReading(placed, reading);
+    for (const auto& measurement : candidate.measurements) {
+      ASSERT_TRUE(measurement.row);
+      rows.insert(*measurement.row);
+      EXPECT_EQ(measurement.kind, MeasurementKind::kTilt);
+      const auto expected = expectedMeasurement(placed, measurement);
       ASSERT_TRUE(expected);
       EXPECT_EQ(rowsOf(*expected), 2);
-      EXPECT_TRUE(predictReading(cell.arm, cell.X_WB, *expected).value.allFinite());
-      EXPECT_EQ(reading.turn_sigma, kAngleSigma);
+      EXPECT_TRUE(predictMeasurement(cell.arm, cell.X_WB, *expected).value.allFinite());
+      EXPECT_EQ(measurement.turn_sigma, kAngleSigma);
     }
   EXPECT_EQ(rows, std::set<int>(design.rows.begin(), design.rows.end()));
 }

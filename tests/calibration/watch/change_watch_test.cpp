@@ -33,12 +33,12 @@ TEST(ChangeWatch, FindsAStepOfTheBaseWithinAFewTouchesAndSaysSo) {
     moved.translation() += 0.02 * kInch * way;
     const Watch watch = outage.watch(outage.visits(kVisits, since, outage.truth(), moved));
     if (!watch.alarm) continue;
-    if (watch.alarm->reading < since) {
+    if (watch.alarm->measurement < since) {
       ++early;
       continue;
     }
     ++found;
-    delay += watch.alarm->reading - since + 1;
+    delay += watch.alarm->measurement - since + 1;
     as_base += watch.alarm->kind == ChangeKind::kBaseStep;
     begin += std::abs(watch.alarm->since - since) <= 2;
     for (int axis = 0; axis < 3; ++axis)
@@ -61,7 +61,7 @@ TEST(ChangeWatch, AChangeOfTheArmIsNotCalledAStepOfTheBase) {
     for (auto& row : changed.rows)
       if (row.name == "forearm") row.joint.offset += 0.15 * kDegree;  // a joint that has slipped
     const Watch watch = outage.watch(outage.visits(kVisits, 40, changed, outage.base()));
-    found += watch.status == WatchStatus::kAlarm && watch.alarm->reading >= 40;
+    found += watch.status == WatchStatus::kAlarm && watch.alarm->measurement >= 40;
     as_base += watch.alarm && watch.alarm->kind == ChangeKind::kBaseStep;
   }
   EXPECT_GE(found, 19);

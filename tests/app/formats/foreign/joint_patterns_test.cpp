@@ -4,7 +4,7 @@
 
 #include "app/formats/cell/cell_reader.hpp"
 #include "app/formats/foreign/column_names.hpp"
-#include "app/formats/foreign/foreign_readings.hpp"
+#include "app/formats/foreign/foreign_measurements.hpp"
 #include "tests/app/test_files.hpp"
 
 namespace tubeplan::app {
@@ -21,7 +21,7 @@ deflection::Arm armWith(const JointNames& names) {
   return arm;
 }
 
-ForeignReadings readColumns(const JointNames& joints, const std::string& columns, const std::string& row) {
+ForeignMeasurements readColumns(const JointNames& joints, const std::string& columns, const std::string& row) {
   return readForeign({{parseForeignTable(columns + ",x_mm,y_mm,z_mm\n" + row + ",1,2,3\n", "t")},
                       {{}, {{UnitKind::kAngle, findUnit(UnitKind::kAngle, "deg")}}},
                       ""},
@@ -56,20 +56,20 @@ TEST(JointPatterns, TakeJointsBetweenTheSameWords) {
     const auto fields = 1 + std::count(c.columns, c.columns + std::string(c.columns).size(), ',');
     std::string row = "10,45,-35,12";
     for (long k = 4; k < fields; ++k) row += ",9";
-    const auto readings = readColumns(c.joints, c.columns, row);
-    EXPECT_NE(readings.text.find(
+    const auto measurements = readColumns(c.joints, c.columns, row);
+    EXPECT_NE(measurements.text.find(
                   fmt::format("{}_deg,{}_deg,{}_deg,{}_deg,x_mm", c.joints[0], c.joints[1], c.joints[2], c.joints[3])),
               std::string::npos)
         << c.columns << "\n"
-        << readings.text;
-    EXPECT_NE(readings.text.find(",10,45,-35,12,1,2,3"), std::string::npos) << readings.text;
+        << measurements.text;
+    EXPECT_NE(measurements.text.find(",10,45,-35,12,1,2,3"), std::string::npos) << measurements.text;
   }
 }
 
 // Columns in any order must be assigned to the joints by their numbers.
 TEST(JointPatterns, TakeJointsInAnyOrder) {
-  const auto readings = readColumns(kNumbered, "arm_J3,arm_J1,arm_J4,arm_J2", "-35,10,12,45");
-  EXPECT_NE(readings.text.find(",10,45,-35,12,1,2,3"), std::string::npos) << readings.text;
+  const auto measurements = readColumns(kNumbered, "arm_J3,arm_J1,arm_J4,arm_J2", "-35,10,12,45");
+  EXPECT_NE(measurements.text.find(",10,45,-35,12,1,2,3"), std::string::npos) << measurements.text;
 }
 
 TEST(JointPatterns, RefuseTwoSetsWithBothNamed) {

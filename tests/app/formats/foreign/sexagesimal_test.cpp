@@ -10,7 +10,7 @@
 
 #include "app/formats/cell/cell_reader.hpp"
 #include "app/formats/foreign/foreign_heading.hpp"
-#include "app/formats/foreign/foreign_readings.hpp"
+#include "app/formats/foreign/foreign_measurements.hpp"
 #include "app/formats/measurements/measurements_reader.hpp"
 #include "tests/app/test_files.hpp"
 
@@ -56,8 +56,8 @@ class SixtiethColumns : public ::testing::Test {
 
   /// Reads a table with `fields` of the first joint under `heading`, the other joints at 0, 45 and -35 deg, and x, y, z
   /// in mm.
-  [[nodiscard]] ForeignReadings read(const std::string& heading, const std::vector<std::string>& fields,
-                                     const std::vector<std::string>& columns = {}) const {
+  [[nodiscard]] ForeignMeasurements read(const std::string& heading, const std::vector<std::string>& fields,
+                                         const std::vector<std::string>& columns = {}) const {
     std::string text = "id;" + heading + ";theta2_deg;theta3_deg;theta4_deg;x_mm;y_mm;z_mm\n";
     for (std::size_t k = 0; k < fields.size(); ++k)
       text += fmt::format("P{};{};0;45;-35;{};2;3\n", k + 1, fields[k], k + 1);
@@ -69,7 +69,7 @@ class SixtiethColumns : public ::testing::Test {
                                             const std::vector<std::string>& columns = {}) const {
     const auto table = parseMeasurementTable(read(heading, fields, columns).text, "t", cell.arm, nullptr);
     std::vector<double> all;
-    for (const auto& reading : table.readings) all.push_back(reading.q[0] * 180 / std::numbers::pi);
+    for (const auto& measurement : table.measurements) all.push_back(measurement.q[0] * 180 / std::numbers::pi);
     return all;
   }
   [[nodiscard]] std::string refusal(const std::string& heading, const std::vector<std::string>& fields,
@@ -119,7 +119,7 @@ struct HourAngles : SixtiethColumns {
   }
   [[nodiscard]] double lastDegrees(const ForeignRequest& asked) const {
     const auto table = parseMeasurementTable(readForeign(asked, mount).text, "t", mount, nullptr);
-    return table.readings.back().q[0] * 180 / std::numbers::pi;
+    return table.measurements.back().q[0] * 180 / std::numbers::pi;
   }
 };
 
@@ -203,9 +203,9 @@ TEST_F(SixtiethColumns, AreNotSeenInOtherColumns) {
                         "5h,10:00:00,10,45,-35,0,1,2,3\n6h,10:00:30,10,45,-35,0,1,2,3\n",
                         "log.csv"));
   const auto table = parseMeasurementTable(readForeign(request, cell.arm).text, "t", cell.arm, nullptr);
-  ASSERT_EQ(table.readings.size(), 2U);
-  EXPECT_EQ(table.readings[1].id, "6h");
-  const auto timeOf = [&](std::size_t k) { return table.readings[k].conditions[deflection::Condition::kTime]; };
+  ASSERT_EQ(table.measurements.size(), 2U);
+  EXPECT_EQ(table.measurements[1].id, "6h");
+  const auto timeOf = [&](std::size_t k) { return table.measurements[k].conditions[deflection::Condition::kTime]; };
   EXPECT_DOUBLE_EQ(timeOf(1) - timeOf(0), 30);
 }
 
@@ -218,9 +218,10 @@ TEST_F(SixtiethColumns, ArePartOfForms) {
                         "10;45;-35;0;90°00'00\";89°59'60\";2\n10;45;-35;0;0°00'00\";30°00'00\";1\n",
                         "log.csv"));
   const auto table = parseMeasurementTable(readForeign(request, cell.arm).text, "t", cell.arm, nullptr);
-  ASSERT_EQ(table.readings.size(), 2U);
-  EXPECT_TRUE(table.readings[0].p_W->isApprox(Eigen::Vector3d(2, 0, 0), 1e-9)) << table.readings[0].p_W->transpose();
-  EXPECT_TRUE(table.readings[1].p_W->isApprox(Eigen::Vector3d(0, 0.5, std::sqrt(0.75)), 1e-9));
+  ASSERT_EQ(table.measurements.size(), 2U);
+  EXPECT_TRUE(table.measurements[0].p_W->isApprox(Eigen::Vector3d(2, 0, 0), 1e-9))
+      << table.measurements[0].p_W->transpose();
+  EXPECT_TRUE(table.measurements[1].p_W->isApprox(Eigen::Vector3d(0, 0.5, std::sqrt(0.75)), 1e-9));
   request.tables = {
       parseForeignTable("J1 [deg];J2 [deg];J3 [deg];J4 [deg];Hz;V;SD [m]\n"
                         "10;45;-35;0;90:00:00;90:00:00;2\n10;45;-35;0;0:00:00;30:00:00;1\n",

@@ -13,7 +13,7 @@
 
 #include "app/formats/cell/cell_reader.hpp"
 #include "app/formats/foreign/foreign_heading.hpp"
-#include "app/formats/foreign/foreign_readings.hpp"
+#include "app/formats/foreign/foreign_measurements.hpp"
 #include "app/formats/measurements/measurements_reader.hpp"
 #include "deflection/rotation.hpp"
 #include "tests/app/test_files.hpp"
@@ -79,7 +79,7 @@ class WrittenFormsTest : public ::testing::Test {
  protected:
   const Cell cell = readCell((shippedCells() / "bench.yaml").string());  // joints theta1 to theta4
 
-  [[nodiscard]] ForeignReadings read(const std::string& text, ColumnChoice choice, const std::string& kind) const {
+  [[nodiscard]] ForeignMeasurements read(const std::string& text, ColumnChoice choice, const std::string& kind) const {
     return readForeign({{parseForeignTable(text, "t")}, std::move(choice), kind}, cell.arm);
   }
   [[nodiscard]] static ColumnChoice inUnits(const char* angle) {
@@ -121,8 +121,8 @@ TEST_F(WrittenFormsTest, EveryTurnComesBackAsItWas) {
         }
         ColumnChoice choice = inUnits(unit);
         choice.orientation = form.name;
-        const auto readings = read(tableOf(headings.names, rows), choice, "orientation");
-        const auto table = parseMeasurementTable(readings.text, "r", cell.arm).readings;
+        const auto measurements = read(tableOf(headings.names, rows), choice, "orientation");
+        const auto table = parseMeasurementTable(measurements.text, "r", cell.arm).measurements;
         ASSERT_EQ(table.size(), turns.size());
         for (std::size_t k = 0; k < turns.size(); ++k) {
           const Eigen::Matrix3d back = deflection::rotationFromFixedAngles<double>(table[k].own);
@@ -145,7 +145,7 @@ TEST_F(WrittenFormsTest, NumbersMayBeChosenOneByOne) {
           fmt::format("{}.{}{}={}", form.name, number.name, number.unit ? "_rad" : "", names.back()));
     }
     const std::string text = tableOf(names, {formWriters().at(form.name)(turn)});
-    const auto table = parseMeasurementTable(read(text, choice, "").text, "r", cell.arm).readings;
+    const auto table = parseMeasurementTable(read(text, choice, "").text, "r", cell.arm).measurements;
     ASSERT_EQ(table.size(), 1u) << form.name;
     EXPECT_EQ(table[0].kind, calibration::MeasurementKind::kOrientation);
     EXPECT_LT((deflection::rotationFromFixedAngles<double>(table[0].own) - turn).cwiseAbs().maxCoeff(), 1e-9);
@@ -178,9 +178,9 @@ TEST_F(WrittenFormsTest, WhatMayBeTwoTurnsIsNotGuessed) {
 
 TEST_F(WrittenFormsTest, NumbersAndNeighboursDecide) {
   const auto as = [&](const std::string& text, const std::string& form) {
-    const auto readings = read(text, inUnits("deg"), "orientation");
+    const auto measurements = read(text, inUnits("deg"), "orientation");
     const std::string& said =
-        *std::ranges::find_if(readings.taken, [](const auto& line) { return line.starts_with("roll"); });
+        *std::ranges::find_if(measurements.taken, [](const auto& line) { return line.starts_with("roll"); });
     EXPECT_NE(said.find("as " + form), std::string::npos) << said;
   };
   // No controller writes Euler angles with a middle angle beyond 90 deg, so these numbers are a rotation vector.
@@ -207,8 +207,8 @@ TEST_F(WrittenFormsTest, NumbersAndNeighboursDecide) {
 
 TEST_F(WrittenFormsTest, QuaternionsAreOfLengthOne) {
   const auto angleOf = [&](const std::vector<double>& numbers) {
-    const auto readings = read(tableOf({"qw", "qx", "qy", "qz"}, {numbers}), inUnits("deg"), "orientation");
-    return parseMeasurementTable(readings.text, "r", cell.arm).readings.at(0).own[0];
+    const auto measurements = read(tableOf({"qw", "qx", "qy", "qz"}, {numbers}), inUnits("deg"), "orientation");
+    return parseMeasurementTable(measurements.text, "r", cell.arm).measurements.at(0).own[0];
   };
   EXPECT_NEAR(angleOf({0.7071, 0.7071, 0, 0}), pi / 2, 1e-9);
   EXPECT_NEAR(angleOf({0.708, 0.708, 0, 0}), pi / 2, 1e-9);  // rounded to three decimals
@@ -220,11 +220,11 @@ TEST_F(WrittenFormsTest, QuaternionsAreOfLengthOne) {
 
 TEST_F(WrittenFormsTest, PosesHaveBoth) {
   const std::string text = tableOf({"X", "Y", "Z", "W", "P", "R"}, {{1, 2, 3, 20, 30, 40}});
-  const auto pose = parseMeasurementTable(read(text, inUnits("deg"), "pose").text, "r", cell.arm).readings.at(0);
+  const auto pose = parseMeasurementTable(read(text, inUnits("deg"), "pose").text, "r", cell.arm).measurements.at(0);
   EXPECT_EQ(pose.kind, calibration::MeasurementKind::kPose);
   EXPECT_LT((*pose.p_W - Eigen::Vector3d(0.001, 0.002, 0.003)).norm(), 1e-12);
   EXPECT_LT((pose.own - Eigen::Vector3d(20, 30, 40) * pi / 180).norm(), 1e-9);
-  // Without --kind the readings must be positions, and a remark must say that the orientation is left out.
+  // Without --kind the measurements must be positions, and a remark must say that the orientation is left out.
   const auto position = read(text, inUnits("deg"), "");
   EXPECT_NE(position.text.find("position"), std::string::npos);
   EXPECT_TRUE(std::ranges::any_of(position.left_out,
@@ -238,7 +238,7 @@ TEST_F(WrittenFormsTest, RowsMayStateTheirKinds) {
   const std::string text =
       "kind,J1 [deg],J2 [deg],J3 [deg],J4 [deg],X,Y,Z,W,P,R\n"
       "pose,10,45,-35,12,1,2,3,20,30,40\nposition,10,45,-35,12,1,2,3,,,\n";
-  const auto table = parseMeasurementTable(read(text, inUnits("deg"), "").text, "r", cell.arm).readings;
+  const auto table = parseMeasurementTable(read(text, inUnits("deg"), "").text, "r", cell.arm).measurements;
   ASSERT_EQ(table.size(), 2u);
   EXPECT_LT((table[0].own - Eigen::Vector3d(20, 30, 40) * pi / 180).norm(), 1e-9);
 }
@@ -256,9 +256,9 @@ TEST_F(WrittenFormsTest, PolarPointsBecomePlaces) {
         const std::string message = refusal(text, choice, "");
         EXPECT_NE(message.find("--points polar or --points polar-clockwise"), std::string::npos) << message;
         choice.points = form;
-        const auto reading = parseMeasurementTable(read(text, choice, "").text, "r", cell.arm).readings.at(0);
-        EXPECT_EQ(reading.kind, calibration::MeasurementKind::kPosition);
-        EXPECT_LT((*reading.p_W - place).norm(), 1e-11) << form << " " << unit;
+        const auto measurement = parseMeasurementTable(read(text, choice, "").text, "r", cell.arm).measurements.at(0);
+        EXPECT_EQ(measurement.kind, calibration::MeasurementKind::kPosition);
+        EXPECT_LT((*measurement.p_W - place).norm(), 1e-11) << form << " " << unit;
       }
   ColumnChoice choice = inUnits("gon");
   choice.points = "polar";

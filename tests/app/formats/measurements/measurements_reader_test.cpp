@@ -5,8 +5,8 @@
 
 #include "app/formats/cell/cell_reader.hpp"
 #include "app/formats/measurements/measurement_columns.hpp"
+#include "app/formats/measurements/measurement_input.hpp"
 #include "app/formats/measurements/measurements_writer.hpp"
-#include "app/formats/measurements/reading_input.hpp"
 #include "app/formats/yaml/strict_yaml.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "tests/app/test_files.hpp"
@@ -33,9 +33,9 @@ class MeasurementsReader : public ::testing::Test {
 };
 
 TEST_F(MeasurementsReader, readsAPosition) {
-  const auto readings = read(std::string(kHeader) + "a,position,P1,20,10,90,-20,5,1,2,3,0.003\n");
-  ASSERT_EQ(readings.size(), 1u);
-  const auto& m = readings.front();
+  const auto measurements = read(std::string(kHeader) + "a,position,P1,20,10,90,-20,5,1,2,3,0.003\n");
+  ASSERT_EQ(measurements.size(), 1u);
+  const auto& m = measurements.front();
   EXPECT_EQ(m.kind, MeasurementKind::kPosition);
   EXPECT_NEAR(m.load, 20 * 4.4482216152605, 1e-12);
   EXPECT_NEAR(m.q[1], 90 * kDegree, 1e-15);
@@ -48,20 +48,20 @@ TEST_F(MeasurementsReader, readsAPosition) {
 }
 
 TEST_F(MeasurementsReader, takesAHolesCentreFromTheSheet) {
-  const auto readings = read(
+  const auto measurements = read(
       "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg\n1,touch,R1C57,0,90,0,0\n2,touch,elsewhere,0,90,0,"
       "0\n");
-  ASSERT_TRUE(readings[0].p_W.has_value());
-  EXPECT_TRUE(readings[0].p_W->isApprox(Eigen::Vector3d(-1.0625 / 2, 2.28, 0) * kInch));
-  EXPECT_FALSE(readings[1].p_W.has_value());
+  ASSERT_TRUE(measurements[0].p_W.has_value());
+  EXPECT_TRUE(measurements[0].p_W->isApprox(Eigen::Vector3d(-1.0625 / 2, 2.28, 0) * kInch));
+  EXPECT_FALSE(measurements[1].p_W.has_value());
   expectSays(refusal("id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg\n1,touch,R99C1,0,90,0,0\n"), "R99C1");
 }
 
 TEST_F(MeasurementsReader, readsOptionalColumnsAndOtherUnits) {
-  const auto readings = read(
+  const auto measurements = read(
       "time_s,temperature_degC,id,kind,setup,split,distance_mm,theta1_rad,theta2_rad,theta3_deg,theta4_deg,x_m,y_m,z_m,"
       "theta1_dir,theta2_dir,theta3_dir,theta4_dir\n60,20,\"a,b\",distance,s1,held-out,100,0.5,1,0,0,1,2,3,-1,0,1,1\n");
-  const auto& m = readings.at(0);
+  const auto& m = measurements.at(0);
   EXPECT_EQ(m.id, "a,b");
   EXPECT_EQ(m.setup, "s1");
   EXPECT_TRUE(m.is_held_out);
@@ -80,9 +80,9 @@ TEST_F(MeasurementsReader, readsEveryConditionInEachOfItsUnits) {
     const Units units(parseYaml(std::string("units: ") + block + "\n", "f.yaml").at("units"));
     for (const auto& kind : deflection::kConditionKinds) {
       const std::string header = joints + "," + conditionColumn(kind, units) + "\n";
-      const auto readings = read(header + "1,position,0,90,0,0,1,2,3,12.5\n2,position,0,90,0,0,1,2,3,\n");
-      EXPECT_DOUBLE_EQ(readings[0].conditions[kind.condition], units.toInternal(12.5, kind.unit)) << kind.name;
-      EXPECT_FALSE(readings[1].conditions.states(kind.condition)) << kind.name;
+      const auto measurements = read(header + "1,position,0,90,0,0,1,2,3,12.5\n2,position,0,90,0,0,1,2,3,\n");
+      EXPECT_DOUBLE_EQ(measurements[0].conditions[kind.condition], units.toInternal(12.5, kind.unit)) << kind.name;
+      EXPECT_FALSE(measurements[1].conditions.states(kind.condition)) << kind.name;
       if (kind.least > -1e300) {
         const std::string less = formatNumber(units.toFile(kind.least, kind.unit) - 1);
         expectSays(refusal(header + "1,position,0,90,0,0,1,2,3," + less + "\n"), kind.least_words);
@@ -135,11 +135,11 @@ TEST_F(MeasurementsReader, readsWhatIsSeenAlongADirection) {
   const std::string header =
       "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,distance_in,dx,dy,dz,sigma_in\n";
   const std::string good = "a,axis,10,90,-20,5,1,2,3,-4,0,3,-4,0.003\n";
-  const auto readings = read(header + good);
-  ASSERT_EQ(readings.size(), 1U);
-  EXPECT_EQ(readings.front().kind, MeasurementKind::kAxis);
-  EXPECT_NEAR(readings.front().own[0], -4 * kInch, 1e-15);
-  EXPECT_TRUE(readings.front().direction_W->isApprox(Eigen::Vector3d(0, 0.6, -0.8)));
+  const auto measurements = read(header + good);
+  ASSERT_EQ(measurements.size(), 1U);
+  EXPECT_EQ(measurements.front().kind, MeasurementKind::kAxis);
+  EXPECT_NEAR(measurements.front().own[0], -4 * kInch, 1e-15);
+  EXPECT_TRUE(measurements.front().direction_W->isApprox(Eigen::Vector3d(0, 0.6, -0.8)));
   expectSays(refusal(header + changed(good, ",0,3,-4,", ",,,,")), "no direction");
   expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,,-4,")), "some of the direction's");
   expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,0,0,")), "is zero");
@@ -152,13 +152,13 @@ TEST_F(MeasurementsReader, readsTheAnglesOfATool) {
       "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,roll_deg,pitch_deg,yaw_deg,tilt_x_deg,tilt_z_deg,"
       "turn_sigma_deg\n";
   const std::string turned = "a,orientation,10,90,-20,5,30,-40,50,,,0.01\n", tilted = "b,tilt,10,90,-20,5,,,,2,,0.01\n";
-  const auto readings = read(header + turned + tilted);
-  ASSERT_EQ(readings.size(), 2U);
-  EXPECT_TRUE(readings[0].own.isApprox(Eigen::Vector3d(30, -40, 50) * kDegree));
-  EXPECT_NEAR(readings[0].turn_sigma, 0.01 * kDegree, 1e-15);
-  EXPECT_NEAR(readings[1].own[0], 2 * kDegree, 1e-15);
-  EXPECT_TRUE(std::isnan(readings[1].own[1]) && std::isnan(readings[1].own[2]));
-  EXPECT_TRUE(readings[1].direction_W->isApprox(Eigen::Vector3d::UnitZ()));
+  const auto measurements = read(header + turned + tilted);
+  ASSERT_EQ(measurements.size(), 2U);
+  EXPECT_TRUE(measurements[0].own.isApprox(Eigen::Vector3d(30, -40, 50) * kDegree));
+  EXPECT_NEAR(measurements[0].turn_sigma, 0.01 * kDegree, 1e-15);
+  EXPECT_NEAR(measurements[1].own[0], 2 * kDegree, 1e-15);
+  EXPECT_TRUE(std::isnan(measurements[1].own[1]) && std::isnan(measurements[1].own[2]));
+  EXPECT_TRUE(measurements[1].direction_W->isApprox(Eigen::Vector3d::UnitZ()));
   expectSays(refusal(header + changed(turned, ",30,-40,50,", ",30,,50,")), "has no roll, pitch, yaw");
   expectSays(refusal(header + changed(tilted, ",2,,", ",,,")), "does not state its tilt_x, tilt_y, tilt_z");
   expectSays(refusal(header + changed(tilted, "0.01", "-0.01")), "the turn_sigma is not above zero");
@@ -223,11 +223,11 @@ TEST_F(MeasurementsReader, readsTheTiltsOfARow) {
       "sigma_in,turn_sigma_deg\n";
   const std::string of_row = "a,tilt,forearm,10,90,-20,5,,,,,,,2,,0.01\n",
                     of_tool = "b,tilt,,10,90,-20,5,,,,,,,2,,0.01\n";
-  const auto readings = read(header + of_row + of_tool);
-  ASSERT_EQ(readings.size(), 2u);
-  ASSERT_TRUE(readings[0].row);
-  EXPECT_EQ(cell.arm.rows.at(static_cast<std::size_t>(*readings[0].row)).name, "forearm");
-  EXPECT_FALSE(readings[1].row);
+  const auto measurements = read(header + of_row + of_tool);
+  ASSERT_EQ(measurements.size(), 2u);
+  ASSERT_TRUE(measurements[0].row);
+  EXPECT_EQ(cell.arm.rows.at(static_cast<std::size_t>(*measurements[0].row)).name, "forearm");
+  EXPECT_FALSE(measurements[1].row);
   const std::string unknown = refusal(header + changed(of_row, "forearm", "fourarm"));
   expectSays(unknown, "m.csv:2 (column row): found the unknown row 'fourarm'");
   expectSays(unknown, "mezzanine-beam, mezzanine-platform, base-link, latch-link, forearm");
@@ -268,20 +268,20 @@ TEST_F(MeasurementsReader, readsHowTheNoiseOfCoordinatesGoesTogether) {
   expectSays(refusal(missing + "a,position,10,90,-20,5,1,2,3,0.001,0.002,0.002,0.9,-0.1\n"), "all three or none");
 }
 
-TEST_F(MeasurementsReader, readsWaysFromOtherReadings) {
+TEST_F(MeasurementsReader, readsWaysFromOtherMeasurements) {
   const std::string header =
       "id,kind,point,setup,from,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,distance_in,sigma_in\n";
   const std::string first = "a,touch,P1,A,,10,90,-20,5,,,,,0.003\n", second = "b,touch,P1,A,,11,90,-20,5,,,,,0.003\n";
   const std::string length = "c,relative,,A,a,20,90,-20,5,,,,2,0.003\n",
                     way = "d,relative,,A,c,30,90,-20,5,1,2,3,,0.003\n";
-  const auto readings = read(header + length + way + first + second);
-  ASSERT_EQ(readings.size(), 4u);
-  ASSERT_TRUE(readings[0].reference && readings[1].reference && !readings[2].reference);
-  EXPECT_EQ(readings[0].reference->q, readings[2].q);
-  EXPECT_EQ(readings[1].reference->id, "c");
-  EXPECT_FALSE(readings[1].reference->reference);
-  EXPECT_EQ(calibration::rowsOf(readings[0]), 1);
-  EXPECT_EQ(calibration::rowsOf(readings[1]), 3);
+  const auto measurements = read(header + length + way + first + second);
+  ASSERT_EQ(measurements.size(), 4u);
+  ASSERT_TRUE(measurements[0].reference && measurements[1].reference && !measurements[2].reference);
+  EXPECT_EQ(measurements[0].reference->q, measurements[2].q);
+  EXPECT_EQ(measurements[1].reference->id, "c");
+  EXPECT_FALSE(measurements[1].reference->reference);
+  EXPECT_EQ(calibration::rowsOf(measurements[0]), 1);
+  EXPECT_EQ(calibration::rowsOf(measurements[1]), 3);
   const auto with = [&](const std::string& row, const std::string& from, const std::string& to) {
     return refusal(header + first + second + changed(row, from, to));
   };
@@ -306,10 +306,10 @@ TEST_F(MeasurementsReader, readsAnotherPointOfTheTool) {
 TEST_F(MeasurementsReader, stepsSayBetweenWhichTolerancesTheToolStood) {
   const std::string header = "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg,steps\n";
   const auto settled = [&](const std::string& steps) {
-    auto readings =
+    auto measurements =
         parseMeasurements(header + "a,steps,R10C20,10,90,-20,5," + steps + "\n", "m.csv", cell.arm, &*cell.sheet);
-    stateSigma(readings, cell, "m.csv", 0);
-    return readings.front();
+    stateSigma(measurements, cell, "m.csv", 0);
+    return measurements.front();
   };
   const auto all = settled("3"), two = settled("2");
   EXPECT_EQ(rowsOf(all), 2);

@@ -26,7 +26,7 @@ class MeasurementsWriter : public ::testing::Test {
   const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
   CampaignRandom random{3, CampaignRandom::Stream::kNoise};
 
-  [[nodiscard]] Measurement randomReading(int number) {
+  [[nodiscard]] Measurement randomMeasurement(int number) {
     Measurement m;
     m.id = "reading " + std::to_string(number);
     m.kind = static_cast<MeasurementKind>(number % static_cast<int>(calibration::measurementKinds().size()));
@@ -40,12 +40,12 @@ class MeasurementsWriter : public ::testing::Test {
       if (k == 0 || calibration::valueColumnsOf(kindOf(m)).least > 1 || random.index(2) == 0)
         m.own[k] = random.uniform(0.1, 2);
     if (kindOf(m).is_to_gravity) m.direction_W = -cell.arm.gravity_W;
-    if ((!kindOf(m).lack && !kindOf(m).is_from_reading) || kindOf(m).settle) m.p_W.reset();
+    if ((!kindOf(m).lack && !kindOf(m).is_from_measurement) || kindOf(m).settle) m.p_W.reset();
     if (kindOf(m).turn_rows > 0) m.turn_sigma = random.uniform(1e-5, 1e-3);
     if (kindOf(m).is_place && random.index(3) == 0) m.p_TQ = random.vector(0.1);
     if (kindOf(m).has_direction) m.direction_W = random.vector(1).normalized();
     if (!kindOf(m).columns.empty() && calibration::valueColumnsOf(kindOf(m)).numbers.empty())
-      m.own[0] = 0.01;  // all readings of a point state the same value
+      m.own[0] = 0.01;  // all measurements of a point state the same value
     m.sigma = random.uniform(1e-5, 1e-3);
     if (kindOf(m).has_coordinates && random.index(3) == 0) {
       m.sigma_W = Eigen::Vector3d(random.uniform(1e-5, 1e-3), random.uniform(1e-5, 1e-3), random.uniform(1e-5, 1e-3));
@@ -54,11 +54,11 @@ class MeasurementsWriter : public ::testing::Test {
         m.correlation_W = Eigen::Vector3d(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), random.uniform(0, 0.4));
     }
     if (kindOf(m).may_be_of_row && random.index(2) == 0) m.row = random.index(static_cast<int>(cell.arm.rows.size()));
-    if (kindOf(m).is_from_reading) relate(m);
+    if (kindOf(m).is_from_measurement) relate(m);
     return m;
   }
 
-  /// Makes the reading relative to the previous reading: it measures the displacement vector or its length.
+  /// Makes the measurement relative to the previous measurement: it measures the displacement vector or its length.
   void relate(Measurement& m) {
     auto before = std::make_shared<Measurement>();
     const int number = std::stoi(m.id.substr(8));
@@ -70,10 +70,10 @@ class MeasurementsWriter : public ::testing::Test {
       m.own.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
 
-  /// Sets random conditions, and the same set-up for readings that refer to one another.
+  /// Sets random conditions, and the same set-up for measurements that refer to one another.
   void addConditions(Measurement& m) {
     const int number = std::stoi(m.id.substr(8));
-    m.setup = "S" + std::to_string((kindOf(m).is_from_reading ? number - 1 : number) / 100);
+    m.setup = "S" + std::to_string((kindOf(m).is_from_measurement ? number - 1 : number) / 100);
     for (int k = 0; k < 4; ++k) m.approach_directions.push_back(random.index(3) - 1);
     for (const auto& kind : deflection::kConditionKinds)
       m.conditions[kind.condition] = kind.usual + random.uniform(0, 1e4);
@@ -127,18 +127,18 @@ class MeasurementsWriter : public ::testing::Test {
       expectNear(a.conditions[kind.condition], b.conditions[kind.condition], 1e-7);
   }
 
-  void expectRoundTrip(const std::vector<Measurement>& readings, const Units& units) const {
-    const auto again = parseMeasurements(measurementsCsv(readings, cell.arm, units), "m.csv", cell.arm);
-    ASSERT_EQ(again.size(), readings.size());
-    for (std::size_t k = 0; k < readings.size(); ++k) expectSame(readings[k], again[k]);
+  void expectRoundTrip(const std::vector<Measurement>& measurements, const Units& units) const {
+    const auto again = parseMeasurements(measurementsCsv(measurements, cell.arm, units), "m.csv", cell.arm);
+    ASSERT_EQ(again.size(), measurements.size());
+    for (std::size_t k = 0; k < measurements.size(); ++k) expectSame(measurements[k], again[k]);
   }
 };
 
 TEST_F(MeasurementsWriter, WhatItWritesReadsAsItWasInAnyUnits) {
   std::vector<Measurement> plain, full;
-  for (int k = 0; k < 200; ++k) plain.push_back(randomReading(k));
+  for (int k = 0; k < 200; ++k) plain.push_back(randomMeasurement(k));
   full = plain;
-  for (auto& reading : full) addConditions(reading);
+  for (auto& measurement : full) addConditions(measurement);
   for (const char* units : {"{length: in, angle: deg, force: lbf, temperature: degF, time: min}",
                             "{length: mm, angle: rad, force: N, temperature: degC, time: s}"}) {
     const auto has = [&](auto question) { return std::any_of(plain.begin(), plain.end(), question); };
@@ -149,38 +149,38 @@ TEST_F(MeasurementsWriter, WhatItWritesReadsAsItWasInAnyUnits) {
   }
 }
 
-TEST_F(MeasurementsWriter, WritesTheColumnsThatReadingsHaveInTheirOrder) {
-  Measurement reading = randomReading(0);
-  reading.p_TQ.reset();
-  EXPECT_TRUE(measurementsCsv({reading}, cell.arm, cell.units)
+TEST_F(MeasurementsWriter, WritesTheColumnsThatMeasurementsHaveInTheirOrder) {
+  Measurement measurement = randomMeasurement(0);
+  measurement.p_TQ.reset();
+  EXPECT_TRUE(measurementsCsv({measurement}, cell.arm, cell.units)
                   .starts_with("id,kind,point,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,"
                                "sigma_in\nreading 0,"));
-  addConditions(reading);
-  reading.is_held_out = true;
-  reading.kind = MeasurementKind::kDistance;
-  reading.own[0] = 1;
-  reading.p_TQ.reset();
+  addConditions(measurement);
+  measurement.is_held_out = true;
+  measurement.kind = MeasurementKind::kDistance;
+  measurement.own[0] = 1;
+  measurement.p_TQ.reset();
   std::string conditions;
   for (const auto& kind : deflection::kConditionKinds) conditions += conditionColumn(kind, cell.units) + ",";
   EXPECT_TRUE(conditions.starts_with("temperature_degF,time_min,"));
   expectSays(
-      measurementsCsv({reading}, cell.arm, cell.units),
+      measurementsCsv({measurement}, cell.arm, cell.units),
       "id,kind,point,setup,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,distance_in,sigma_in,"
       "theta1_dir,theta2_dir,theta3_dir,theta4_dir," +
           conditions + "split\n");
 }
 
 TEST_F(MeasurementsWriter, KeepsNamesWithCommasAndQuotesWhole) {
-  Measurement reading = randomReading(0);
-  reading.id = "a,b";
-  reading.point = "the \"third\" one ";
-  expectRoundTrip({reading}, cell.units);
+  Measurement measurement = randomMeasurement(0);
+  measurement.id = "a,b";
+  measurement.point = "the \"third\" one ";
+  expectRoundTrip({measurement}, cell.units);
 }
 
 TEST_F(MeasurementsWriter, LeavesOutASigmaThatIsNotStated) {
-  std::vector<Measurement> readings{randomReading(0), randomReading(4)};
-  readings[1].sigma = std::numeric_limits<double>::quiet_NaN();
-  expectRoundTrip(readings, cell.units);
+  std::vector<Measurement> measurements{randomMeasurement(0), randomMeasurement(4)};
+  measurements[1].sigma = std::numeric_limits<double>::quiet_NaN();
+  expectRoundTrip(measurements, cell.units);
 }
 
 TEST_F(MeasurementsWriter, WritesTouchesThatCalibrateReads) {
@@ -193,8 +193,8 @@ TEST_F(MeasurementsWriter, WritesTouchesThatCalibrateReads) {
     const calibration::TouchPlan plan{"T" + std::to_string(k), holes[k], {tube->x, tube->y, 0}, {}};
     touches[k] = calibration::plannedTouch(plan, q * (1 + 0.1 * k), 10, 1e-4);
   }
-  const auto readings = parseMeasurements(touchesCsv(touches, cell), "t.csv", cell.arm, &*cell.sheet);
-  const auto again = touchesOf(readings, cell, "t.csv");
+  const auto measurements = parseMeasurements(touchesCsv(touches, cell), "t.csv", cell.arm, &*cell.sheet);
+  const auto again = touchesOf(measurements, cell, "t.csv");
   ASSERT_EQ(again.size(), 3u);
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_EQ(again[k].point, touches[k].point);

@@ -22,7 +22,7 @@ namespace {
 constexpr int kPostures = 200;
 constexpr double kSame = 1e-9;  // tolerance of positions [m] and axis components
 
-/// A robot, and the number of its joints that have a reading.
+/// A robot, and the number of its joints that have a measurement.
 struct KdlRobot {
   const char* name;
   int joints;
@@ -51,8 +51,8 @@ class BesideKdl : public testing::TestWithParam<KdlRobot> {
   [[nodiscard]] std::size_t mimics() const { return mimics_.size(); }
 
   [[nodiscard]] KDL::Frame frameOf(const deflection::Arm& of, const Eigen::VectorXd& q) const {
-    std::map<std::string, double> readings;
-    for (Eigen::Index k = 0; k < of.jointCount(); ++k) readings[of.joint(k).name] = q[k];
+    std::map<std::string, double> measurements;
+    for (Eigen::Index k = 0; k < of.jointCount(); ++k) measurements[of.joint(k).name] = q[k];
     KDL::JntArray values(kdlJoints());
     unsigned at = 0;
     for (const auto& segment : chain_.segments) {
@@ -60,8 +60,8 @@ class BesideKdl : public testing::TestWithParam<KdlRobot> {
       if (joint.getType() == KDL::Joint::None) continue;
       const auto mimic = mimics_.find(joint.getName());
       values(at++) = mimic == mimics_.end()
-                         ? readings.at(joint.getName())
-                         : mimic->second.multiplier * readings.at(mimic->second.joint_name) + mimic->second.offset;
+                         ? measurements.at(joint.getName())
+                         : mimic->second.multiplier * measurements.at(mimic->second.joint_name) + mimic->second.offset;
     }
     KDL::ChainFkSolverPos_recursive solver(chain_);
     KDL::Frame frame;

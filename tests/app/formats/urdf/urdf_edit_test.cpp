@@ -136,22 +136,22 @@ Isometry3d poseOfUrdf(const urdf::Pose& pose) {
 }
 
 double valueOfJoint(const urdf::ModelInterface& model, const urdf::Joint& joint,
-                    const std::map<std::string, double>& readings) {
-  if (!joint.mimic) return readings.at(joint.name);
-  const double leading = valueOfJoint(model, *model.getJoint(joint.mimic->joint_name), readings);
+                    const std::map<std::string, double>& measurements) {
+  if (!joint.mimic) return measurements.at(joint.name);
+  const double leading = valueOfJoint(model, *model.getJoint(joint.mimic->joint_name), measurements);
   return joint.mimic->multiplier * leading + joint.mimic->offset;
 }
 
 /// Returns the frame of a link relative to the root link, from the file's transforms.
 Isometry3d linkFrameAt(const urdf::ModelInterface& model, const std::string& name,
-                       const std::map<std::string, double>& readings) {
+                       const std::map<std::string, double>& measurements) {
   const auto joint = model.getLink(name)->parent_joint;
   if (!joint) return Isometry3d::Identity();
   Isometry3d X =
-      linkFrameAt(model, joint->parent_link_name, readings) * poseOfUrdf(joint->parent_to_joint_origin_transform);
+      linkFrameAt(model, joint->parent_link_name, measurements) * poseOfUrdf(joint->parent_to_joint_origin_transform);
   if (joint->type == urdf::Joint::FIXED) return X;
   const Vector3d axis = Vector3d(joint->axis.x, joint->axis.y, joint->axis.z).normalized();
-  const double value = valueOfJoint(model, *joint, readings);
+  const double value = valueOfJoint(model, *joint, measurements);
   if (joint->type == urdf::Joint::PRISMATIC) return X * Eigen::Translation3d(value * axis);
   return X * Eigen::AngleAxisd(value, axis);
 }
@@ -183,16 +183,16 @@ void expectLinksWhereTheArmHasThem(const std::string& text, const UrdfArm& befor
   const std::string tip = before.joints.size() > before.arm.rows.size() || !model->getLink("tip") ? before.tip : "tip";
   for (int trial = 0; trial < 5; ++trial) {
     Eigen::VectorXd q(arm.jointCount());
-    std::map<std::string, double> readings;
+    std::map<std::string, double> measurements;
     for (Eigen::Index k = 0; k < q.size(); ++k)
-      readings[arm.joint(k).name] = q[k] = std::uniform_real_distribution<double>(-2, 2)(random);
+      measurements[arm.joint(k).name] = q[k] = std::uniform_real_distribution<double>(-2, 2)(random);
     const auto frames = framesOf(arm, q);
     for (std::size_t k = 0; k < arm.rows.size(); ++k) {
       const Isometry3d X = frames[k] * before.joints[k].X_CL.inverse();
-      EXPECT_LE((linkFrameAt(*model, arm.rows[k].name, readings).matrix() - X.matrix()).norm(), 1e-9)
+      EXPECT_LE((linkFrameAt(*model, arm.rows[k].name, measurements).matrix() - X.matrix()).norm(), 1e-9)
           << arm.rows[k].name;
     }
-    EXPECT_LE((linkFrameAt(*model, tip, readings).matrix() - frames.back().matrix()).norm(), 1e-9) << text;
+    EXPECT_LE((linkFrameAt(*model, tip, measurements).matrix() - frames.back().matrix()).norm(), 1e-9) << text;
   }
 }
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/studies/measurements/discrimination_candidates.hpp"
-#include "tests/calibration/bench_readings.hpp"
+#include "tests/calibration/bench_measurements.hpp"
 
 namespace tubeplan::app {
 namespace {
@@ -11,24 +11,25 @@ namespace {
 class MeasuredRoomOfTheBench : public testing::Test {
  protected:
   Cell cell = calibration::shippedBench();
-  std::vector<calibration::Measurement> readings = calibration::benchReadings(cell, "", "", {}, 40, 2);
-  calibration::PlacedArm placed = calibration::benchStart(cell, readings);
-  MeasuredRoom room{placed, readings};
+  std::vector<calibration::Measurement> measurements = calibration::benchMeasurements(cell, "", "", {}, 40, 2);
+  calibration::PlacedArm placed = calibration::benchStart(cell, measurements);
+  MeasuredRoom room{placed, measurements};
 };
 
 TEST_F(MeasuredRoomOfTheBench, HoldsThePosturesThatWereMeasured) {
-  for (const auto& reading : readings) EXPECT_TRUE(room.holds(reading.q, reading.load)) << reading.id;
+  for (const auto& measurement : measurements)
+    EXPECT_TRUE(room.holds(measurement.q, measurement.load)) << measurement.id;
 }
 
 TEST_F(MeasuredRoomOfTheBench, HoldsNoneThatHangsLower) {
-  Eigen::VectorXd q = readings.front().q;
+  Eigen::VectorXd q = measurements.front().q;
   q[1] = -60 * kDegree;
   q[2] = 0;
   EXPECT_FALSE(room.holds(q, 0));
 }
 
 TEST_F(MeasuredRoomOfTheBench, HoldsNoneThatFoldsTheArmOntoItself) {
-  Eigen::VectorXd q = readings.front().q;
+  Eigen::VectorXd q = measurements.front().q;
   q[1] = 90 * kDegree;
   q[2] = 178 * kDegree;  // the forearm folded onto the latch link; measured only up to 120 deg
   q[3] = 0;
@@ -36,10 +37,10 @@ TEST_F(MeasuredRoomOfTheBench, HoldsNoneThatFoldsTheArmOntoItself) {
 }
 
 TEST_F(MeasuredRoomOfTheBench, ProposalsStayInIt) {
-  const auto candidates = discriminationCandidates(cell, placed, readings);
+  const auto candidates = discriminationCandidates(cell, placed, measurements);
   ASSERT_GT(candidates.size(), 20U);
   for (const auto& candidate : candidates)
-    for (const auto& reading : candidate.readings) EXPECT_TRUE(room.holds(reading.q, reading.load));
+    for (const auto& measurement : candidate.measurements) EXPECT_TRUE(room.holds(measurement.q, measurement.load));
 }
 
 }  // namespace

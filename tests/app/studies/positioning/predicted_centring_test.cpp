@@ -15,8 +15,8 @@ class PredictedCentring : public ProgramTest {
       write(name, contentOf(shippedCells() / name));
   }
 
-  void measure(int readings, int seed) const {
-    const Outcome outcome = run("simulate mockup-true.yaml --design bowl --readings " + std::to_string(readings) +
+  void measure(int measurements, int seed) const {
+    const Outcome outcome = run("simulate mockup-true.yaml --design bowl --readings " + std::to_string(measurements) +
                                 " --seed " + std::to_string(seed) + " --out set");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
@@ -53,7 +53,7 @@ TEST_F(PredictedCentring, isOrderedHasItsBandAndSaysWhatItCounts) {
   EXPECT_EQ(identified(), found);
 }
 
-TEST_F(PredictedCentring, fallsWithTheRootOfTheReadings) {
+TEST_F(PredictedCentring, fallsWithTheRootOfTheMeasurements) {
   measure(24, 5);
   const double few = identified()["median"];
   measure(216, 5);

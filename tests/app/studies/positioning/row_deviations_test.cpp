@@ -8,7 +8,7 @@
 #include "app/formats/cell/workcell.hpp"
 #include "app/formats/sheet/touch_input.hpp"
 #include "app/studies/positioning/planned_visits.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_prediction.hpp"
 #include "calibration/random_stream.hpp"
 #include "tests/app/test_files.hpp"
 
@@ -21,7 +21,7 @@ double beyondBaseAt(const planner::Workcell& model, const calibration::JointUnce
   calibration::PredictionRequest request;
   request.by_base = true;
   for (const auto& number : uncertainty.numbers) request.numbers.push_back(deflection::Variable::number(number.path));
-  calibration::ReadingPredictor predictor(model.arm);
+  calibration::MeasurementPredictor predictor(model.arm);
   const auto tip = predictor.predictTip(model.X_WB, {q, 0, gravityInBase(model.arm, model.X_WB)}, request);
   if (!tip.ok) return 0;
   Eigen::MatrixXd J(3, 6 + static_cast<Eigen::Index>(uncertainty.numbers.size()));

@@ -1,12 +1,12 @@
-// Exactly those causes that the readings can hardly distinguish must be reported as confounded.
+// Exactly those causes that the measurements can hardly distinguish must be reported as confounded.
 #include "calibration/diagnosis/causes/confounding.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "calibration/measurements/reading_placement.hpp"
-#include "tests/calibration/bench_readings.hpp"
+#include "calibration/measurements/measurement_placement.hpp"
+#include "tests/calibration/bench_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -26,10 +26,10 @@ bool isConfoundedWith(const Confounding& cause, const std::string& effect, const
 
 std::vector<Confounding> confoundingOf(const std::vector<std::string>& free) {
   const app::Cell cell = shippedBench();
-  const auto readings = benchReadings(cell, "", "", {}, 90, 4);
-  PlacedArm placed = placeForReadings(cell.arm, cell.X_WB, true, readings);
+  const auto measurements = benchMeasurements(cell, "", "", {}, 90, 4);
+  PlacedArm placed = placeForMeasurements(cell.arm, cell.X_WB, true, measurements);
   const auto fitted = chooseUnknowns(placed, {free, false}).list;
-  return findConfounding(placed, readings, fitted);
+  return findConfounding(placed, measurements, fitted);
 }
 
 TEST(Confounding, AWeightAndAPullStraightDownAreOneButNotTheOtherWay) {

@@ -1,5 +1,5 @@
 // If the proposed measurements are simulated with the true arm, they must identify the hidden effect more often than
-// the same number of random readings.
+// the same number of random measurements.
 #include "calibration/diagnosis/discrimination/discriminating_measurements.hpp"
 
 #include <gtest/gtest.h>
@@ -8,16 +8,16 @@
 #include <set>
 
 #include "app/studies/measurements/discrimination_candidates.hpp"
-#include "tests/calibration/bench_readings.hpp"
+#include "tests/calibration/bench_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
 
-/// Readings in a narrow range of the last joint, under two loads, which do not distinguish the possible causes.
+/// Measurements in a narrow range of the last joint, under two loads, which do not distinguish the possible causes.
 struct Bench {
   app::Cell cell = shippedBench();
   deflection::Arm truth = cell.arm;
-  std::vector<Measurement> readings;
+  std::vector<Measurement> measurements;
 
   Bench(const std::string& effect, const std::string& at, const std::vector<double>& values, std::uint64_t seed,
         int count = 40)
@@ -26,34 +26,34 @@ struct Bench {
     made.values = values;
     truth.effects.push_back(made);
     for (int k = 0; k < count; ++k) {
-      Measurement reading;
-      reading.load = (k % 2) * 20 * kPound;
-      reading.sigma = 0.003 * kInch;
-      reading.q.resize(4);
+      Measurement measurement;
+      measurement.load = (k % 2) * 20 * kPound;
+      measurement.sigma = 0.003 * kInch;
+      measurement.q.resize(4);
       const double middle[] = {0, 75, -80, 0}, half[] = {60, 20, 20, 8};
       for (int j = 0; j < 4; ++j) {
-        reading.q[j] = (middle[j] + half[j] * uniform(random)) * kDegree;
-        reading.approach_directions.push_back(uniform(random) > 0 ? 1 : -1);
+        measurement.q[j] = (middle[j] + half[j] * uniform(random)) * kDegree;
+        measurement.approach_directions.push_back(uniform(random) > 0 ? 1 : -1);
       }
-      take(reading);
+      take(measurement);
     }
   }
 
-  /// Adds the true arm's reading at a posture, with noise of coordinates and encoders.
-  void take(Measurement reading) {
-    reading.id = std::to_string(readings.size() + 1);
-    reading.p_W.reset();
-    Eigen::Vector3d p = predictReading(truth, cell.X_WB, reading).value;
-    for (double& coordinate : p) coordinate += reading.sigma * normal(random);
-    reading.p_W = p;
-    for (int j = 0; j < 4; ++j) reading.q[j] += truth.joint(j).encoder_sigma * normal(random);
-    readings.push_back(reading);
+  /// Adds the true arm's measurement at a posture, with noise of coordinates and encoders.
+  void take(Measurement measurement) {
+    measurement.id = std::to_string(measurements.size() + 1);
+    measurement.p_W.reset();
+    Eigen::Vector3d p = predictMeasurement(truth, cell.X_WB, measurement).value;
+    for (double& coordinate : p) coordinate += measurement.sigma * normal(random);
+    measurement.p_W = p;
+    for (int j = 0; j < 4; ++j) measurement.q[j] += truth.joint(j).encoder_sigma * normal(random);
+    measurements.push_back(measurement);
   }
 
   [[nodiscard]] Diagnosis diagnosed() const {
     DiagnosisOptions options;
     options.baseline.free = {cell.identify, false};
-    return diagnose(benchStart(cell, readings), readings, options);
+    return diagnose(benchStart(cell, measurements), measurements, options);
   }
 
   boost::random::mt19937_64 random;
@@ -72,8 +72,8 @@ bool isNamed(const Diagnosis& diagnosis, const std::vector<Explanation>& open, c
   });
 }
 
-std::vector<ReadingCandidate> candidatesOf(const Bench& bench, const Diagnosis& diagnosis) {
-  return app::discriminationCandidates(bench.cell, diagnosis.baseline.fitted, bench.readings);
+std::vector<MeasurementCandidate> candidatesOf(const Bench& bench, const Diagnosis& diagnosis) {
+  return app::discriminationCandidates(bench.cell, diagnosis.baseline.fitted, bench.measurements);
 }
 
 struct HiddenOne {
@@ -92,20 +92,21 @@ Tally tallyOf(const HiddenOne& hidden, int seeds) {
     Bench bench(hidden.effect, hidden.at, hidden.values, seed);
     const Diagnosis before = bench.diagnosed();
     const auto candidates = candidatesOf(bench, before);
-    DiscriminationOptions few;  // so few that the choice of readings matters
+    DiscriminationOptions few;  // so few that the choice of measurements matters
     few.count = 2;
-    const auto next = proposeDiscriminatingMeasurements(before, bench.readings, candidates, few);
+    const auto next = proposeDiscriminatingMeasurements(before, bench.measurements, candidates, few);
     if (next.status != DiscriminationStatus::kDone) continue;
     ++tally.open;
     const std::string truth = std::string(hidden.effect) + "@" + hidden.at;
     Bench other = bench;
-    for (const auto& chosen : next.readings)
-      for (const auto& reading : candidates[static_cast<std::size_t>(chosen.candidate)].readings)
-        bench.take(conditionsOf(reading));
+    for (const auto& chosen : next.measurements)
+      for (const auto& measurement : candidates[static_cast<std::size_t>(chosen.candidate)].measurements)
+        bench.take(conditionsOf(measurement));
     const auto random =
-        drawChoices(static_cast<int>(candidates.size()), static_cast<int>(next.readings.size()), 1, seed);
+        drawChoices(static_cast<int>(candidates.size()), static_cast<int>(next.measurements.size()), 1, seed);
     for (const int k : random.front())
-      for (const auto& reading : candidates[static_cast<std::size_t>(k)].readings) other.take(conditionsOf(reading));
+      for (const auto& measurement : candidates[static_cast<std::size_t>(k)].measurements)
+        other.take(conditionsOf(measurement));
     tally.by_choice += isNamed(bench.diagnosed(), next.explanations, truth);
     tally.at_random += isNamed(other.diagnosed(), next.explanations, truth);
   }
@@ -133,19 +134,19 @@ TEST(DiscriminatingMeasurements, AreToldWhatTheyWouldDo) {
   const auto candidates = candidatesOf(bench, diagnosis);
   DiscriminationOptions options;
   options.count = 3;
-  const auto few = proposeDiscriminatingMeasurements(diagnosis, bench.readings, candidates, options);
+  const auto few = proposeDiscriminatingMeasurements(diagnosis, bench.measurements, candidates, options);
   options.count = 9;
-  const auto many = proposeDiscriminatingMeasurements(diagnosis, bench.readings, candidates, options);
-  ASSERT_EQ(few.readings.size(), 3U);
-  ASSERT_EQ(many.readings.size(), 9U);
+  const auto many = proposeDiscriminatingMeasurements(diagnosis, bench.measurements, candidates, options);
+  ASSERT_EQ(few.measurements.size(), 3U);
+  ASSERT_EQ(many.measurements.size(), 9U);
   std::set<int> distinct;
-  for (const auto& reading : many.readings) distinct.insert(reading.candidate);
-  EXPECT_EQ(distinct.size(), many.readings.size());
-  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(few.readings[k].candidate, many.readings[k].candidate);
-  EXPECT_GT(few.readings.front().separation, 3);
+  for (const auto& measurement : many.measurements) distinct.insert(measurement.candidate);
+  EXPECT_EQ(distinct.size(), many.measurements.size());
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(few.measurements[k].candidate, many.measurements[k].candidate);
+  EXPECT_GT(few.measurements.front().separation, 3);
   EXPECT_GT(many.probability, few.probability);
-  // The expected divergence between two explanations must not be negative, and must not decrease with more readings,
-  // whichever of the two is true.
+  // The expected divergence between two explanations must not be negative, and must not decrease with more
+  // measurements, whichever of the two is true.
   for (const auto& pair : few.pairs) EXPECT_GE(pair.expected, pair.now - 1e-9);
   for (std::size_t k = 0; k < few.pairs.size(); ++k) EXPECT_GE(many.pairs[k].expected, few.pairs[k].expected - 1e-9);
 }
@@ -156,8 +157,8 @@ TEST(DiscriminatingMeasurements, OfOnePostureCannotSplitWhatDiffersElsewhere) {
   const Diagnosis diagnosis = bench.diagnosed();
   auto candidates = candidatesOf(bench, diagnosis);
   for (auto& candidate : candidates)
-    for (auto& reading : candidate.readings) reading.q = bench.readings.front().q;
-  const auto next = proposeDiscriminatingMeasurements(diagnosis, bench.readings, candidates);
+    for (auto& measurement : candidate.measurements) measurement.q = bench.measurements.front().q;
+  const auto next = proposeDiscriminatingMeasurements(diagnosis, bench.measurements, candidates);
   EXPECT_FALSE(next.never.empty());
   EXPECT_FALSE(next.alternative_measurements.empty());
 }
@@ -167,7 +168,7 @@ TEST(DiscriminatingMeasurements, AreNoneWhereNothingIsOpen) {
   diagnosis.verdict = Verdict::kAdequate;
   const auto next = proposeDiscriminatingMeasurements(diagnosis, {}, {});
   EXPECT_EQ(next.status, DiscriminationStatus::kNothingToDiscriminate);
-  EXPECT_TRUE(next.readings.empty());
+  EXPECT_TRUE(next.measurements.empty());
   EXPECT_TRUE(openExplanations(diagnosis, 8).empty());
 }
 

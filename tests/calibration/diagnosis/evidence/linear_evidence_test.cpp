@@ -19,14 +19,14 @@ MatrixXd drawn(std::mt19937_64& random, Index rows, Index columns) {
   return matrix;
 }
 
-/// Readings, columns and priors, with all results of the evidence computed by definition.
-struct KnownReadings {
+/// Measurements, columns and priors, with all results of the evidence computed by definition.
+struct KnownMeasurements {
   MatrixXd J, S, Z;
   VectorXd y;
   std::vector<Unknown> fitted;
   EvidenceOptions options;
 
-  explicit KnownReadings(std::uint64_t seed, Index rows = 20) {
+  explicit KnownMeasurements(std::uint64_t seed, Index rows = 20) {
     std::mt19937_64 random(seed);
     J = drawn(random, rows, 3), S = drawn(random, rows, 3), Z = drawn(random, rows, 4);
     y = 3 * drawn(random, rows, 1) + 2 * S.col(0);
@@ -105,18 +105,18 @@ struct KnownReadings {
 const std::vector<std::vector<PriorSize>> kHypotheses{
     {}, {{0, 1.5, 0}}, {{1, 0.7, 1}}, {{1, 0.7, -1}}, {{2, 0.3, 0}, {0, 2, 1}}, {{0, 1, -1}, {1, 2, 0}, {2, 0.5, 1}}};
 
-TEST(LinearEvidence, IsTheDensityOfTheReadingsOverAllThatIsNotKnown) {
+TEST(LinearEvidence, IsTheDensityOfTheMeasurementsOverAllThatIsNotKnown) {
   for (std::uint64_t seed : {1, 2, 3})
     for (const auto& causes : kHypotheses) {
-      const KnownReadings readings(seed);
-      const Evidence found = readings.evidence().of(causes);
+      const KnownMeasurements measurements(seed);
+      const Evidence found = measurements.evidence().of(causes);
       double all = 0, none = 0, most = -1e300, most_of_none = most, size_of_most = -1, scale_of_most = 0,
              none_scale = 0;
       std::size_t level_of_most = 0;
       const std::vector<double> sizes{0, 0.4, 1.7};
       for (std::size_t level = 0; level < sizes.size(); ++level)
-        for (const double scale : readings.options.noise_scales) {
-          const double log = readings.logOf(causes, sizes[level], scale);
+        for (const double scale : measurements.options.noise_scales) {
+          const double log = measurements.logOf(causes, sizes[level], scale);
           all += std::exp(log);
           if (level == 0) none += std::exp(log);
           if (level == 0 && log > most_of_none) most_of_none = log, none_scale = scale;
@@ -129,7 +129,7 @@ TEST(LinearEvidence, IsTheDensityOfTheReadingsOverAllThatIsNotKnown) {
       EXPECT_EQ(found.level, level_of_most);
       EXPECT_EQ(found.noise_scale, scale_of_most);
       EXPECT_EQ(found.none_scale, none_scale);
-      const auto expected = readings.sizesOf(causes, size_of_most);
+      const auto expected = measurements.sizesOf(causes, size_of_most);
       ASSERT_EQ(found.sizes.size(), static_cast<Index>(causes.size()));
       EXPECT_TRUE(found.sizes.isApprox(expected.best, 1e-9));
       EXPECT_TRUE(found.sigma.isApprox(expected.sigma, 1e-9));
@@ -137,53 +137,53 @@ TEST(LinearEvidence, IsTheDensityOfTheReadingsOverAllThatIsNotKnown) {
 }
 
 TEST(LinearEvidence, AtOneSizeCountsThatOneAndNoneAlone) {
-  const KnownReadings readings(4);
+  const KnownMeasurements measurements(4);
   for (const auto& causes : kHypotheses) {
     double none = 0, with = 0;
-    for (const double scale : readings.options.noise_scales) {
-      none += std::exp(readings.logOf(causes, 0, scale));
-      with += std::exp(readings.logOf(causes, 1.7, scale));
+    for (const double scale : measurements.options.noise_scales) {
+      none += std::exp(measurements.logOf(causes, 0, scale));
+      with += std::exp(measurements.logOf(causes, 1.7, scale));
     }
-    EXPECT_NEAR(readings.evidence().of(causes, 2).log, std::log(none + with), 1e-9);
-    EXPECT_NEAR(readings.evidence().of(causes, 0).log, std::log(none), 1e-9);
+    EXPECT_NEAR(measurements.evidence().of(causes, 2).log, std::log(none + with), 1e-9);
+    EXPECT_NEAR(measurements.evidence().of(causes, 0).log, std::log(none), 1e-9);
   }
 }
 
 /// If the options list no sizes of a discrepancy and no noise scales, the evidence must be that of the stated noise
 /// without a discrepancy.
 TEST(LinearEvidence, HasNoDiscrepancyWhereNoSizeIsTried) {
-  KnownReadings readings(5);
-  readings.options = {};
-  const Evidence found = readings.evidence().of(kHypotheses[1]);
-  readings.options.noise_scales = {1};
-  EXPECT_NEAR(found.log, readings.logOf(kHypotheses[1], 0, 1) - std::log(0.9), 1e-9);  // prior of no discrepancy
+  KnownMeasurements measurements(5);
+  measurements.options = {};
+  const Evidence found = measurements.evidence().of(kHypotheses[1]);
+  measurements.options.noise_scales = {1};
+  EXPECT_NEAR(found.log, measurements.logOf(kHypotheses[1], 0, 1) - std::log(0.9), 1e-9);  // prior of no discrepancy
   EXPECT_EQ(found.discrepancy_probability, 0);
   EXPECT_EQ(found.discrepancy, 0);
   EXPECT_EQ(found.noise_scale, 1);
 }
 
-/// If a required sign contradicts the readings by many standard deviations, the log evidence must fall by the log of
-/// the normal tail probability, even where that probability underflows.
-TEST(LinearEvidence, ASignAgainstAllReadingsCostsItsTail) {
+/// If a required sign contradicts the measurements by many standard deviations, the log evidence must fall by the log
+/// of the normal tail probability, even where that probability underflows.
+TEST(LinearEvidence, ASignAgainstAllMeasurementsCostsItsTail) {
   for (const double far : {5., 20., 29., 31., 60.}) {
-    KnownReadings readings(6);
-    readings.options = {};
+    KnownMeasurements measurements(6);
+    measurements.options = {};
     const PriorSize plus{0, 1e3, 1}, any{0, 1e3, 0};
-    const auto sizes = readings.sizesOf({any}, 0);
-    readings.y -= (sizes.best[0] + far * sizes.sigma[0]) * readings.S.col(0);
-    const double x = readings.sizesOf({any}, 0).best[0] / readings.sizesOf({any}, 0).sigma[0];
+    const auto sizes = measurements.sizesOf({any}, 0);
+    measurements.y -= (sizes.best[0] + far * sizes.sigma[0]) * measurements.S.col(0);
+    const double x = measurements.sizesOf({any}, 0).best[0] / measurements.sizesOf({any}, 0).sigma[0];
     ASSERT_NEAR(x, -far, 1e-3 * far);
     const double tail = std::log(std::numbers::inv_sqrtpi / std::numbers::sqrt2 / far) - x * x / 2 -
                         std::log1p(1 / (far * far));  // accurate to a relative error of far^-4
-    EXPECT_NEAR(readings.evidence().of({plus}).log - readings.evidence().of({any}).log, std::numbers::ln2 + tail,
-                5 / std::pow(far, 2));
+    EXPECT_NEAR(measurements.evidence().of({plus}).log - measurements.evidence().of({any}).log,
+                std::numbers::ln2 + tail, 5 / std::pow(far, 2));
   }
 }
 
 /// The difference in log evidence between two hypotheses must be the same for flat and for very wide priors of the
 /// fitted parameters.
 TEST(LinearEvidence, NeedsNoPriorOfFittedNumbers) {
-  KnownReadings flat(7), wide(7);
+  KnownMeasurements flat(7), wide(7);
   for (auto& unknown : flat.fitted)
     unknown.prior_sigma = std::numeric_limits<double>::infinity(), unknown.prior_mean = 0;
   for (auto& unknown : wide.fitted) unknown.prior_sigma = 1e4, unknown.prior_mean = 0;
@@ -193,17 +193,17 @@ TEST(LinearEvidence, NeedsNoPriorOfFittedNumbers) {
 }
 
 TEST(LinearEvidence, AColumnIsSeenByWhatFittedNumbersLeaveOfIt) {
-  KnownReadings readings(8);
-  const MatrixXd inverse = readings.covariance(0).inverse();
+  KnownMeasurements measurements(8);
+  const MatrixXd inverse = measurements.covariance(0).inverse();
   for (int c = 0; c < 3; ++c) {
-    const double left = std::sqrt(readings.S.col(c).dot(inverse * readings.S.col(c)));
-    EXPECT_NEAR(readings.evidence().visibility(c), left, 1e-9);
-    EXPECT_NEAR(readings.evidence().keptShare(c), left / readings.S.col(c).norm(), 1e-9);
+    const double left = std::sqrt(measurements.S.col(c).dot(inverse * measurements.S.col(c)));
+    EXPECT_NEAR(measurements.evidence().visibility(c), left, 1e-9);
+    EXPECT_NEAR(measurements.evidence().keptShare(c), left / measurements.S.col(c).norm(), 1e-9);
   }
-  for (auto& unknown : readings.fitted) unknown.prior_sigma = std::numeric_limits<double>::infinity();
-  readings.S.col(1) = readings.J * Eigen::Vector3d(1, -2, 0.5);
-  readings.S.col(2).setZero();
-  const LinearEvidence evidence = readings.evidence();
+  for (auto& unknown : measurements.fitted) unknown.prior_sigma = std::numeric_limits<double>::infinity();
+  measurements.S.col(1) = measurements.J * Eigen::Vector3d(1, -2, 0.5);
+  measurements.S.col(2).setZero();
+  const LinearEvidence evidence = measurements.evidence();
   EXPECT_GT(evidence.visibility(0), 0.5);
   for (int c : {1, 2}) {
     EXPECT_EQ(evidence.visibility(c), 0);
@@ -213,68 +213,69 @@ TEST(LinearEvidence, AColumnIsSeenByWhatFittedNumbersLeaveOfIt) {
 }
 
 TEST(LinearEvidence, TheDiscrepancysErrorsAreItsMostProbable) {
-  const KnownReadings readings(9);
-  const LinearEvidence evidence = readings.evidence();
+  const KnownMeasurements measurements(9);
+  const LinearEvidence evidence = measurements.evidence();
   for (const auto& causes : kHypotheses)
     for (const double size : {0.4, 0.9, 1.7}) {  // 0.9 is not among the tried sizes
-      const VectorXd left = readings.missed() - readings.columnsOf(causes) * readings.sizesOf(causes, size).best;
+      const VectorXd left =
+          measurements.missed() - measurements.columnsOf(causes) * measurements.sizesOf(causes, size).best;
       const VectorXd expected =
-          size * size * readings.Z * readings.Z.transpose() * readings.covariance(size).inverse() * left;
-      const VectorXd found = readings.Z * evidence.discrepancyWeights(causes, size);
+          size * size * measurements.Z * measurements.Z.transpose() * measurements.covariance(size).inverse() * left;
+      const VectorXd found = measurements.Z * evidence.discrepancyWeights(causes, size);
       EXPECT_TRUE(found.isApprox(expected, 1e-9)) << found.transpose() << "\n" << expected.transpose();
     }
   EXPECT_TRUE(evidence.discrepancyWeights({}, 0).isZero(0));
-  KnownReadings without(9);
+  KnownMeasurements without(9);
   without.Z.setZero();
   EXPECT_TRUE(without.evidence().discrepancyWeights({}, 0.4).isZero(0));
 }
 
 TEST(LinearEvidence, TheRichestFitTakesTheLargestSize) {
-  const KnownReadings readings(10);
-  const MatrixXd with = readings.covariance(1.7).inverse(), without = readings.covariance(0).inverse();
-  const RichestFit found = readings.evidence().richest();
-  EXPECT_NEAR(readings.evidence().chi2(), readings.missed().dot(without * readings.missed()), 1e-9);
-  EXPECT_NEAR(found.chi2, readings.missed().dot(with * readings.missed()), 1e-9);
-  EXPECT_NEAR(found.numbers, (1.7 * 1.7 * readings.Z.transpose() * with * readings.Z).trace(), 1e-9);
-  KnownReadings plain(10);
+  const KnownMeasurements measurements(10);
+  const MatrixXd with = measurements.covariance(1.7).inverse(), without = measurements.covariance(0).inverse();
+  const RichestFit found = measurements.evidence().richest();
+  EXPECT_NEAR(measurements.evidence().chi2(), measurements.missed().dot(without * measurements.missed()), 1e-9);
+  EXPECT_NEAR(found.chi2, measurements.missed().dot(with * measurements.missed()), 1e-9);
+  EXPECT_NEAR(found.numbers, (1.7 * 1.7 * measurements.Z.transpose() * with * measurements.Z).trace(), 1e-9);
+  KnownMeasurements plain(10);
   plain.options.discrepancies.clear();
   EXPECT_NEAR(plain.evidence().richest().chi2, plain.evidence().chi2(), 1e-12);
   EXPECT_EQ(plain.evidence().richest().numbers, 0);
 }
 
 TEST(LinearEvidence, PrincipalTermsAreSquareToOneAnotherAndStandForAll) {
-  KnownReadings readings(11);
-  const MatrixXd K = readings.Z.transpose() * readings.covariance(0).inverse() * readings.Z;
-  const MatrixXd terms = readings.evidence().principalTerms(100);
+  KnownMeasurements measurements(11);
+  const MatrixXd K = measurements.Z.transpose() * measurements.covariance(0).inverse() * measurements.Z;
+  const MatrixXd terms = measurements.evidence().principalTerms(100);
   ASSERT_EQ(terms.cols(), 4);
   EXPECT_TRUE((terms * terms.transpose()).isIdentity(1e-9));
   const MatrixXd products = terms.transpose() * K * terms;
   EXPECT_TRUE(products.isDiagonal(1e-9));
   for (Index k = 1; k < 4; ++k) EXPECT_LE(products(k, k), products(k - 1, k - 1));
-  EXPECT_TRUE(readings.evidence().principalTerms(2).isApprox(terms.leftCols(2), 1e-12));
+  EXPECT_TRUE(measurements.evidence().principalTerms(2).isApprox(terms.leftCols(2), 1e-12));
 }
 
 /// Redundant terms and zero terms must not change the evidence. If there are too many terms, the largest must be kept.
 TEST(LinearEvidence, TermsOfTheDiscrepancyMayBeAlike) {
-  KnownReadings readings(12), alike(12);
+  KnownMeasurements measurements(12), alike(12);
   alike.Z.resize(20, 40);
   std::mt19937_64 random(12);
   // Because W^T W = I, the forty terms have the covariance of the original four.
   const MatrixXd W = Eigen::HouseholderQR<MatrixXd>(drawn(random, 40, 4)).householderQ() * MatrixXd::Identity(40, 4);
-  alike.Z = readings.Z * W.transpose();
+  alike.Z = measurements.Z * W.transpose();
   EXPECT_EQ(alike.evidence().principalTerms(100).cols(), 4);
   for (const auto& causes : kHypotheses)
-    EXPECT_NEAR(alike.evidence().of(causes).log, readings.evidence().of(causes).log, 1e-7);
-  KnownReadings none(12);
+    EXPECT_NEAR(alike.evidence().of(causes).log, measurements.evidence().of(causes).log, 1e-7);
+  KnownMeasurements none(12);
   none.Z.setZero();
   EXPECT_EQ(none.evidence().principalTerms(100).cols(), 0);
   EXPECT_EQ(none.evidence().of({}).discrepancy_probability, 0);
-  KnownReadings many(13, 200);
+  KnownMeasurements many(13, 200);
   many.Z = drawn(random, 200, 150);
   EXPECT_EQ(many.evidence().principalTerms(1000).cols(), 120);
   // Only small terms may be omitted: a last column with a hundredth of the variance must be kept, one with a millionth
   // must not.
-  KnownReadings small(14);
+  KnownMeasurements small(14);
   small.Z.col(3) *= 0.1;
   EXPECT_EQ(small.evidence().principalTerms(100).cols(), 4);
   small.Z.col(3) *= 0.01;
@@ -282,14 +283,14 @@ TEST(LinearEvidence, TermsOfTheDiscrepancyMayBeAlike) {
 }
 
 TEST(LinearEvidence, TermsOfTheDiscrepancyMayHaveAnyUnit) {
-  const KnownReadings readings(15);
+  const KnownMeasurements measurements(15);
   for (const double unit : {1e-5, 1e5}) {
-    KnownReadings scaled(15);
+    KnownMeasurements scaled(15);
     scaled.Z *= unit;
     for (double& size : scaled.options.discrepancies) size /= unit;
     EXPECT_EQ(scaled.evidence().principalTerms(100).cols(), 4);
     for (const auto& causes : kHypotheses)
-      EXPECT_NEAR(scaled.evidence().of(causes).log, readings.evidence().of(causes).log, 1e-9);
+      EXPECT_NEAR(scaled.evidence().of(causes).log, measurements.evidence().of(causes).log, 1e-9);
   }
 }
 
@@ -307,7 +308,7 @@ TEST(LinearEvidence, ColumnsTakeWhatTheyHaveOfTheResidualAndNoneTakesNothing) {
   EXPECT_NEAR(evidence.fall({1, 1}), 16, 1e-9);
 }
 
-TEST(EvidenceGram, AddsUpReadingsInAnyNumberOfParts) {
+TEST(EvidenceGram, AddsUpMeasurementsInAnyNumberOfParts) {
   std::mt19937_64 random(15);
   const MatrixXd J = drawn(random, 9001, 2), S = drawn(random, 9001, 90), Z = drawn(random, 9001, 50);
   const VectorXd y = drawn(random, 9001, 1);

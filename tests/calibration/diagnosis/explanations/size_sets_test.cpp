@@ -1,5 +1,5 @@
-// The diagnosis must report several sets of values for an effect if the readings do not show the direction of the tip's
-// offset, and one set if they do.
+// The diagnosis must report several sets of values for an effect if the measurements do not show the direction of the
+// tip's offset, and one set if they do.
 #include "calibration/diagnosis/explanations/size_sets.hpp"
 
 #include <gtest/gtest.h>
@@ -11,21 +11,21 @@
 #include "calibration/diagnosis/diagnosis.hpp"
 #include "calibration/measurements/steps.hpp"
 #include "tests/calibration/measurement_checks/seeded_sets.hpp"
-#include "tests/calibration/synthetic_readings.hpp"
+#include "tests/calibration/synthetic_measurements.hpp"
 #include "tests/units.hpp"
 
 namespace tubeplan::calibration {
 namespace {
 
-/// Returns readings of one kind at holes of the mock-up; the base slips midway.
-SeededSet slippedSet(const std::string& slip, MeasurementKind kind, int readings, std::uint64_t seed) {
-  const auto set =
-      simulatedSet("mockup.yaml", "bowl", readings, {"base-slip@base:" + slip}, seed, [&](app::SimulationTask& task) {
-        task.design.kind = kind;
-        task.design.place = CampaignPlace::kHoles;
-        task.design.loads = {0};
-        if (kindOf(kind).counts_steps) task.design.sigma = kVisitSigma;
-      });
+/// Returns measurements of one kind at holes of the mock-up; the base slips midway.
+SeededSet slippedSet(const std::string& slip, MeasurementKind kind, int measurements, std::uint64_t seed) {
+  const auto set = simulatedSet("mockup.yaml", "bowl", measurements, {"base-slip@base:" + slip}, seed,
+                                [&](app::SimulationTask& task) {
+                                  task.design.kind = kind;
+                                  task.design.place = CampaignPlace::kHoles;
+                                  task.design.loads = {0};
+                                  if (kindOf(kind).counts_steps) task.design.sigma = kVisitSigma;
+                                });
   if (!set) throw std::runtime_error("nothing was reached");
   return *set;
 }
@@ -34,7 +34,7 @@ Diagnosis diagnosisOf(SeededSet set) {
   set.cell.identify = {"tool.joint_stiffness.z"};
   DiagnosisOptions options;
   options.baseline.free = app::freeNumbersOf(set.cell);
-  return diagnose(app::startOf(set.cell, set.table.readings), set.table.readings, options);
+  return diagnose(app::startOf(set.cell, set.table.measurements), set.table.measurements, options);
 }
 
 /// Returns the base slip among the explanations; null if no explanation contains one.
@@ -75,8 +75,8 @@ TEST(SizeSets, OfStepsHoldTheTruthWhicheverWayTheBaseSlipped) {
 /// Returns visits to holes at the predicted tip positions: all steps of the tool enter in the first half of the visits,
 /// two of three steps in the second half.
 std::vector<Measurement> countsAtPredictedTips(const app::Cell& cell, int visits, double beyond, double within) {
-  ReadingMaker maker({cell.arm, {{"", cell.X_WB, true}}}, 5, ReadingMaker::Noise::kNone);
-  std::vector<Measurement> readings;
+  MeasurementMaker maker({cell.arm, {{"", cell.X_WB, true}}}, 5, MeasurementMaker::Noise::kNone);
+  std::vector<Measurement> measurements;
   for (int k = 0; k < visits; ++k) {
     Measurement visit;
     visit.id = std::to_string(k + 1);
@@ -87,9 +87,9 @@ std::vector<Measurement> countsAtPredictedTips(const app::Cell& cell, int visits
     const bool is_before = 2 * k < visits;
     visit.own = {is_before ? 3. : 2., is_before ? 0 : beyond, is_before ? beyond : within};
     visit.sigma = steps::sigmaBetween(visit.own[1], visit.own[2]);
-    readings.push_back(visit);
+    measurements.push_back(visit);
   }
-  return readings;
+  return measurements;
 }
 
 // All slips whose length lies between two tolerances give the same step counts, whatever their horizontal direction.
@@ -100,10 +100,10 @@ TEST(SizeSets, OfEqualCountsAreARing) {
   cell.base_known = true;
   cell.identify.clear();
   const double beyond = 0.010 * kInch, within = 0.058 * kInch;
-  const auto readings = countsAtPredictedTips(cell, 60, beyond, within);
+  const auto measurements = countsAtPredictedTips(cell, 60, beyond, within);
   DiagnosisOptions options;
   options.baseline.free = app::freeNumbersOf(cell);
-  const Diagnosis result = diagnose(app::startOf(cell, readings), readings, options);
+  const Diagnosis result = diagnose(app::startOf(cell, measurements), measurements, options);
   const FoundEffect* found = slipOf(result);
   ASSERT_TRUE(found);
   EXPECT_GE(found->modes.size(), 3U);

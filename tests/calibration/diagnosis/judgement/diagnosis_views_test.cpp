@@ -7,28 +7,28 @@
 
 #include "calibration/diagnosis/diagnosis.hpp"
 #include "calibration/diagnosis/explanations/explanation_model.hpp"
-#include "tests/calibration/bench_readings.hpp"
+#include "tests/calibration/bench_measurements.hpp"
 
 namespace tubeplan::calibration {
 namespace {
 
-constexpr int kReadings = 45;
+constexpr int kMeasurements = 45;
 
-/// Cell, readings and their diagnosis, computed once for all tests.
+/// Cell, measurements and their diagnosis, computed once for all tests.
 struct Diagnosed {
   app::Cell cell = shippedBench();
-  std::vector<Measurement> readings;
+  std::vector<Measurement> measurements;
   Diagnosis result;
 };
 
 Diagnosed diagnosed(const std::string& effect, const std::vector<double>& values) {
   Diagnosed all;
-  all.readings = benchReadings(all.cell, effect, "theta4", values, kReadings, 11);
-  all.readings[4].is_held_out = true;
+  all.measurements = benchMeasurements(all.cell, effect, "theta4", values, kMeasurements, 11);
+  all.measurements[4].is_held_out = true;
   DiagnosisOptions options;
   options.baseline.free = {all.cell.identify, !all.cell.base_known};
   options.most_causes = 1;
-  all.result = diagnose(benchStart(all.cell, all.readings), all.readings, options);
+  all.result = diagnose(benchStart(all.cell, all.measurements), all.measurements, options);
   return all;
 }
 
@@ -37,7 +37,7 @@ const Diagnosed& hysteresis() {
   return all;
 }
 
-double rootMeanSquare(const std::vector<ReadingView>& views, int explanation) {
+double rootMeanSquare(const std::vector<MeasurementView>& views, int explanation) {
   double sum = 0;
   for (const auto& view : views)
     sum += (explanation < 0 ? view.before : view.after.at(static_cast<std::size_t>(explanation))).squaredNorm();
@@ -48,24 +48,25 @@ TEST(DiagnosisViews, errorsAreThoseThatTheDiagnosisReports) {
   const auto& all = hysteresis();
   ASSERT_EQ(all.result.verdict, Verdict::kExplained) << all.result.reason;
   const auto& views = all.result.views;
-  EXPECT_NEAR(rootMeanSquare(views.readings, -1), all.result.before.rms, 1e-9 * all.result.before.rms);
-  EXPECT_NEAR(rootMeanSquare(views.readings, 0), all.result.after.rms, 1e-9 * all.result.after.rms);
+  EXPECT_NEAR(rootMeanSquare(views.measurements, -1), all.result.before.rms, 1e-9 * all.result.before.rms);
+  EXPECT_NEAR(rootMeanSquare(views.measurements, 0), all.result.after.rms, 1e-9 * all.result.after.rms);
 }
 
-TEST(DiagnosisViews, holdsEveryFittedReadingOnceAndNoOther) {
+TEST(DiagnosisViews, holdsEveryFittedMeasurementOnceAndNoOther) {
   const auto& all = hysteresis();
   std::set<int> shown;
-  for (const auto& view : all.result.views.readings) EXPECT_TRUE(shown.insert(view.reading).second) << view.reading;
-  EXPECT_EQ(shown.size() + all.result.set_aside.size() + 1, static_cast<std::size_t>(kReadings));
+  for (const auto& view : all.result.views.measurements)
+    EXPECT_TRUE(shown.insert(view.measurement).second) << view.measurement;
+  EXPECT_EQ(shown.size() + all.result.set_aside.size() + 1, static_cast<std::size_t>(kMeasurements));
   EXPECT_EQ(shown.count(4), 0U);
-  for (const int reading : all.result.set_aside) EXPECT_EQ(shown.count(reading), 0U) << reading;
+  for (const int measurement : all.result.set_aside) EXPECT_EQ(shown.count(measurement), 0U) << measurement;
 }
 
 TEST(DiagnosisViews, errorIsMeasuredLessPredicted) {
   const auto& all = hysteresis();
-  for (const auto& view : all.result.views.readings) {
-    const auto& measured = *all.readings[static_cast<std::size_t>(view.reading)].p_W;
-    EXPECT_LT((view.p_WT + view.before - measured).norm(), 1e-9) << view.reading;
+  for (const auto& view : all.result.views.measurements) {
+    const auto& measured = *all.measurements[static_cast<std::size_t>(view.measurement)].p_W;
+    EXPECT_LT((view.p_WT + view.before - measured).norm(), 1e-9) << view.measurement;
   }
 }
 
@@ -88,24 +89,24 @@ TEST(DiagnosisViews, anEffectThatIsThereHasSlopeOneAtItsSize) {
   EXPECT_NEAR(added.slope * added.slope * squares, fall, 0.03 * fall);
 }
 
-TEST(DiagnosisViews, fewerPointsAreWholeReadingsSpreadEvenly) {
+TEST(DiagnosisViews, fewerPointsAreWholeMeasurementsSpreadEvenly) {
   const auto& all = hysteresis();
   std::vector<Measurement> used;
-  for (const auto& view : all.result.views.readings)
-    used.push_back(all.readings[static_cast<std::size_t>(view.reading)]);
+  for (const auto& view : all.result.views.measurements)
+    used.push_back(all.measurements[static_cast<std::size_t>(view.measurement)]);
   const auto basis = basisOf(all.result.baseline, used);
-  const auto views = viewsOf(basis, all.result, all.readings, 60);
+  const auto views = viewsOf(basis, all.result, all.measurements, 60);
   const auto& points = views.added.at(0).points;
   EXPECT_LE(points.size(), 66U);
   EXPECT_GE(points.size(), 48U);
   ASSERT_EQ(points.size() % 3, 0U);
   int first_half = 0;
   for (std::size_t k = 0; k < points.size(); k += 3) {
-    EXPECT_EQ(points[k].reading, points[k + 2].reading);
-    first_half += points[k].reading < kReadings / 2;
+    EXPECT_EQ(points[k].measurement, points[k + 2].measurement);
+    first_half += points[k].measurement < kMeasurements / 2;
   }
   EXPECT_NEAR(first_half, static_cast<double>(points.size()) / 6, 2);
-  EXPECT_EQ(views.readings.size(), used.size());
+  EXPECT_EQ(views.measurements.size(), used.size());
 }
 
 TEST(DiagnosisViews, withNothingMissingThereIsNothingBesideTheErrors) {
@@ -113,8 +114,8 @@ TEST(DiagnosisViews, withNothingMissingThereIsNothingBesideTheErrors) {
   ASSERT_EQ(all.result.verdict, Verdict::kAdequate);
   EXPECT_TRUE(explanationsShown(all.result).empty());
   EXPECT_TRUE(all.result.views.added.empty());
-  for (const auto& view : all.result.views.readings) EXPECT_TRUE(view.after.empty());
-  EXPECT_NEAR(rootMeanSquare(all.result.views.readings, -1), all.result.before.rms, 1e-9 * all.result.before.rms);
+  for (const auto& view : all.result.views.measurements) EXPECT_TRUE(view.after.empty());
+  EXPECT_NEAR(rootMeanSquare(all.result.views.measurements, -1), all.result.before.rms, 1e-9 * all.result.before.rms);
 }
 
 }  // namespace
