@@ -20,7 +20,7 @@
 namespace {
 
 /// Reports a failed write to standard output (full disk, or a pipe closed by its reader) and returns the exit code.
-int tellOfOutput(int error) {
+int reportLostOutput(int error) {
   std::fprintf(stderr, "tubeplan: standard output: the text cannot be written (%s); check where it goes\n",
                std::strerror(error));
   return tubeplan::app::kBadInput;
@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a write to a closed pipe then returns an error instead of ending the program
   try {
     const int exit_code = tubeplan::app::runCommandLine(std::vector<std::string>(argv + 1, argv + argc));
-    return std::fflush(stdout) == 0 ? exit_code : tellOfOutput(errno);
+    return std::fflush(stdout) == 0 ? exit_code : reportLostOutput(errno);
   } catch (const tubeplan::app::JobStopped& stopped) {
     std::fprintf(stderr, "stopped; %s\n", stopped.kept.empty() ? "nothing was written" : stopped.kept.c_str());
     return tubeplan::app::kStoppedExitCode;
@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "tubeplan: not enough memory\n");
     return tubeplan::app::kInternalError;
   } catch (const std::exception& error) {
-    if (std::ferror(stdout) != 0 || std::ferror(stderr) != 0) return tellOfOutput(errno);
+    if (std::ferror(stdout) != 0 || std::ferror(stderr) != 0) return reportLostOutput(errno);
     std::fprintf(stderr, "tubeplan: internal error: %s\n", error.what());
     return tubeplan::app::kInternalError;
   }

@@ -30,7 +30,7 @@ struct WorkStopped {};
 /// Value of the member `reason` in the result of work that was stopped.
 inline constexpr const char* kStoppedReason = "stopped on request";
 
-inline void goOn(const StopQuestion& stop) {
+inline void throwIfStopped(const StopQuestion& stop) {
   if (shouldStop(stop)) throw WorkStopped{};
 }
 
@@ -50,7 +50,7 @@ template <class Result, class Status, class Work>
 
 inline void reportProgress(const WorkHooks& hooks, std::string_view stage, std::size_t done = 0,
                            std::size_t total = 0) {
-  goOn(hooks.stop);
+  throwIfStopped(hooks.stop);
   if (hooks.progress) hooks.progress(stage, done, total);
 }
 

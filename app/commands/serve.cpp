@@ -24,7 +24,7 @@ namespace {
 
 struct ServeOptions {
   WorkbenchOptions workbench;
-  DoorRules door;
+  AccessRules access;
   std::string page, watch;
   std::optional<int> lines;
   bool open = false;
@@ -33,23 +33,23 @@ struct ServeOptions {
 constexpr std::size_t kShortestToken = 12;
 constexpr auto kGlanceAtArm = std::chrono::milliseconds(50);  // interval between checks for new data from a running arm
 
-void requireToken(const DoorRules& door) {
-  if (door.token.empty() && isLoopback(door.host)) return;
-  if (door.token.empty())
+void requireToken(const AccessRules& access) {
+  if (access.token.empty() && isLoopback(access.host)) return;
+  if (access.token.empty())
     throw InputError::saying("--host",
-                             "others on the network could reach " + inQuotes(door.host) + " without a token",
-                             "add --token TEXT, which is then required for door");
-  const bool is_plain = std::all_of(door.token.begin(), door.token.end(),
+                             "others on the network could reach " + inQuotes(access.host) + " without a token",
+                             "add --token TEXT, which is then required for access");
+  const bool is_plain = std::all_of(access.token.begin(), access.token.end(),
                                     [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
-  if (!is_plain || door.token.size() < kShortestToken)
+  if (!is_plain || access.token.size() < kShortestToken)
     throw InputError::saying("--token", "the token is too short or contains an invalid character",
                              fmt::format("use at least {} characters from letters, digits, - and _", kShortestToken));
 }
 
 int run(const ServeOptions& options) {
-  requireToken(options.door);
+  requireToken(options.access);
   Workbench workbench(options.workbench);
-  HttpServer server(workbench, options.door, options.page);
+  HttpServer server(workbench, options.access, options.page);
   noteStopSignals();
   fmt::print("{}\n", server.address());
   std::optional<LineServer> lines;
@@ -75,17 +75,17 @@ int run(const ServeOptions& options) {
 
 Run configureServe(CLI::App& cli) {
   const auto options = std::make_shared<ServeOptions>();
-  options->door.port = 8642;
+  options->access.port = 8642;
   options->workbench.state = defaultStateFolder();
   cli.add_option("CELL", options->workbench.cell, "the cell file, or a project that was saved")->required();
   cli.add_option("MEASUREMENTS", options->workbench.measurement_files, "readings of any kind (CSV), taken together");
-  cli.add_option("--port", options->door.port, "where to listen; 0 takes any free one")
+  cli.add_option("--port", options->access.port, "where to listen; 0 takes any free one")
       ->check(within(0, 65535))
       ->capture_default_str();
-  cli.add_option("--host", options->door.host, "the address to listen at; any but loopback requires --token")
+  cli.add_option("--host", options->access.host, "the address to listen at; any but loopback requires --token")
       ->capture_default_str();
-  cli.add_option("--token", options->door.token,
-                 "the door token that a browser must send, 12 or more letters, digits, - and _");
+  cli.add_option("--token", options->access.token,
+                 "the access token that a browser must send, 12 or more letters, digits, - and _");
   cli.add_option("--folder", options->workbench.folder,
                  "the folder whose files the page may open and write (the cell's)");
   cli.add_option("--state", options->workbench.state, "the folder in which the session is kept, to be resumed later")

@@ -47,7 +47,7 @@ RealArm realArmOf(const LadderRequest& request, const Cell& with_sheet, const Mo
   RealArm real;
   real.cell = workcellOf(with_sheet, "count the steps that go in");
   if (request.truth.empty()) {
-    standIn(*best, real);
+    takeAsRealArm(*best, real);
   } else {
     const Cell truth = readCell(request.truth);
     requireOneSheet(truth, real.cell.sheet);

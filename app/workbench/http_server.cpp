@@ -103,8 +103,8 @@ std::string eventText(const char* name, const std::string& data) {
 
 class HttpServer::Implementation : public httplib::Server {
  public:
-  Implementation(Workbench& workbench, DoorRules door, const std::string& page_folder)
-      : workbench_(workbench), door_(std::move(door)), page_(page_folder) {
+  Implementation(Workbench& workbench, AccessRules access, const std::string& page_folder)
+      : workbench_(workbench), door_(std::move(access)), page_(page_folder) {
     new_task_queue = [] { return new httplib::ThreadPool(kConnectionsAtOnce); };
     set_payload_max_length(kLargestBody);
     // SO_REUSEPORT is not set, so that no other program can listen on the same port.
@@ -143,7 +143,7 @@ class HttpServer::Implementation : public httplib::Server {
     if (is_running()) stop();
   }
 
-  [[nodiscard]] const DoorRules& door() const { return door_; }
+  [[nodiscard]] const AccessRules& access() const { return door_; }
 
  private:
   void listenAtPort() {
@@ -184,7 +184,7 @@ class HttpServer::Implementation : public httplib::Server {
 
   HandlerResponse atDoor(const httplib::Request& request, httplib::Response& response) {
     const auto header = [&](const char* name) { return request.get_header_value(name); };
-    int status = refuseAtDoor(door_, {request.method, request.path, header("Host"), header("Origin"),
+    int status = refuseAccess(door_, {request.method, request.path, header("Host"), header("Origin"),
                                       header("Sec-Fetch-Site"), header("Authorization"), header("Cookie")});
     if (request.get_header_value_count("Host") != 1) status = 403;
     if (status == 401 && request.method == "GET" && showsToken(request)) return letIn(response);
@@ -270,23 +270,23 @@ class HttpServer::Implementation : public httplib::Server {
   }
 
   Workbench& workbench_;
-  DoorRules door_;
+  AccessRules door_;
   PageFiles page_;
   std::atomic<bool> is_closing_ = false, has_ended_ = false;
 };
 
-HttpServer::HttpServer(Workbench& workbench, DoorRules door, const std::string& page_folder)
-    : implementation_(std::make_unique<Implementation>(workbench, std::move(door), page_folder)) {}
+HttpServer::HttpServer(Workbench& workbench, AccessRules access, const std::string& page_folder)
+    : implementation_(std::make_unique<Implementation>(workbench, std::move(access), page_folder)) {}
 
 HttpServer::~HttpServer() = default;
 
-int HttpServer::port() const { return implementation_->door().port; }
+int HttpServer::port() const { return implementation_->access().port; }
 
 std::string HttpServer::address() const {
-  const DoorRules& door = implementation_->door();
-  const bool is_bare_v6 = door.host.find(':') != std::string::npos && door.host.front() != '[';
-  const std::string host = is_bare_v6 ? "[" + door.host + "]" : door.host;
-  return fmt::format("http://{}:{}/{}", host, door.port, door.token.empty() ? "" : "?token=" + door.token);
+  const AccessRules& access = implementation_->access();
+  const bool is_bare_v6 = access.host.find(':') != std::string::npos && access.host.front() != '[';
+  const std::string host = is_bare_v6 ? "[" + access.host + "]" : access.host;
+  return fmt::format("http://{}:{}/{}", host, access.port, access.token.empty() ? "" : "?token=" + access.token);
 }
 
 void HttpServer::run() { implementation_->runUntilStopped(); }

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "app/workbench/door.hpp"
+#include "app/workbench/access.hpp"
 #include "app/workbench/workbench.hpp"
 
 namespace tubeplan::app {
@@ -12,7 +12,7 @@ namespace tubeplan::app {
 class HttpServer {
  public:
   /// Starts to listen; port 0 selects any free port. Throws InputError if it cannot listen there.
-  HttpServer(Workbench& workbench, DoorRules door, const std::string& page_folder);
+  HttpServer(Workbench& workbench, AccessRules access, const std::string& page_folder);
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;

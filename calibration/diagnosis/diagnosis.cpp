@@ -49,7 +49,7 @@ Identification fitBaseline(const PlacedArm& start, const std::vector<Measurement
   IdentificationOptions how = baselineOptions(options);
   if (loss != RobustLoss::kNone) how.loss = loss;
   Identification baseline = identify(start, measurements, how);
-  goOn(options.hooks.stop);
+  throwIfStopped(options.hooks.stop);
   return baseline;
 }
 
@@ -163,7 +163,7 @@ Answer compareAll(Identification baseline, const std::vector<Measurement>& all, 
   const bool is_usable = (status == IdentificationStatus::kDone || status == IdentificationStatus::kNotConverged) &&
                          !found.result.baseline.fitted.arm.rows.empty();
   if (is_usable) found.work.basis = basisOf(found.result.baseline, used, options.hooks.stop);
-  goOn(options.hooks.stop);
+  throwIfStopped(options.hooks.stop);
   if (!found.work.basis.residual.ok) {
     found.result.reason = found.result.baseline.reason.empty() ? "the model cannot be evaluated at the readings"
                                                                : found.result.baseline.reason;
@@ -192,7 +192,7 @@ Diagnosis completed(Answer found, const std::vector<Measurement>& all) {
   for (auto& alternative : result.alternatives) findSizeSets(found.work.basis, alternative);
   judgeByMeasurementsKeptOut(found.work, found.held_out, result);
   setApart(found.work, result);
-  goOn(found.work.options.hooks.stop);
+  throwIfStopped(found.work.options.hooks.stop);
   result.views = viewsOf(found.work.basis, result, all);
   return std::move(result);
 }

@@ -89,7 +89,7 @@ Without fitWithout(const Case& c, int effect) {
       options.free.base && std::ranges::any_of(bare.base_poses, [](const BasePose& p) { return !p.is_known; });
   if (options.free.names.empty() && !places) return asItStands(bare, c.measurements);
   const Identification fit = identify(bare, c.measurements, options);
-  goOn(options.hooks.stop);
+  throwIfStopped(options.hooks.stop);
   return {fit.chi2, fit.heldout};
 }
 
@@ -181,7 +181,7 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
       itself.status == deflection::EffectStatus::kMade)
     asked.push_back({itself.effect});
   const auto models = competingExplanations(without, c.measurements, bare, asked);
-  goOn(bare.hooks.stop);
+  throwIfStopped(bare.hooks.stop);
   const Explanation *own = nullptr, *other = nullptr, *nothing = nullptr;
   for (const Explanation& model : models.found) {  // most probable first
     const Explanation*& of = model.effects.empty() ? nothing : find(model, warning) ? own : other;

@@ -141,7 +141,7 @@ bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
   last_.jacobian.setZero(with_jacobian ? weights_.rows : 0, with_jacobian ? x.size() : 0);
   if (!settled_.empty() && !settleSurfaces(placed_, settled_)) return false;
   if (!fill(with_jacobian)) {
-    goOn(stop_);  // if `fill` failed because of a stop, throw instead of reporting a failure of the model
+    throwIfStopped(stop_);  // if `fill` failed because of a stop, throw instead of reporting a failure of the model
     return false;
   }
   last_.x = x;

@@ -21,7 +21,7 @@ constexpr double kLeastRadius = 1e-14;
 constexpr double kRest = 1e-13;
 // Increase of all diagonal elements, as a fraction of the largest, which keeps variables in place that affect no
 // residual.
-constexpr double kUnseen = 1e-30;
+constexpr double kLeastDamping = 1e-30;
 constexpr double kLengthRest = 0.1;  // a damped step may exceed the radius by this fraction
 constexpr int kDampings = 20;        // maximum number of attempts to adapt the damping to the radius
 // Maximum number of times that the damping is doubled to make the damped matrix positive definite.
@@ -61,7 +61,7 @@ std::vector<Index> movable(const ScaledProblem& problem, const VectorXd& x, cons
 /// (by Newton's method on the inverse of the length).
 VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, double& damping) {
   normal.diagonal() *= 1 + kRest;
-  normal.diagonal().array() += kUnseen * normal.diagonal().maxCoeff() + damping;
+  normal.diagonal().array() += kLeastDamping * normal.diagonal().maxCoeff() + damping;
   Eigen::LLT<MatrixXd> factor;
   int indefinite = 0;
   for (int k = 0; k <= kDampings; ++k) {

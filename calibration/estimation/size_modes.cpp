@@ -63,7 +63,7 @@ class SizeSearch {
     if (!std::isfinite(modes.front().cost)) return {};
     const double none = costOf(bare_, others_, zerosOf(others_));
     for (const Direction& direction : directions()) {
-      goOn(asked_.stop);
+      throwIfStopped(asked_.stop);
       const auto unknowns = unknownsOf(direction);
       const VectorXd start = bestAlong(direction, unknowns);
       const double best = std::ranges::min(modes, {}, &SizeMode::cost).cost;

@@ -129,7 +129,7 @@ std::optional<MeasurementWeights> weighMeasurements(const PlacedArm& placed, con
   }
   std::vector<MatrixXd> by_joints;
   if (!jointSlopes(placed, measurements, by_joints, stop)) {
-    goOn(stop);
+    throwIfStopped(stop);
     return std::nullopt;
   }
   weights.shared = separateSharedNoise(placed.arm, measurements, by_joints);

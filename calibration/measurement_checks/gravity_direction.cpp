@@ -33,7 +33,7 @@ struct TriedDirection {
 };
 
 TriedDirection triedAlong(const MistakeTrials& trials, const Vector3d& direction) {
-  goOn(trials.options().stop);
+  throwIfStopped(trials.options().stop);
   PlacedArm start = trials.checked().start;
   start.arm.gravity_W = direction.normalized();
   const Vector3d gravity_W = start.arm.gravity_W;

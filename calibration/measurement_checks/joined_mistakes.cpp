@@ -127,7 +127,7 @@ class JoinedSearch {
     const CheckedMeasurements& checked = trials_.checked();
     for (const auto& kind : mistakeKinds())
       for (const auto& value : (kind.values_beside ? kind.values_beside : kind.values)(checked)) {
-        goOn(trials_.options().stop);
+        throwIfStopped(trials_.options().stop);
         auto mend = kind.mend(checked, value);
         if (!mend || mend->parts_setups) continue;
         alone_.push_back(looked({std::move(*mend)}));
@@ -173,7 +173,7 @@ class JoinedSearch {
     std::vector<int> order(static_cast<std::size_t>(arm.jointCount()));
     std::iota(order.begin(), order.end(), 0);
     while (std::ranges::next_permutation(order).found) {
-      goOn(trials_.options().stop);
+      throwIfStopped(trials_.options().stop);
       std::size_t moved = 0;
       bool are_alike = true;
       for (std::size_t j = 0; j < order.size(); ++j) {
@@ -201,7 +201,7 @@ class JoinedSearch {
 
   void lookAtPairs() {
     for (std::size_t a = 0; a < alone_.size(); ++a) {
-      goOn(trials_.options().stop);
+      throwIfStopped(trials_.options().stop);
       for (std::size_t b = a + 1; b < alone_.size(); ++b)
         if (canJoin(alone_[a].mends.front(), alone_[b].mends.front())) lookAtPair(alone_[a], alone_[b]);
       if (!alone_[a].turns_joints)
@@ -234,7 +234,7 @@ class JoinedSearch {
     std::ranges::stable_sort(found_, {}, &Likely::score);
     std::set<std::string> keys;
     for (Likely& one : found_) {
-      goOn(trials_.options().stop);
+      throwIfStopped(trials_.options().stop);
       const auto mends = one.mends();
       const auto isOfZero = [](const Mend& mend) { return !mend.zeros_of.empty(); };
       if (keys.size() < kMostSettled && std::ranges::any_of(mends, isOfZero) && keys.insert(keyOf(mends)).second)

@@ -139,7 +139,7 @@ class MistakeSearch {
     std::vector<Suspect> suspects;
     for (const auto& kind : mistakeKinds())
       for (const auto& value : kind.values(trials_.checked())) {
-        goOn(trials_.options().stop);
+        throwIfStopped(trials_.options().stop);
         auto mend = kind.mend(trials_.checked(), value);
         if (mend) screen({std::move(*mend)}, suspects);
       }
@@ -150,7 +150,7 @@ class MistakeSearch {
     std::vector<Suspect> suspects;
     for (const auto& likely : {likelyTogether(trials_), likelyBesideTurns(trials_)})
       for (const auto& parts : likely) {
-        goOn(trials_.options().stop);
+        throwIfStopped(trials_.options().stop);
         screen(parts, suspects);
       }
     return foremost(std::move(suspects));

@@ -114,7 +114,7 @@ class Descent {
     if (!residual_.evaluate(x_, r_, nullptr) || !r_.allFinite()) return false;
     lack_of_fit_ = loss_.settle(r_) + priorLackOfFit(unknowns_, x_);
     for (int step = 0; step < options_.most_steps && !unknowns_.empty(); ++step) {
-      goOn(options_.stop);
+      throwIfStopped(options_.stop);
       const double before = lack_of_fit_;
       if (!residual_.evaluate(x_, r_, &jacobian_) || !jacobian_.allFinite()) break;
       if (!improve() || before - lack_of_fit_ < kConverged) break;

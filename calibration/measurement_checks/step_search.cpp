@@ -74,7 +74,7 @@ class StepSearch {
     VectorXd size = step.size;
     auto mend = mendOf(step.form, size, from);
     for (int turn = 0; turn < kTurns && mend; ++turn) {
-      goOn(trials_.options().stop);
+      throwIfStopped(trials_.options().stop);
       const Mend both = joined({before_, *mend});
       const Trial fit = trials_.tried(both, TrialDepth::kOpen);
       if (!fit.ok) return std::nullopt;

@@ -128,7 +128,7 @@ bool refit(const PlacedArm& start, const std::vector<Measurement>& measurements,
   IdentificationOptions refit = options.refit;
   refit.hooks = options.hooks;
   result.refit = options.refitted ? *options.refitted : identify(start, measurements, refit);
-  goOn(options.hooks.stop);
+  throwIfStopped(options.hooks.stop);
   result.reason = result.refit.reason;
   result.problems = result.refit.problems;
   if (result.refit.status == IdentificationStatus::kRefused) result.status = ComparisonStatus::kRefused;

@@ -52,7 +52,7 @@ struct SearchedScene {
   /// Returns orthonormal columns for basis functions in the axes of a frame, without the components that `others`
   /// (orthonormal) and the touched points absorb.
   [[nodiscard]] MatrixXd columnsOf(const MatrixXd& basis, PatternFrame frame, const MatrixXd& others) const {
-    goOn(stop);
+    throwIfStopped(stop);
     MatrixXd columns(weights.rows, 3 * basis.cols());
     for (std::size_t k = 0; k < scene.measurements.size(); ++k) {
       const MatrixXd along = weights.whitener[k] * placeSlope(scene, k) * axesOf(scene, frame, k);
@@ -61,7 +61,7 @@ struct SearchedScene {
     }
     const VectorXd lengths = columns.colwise().norm();
     takeSharedOff(weights, columns);
-    goOn(stop);
+    throwIfStopped(stop);
     columns -= (others * (others.transpose() * columns)).eval();
     return orthonormal(columns, lengths);
   }
@@ -225,7 +225,7 @@ PatternTest ask(const SearchedScene& search, const Question& question, const Mat
   MatrixXd beside = others;
   if (!isConstant(variable))
     beside = joined(others, search.columnsOf(MatrixXd::Ones(variable.value.size(), 1), question.frame, others));
-  goOn(search.stop);
+  throwIfStopped(search.stop);
   const VectorXd r = search.r - beside * (beside.transpose() * search.r);
   const bool is_dense = static_cast<Index>(variable.groups.size()) <= kFewGroups;
   const Followed followed =
@@ -296,7 +296,7 @@ PatternSearch searchPatterns(const MeasurementScene& scene, const MeasurementWei
   tbb::parallel_for(std::size_t{0}, questions.size(), [&](std::size_t k) {
     if (!shouldStop(hooks.stop)) asked[k] = ask(search, questions[k], search.absorbed);
   });
-  goOn(hooks.stop);
+  throwIfStopped(hooks.stop);
   for (const auto& test : asked)
     if (test.numbers > 0)
       result.tests.push_back(test);

@@ -55,7 +55,7 @@ class Programme {
       for (int v = 0; v < table_.visits(); ++v)
         if (set >> v & 1)
           for (int p = table_.first(v); p < table_.last(v); ++p)
-            if (least_(p, set) < kNever) goOn(set, p);
+            if (least_(p, set) < kNever) throwIfStopped(set, p);
     return best();
   }
 
@@ -76,7 +76,7 @@ class Programme {
   }
 
   /// Extends a set whose last posture is p to every posture of every visit that may come next.
-  void goOn(VisitSet set, int p) {
+  void throwIfStopped(VisitSet set, int p) {
     const double here = least_(p, set);
     for (int v = 0; v < table_.visits(); ++v) {
       if (!mayCome(v, set)) continue;

@@ -13,7 +13,7 @@ const ModelComparisonRow* bestRow(const std::vector<ModelComparisonRow>& compari
   return best;
 }
 
-void standIn(const ModelComparisonRow& best, RealArm& real) {
+void takeAsRealArm(const ModelComparisonRow& best, RealArm& real) {
   real.cell.arm = best.model.arm;
   real.cell.X_WB = best.model.base_poses.back().X_WB;
   real.name = best.name + ", with an unmodelled error as large as the noise floor";

@@ -21,7 +21,7 @@ struct LadderSteps {
 [[nodiscard]] const ModelComparisonRow* bestRow(const std::vector<ModelComparisonRow>& comparison);
 
 /// Uses the best model in place of the real arm, with an unmodelled error equal to the noise floor.
-void standIn(const ModelComparisonRow& best, RealArm& real);
+void takeAsRealArm(const ModelComparisonRow& best, RealArm& real);
 
 /// Adds a step table, for the same `holes` random holes, to every row of the comparison. Throws JobStopped if a stop is
 /// requested.

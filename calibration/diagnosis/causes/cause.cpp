@@ -266,7 +266,7 @@ CauseList listCauses(const PlacedArm& placed, const std::vector<Measurement>& me
                      const std::vector<Unknown>& free, const WorkHooks& hooks) {
   CauseList list;
   for (const auto& kind : deflection::effectKinds()) {
-    goOn(hooks.stop);
+    throwIfStopped(hooks.stop);
     if (kind.odds <= 0) continue;
     if (const std::string lack = lackOf(kind, placed, measurements); !lack.empty())
       list.not_tried.push_back(std::string(kind.name) + ": " + lack);

@@ -91,7 +91,7 @@ MatrixXd Signatures::columnsAt(const std::vector<Measurement>& measurements, con
   apart.points.clear();
   apart.shared.clear();
   for (const Layer& layer : layers_) {
-    goOn(stop);
+    throwIfStopped(stop);
     auto residual =
         whitenedResidual(layer.placed, layer.unknowns, measurements, apart, zerosOf(layer.unknowns), true, stop);
     if (!residual.ok) return {};

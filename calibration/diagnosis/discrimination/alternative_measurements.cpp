@@ -128,7 +128,7 @@ std::vector<std::vector<RivalPrediction>> predictFrames(const std::vector<RivalM
                                                 measurement.sigma);
       }
   });
-  goOn(stop);
+  throwIfStopped(stop);
   return of_row;
 }
 

@@ -93,7 +93,7 @@ void countTimes(const RivalForecast& forecast, const std::vector<double>& probab
   result.never = unlikelyPairs(probability, pairsOf(forecast, options.most_repeats, gap));
   if (2 * result.never.size() == result.pairs.size()) return;
   for (result.times = 1; result.times < options.most_repeats; ++result.times) {
-    goOn(options.hooks.stop);
+    throwIfStopped(options.hooks.stop);
     auto pairs = result.times == 1 ? result.pairs : pairsOf(forecast, result.times, gap);
     std::erase_if(pairs, [&](const DiscriminatedPair& pair) {
       return std::ranges::any_of(result.never, [&](const DiscriminatedPair& never) { return isSame(never, pair); });

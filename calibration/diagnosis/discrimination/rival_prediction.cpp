@@ -44,7 +44,7 @@ RivalPrediction predictByAll(const std::vector<RivalModel>& rivals, const std::v
   const auto weights = weighMeasurements(rivals.front().model.placed, measurements);
   if (!weights) return all;
   for (const RivalModel& rival : rivals) {
-    goOn(stop);
+    throwIfStopped(stop);
     auto residual = whitenedResidual(rival.model.placed, rival.model.unknowns, measurements, *weights,
                                      zerosOf(rival.model.unknowns), true);
     if (!residual.ok) return {};
@@ -185,7 +185,7 @@ std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& riva
   std::vector<std::vector<Measurement>> each(candidates.size());
   std::vector<Measurement> all;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    goOn(stop);
+    throwIfStopped(stop);
     each[k] = measurementsOf(candidates[k], k, rivals.front().model.placed);
     all.insert(all.end(), each[k].begin(), each[k].end());
   }
@@ -217,7 +217,7 @@ std::vector<DiscriminatingMeasurement> chooseDiscriminating(const std::vector<Ri
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < predictions.size(); ++k) {
       if (is_taken[k] || predictions[k].value.empty()) continue;
-      goOn(stop);
+      throwIfStopped(stop);
       if (const double score = race.scoreWith(k); score < least) least = score, best = k;
     }
     if (best == predictions.size()) break;

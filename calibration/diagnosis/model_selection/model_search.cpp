@@ -41,7 +41,7 @@ std::vector<Looked> lookBeside(const DiagnosisWork& work, const std::vector<Comp
     }
     looked[at] = bestBeside(work, seed, cause, seed.terms.empty());
   });
-  goOn(work.basis.stop);
+  throwIfStopped(work.basis.stop);
   return looked;
 }
 
@@ -77,7 +77,7 @@ std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vecto
     if (!seed.terms.empty() && termsOf(work, cause).size() >= kManyTerms) look = bestBeside(work, seed, cause, true);
     found[k] = weigh(work, look.terms, look.log_share);
   });
-  goOn(work.basis.stop);
+  throwIfStopped(work.basis.stop);
   sortByWeight(found);
   return found;
 }

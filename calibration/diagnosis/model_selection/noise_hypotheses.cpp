@@ -133,7 +133,7 @@ void keepDiscrepancy(const DiagnosisWork& work, NoiseHypothesis& noise) {
       static_cast<double>(noise.weights.rows) * static_cast<double>(terms.size()) < kMostForSources;
   MatrixXd all(has_sources ? noise.weights.rows : 0, static_cast<Index>(terms.size()));
   for (const auto& which : blocksOf(work.basis.measurements)) {
-    goOn(work.basis.stop);
+    throwIfStopped(work.basis.stop);
     const auto measurements = picked(work.basis.measurements, which);
     const auto weights = weighMeasurements(work.basis.fitted, measurements, {}, noise.model_error, work.basis.stop);
     if (!weights) return;

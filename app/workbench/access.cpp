@@ -1,4 +1,4 @@
-#include "app/workbench/door.hpp"
+#include "app/workbench/access.hpp"
 
 #include <arpa/inet.h>
 
@@ -25,7 +25,7 @@ bool isNumericAddress(std::string host) {
 }
 
 /// Returns true if the value "name:port" of a Host header is allowed; a missing port means 80.
-bool hostAllowed(const DoorRules& rules, const std::string& header) {
+bool hostAllowed(const AccessRules& rules, const std::string& header) {
   const std::string text = lowerCase(header);
   const std::size_t bracket = text.rfind(']'), colon = text.rfind(':');
   const bool has_port = colon != std::string::npos && (bracket == std::string::npos || colon > bracket);
@@ -37,7 +37,7 @@ bool hostAllowed(const DoorRules& rules, const std::string& header) {
   return isAnyAddress(rules.host) && isNumericAddress(name);
 }
 
-bool originAllowed(const DoorRules& rules, const Visitor& visitor) {
+bool originAllowed(const AccessRules& rules, const Visitor& visitor) {
   if (!visitor.origin.empty()) {
     const std::string scheme = "http://";
     return visitor.origin.starts_with(scheme) && hostAllowed(rules, visitor.origin.substr(scheme.size())) &&
@@ -59,7 +59,7 @@ std::string cookieOf(const std::string& header) {
   return "";
 }
 
-bool tokenShown(const DoorRules& rules, const Visitor& visitor) {
+bool tokenShown(const AccessRules& rules, const Visitor& visitor) {
   const std::string bearer = "Bearer ";
   if (visitor.authorization.starts_with(bearer))
     return equalInConstantTime(visitor.authorization.substr(bearer.size()), rules.token);
@@ -84,7 +84,7 @@ bool isLoopback(const std::string& host) {
   return name == "localhost" || name == "127.0.0.1" || name == "::1" || name == "[::1]";
 }
 
-int refuseAtDoor(const DoorRules& rules, const Visitor& visitor) {
+int refuseAccess(const AccessRules& rules, const Visitor& visitor) {
   if (!hostAllowed(rules, visitor.host)) return 403;
   const bool only_looks = visitor.method == "GET" || visitor.method == "HEAD";
   const bool is_api = visitor.path.starts_with("/api");

@@ -6,7 +6,7 @@
 
 namespace tubeplan::app {
 
-struct DoorRules {
+struct AccessRules {
   std::string host = "127.0.0.1";  ///< address at which the server listens
   int port = 0;
   std::string token;  ///< secret that a request must show; empty: none is required
@@ -20,7 +20,7 @@ struct Visitor {
 
 /// Returns 0 for an admitted request, otherwise the HTTP status: 401 for a missing or wrong token; 403 for a wrong
 /// Host, a wrong Origin, or a request sent by a page of another site.
-[[nodiscard]] int refuseAtDoor(const DoorRules& rules, const Visitor& visitor);
+[[nodiscard]] int refuseAccess(const AccessRules& rules, const Visitor& visitor);
 
 /// Returns true if `host` is the name or an address of the loopback interface.
 [[nodiscard]] bool isLoopback(const std::string& host);
