@@ -16,7 +16,7 @@
 #include "app/formats/cell/workcell.hpp"
 #include "app/formats/units_json.hpp"
 #include "app/storage/input_error.hpp"
-#include "app/storage/suggestion.hpp"
+#include "app/storage/named_entry.hpp"
 #include "app/studies/positioning/base_choice.hpp"
 #include "deflection/rotation.hpp"
 #include "tubesheets/csv_table.hpp"
@@ -68,11 +68,7 @@ BaseChoiceOptions choiceOptions(const BasesOptions& options, const Cell& cell, c
   }
   choice.moving = options.moving;
   choice.cover.most = options.most;
-  std::vector<std::string> names;
-  for (const auto& obstacle : work.scene.obstacles) names.push_back(obstacle.name);
-  for (const std::string& name : options.moving)
-    if (std::ranges::find(names, name) == names.end())
-      throw InputError("--moving", inQuotes(name), alternatives(names), suggestion(name, names));
+  for (const std::string& name : options.moving) (void)entryNamed(work.scene.obstacles, name, "--moving");
   return choice;
 }
 

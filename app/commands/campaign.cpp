@@ -13,8 +13,8 @@
 #include "app/formats/checkpoint/tally_checkpoint.hpp"
 #include "app/storage/atomic_file.hpp"
 #include "app/storage/input_error.hpp"
+#include "app/storage/named_entry.hpp"
 #include "app/storage/origin.hpp"
-#include "app/storage/suggestion.hpp"
 #include "app/studies/monte_carlo/centring_trial.hpp"
 #include "app/studies/monte_carlo/repeat_runs.hpp"
 #include "app/studies/monte_carlo/run_workers.hpp"
@@ -33,12 +33,7 @@ struct CampaignOptions {
 };
 
 const CampaignKind& campaignKindOf(const std::string& name) {
-  std::vector<std::string> names;
-  for (const auto& kind : campaignKinds()) {
-    if (kind.name == name) return kind;
-    names.emplace_back(kind.name);
-  }
-  throw InputError("--kind", inQuotes(name), alternatives(names), suggestion(name, names));
+  return entryNamed(campaignKinds(), name, "--kind");
 }
 
 /// Checkpoint and output of a campaign, which only the first rank handles.

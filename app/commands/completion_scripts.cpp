@@ -6,7 +6,7 @@
 
 #include "app/commands/command_words.hpp"
 #include "app/storage/input_error.hpp"
-#include "app/storage/suggestion.hpp"
+#include "app/storage/named_entry.hpp"
 
 namespace tubeplan::app {
 
@@ -101,12 +101,7 @@ constexpr std::array<Shell, 3> kShells{{{"bash", bash}, {"zsh", zsh}, {"fish", f
 }  // namespace
 
 std::string completionScript(const std::string& shell) {
-  std::vector<std::string> names;
-  for (const Shell& row : kShells) {
-    if (shell == row.name) return row.script();
-    names.emplace_back(row.name);
-  }
-  throw InputError("SHELL", inQuotes(shell), alternatives(names), suggestion(shell, names));
+  return entryNamed(kShells, shell, "SHELL").script();
 }
 
 }  // namespace tubeplan::app

@@ -9,7 +9,7 @@
 #include "app/documents/figures.hpp"
 #include "app/formats/cell/cell_reader.hpp"
 #include "app/storage/input_error.hpp"
-#include "app/storage/suggestion.hpp"
+#include "app/storage/named_entry.hpp"
 #include "deflection/effects/effect.hpp"
 
 namespace tubeplan::app {
@@ -24,7 +24,7 @@ struct EffectsOptions {
 void requireEffect(const deflection::Arm& arm, const std::string& name) {
   const auto made = deflection::makeEffect(arm, name, "");
   if (name.empty() || made.status != deflection::EffectStatus::kUnknownEffect) return;
-  throw InputError("EFFECT", inQuotes(name), alternatives(made.known), suggestion(name, made.known));
+  throw unknownName("EFFECT", name, made.known);
 }
 
 int run(const EffectsOptions& options) {

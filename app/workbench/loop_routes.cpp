@@ -15,7 +15,7 @@
 #include "app/jobs/improvement.hpp"
 #include "app/jobs/ladder.hpp"
 #include "app/storage/input_error.hpp"
-#include "app/storage/suggestion.hpp"
+#include "app/storage/named_entry.hpp"
 #include "app/workbench/job_routes.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
@@ -221,11 +221,7 @@ Answer improve(Workbench& workbench, const Request& request) {
 SimulationRequest simulationAsked(const nlohmann::json& body) {
   SimulationRequest asked;
   asked.design = textOf(body, "design", "bench");
-  if (!calibration::findCampaignDesign(asked.design)) {  // no file name: a request must not open a file
-    std::vector<std::string> names;
-    for (const auto& design : calibration::campaignDesigns()) names.emplace_back(design.name);
-    throw InputError("design", inQuotes(asked.design), alternatives(names), suggestion(asked.design, names));
-  }
+  (void)entryNamed(calibration::campaignDesigns(), asked.design, "design");  // a request must not open a design file
   asked.measurements = integerOf(body, "readings", 60, 1, kMostSimulated);
   asked.hide = textsOf(body, "hide");
   if (body.contains("loads") && !body["loads"].is_null()) asked.loads = numbersOf(body, "loads");

@@ -10,7 +10,7 @@
 #include "app/formats/cell/workcell.hpp"
 #include "app/formats/sheet/touched_base.hpp"
 #include "app/storage/input_error.hpp"
-#include "app/storage/suggestion.hpp"
+#include "app/storage/named_entry.hpp"
 #include "app/studies/measurements/simulated_calibration.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
 
@@ -50,15 +50,6 @@ void refuseTwice(const std::string& option, std::vector<T> values) {
     throw InputError::saying(option, fmt::format("{} is given twice", *twice), "give each value once");
 }
 
-TouchRule ruleOf(const std::string& name) {
-  std::vector<std::string> names;
-  for (const auto& row : touchRules()) {
-    if (row.name == name) return row.rule;
-    names.emplace_back(row.name);
-  }
-  throw InputError("--choice", inQuotes(name), alternatives(names), suggestion(name, names));
-}
-
 TruthSpread spreadOf(const CampaignRequest& request, const Units& units) {
   TruthSpread spread;
   spread.base_shift_sigma = lengthFrom("--base-shift", request.base_shift, spread.base_shift_sigma, units);
@@ -95,7 +86,8 @@ std::vector<CentringSetting> settingsOf(const CampaignRequest& request, const Ce
     if (touches < 3 || touches > kMostTouchedHoles)
       throw InputError("--touches", std::to_string(touches), fmt::format("3 to {} touched holes", kMostTouchedHoles));
     for (const auto& choice : request.choices)
-      for (const double sigma : touchSigmas(request, task)) settings.push_back({touches, ruleOf(choice), sigma});
+      for (const double sigma : touchSigmas(request, task))
+        settings.push_back({touches, entryNamed(touchRules(), choice, "--choice").rule, sigma});
   }
   if (settings.size() > kMostSettings)
     throw InputError::saying(

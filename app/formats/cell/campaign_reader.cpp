@@ -8,6 +8,7 @@
 
 #include "app/formats/quantities.hpp"
 #include "app/formats/yaml/strict_yaml.hpp"
+#include "app/storage/named_entry.hpp"
 #include "app/storage/suggestion.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
@@ -25,7 +26,7 @@ constexpr std::array<PlaceRow, 3> kPlaces{
     {{"anywhere", CampaignPlace::kAnywhere}, {"plane", CampaignPlace::kPlane}, {"holes", CampaignPlace::kHoles}}};
 
 [[noreturn]] void refuseWord(const YamlNode& node, const std::vector<std::string>& words) {
-  node.fail(alternatives(words), suggestion(node.text(), words));
+  throw unknownName(node.where(), node.text(), words);
 }
 
 MeasurementKind readKind(const YamlNode& node) {
@@ -34,12 +35,7 @@ MeasurementKind readKind(const YamlNode& node) {
 }
 
 CampaignPlace readPlace(const YamlNode& node) {
-  std::vector<std::string> names;
-  for (const auto& row : kPlaces) {
-    names.emplace_back(row.name);
-    if (node.text() == row.name) return row.place;
-  }
-  refuseWord(node, names);
+  return entryNamed(kPlaces, node.text(), node.where()).place;
 }
 
 bool readPointsKnown(const YamlNode& node) {

@@ -15,6 +15,7 @@
 #include "app/formats/foreign/form_columns.hpp"
 #include "app/formats/foreign/joint_patterns.hpp"
 #include "app/storage/input_error.hpp"
+#include "app/storage/named_entry.hpp"
 #include "app/storage/suggestion.hpp"
 #include "tubesheets/csv_table.hpp"
 
@@ -112,8 +113,7 @@ class ColumnTaker {
     const bool is_chosen = isTaken(indexOf(columnsOf(stated).columns.front()));
     if (is_chosen || (name.empty() && hasColumns(stated))) return;
     const auto names = formNames(stated);
-    if (!name.empty() && std::ranges::find(names, name) == names.end())
-      throw InputError(columnsOf(stated).option, inQuotes(name), alternatives(names), suggestion(name, names));
+    if (!name.empty()) (void)entryNamed(names, name, columnsOf(stated).option);
     if (auto form = onlyForm(formsByHeadings(search(), stated, name), tables_)) return addForm(std::move(*form));
     if (!name.empty()) missingForm(name);
   }

@@ -9,7 +9,7 @@
 #include "app/formats/quantities.hpp"
 #include "app/formats/yaml/strict_yaml.hpp"
 #include "app/storage/input_error.hpp"
-#include "app/storage/suggestion.hpp"
+#include "app/storage/named_entry.hpp"
 #include "app/storage/text_file.hpp"
 #include "tubesheets/hole_lattice.hpp"
 #include "tubesheets/hole_map_csv.hpp"
@@ -52,10 +52,7 @@ tubesheets::ViewedFrom readViewedFrom(const YamlNode& node) {
 }
 
 const tubesheets::LayoutType& readLayoutType(const YamlNode& node) {
-  std::vector<std::string> names;
-  for (const auto& type : tubesheets::layoutTypes()) names.emplace_back(type.name);
-  if (const auto* type = tubesheets::findLayoutType(node.text())) return *type;
-  node.fail(alternatives(names), suggestion(node.scalar, names));
+  return entryNamed(tubesheets::layoutTypes(), node.text(), node.where());
 }
 
 tubesheets::Layout readLayout(const YamlNode& node, const Units& units) {
