@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 
+#include "app/formats/arm/arm_numbers.hpp"
 #include "app/formats/arm/arm_reader.hpp"
 #include "app/formats/yaml/yaml_edit.hpp"
 #include "app/storage/input_error.hpp"

@@ -8,6 +8,7 @@
 #include <optional>
 #include <variant>
 
+#include "app/formats/arm/arm_numbers.hpp"
 #include "app/formats/arm/arm_reader.hpp"
 #include "app/formats/yaml/yaml_edit.hpp"
 #include "app/formats/yaml/yaml_text.hpp"

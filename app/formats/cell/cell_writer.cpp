@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "app/formats/arm/arm_numbers.hpp"
 #include "app/formats/cell/cell_places.hpp"
 #include "app/formats/cell/effects_reader.hpp"
 #include "app/formats/cell/uncertainty_reader.hpp"

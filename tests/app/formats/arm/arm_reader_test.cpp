@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "app/formats/arm/arm_numbers.hpp"
 #include "app/formats/yaml/strict_yaml.hpp"
 #include "deflection/parameters.hpp"
 #include "tests/app/test_files.hpp"

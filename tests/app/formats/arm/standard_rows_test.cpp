@@ -3,6 +3,7 @@
 
 #include <regex>
 
+#include "app/formats/arm/arm_numbers.hpp"
 #include "app/formats/arm/arm_reader.hpp"
 #include "app/formats/arm/arm_writer.hpp"
 #include "app/formats/yaml/strict_yaml.hpp"
