@@ -1,8 +1,8 @@
 // Equivalent form of an arm in which the row origins lie close to each other.
 //
 // A row's origin may lie anywhere on the row's axis. Denavit-Hartenberg parameters put it on the common normal of two
-// axes. For the nearly parallel axes of a calibrated arm, that normal can be hundreds of metres away, and the d of one
-// row cancels the d of another. Lengths of members must not be computed from such rows.
+// axes. On a calibrated arm with nearly parallel axes, that normal can be hundreds of metres away; the large d
+// parameters of adjacent rows then cancel each other. Member lengths must not be computed from such rows.
 #pragma once
 
 #include <string>

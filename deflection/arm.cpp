@@ -27,7 +27,7 @@ std::vector<FollowedJoint> turnedWith(const Arm& arm, int active_row) {
 }
 
 bool isNearlyParallel(const Row<double>& row) {
-  constexpr double kCosine = 0.866;  // cosine of 30 degrees
+  constexpr double kCosine = 0.866;  // cosine of 30 degrees, the largest angle between nearly parallel axes
   return std::abs(rotationFromPrevious<double>(row)(2, 2)) > kCosine;
 }
 

@@ -29,16 +29,17 @@ namespace tubeplan::deflection {
 inline constexpr double kRigid = std::numeric_limits<double>::infinity();
 
 /// Modified (Craig) Denavit-Hartenberg parameters [rad, m] with Hayati's beta and a shift b: RotX(alpha) TransX(a)
-/// TransY(b) RotY(beta) RotZ(theta) TransZ(d). For an axis nearly parallel to the axis of the row before, measurements
-/// determine beta but not d. Only the first row needs b, to place its axis relative to a known base. In other rows, the
-/// joint offset and d of the row before have the same effect.
+/// TransY(b) RotY(beta) RotZ(theta) TransZ(d). If an axis is nearly parallel to the previous row's axis, measurements
+/// determine beta but not d. Only the first row needs b, to place its axis relative to a known base. In other rows, b
+/// is redundant with the joint offset and d of the previous row.
 template <class S>
 struct DenavitHartenberg {
   S alpha{0}, a{0}, d{0}, theta{0}, beta{0}, b{0};
 };
 
 /// Placement of a row as in URDF: translation [m], then fixed-axis roll, pitch and yaw [rad], then a rotation beta
-/// [rad] about the row's own y axis. At a pitch of 90 degrees, roll and yaw alone cannot express that rotation.
+/// [rad] about the row's y axis. The separate beta keeps that rotation expressible at a pitch of 90 degrees, where roll
+/// and yaw are degenerate.
 template <class S>
 struct Origin {
   Vector3<S> position = Vector3<S>::Zero();
@@ -48,8 +49,8 @@ struct Origin {
 
 enum class JointType { kPassive, kRevolute, kPrismatic };
 
-/// A joint that drives another joint. `ratio` is the driven joint's angle, without its own offset, per angle of the
-/// driving joint, including that joint's offset.
+/// A joint that drives another joint, and the transmission ratio: rotation of the driven joint (without its own offset)
+/// per rotation of the driving joint (including its offset).
 struct FollowedJoint {
   int row = -1;
   double ratio = 0;
@@ -67,7 +68,8 @@ struct Joint {
   double max_speed = std::numeric_limits<double>::infinity();
   double max_acceleration = std::numeric_limits<double>::infinity();
   double encoder_sigma = 0;  ///< standard deviation of an encoder reading [rad, m]
-  double gear_ratio = 0;     ///< gear ratio: input turns of the drive per turn of the joint; 0: not stated
+  /// Gear ratio: input turns of the drive per turn of the joint; 0 means that it was not stated.
+  double gear_ratio = 0;
   /// Joints that drive this joint, for example through a parallel linkage or a belt. A driven joint has no reading of
   /// its own: its passive row rotates about z by its offset plus the sum of ratio times angle over all drivers. Drivers
   /// are revolute and active.
@@ -86,9 +88,9 @@ bool moves(const Joint<S>& joint) {
   return joint.type != JointType::kPassive || !joint.follows.empty();
 }
 
-/// A uniform straight member. E, G [Pa]; I (about the row's x, y, z axes), J [m^4]. The member is rigid in bending
-/// about an axis with infinite I, and in torsion if G J is infinite. `segments` is the number of equal elements into
-/// which it is divided.
+/// A uniform straight member. E and G in Pa; I (about the row's x, y and z axes) and J in m^4. The member is rigid in
+/// bending about an axis with infinite I, and rigid in torsion if G J is infinite. The member is divided into
+/// `segments` equal elements.
 template <class S>
 struct Beam {
   S E{kRigid};
@@ -115,19 +117,20 @@ struct Weight {
 
 /// Terms that effects add to a row while the deflected shape is solved; arm files contain none of them. The flags
 /// (`joint_is_compliant`, `member_is_compliant`, `bends`, `has_gap`) depend on which effects act on the row, not on the
-/// values of the terms, which may be zero.
+/// values of their terms, which may be zero.
 template <class S>
 struct EffectTerms {
   bool joint_is_compliant = false, member_is_compliant = false;
   std::array<bool, 3> bends{}, has_gap{};
   Vector3<S> compliance = Vector3<S>::Zero();  ///< compliance at the origin, about the row's axes [rad/(N m)]
-  Vector3<S> softness = Vector3<S>::Zero();    ///< softness below the knee moment; see elements/joint_stiffness.hpp
-  Vector3<S> knee = Vector3<S>::Zero();        ///< knee moment [N m]
-  Vector3<S> gap = Vector3<S>::Zero();         ///< clearance [rad], see elements/clearance.hpp
+  /// Additional softness below the knee moment [1]; see elements/joint_stiffness.hpp.
+  Vector3<S> softness = Vector3<S>::Zero();
+  Vector3<S> knee = Vector3<S>::Zero();  ///< knee moment [N m]
+  Vector3<S> gap = Vector3<S>::Zero();   ///< clearance [rad], see elements/clearance.hpp
   /// Bending compliance of the member about the row's axes [1/(N m^2)].
   Vector3<S> bending_compliance = Vector3<S>::Zero();
   S torsion_compliance{0};               ///< torsion compliance of the member [1/(N m^2)]
-  Vector3<S> pull = Vector3<S>::Zero();  ///< force at the member's end, in base axes [N]
+  Vector3<S> pull = Vector3<S>::Zero();  ///< force at the member's end, such as the pull of a hose, in base axes [N]
   std::vector<Lump<S>> hung;             ///< weights that move with the row's origin, even if the member bends
 };
 
@@ -141,9 +144,9 @@ struct Row {
   std::optional<Beam<S>> beam;
   Weight<S> weight;
   std::optional<EffectTerms<S>> effect_terms;
-  /// Name of the arm file's entry that holds this row's alpha, a, beta and b, unset if it is the row's own `dh`; fits
-  /// use the same name. In the standard convention the entry is "NAME.dh" of the row before, or "NAME.axis" for a first
-  /// row. Empty string: no entry holds them, and they are not parameters.
+  /// Name of the arm-file entry that holds this row's alpha, a, beta and b; unset if that is the row's own `dh`. Fits
+  /// use the same name. In the standard convention, the entry is "NAME.dh" of the previous row, or "NAME.axis" for the
+  /// first row. An empty string means that no entry holds them, so they are not parameters.
   std::optional<std::string> placed_by;
   /// False for a row that the arm file does not contain: the end row added after the last link in the standard
   /// convention.
@@ -168,8 +171,8 @@ struct TipLoad {
   Vector3<S> moment = Vector3<S>::Zero();  ///< moment of constant direction in base axes [N m]
 };
 
-/// Rows that are rigid in one set-up of the base, such as an arm removed from its flexible mounting and bolted to a
-/// bench.
+/// Rows that are rigid in one set-up of the base, for example because the arm is bolted to a bench instead of its
+/// flexible mounting.
 struct RigidMounting {
   std::string setup;
   std::vector<int> rows;
@@ -186,14 +189,15 @@ struct ArmOf {
   Eigen::Matrix3d R_LT = Eigen::Matrix3d::Identity();
   /// Rotation vector from the nominal to the true axes of the tool frame, in the last row's frame [rad].
   Vector3<S> tool_turn_L = Vector3<S>::Zero();
-  /// Conditions at which the nominal parameters hold; also assumed for conditions that a posture does not state.
+  /// Conditions at which the nominal parameters apply. They are also assumed if a posture does not state its
+  /// conditions.
   ConditionValues reference = usualConditions();
   std::vector<EffectOf<S>> effects;       ///< physical effects beyond the data of rows, tip and tool
   std::vector<SideChain<S>> side_chains;  ///< rigid rows that only add weight
   std::vector<RigidMounting> mountings;   ///< one entry for each set-up with rigid rows
   std::optional<TipLoad<S>> tip_load;
 
-  /// Returns the joints with readings of their own, revolute and prismatic; joint vectors have the same order.
+  /// Returns the joints that have encoder readings, revolute and prismatic, in the order of joint vectors.
   [[nodiscard]] auto joints() const {
     return rows | std::views::filter([](const Row<S>& row) { return row.joint.type != JointType::kPassive; }) |
            std::views::transform(&Row<S>::joint);
@@ -232,8 +236,8 @@ std::optional<int> findRow(const Arm& arm, std::string_view name);
 /// Returns true if any joint of the arm follows other joints.
 bool hasFollowers(const Arm& arm);
 
-/// Returns true if the parameters that the solver uses depend on the posture: through effects, weights of side chains,
-/// or rows that are rigid in a set-up.
+/// Returns true if the parameters used by the solver depend on the posture, because of effects, side chains or set-ups
+/// with rigid rows.
 template <class S>
 bool dependsOnPosture(const ArmOf<S>& arm) {
   return !arm.effects.empty() || !arm.mountings.empty() || !arm.side_chains.empty();
@@ -242,8 +246,8 @@ bool dependsOnPosture(const ArmOf<S>& arm) {
 /// Returns a rigid copy of the arm, without the effects that add flexibility.
 Arm rigidCopy(const Arm& arm);
 
-/// Returns the undeflected vector from a row's origin (from the end of its bar, if the row is prismatic) to the next
-/// row's origin or the tip, in the row's axes [m].
+/// Returns the undeflected vector from a row's origin to the next row's origin or the tip, in the row's axes [m]. For a
+/// prismatic row, the vector starts at the end of the bar.
 Eigen::Vector3d memberOf(const Arm& arm, int row);
 
 /// Returns the undeflected vector along the part of a row that can bend: its member [m] or, for a prismatic row, the
@@ -254,13 +258,12 @@ Eigen::Vector3d undeflectedMember(const Arm& arm, int row);
 /// is not prismatic.
 double slideLength(const Joint<double>& joint);
 
-/// Returns an upper bound on the distance of the tip from the base [m]: the length of the shortest path from base to
-/// tip that touches every rotation axis in turn, plus the largest length of each prismatic joint. The bound does not
-/// depend on the convention in which the rows are written. It serves to scale tolerances; prismatic joints without
-/// limits therefore count as zero.
+/// Returns an upper bound on the distance of the tip from the base [m], used to scale tolerances: the length of the
+/// shortest path from base to tip that touches every rotation axis in order, plus the largest length of each prismatic
+/// joint (zero without limits). The bound does not depend on the convention in which the rows are written.
 double reachOf(const Arm& arm);
 
-/// A fault found in an arm. `path` is the dotted name of the faulty entry in the arm file (`tool.joint_stiffness.z`).
+/// A problem with an arm. `path` is the dotted name of the entry in the arm file (`tool.joint_stiffness.z`).
 struct ArmProblem {
   std::string path;
   std::string found;          ///< value found, or a sentence that states the problem if no value is expected
@@ -268,8 +271,8 @@ struct ArmProblem {
 };
 
 /// Returns every problem of an arm, in file order: no rows, repeated names, a negative or zero stiffness, a flexible
-/// beam of zero length, reversed limits, numbers that are not finite, effects at impossible places. Empty: the arm is
-/// usable.
+/// beam of zero length, reversed limits, numbers that are not finite, effects at impossible places. If the result is
+/// empty, the arm is usable.
 std::vector<ArmProblem> findProblems(const Arm& arm);
 
 }  // namespace tubeplan::deflection

@@ -1,4 +1,4 @@
-// Checks for faults that make an arm unusable, run before anything is computed with the arm.
+// Checks an arm for problems before it is used in computations.
 #include <cmath>
 #include <set>
 #include <string>

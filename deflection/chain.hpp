@@ -20,7 +20,7 @@ enum class ChainLinkType {
   kMember,     ///< section of the member, rigid or flexible, with its distributed weight
   kFrame,      ///< the row's frame, weightless
   kLump,       ///< point mass carried by the row
-  kEndWeight,  ///< the weight at the member's end
+  kEndWeight,  ///< point mass at the member's end
 };
 
 /// One link of the flattened chain. The near frame of the link is the far frame of the link before.
@@ -28,7 +28,7 @@ template <class S>
 struct ChainLink {
   ChainLinkType type;
   int row;
-  int component = -1;                     ///< index of the link's element in Chain::components; -1: rigid
+  int component = -1;                     ///< index of the link's element in Chain::components; -1 means rigid
   Vector3<S> p = Vector3<S>::Zero();      ///< translation to the far end, in near axes [m]
   Matrix3<S> R = Matrix3<S>::Identity();  ///< rotation of a kTurn link
   S weight{0};                            ///< weight of the member's section or of the point mass [N]
@@ -48,8 +48,8 @@ Matrix3<S> leaned(const Matrix3<S>& R, const S& beta) {
   return isConstantZero(beta) ? R : Matrix3<S>(R * rotationY<S>(beta));
 }
 
-/// Returns the translation from the previous row's origin to a row's origin (to its bearing, if the row is prismatic),
-/// in the previous row's axes [m].
+/// Returns the translation from the previous row's origin to this row's origin, in the previous row's axes [m]. For a
+/// prismatic row, it ends at the bearing.
 template <class S>
 Vector3<S> offsetInPreviousAxes(const Row<S>& row) {
   const auto* dh = std::get_if<DenavitHartenberg<S>>(&row.placement);
@@ -89,8 +89,8 @@ S followedAngle(const ArmOf<S>& arm, const Joint<S>& joint, const Eigen::Matrix<
 
 namespace chain_assembly {
 
-/// Adds the flexible components of a row at its origin or along its member, one for each of `pieces` sections; adds
-/// none if the row is rigid there. At most one law applies at the origin, and one along the member.
+/// Adds the flexible components of a row, at its origin or along its member, split into `pieces` sections. Adds none if
+/// the row is rigid there. At most one law applies at the origin and one along the member.
 template <class S>
 void addElements(Chain<S>& chain, const Row<double>& values, int row, ElementPlace place, int pieces) {
   const auto kinds = elementKinds();
@@ -125,8 +125,8 @@ inline double shareOf(const Row<double>& values, int lump, const Vector3<double>
   return std::clamp(values.weight.lumps[static_cast<std::size_t>(lump)].at.dot(member) / member.squaredNorm(), 0., 1.);
 }
 
-/// End of a section of the member, as a fraction of the member's length. `value` is a plain number, which decides where
-/// the member is cut; `share` is the same fraction with derivatives.
+/// End of a section of the member, as a fraction of the member's length. `value` is a plain number that decides where
+/// the member is cut; `share` is the same fraction with its derivatives.
 template <class S>
 struct Cut {
   double value;
@@ -218,10 +218,10 @@ void addSlide(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int
 
 }  // namespace chain_assembly
 
-/// Adds the links of one row. `values` is the row in plain numbers; they alone determine which links are added, so
-/// every scalar type gives the same links. `reading` is the joint's value, offset included (zero for a row that neither
-/// moves nor follows other joints). `to_next` leads from the row's origin, or from the end of a prismatic row's bar, to
-/// the next row's origin or the tip.
+/// Adds the links of one row. `values` is the row in plain numbers. The choice of links depends on these alone, so
+/// every scalar type gives the same links. `reading` is the joint's value including its offset, or zero if the row does
+/// not move. `to_next` is the vector to the next row's origin or the tip, from the row's origin or the end of a
+/// prismatic row's bar.
 template <class S>
 void assembleRow(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const S& reading,
                  const Vector3<S>& to_next) {

@@ -1,6 +1,6 @@
 // Table of the conditions under which a measurement is taken, such as temperature and time. To add a condition, add a
-// row: file readers and writers, simulation, formulas and the diagnosis of residuals loop over the rows. Only the laws
-// of effects name a particular condition.
+// row: file readers and writers, simulation, formulas and diagnosis iterate over the table. Only the laws of effects
+// refer to a particular condition.
 #pragma once
 
 #include <array>
@@ -18,21 +18,21 @@ enum class Condition { kTemperature, kTime };
 /// Dependence of an unmodelled error on a condition.
 enum class Course {
   kProportional,  ///< proportional to the condition's value
-  kSlow,          ///< any slow change over the condition's range: a drift, a step, a swing
+  kSlow,          ///< any slow change over the condition's range, such as a drift, a step or an oscillation
 };
 
-/// Range of a condition, relative to its usual value, over which effects are plotted. If both ends are equal, no effect
+/// Range of a condition over which effects are plotted, relative to its usual value. If both ends are equal, no effect
 /// is plotted.
 struct ConditionSweep {
   double low = 0, high = 0;
-  double otherwise = 0;  ///< value, relative to the usual one, while another variable is swept
+  double otherwise = 0;  ///< value while another variable is swept, relative to the usual value
 };
 
-/// Slow variation of a simulated condition about its usual value. If both values are zero, the condition is not
+/// Slow variation of a simulated condition about its usual value. If both members are zero, the condition is not
 /// simulated.
 struct ConditionSwing {
   double amplitude = 0;
-  double flutter = 0;  ///< standard deviation of the random part, drawn anew for each reading
+  double flutter = 0;  ///< standard deviation of the random part, drawn independently for each measurement
 };
 
 /// One row of the table. All values are in internal units.
@@ -45,12 +45,12 @@ struct ConditionKind {
   double least = -std::numeric_limits<double>::infinity();
   const char* least_words = "";  ///< description of the smallest possible value
   double usual = 0;              ///< value assumed if none is stated
-  bool is_of_drawing = false;    ///< true: an arm file may state the nominal value as reference_NAME
+  bool is_of_drawing = false;    ///< true if an arm file may state the nominal value as reference_NAME
   Course course = Course::kProportional;
-  bool moves_tool = true;  ///< true: an unmodelled error that depends on the condition may also lie in the tool
+  bool moves_tool = true;  ///< true if an unmodelled error that depends on the condition may also lie in the tool
   ConditionSweep sweep = {};
   ConditionSwing swing = {};
-  double change = 0;              ///< change of the condition that would help to tell causes apart; 0: none
+  double change = 0;              ///< change of the condition that would help to distinguish causes; 0 if none
   const char* change_words = "";  ///< instruction to the user to make that change
 };
 

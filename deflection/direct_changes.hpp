@@ -11,14 +11,14 @@
 
 namespace tubeplan::deflection {
 
-/// Motion of the tip (position [m], then rotation vector [rad]), one column for each derivative of a dual number.
+/// Tip motion (translation [m], then rotation vector [rad]); one column for each derivative of a dual number.
 using TipColumns = Eigen::Matrix<double, 6, kDualSize>;
 
 bool changes(const Dual& x);
 bool changes(const Vector3<Dual>& v);
 
-/// Adds the motion of a tip that is fixed in the moving frame `frame`, in the axes A in which the frame's pose is
-/// given. `p` is the vector from the frame's origin to the tip, in A [m].
+/// Adds the motion of a tip that is fixed in the moving frame `frame`. `p` is the vector from the frame's origin to the
+/// tip [m]. Both are given in the same axes A.
 void addMotion(const PoseOf<Dual>& frame, const Eigen::Vector3d& p, TipColumns& tip);
 
 /// Adds the rotation of the tool frame caused by a change of `turn_L`; `R_BL` are the last row's axes at the tip.
@@ -26,8 +26,8 @@ void addToolTurn(const Vector3<Dual>& turn_L, const Eigen::Matrix3d& R_BL, TipCo
 
 class DirectChanges {
  public:
-  /// Refers to the shape last solved by `arm`, about which `sensitivity` was linearised. Both must outlive this object.
-  /// After they have processed another shape, begin() must be called.
+  /// Uses the shape last solved by `arm`, about which `sensitivity` was linearised. Both must outlive this object. Call
+  /// begin() again after either has processed another shape.
   DirectChanges(const PreparedArm& arm, const TipSensitivity& sensitivity) : arm_(arm), sensitivity_(sensitivity) {}
 
   void begin();

@@ -1,7 +1,7 @@
 // Dual numbers: a value with its derivatives with respect to N variables, carried through ordinary arithmetic
 // (forward-mode automatic differentiation).
 //
-// Eigen's AutoDiffScalar is several times slower, because its small loops are not unrolled into the kinematics.
+// Eigen's AutoDiffScalar is several times slower here, because the compiler does not unroll its small loops.
 #pragma once
 
 #include <Eigen/Core>
@@ -39,7 +39,7 @@ class DualNumber {
   friend DualNumber operator*(double a, const DualNumber& b) { return b.scaled(a * b.value_, a); }
   friend DualNumber operator/(const DualNumber& a, double b) { return a.scaled(a.value_ / b, 1 / b); }
 
-  // Comparisons use the values alone: they only decide which branch of the code is taken.
+  // Comparisons ignore the derivatives, because they only choose a branch of the code.
   friend bool operator<(const DualNumber& a, const DualNumber& b) { return a.value_ < b.value_; }
   friend bool operator>(const DualNumber& a, const DualNumber& b) { return a.value_ > b.value_; }
   friend bool operator<=(const DualNumber& a, const DualNumber& b) { return a.value_ <= b.value_; }

@@ -66,8 +66,8 @@ clearance::Rest Equilibrium::restOf(std::size_t e, int axis, double moment) cons
                              {moment_per_angle, forces * reach, clearances});
 }
 
-/// Bends an element that rotates about one axis only, as bend() does for the others. Only components perpendicular to
-/// the axis contribute to the moment about it. Returns an upper bound on the resulting motion of the tip [m].
+/// Bends an element that rotates about a single axis; bend() handles all other elements. Only components perpendicular
+/// to the axis contribute to the moment about it. Returns an upper bound on the resulting motion of the tip [m].
 double Equilibrium::turnHinge(std::size_t e) {
   FlexibleElement& element = elements[e];
   const int k = element.hinge, i = (k + 1) % 3, j = (k + 2) % 3;

@@ -1,11 +1,11 @@
 // Equilibrium shape of an arm under its loads: rigid bodies between flexible elements, and the sweeps that bring both
 // to equilibrium.
 //
-// Every load is dead: a force of constant magnitude and direction. For each direction of loads, the moment on an
+// All loads are dead loads: forces of constant magnitude and direction. For each direction of loads, the moment on an
 // element follows from three quantities: the direction g in the element's axes, and the magnitude and first moment S of
 // the loads beyond the element. A sweep outwards rotates g from body to body; a sweep inwards accumulates magnitude and
 // S. The moment is M = S x g (step 3 of table 2.1 of Calkins 1994), and both sweeps bend the elements that they pass
-// (step 4). No memory is allocated here once the arm's elements are known.
+// (step 4). No memory is allocated during the iteration.
 #pragma once
 
 #include <vector>
@@ -29,7 +29,7 @@ struct FlexibleElement {
   const ElementKind* kind = nullptr;
   Flexibility<double> flexibility;
   double weight = 0;  ///< weight along the element [N]
-  int hinge = -1;     ///< axis of a joint that rotates about one axis only, by a linear law; else -1
+  int hinge = -1;     ///< the only axis about which the element rotates, if its law is linear; otherwise -1
   std::array<bool, 3> has_gap{};
   Eigen::Vector3d gap_width = Eigen::Vector3d::Zero();  ///< [rad]
 
@@ -41,13 +41,13 @@ struct FlexibleElement {
   [[nodiscard]] bool hasGap() const { return has_gap[0] || has_gap[1] || has_gap[2]; }
 };
 
-/// All loads in one direction, or a couple: a moment of constant direction, independent of any motion.
+/// All loads that act in one direction, or a couple of constant magnitude and direction.
 struct DeadLoad {
   bool is_couple = false;
   Eigen::Vector3d direction_B = Eigen::Vector3d::Zero();
   double at_tip = 0;                                     ///< load at the tip, as a multiple of direction_B
   Eigen::Vector3d tip_moment = Eigen::Vector3d::Zero();  ///< first moment of the load at the tip, in the tip's axes
-  int body = -1;                                         ///< index of the body that carries a unit load; -1: none
+  int body = -1;                                         ///< index of the body that carries a unit load; -1 if none
   Eigen::Vector3d place = Eigen::Vector3d::Zero();       ///< point of action in the body's near frame [m]
 };
 
@@ -64,7 +64,7 @@ class Equilibrium {
   /// Iterates from the undeflected shape until a sweep outwards moves the tip by no more than `tolerance` [m].
   KinematicsStatus converge(double tolerance, int max_iterations);
 
-  /// Computes the loads on the elements for their present deflections.
+  /// Computes the loads on the elements for the current deflections.
   void carryLoads();
 
   /// Returns the number of pairs of sweeps that the last call of converge() took.
@@ -73,7 +73,7 @@ class Equilibrium {
   /// Returns the pose of the deflected tip in the base.
   [[nodiscard]] PoseOf<double> tip() const;
 
-  /// Returns the loads on an element from everything beyond it, as last computed.
+  /// Returns the last computed outboard loads on an element.
   [[nodiscard]] Loading<double> loadingOf(std::size_t element) const;
 
   /// Returns the position that an element takes in its gap about an axis, under a moment about that axis [N m].

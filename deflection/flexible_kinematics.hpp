@@ -34,7 +34,7 @@ struct WrenchOf {
 using Wrench = WrenchOf<double>;
 
 /// Posture of an arm: joint readings [rad, m], one per active row, load hung on the tip [N], and the direction of
-/// gravity in the base frame (unit length). The orientation of the base matters only through gravity_B. The members
+/// gravity in the base frame (unit length). The orientation of the base enters only through gravity_B. The members
 /// below gravity_B are optional.
 template <class S>
 struct PostureOf {
@@ -44,10 +44,10 @@ struct PostureOf {
   std::optional<WrenchOf<S>> wrench = {};  ///< loads in addition to the hung load
   /// Readings of the joints of side chains (side_chains.hpp); empty if unknown: see restOfSideChains().
   Eigen::Matrix<S, Eigen::Dynamic, 1> side_q = {};
-  /// Direction of each joint's last motion: -1, 0 or +1. Empty if unknown, which counts as 0 for all joints.
+  /// Direction of each joint's last motion: -1, 0 or +1. Empty is equivalent to 0 for all joints.
   std::vector<int> approach_directions = {};
-  /// Conditions of the posture. A condition that is not stated takes the arm's reference value. If no time is stated,
-  /// drifts are zero and slips of the base have already happened.
+  /// Conditions of the posture. The arm's reference value replaces a condition that is not stated. Without a time,
+  /// drifts are zero, and slips of the base have already happened.
   ConditionValues conditions = {};
   std::string_view setup = {};  ///< name of the base's set-up; the viewed string must outlive the posture
 };
@@ -65,7 +65,7 @@ inline Eigen::Vector3d gravityInBase(const Arm& arm, const Eigen::Isometry3d& X_
 }
 
 struct FlexibleKinematicsOptions {
-  /// The iteration ends once a pass moves the tip by no more than this fraction of the arm's reach.
+  /// Convergence tolerance: largest motion of the tip in a pass, as a fraction of the arm's reach.
   double tolerance = 1e-10;
   int max_iterations = 100;
 };
@@ -77,8 +77,8 @@ enum class KinematicsStatus {
   kUndefined,  ///< an effect has no finite value at the posture
 };
 
-/// Pose of a row's frame, and the loads on it. Forces and moments are resultants of all loads from the row's origin
-/// outwards; moments are about that origin.
+/// Pose of a row's frame, and the loads on it. Forces and moments are resultants of all loads outboard of the row's
+/// origin; moments are about that origin.
 struct RowState {
   PoseOf<double> X_BL_rigid, X_BL;    ///< frame without and with deflection
   Eigen::Vector3d force_B, moment_B;  ///< force and moment in base axes [N, N m]

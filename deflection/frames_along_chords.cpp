@@ -10,8 +10,8 @@ using Eigen::Isometry3d, Eigen::Vector3d;
 
 namespace {
 
-/// Returns the largest distance of a bent element from its chord [m], plus a margin of 10 %. The element is taken as
-/// the cubic curve defined by the displacement d and the rotation w of its end.
+/// Returns the largest distance of a bent element from its chord [m], plus a margin of 10 %. The element is
+/// approximated by the cubic curve defined by the displacement d and the rotation w of its end.
 double bowOf(const Vector3d& member, const Vector3d& d, const Vector3d& w) {
   double bow = 0;
   const Vector3d slope = w.cross(member);

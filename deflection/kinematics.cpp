@@ -28,8 +28,8 @@ void copyOut(const double* from, Index first, Index count, Index width, Side& to
     for (Index l = 0; l < count; ++l) to(row, first + l) = from[row * width + l];
 }
 
-/// Solves the last postures of a batch if they are fewer than the kernel's lanes. Derivatives stay in lane layout in
-/// `out`.
+/// Solves the remaining postures of a batch, which are fewer than the kernel's lanes. Derivatives stay in lane layout
+/// in `out`.
 void solveRest(const simd::Kernel& kernel, const simd::RevoluteArm& arm, const PostureBatch& postures, Index first,
                const FlexibleKinematicsOptions& options, TipBatch& tips, double* sweeps, simd::Shapes out) {
   double q[simd::kMaxJoints * kMostLanes], load[kMostLanes], gravity[3 * kMostLanes], pose[12 * kMostLanes],

@@ -1,8 +1,9 @@
-// Flexible kinematics of one arm for any number of postures: deflected tips and their exact derivatives, for as many
-// postures at once as the processor has SIMD lanes. See row_placing.hpp for the frames of the arm's rows, and
+// Flexible kinematics of one arm for any number of postures: deflected tips and their exact derivatives. Computes as
+// many postures at once as the processor has SIMD lanes. See row_placing.hpp for the frames of the arm's rows, and
 // inverse/inverse_solver.hpp for postures that reach goals.
 //
-// The shape of a posture is bit-identical to PreparedArm's, whatever postures fill the other lanes, on every processor.
+// The shape of a posture is bit-identical to that of PreparedArm on every processor, regardless of the postures in the
+// other lanes.
 #pragma once
 
 #include <optional>
@@ -15,14 +16,14 @@ namespace tubeplan::deflection {
 
 /// Forward kinematics of many postures; each thread needs its own object. Arms that no kernel can solve (those with
 /// effects, prismatic joints, clearances, or elements that are compliant about several axes) are solved posture by
-/// posture. The caller need not know which method is used.
+/// posture. Callers see no difference.
 class Kinematics {
  public:
   /// `arm` must outlive this object, and must not change.
   explicit Kinematics(const Arm& arm);
 
-  /// Solves every posture independently: a posture that fails does not affect the others. Allocates nothing if a kernel
-  /// solves the arm and `tips` has held as many postures before.
+  /// Solves every posture independently: a posture that fails does not affect the others. Does not allocate memory if a
+  /// kernel solves the arm and `tips` already has capacity for the batch.
   void solve(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options = {});
   void solveWithJacobian(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options = {});
 

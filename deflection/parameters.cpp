@@ -29,7 +29,7 @@ std::vector<ParameterField> rowFields() {
     if (!about.name || !about.is_parameter) return;
     fields.push_back({about.name, about.quantity, about.lower, about.upper, false, about.lump >= 0});
   };
-  // A joint's offset replaces its row's theta: only a row that does not move has a theta of its own.
+  // A joint's offset replaces theta, so only rows that do not move have a theta.
   Row<double> by_dh = fullRow(DenavitHartenberg<double>{}, JointType::kPassive),
               by_origin = fullRow(Origin<double>{}, JointType::kRevolute);
   visitPlacements(add, by_dh);

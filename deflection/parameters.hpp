@@ -21,7 +21,7 @@ struct ParameterPath {
   int lump = -1;
   int effect = -1;
   int value = -1;
-  int side_chain = -1;  ///< index of the side chain that `row` belongs to; -1: the arm's own rows
+  int side_chain = -1;  ///< index of the side chain that `row` belongs to; -1 means a row of the arm itself
   bool operator==(const ParameterPath&) const = default;
 };
 
@@ -47,11 +47,11 @@ struct Parameter {
   double lower = 0, upper = 0;
 };
 
-/// Returns all finite values of the arm as parameters, in file order, followed by those of its effects. The infinite
-/// stiffness of a rigid axis is not a parameter.
+/// Returns all finite values of the arm as parameters, in file order, followed by the parameters of its effects. The
+/// infinite stiffness of a rigid axis is not a parameter.
 std::vector<Parameter> parametersOf(const Arm& arm);
 
-/// Returns the parameter named `name`; nothing if there is none.
+/// Returns the parameter named `name`; std::nullopt if there is none.
 std::optional<Parameter> findParameter(const Arm& arm, std::string_view name);
 
 /// Returns the value of a parameter, by reference. `path` must come from parametersOf() for an arm of the same
@@ -59,7 +59,7 @@ std::optional<Parameter> findParameter(const Arm& arm, std::string_view name);
 double& locate(Arm& arm, const ParameterPath& path);
 Dual& locate(ArmOf<Dual>& arm, const ParameterPath& path);
 
-/// Converts an arm to another scalar type, without derivatives: new ones are zero, and existing ones are dropped.
+/// Converts an arm to another scalar type. Derivatives are dropped; the derivatives of the new type are zero.
 template <class To, class From>
 ArmOf<To> castArm(const ArmOf<From>& arm);
 

@@ -1,4 +1,4 @@
-// Many postures of one arm and their tips, as plain tables.
+// Batches of postures of one arm and of their tips, as plain tables.
 //
 // Values are laid out variable by variable: all readings of the first joint, then all of the second, and so on.
 #pragma once
@@ -11,13 +11,13 @@ namespace tubeplan::deflection {
 
 using Side = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Postures, one per column.
+/// Batch of postures, one per column.
 struct PostureBatch {
   Side q;                ///< readings [rad, m], one row for each joint
   Eigen::VectorXd load;  ///< [N]
   Side gravity_B;        ///< direction of gravity in the base: 3 rows, unit length
 
-  /// Resizes to `count` postures with the same load [N] and gravity; readings remain to be filled in.
+  /// Resizes to `count` postures with the same load [N] and gravity; the caller fills in the readings.
   void resize(Eigen::Index joints, Eigen::Index count, double load_of_all = 0,
               const Eigen::Vector3d& gravity_of_all = -Eigen::Vector3d::UnitZ());
   [[nodiscard]] Eigen::Index size() const { return q.cols(); }

@@ -16,7 +16,7 @@ bool hasSlide(const Arm& arm) {
   return false;
 }
 
-/// Returns readings that put every revolute joint at angle zero.
+/// Returns the readings at which the angle of every revolute joint is zero.
 VectorXd turnsUndone(const Arm& arm, VectorXd q) {
   Eigen::Index joint = 0;
   for (const auto& row : arm.rows) {
@@ -255,7 +255,7 @@ void PreparedArm::linkFrames(bool rigid, std::vector<PoseOf<double>>& frames) co
 }
 
 PoseOf<double> PreparedArm::X_BL(int row) const {
-  PoseOf<double> found = X_BD_;  // returned if an effect is undefined
+  PoseOf<double> found = X_BD_;  // result if an effect is undefined
   if (status_ == KinematicsStatus::kUndefined) return found;
   walkLinks(false, [&](std::size_t k, const PoseOf<double>& X) {
     if (k < chain_.links.size() && chain_.links[k].type == ChainLinkType::kFrame && chain_.links[k].row == row)

@@ -1,5 +1,5 @@
 // An arm prepared for many postures: values that do not depend on the posture are computed once, and solving a shape
-// allocates nothing.
+// does not allocate memory.
 #pragma once
 
 #include <memory>
@@ -62,9 +62,9 @@ class PreparedArm {
   /// Returns the complete shape: frames, loads and deflections.
   [[nodiscard]] FlexibleKinematics shape() const;
 
-  /// Inputs for derivatives of the shape: arm and posture with effects applied, the chain assembled from them, its
-  /// elements and loads at equilibrium, the near frames of all links and the tip's frame, and the base as moved by
-  /// effects (null if the arm has no effects).
+  /// Accessors of the last shape, for computing its derivatives: the arm and posture with effects applied, the chain,
+  /// its elements and loads at equilibrium, the near frames of all links followed by the tip's frame, and the pose of
+  /// the base moved by effects (null without effects).
   [[nodiscard]] const Arm& effective() const { return context_ ? context_->arm : arm_; }
   [[nodiscard]] const Posture& effectivePosture() const { return context_ ? context_->posture : asked_; }
   [[nodiscard]] const Chain<double>& chain() const { return chain_; }
@@ -83,7 +83,7 @@ class PreparedArm {
     double offset;  ///< offset of the joint's reading [rad]
     int row;
   };
-  /// A rigid part of a body, followed by the rotation of a joint (`turn` -1: none).
+  /// A rigid part of a body, followed by the rotation of a joint. `turn` is -1 if there is none.
   struct RigidPart {
     RigidBody rigid;
     bool has_rotation = false;
@@ -115,9 +115,9 @@ class PreparedArm {
 
   const Arm& arm_;
   Posture asked_;
-  std::optional<EffectContext<double>> context_;  ///< effects at the present posture; empty if there are none
-  bool is_fixed_;                                 ///< true: the links are the same at every posture
-  bool is_prepared_ = false;                      ///< true: is_fixed_, and the members below are set
+  std::optional<EffectContext<double>> context_;  ///< effects at the current posture; empty if there are none
+  bool is_fixed_;                                 ///< true if the links are the same at every posture
+  bool is_prepared_ = false;                      ///< true if is_fixed_ and the members below are set
   Chain<double> chain_;                           ///< chain with the revolute joints at zero
   std::vector<JointTurn> turns_;
   std::vector<RigidPart> parts_;

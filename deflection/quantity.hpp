@@ -4,7 +4,7 @@
 namespace tubeplan::deflection {
 
 enum class Quantity {
-  kNone,  ///< no quantity: a plain number
+  kNone,  ///< plain number without a quantity
   kLength,
   kAngle,
   kForce,

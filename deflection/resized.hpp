@@ -1,12 +1,12 @@
-// Resizing of matrices that leaves them valid even if memory runs out.
+// Resizing of matrices that keeps them valid if memory runs out.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace tubeplan::deflection {
 
-/// Replaces a matrix with a value of another size. The value is computed completely before the matrix changes. If
-/// memory ran out, a plain assignment would leave the matrix invalid, as Eigen's resize() does: see resizeOrEmpty().
+/// Replaces a matrix with a value of another size. The value is computed completely before the matrix changes. A plain
+/// assignment would leave the matrix invalid if memory ran out; see resizeOrEmpty().
 template <class Matrix, class Value>
 void takeSized(Matrix& matrix, const Value& value) {
   matrix = Matrix(value);

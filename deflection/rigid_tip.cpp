@@ -10,8 +10,8 @@ using Eigen::Matrix3d, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-/// Moves the points that locate the revolute axes close together if they are far apart, because long vectors that
-/// cancel each other lose digits. Prismatic joints need no point.
+/// Moves the points that locate the revolute axes close together if they are far apart, because cancellation of long
+/// vectors loses digits. Prismatic joints need no point.
 void drawAxesTogether(AxesAtZero& axes) {
   std::vector<ChainLine> chain{{Vector3d::Zero(), Vector3d::UnitZ(), false}};
   for (std::size_t k = 0; k < axes.point.size(); ++k)
@@ -46,7 +46,8 @@ void placeRigidTip(const AxesAtZero& axes, const Eigen::Ref<const VectorXd>& q, 
   resizeOrEmpty(tip.columns, 6, n);
   Matrix3d R = Matrix3d::Identity();
   Vector3d p = Vector3d::Zero();
-  // First, store each joint's direction and, for now in the upper half of its column, a point on its axis.
+  // First store each joint's direction and a point on its axis. The point temporarily occupies the upper half of the
+  // joint's column.
   for (Eigen::Index k = 0; k < n; ++k) {
     const auto j = static_cast<std::size_t>(k);
     tip.columns.col(k) << R * axes.point[j] + p, R * axes.direction[j];

@@ -10,7 +10,7 @@ namespace tubeplan::deflection {
 
 /// The tip at given readings, and its derivatives with respect to the readings, in base axes.
 struct TipMotion {
-  bool is_converged = true;                                                      ///< false: the other members are NaN
+  bool is_converged = true;                                                      ///< false if the other members are NaN
   Eigen::Vector3d p = Eigen::Vector3d::Zero(), axis = Eigen::Vector3d::UnitZ();  ///< position [m]; tool direction
   Eigen::Vector3d last_axis = Eigen::Vector3d::UnitZ();                          ///< axis of the last joint
   Eigen::Matrix<double, 6, Eigen::Dynamic> columns;  ///< d p [m], then the rotation vector [rad], per unit of a reading

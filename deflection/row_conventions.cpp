@@ -25,7 +25,7 @@ struct OnAxis {
 };
 
 /// Step from a row to the next: first a motion of the row's frame along and about its own axis, then the parameters
-/// that lead to the next axis. Their theta and d lead on to the next frame.
+/// that lead to the next axis. Their theta and d then lead to the next frame.
 struct RowStep {
   OnAxis first;
   CraigNumbers numbers;
@@ -43,8 +43,8 @@ void tiltTo(const Vector3d& z, CraigNumbers& numbers) {
   settle(numbers.beta);
 }
 
-/// Returns the step between nearly parallel axes, perpendicular to the present axis, and the position [m] of its end on
-/// the next axis, relative to the next row's origin.
+/// Returns the step between nearly parallel axes, perpendicular to the current axis. Also returns where it ends on the
+/// next axis, relative to the next row's origin [m].
 std::pair<RowStep, double> stepAcross(const Vector3d& o, const Vector3d& z) {
   const double along = -o.z() / z.z();
   const Vector3d p = o + along * z;
@@ -52,7 +52,7 @@ std::pair<RowStep, double> stepAcross(const Vector3d& o, const Vector3d& z) {
   step.numbers.a = p.head<2>().norm();
   settle(step.numbers.a);
   if (step.numbers.a > 0) step.first.turn = std::atan2(p.y(), p.x());
-  // Negate a rather than rotate the frame by more than a quarter turn.
+  // A negative `a` is preferred to rotating the frame by more than a quarter turn.
   if (std::abs(step.first.turn) > std::numbers::pi / 2) {
     step.numbers.a *= -1;
     step.first.turn = std::remainder(step.first.turn + std::numbers::pi, kFullTurn);
@@ -62,7 +62,7 @@ std::pair<RowStep, double> stepAcross(const Vector3d& o, const Vector3d& z) {
   return {step, along};
 }
 
-/// Returns the step along the common normal, and the position of its end on the next axis, relative to the next row's
+/// Returns the step along the common normal. Also returns where it ends on the next axis, relative to the next row's
 /// origin [m].
 std::pair<RowStep, double> stepAlongNormal(const Vector3d& o, const Vector3d& z) {
   const double sine = z.head<2>().norm();
@@ -169,7 +169,7 @@ ConvertedArm modifiedRows(const Arm& arm, const ConversionOptions& options) {
 
 bool leadsAnywhere(const CraigNumbers& dh) { return dh.alpha != 0 || dh.a != 0 || dh.beta != 0 || dh.b != 0; }
 
-/// Gives the parameters of Craig's rows the names that they have in a file of the standard convention.
+/// Names the parameters of Craig's rows as in a file of the standard convention.
 void nameAsStandard(Arm& arm) {
   if (leadsAnywhere(std::get<CraigNumbers>(arm.rows.front().placement))) putFirst({}, arm);
   arm.rows.front().placed_by = arm.rows.front().name + ".axis";

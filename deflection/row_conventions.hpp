@@ -2,8 +2,8 @@
 // standard Denavit-Hartenberg parameters.
 //
 // The origin of a Denavit-Hartenberg frame lies on the common normal of its axis and the next axis. For two nearly
-// parallel axes, that normal may be anywhere. In that case the next origin is put opposite the present origin, in the
-// plane perpendicular to the present axis, and a rotation beta about y completes the placement (Hayati and Mirmirani
+// parallel axes, that normal may be anywhere. In that case the next origin is put opposite the current origin, in the
+// plane perpendicular to the current axis, and a rotation beta about y completes the placement (Hayati and Mirmirani
 // 1985, "Improving the absolute positioning accuracy of robot manipulators", J. Robotic Systems 2).
 #pragma once
 
@@ -27,8 +27,8 @@ enum class RowConvention {
 [[nodiscard]] std::span<const std::string_view> rowConventionNames();
 
 struct ConversionOptions {
-  /// Angle between two axes [rad] below which they count as parallel or antiparallel, so that the row gets a beta.
-  /// Zero: every row uses the common normal, however far away it is.
+  /// Angle between two axes [rad] below which they are treated as parallel or antiparallel; the row then gets a beta.
+  /// If zero, every row uses the common normal, even if it is far away.
   double nearly_parallel = 5 * std::numbers::pi / 180;
 };
 
@@ -40,14 +40,14 @@ struct ConvertedArm {
 
 /// Converts the rows of an arm to `convention`. Frames are moved along their axes and rotated about them as the
 /// convention requires. A row without a joint is inserted first if the base's own frame would have to move. The
-/// conversion is refused if it would change the stiffness, beam or weight of a row in its moved frame.
+/// conversion fails if moving a row's frame would change its stiffness, beam or weight.
 [[nodiscard]] ConvertedArm convertRows(const Arm& arm, RowConvention convention, const ConversionOptions& options = {});
 
 /// Converts rows with standard Denavit-Hartenberg parameters to Craig's convention, in which each row takes over alpha,
-/// a and beta of the row before. The names of the parameters stay those of the file (Row::placed_by). If the last row
-/// has a non-zero alpha, a or beta, a row NAME-end without a joint is added to hold them. Rows placed by origin, if
-/// any, must come first. The axis of a first row with standard parameters is the base's z axis; the row's alpha, a,
-/// beta and b in Craig's convention can place it elsewhere.
+/// a and beta of the row before. The parameters keep the names of the file (Row::placed_by). If the last row has a
+/// non-zero alpha, a or beta, a row NAME-end without a joint is added to hold them. Rows placed by origin, if any, must
+/// come first. The axis of a first row with standard parameters is the base's z axis; the row's alpha, a, beta and b in
+/// Craig's convention can place it elsewhere.
 void readAsStandard(std::vector<Row<double>>& rows);
 
 /// Returns true if rows were converted by readAsStandard().

@@ -1,5 +1,5 @@
-// Every numeric value of a row, described once: its name in files, messages and fits, its quantity and its bounds.
-// Casts between scalar types, derivatives, parameters, the arm reader and the arm writer all use this list.
+// Descriptions of all numeric values of a row: name in files, messages and fits, quantity and bounds. Casts between
+// scalar types, derivatives, parameters, the arm reader and the arm writer all use this list.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace tubeplan::deflection {
 
-/// Part of a row to which a value belongs: the placement; the flexibility, at the origin or along the member; else the
-/// loads, which here include the joint's offset.
+/// Part of a row that a value belongs to: the placement; the flexibility, at the origin or along the member; or the
+/// loads (including the joint's offset).
 enum class RowPart { kPlacement, kFlexibility, kLoad };
 
 struct RowNumber {
@@ -27,9 +27,10 @@ struct RowNumber {
   double lower = -std::numeric_limits<double>::infinity();  ///< physical bounds in internal units
   double upper = std::numeric_limits<double>::infinity();
   RowPart part = RowPart::kLoad;
-  int lump = -1;                                               ///< index of the lump that has the value; -1: none
-  double left_out = std::numeric_limits<double>::quiet_NaN();  ///< default, which files may omit; NaN: no default
-  /// True: fits can estimate the value, and it is not redundant with the joint's reading or offset.
+  int lump = -1;  ///< index of the lump that has the value; -1 if none
+  /// Default, which files may omit; NaN if there is no default.
+  double left_out = std::numeric_limits<double>::quiet_NaN();
+  /// True if fits can estimate the value, and it is not redundant with the joint's reading or offset.
   bool is_parameter = false;
 };
 
@@ -40,10 +41,10 @@ inline std::string_view keyIn(std::string_view map, const RowNumber& about) {
   return is_there ? name.substr(map.size() + 1) : std::string_view();
 }
 
-/// Name of the parameter b, which is redundant in all rows but an arm's first.
+/// Name of the parameter b, which is redundant except in an arm's first row.
 inline constexpr std::string_view kShiftOfFirstAxis = "dh.b";
 
-/// Returns true if the parameter named `number` is one of those that place the row's axis relative to the row before.
+/// Returns true if the parameter named `number` places the row's axis relative to the previous row.
 inline bool leadsToAxis(std::string_view number) {
   return number == "dh.alpha" || number == "dh.a" || number == "dh.beta" || number == kShiftOfFirstAxis;
 }
@@ -76,7 +77,7 @@ auto* originOf(R& row) {
   return std::get_if<Origin<ScalarOf<R>>>(&row.placement);
 }
 
-/// Calls `visit(about, components...)` for each component of corresponding vectors.
+/// For each axis, calls `visit(about, components...)` with that component of all given vectors.
 template <class Visit, class... V>
 void visitVectors(const RowNumber& about, const std::array<const char*, 3>& names, Visit&& visit, V&... vectors) {
   for (int k = 0; k < 3; ++k) {

@@ -2,8 +2,8 @@
 // member lies along the bent member's chord. Collision bodies are fixed to these frames. As many postures are placed at
 // once as the processor has SIMD lanes.
 //
-// The frames of a posture are bit-identical whatever postures fill the other lanes, on every processor, with or without
-// a kernel.
+// The frames of a posture are bit-identical on every processor, with or without a kernel, regardless of the postures in
+// the other lanes.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -23,7 +23,7 @@ struct PlacedRows {
   /// 12 values for each row, in lanes: the row's frame in the world, laid out like TipBatch::poses.
   std::vector<double> frames;
   std::vector<double> bow;         ///< for each lane, largest distance of a bent member from its chord [m]
-  std::vector<bool> is_converged;  ///< false: the deflected shape does not converge, and frames and bow are invalid
+  std::vector<bool> is_converged;  ///< false if the deflected shape does not converge, and frames and bow are invalid
 
   [[nodiscard]] Eigen::Isometry3d X_WL(int row, int lane) const;
 };

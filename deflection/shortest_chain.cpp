@@ -10,10 +10,11 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kFarApart = 2;  ///< ratio of a chain's length to its shortest length, above which it is shortened
+/// A chain is shortened if its length exceeds its shortest length by more than this factor.
+constexpr double kFarApart = 2;
 constexpr int kShortenings = 10;
-/// Lower bound on a piece's length, as a fraction of the chain's length, when its weight is computed: points may
-/// coincide.
+/// Lower bound on a piece's length in the computation of its weight, as a fraction of the chain's length. It avoids
+/// division by zero if points coincide.
 constexpr double kShortestPiece = 1e-3;
 
 /// Shifts the points so that the weighted sum of squared piece lengths becomes minimal, and adds the shifts to `slid`.
@@ -56,7 +57,8 @@ double chainLength(const std::vector<ChainLine>& chain) {
 
 std::vector<double> shortenChain(std::vector<ChainLine>& chain) {
   std::vector<double> slid(chain.size(), 0.), weights(chain.size(), 1.);
-  // Solve twice with equal weights, because the first solution loses digits if points are far away.
+  // Solve twice with equal weights: the second solution recovers the digits that the first loses if points are far
+  // away.
   slideOnce(chain, weights, slid);
   slideOnce(chain, weights, slid);
   for (int step = 0; step < kShortenings; ++step) {

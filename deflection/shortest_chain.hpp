@@ -11,7 +11,7 @@ namespace tubeplan::deflection {
 /// A point on a line [m] and the line's unit direction. The two ends of a chain are fixed points.
 struct ChainLine {
   Eigen::Vector3d point, direction = Eigen::Vector3d::UnitZ();
-  bool may_slide = true;  ///< true: the point may be replaced by any other point on the line
+  bool may_slide = true;  ///< true if the point may be replaced by any other point on the line
 };
 
 /// Moves points along their lines so that the chain from the first to the last point is nearly as short as possible,
@@ -23,8 +23,8 @@ struct ChainLine {
 /// sum of squares, which does not depend on the given points.
 std::vector<double> shortenChain(std::vector<ChainLine>& chain);
 
-/// Shortens a chain that is more than twice its shortest length; leaves any other chain as it is. Returns the shift of
-/// each point [m].
+/// Shortens a chain that is more than twice its shortest length; other chains are unchanged. Returns the shift of each
+/// point [m].
 std::vector<double> drawTogether(std::vector<ChainLine>& chain);
 
 /// Returns the length of the chain from point to point [m].

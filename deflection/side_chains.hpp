@@ -1,8 +1,8 @@
-// Parts that branch off a row and do not lead to the tip: a second arm, or a counterweight on a joint of its own.
+// Parts that branch off a row and do not lead to the tip: a second arm, or a counterweight with its own joint.
 //
 // Law: a side chain is rigid and only adds its weight at its centre of gravity. The centre, in the axes of the row that
 //      carries the chain, follows from the readings of the chain's own joints.
-// Validity: the deflection of the chain itself shifts its centre of gravity only slightly.
+// Validity: deflections within the chain move its centre of gravity only slightly.
 // Source: statics.
 #pragma once
 

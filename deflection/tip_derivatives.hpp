@@ -9,9 +9,9 @@
 
 namespace tubeplan::deflection {
 
-/// Variable with respect to which the tip is differentiated: a joint reading (`index` of the joint), the hung load, a
-/// rotation of gravity about a base axis (`index` of the axis), or a parameter of the arm. The rotation turns gravity_B
-/// together with a wrench, because both are fixed in the world.
+/// Variable of the derivatives of the tip: a joint reading (`index` of the joint), the hung load, a rotation of gravity
+/// about a base axis (`index` of the axis), or a parameter of the arm. The rotation also turns the wrench, because
+/// gravity and the wrench are both fixed in the world.
 struct Variable {
   enum class Type { kJoint, kLoad, kGravityTurn, kParameter };
   Type type = Type::kJoint;
@@ -35,7 +35,7 @@ struct TipDerivatives {
 };
 
 /// Returns the tip pose and its derivatives with respect to each of `variables`. If the shape does not converge,
-/// `kinematics.status` states so and the columns are NaN.
+/// `kinematics.status` gives the reason and the columns are NaN.
 [[nodiscard]] TipDerivatives differentiateTip(const Arm& arm, const Posture& posture,
                                               const std::vector<Variable>& variables,
                                               const FlexibleKinematicsOptions& options = {});

@@ -26,8 +26,8 @@ class TipDifferentiation {
                          const FlexibleKinematicsOptions& options = {});
 
   /// Solves for the deflected frame of a row instead of the tool frame: columns() then holds the derivatives of that
-  /// frame's position and rotation, which are also exact. Takes longer than solve(), which may use a kernel's
-  /// derivatives.
+  /// frame's position and rotation, which are also exact. Slower than solve() if a kernel computes derivatives of the
+  /// tool frame.
   KinematicsStatus solveRow(int row, const Posture& posture, const std::vector<Variable>& variables,
                             const FlexibleKinematicsOptions& options = {});
 

@@ -57,7 +57,7 @@ void TipSensitivity::answerOf(const PreparedArm& arm, std::size_t k, std::size_t
   out.is_member = element.kind->place == ElementPlace::kMember;
   out.rotation_by_moment = slopes.rotation_by_moment;
   if (out.is_member) {
-    // A displacement changes the chord, and the chord in turn changes the displacement.
+    // Accounts for the feedback between a displacement and the chord that it changes.
     out.displacement_itself = (Matrix3d::Identity() - slopes.displacement_by_chord).inverse();
     out.displacement_by_force = out.displacement_itself * slopes.displacement_by_force;
     out.displacement_by_moment = out.displacement_itself * slopes.displacement_by_moment;
@@ -84,8 +84,7 @@ void TipSensitivity::answerOf(const PreparedArm& arm, std::size_t k, std::size_t
     if (!element.has_gap[axis]) continue;
     elements_[e].rests[axis] = shape.restOf(e, axis, load.moment[axis]);
     if (elements_[e].rests[axis].by_angle == 0) continue;
-    // About this axis the joint hangs freely in its gap, so the element's law is replaced by the condition that the
-    // moment is zero.
+    // The joint hangs freely in its gap about this axis. The condition of zero moment replaces the element's law.
     out.is_compliant[axis] = 0;
     out.rotation_by_moment.row(axis) = Eigen::RowVector3d::Unit(axis);
     right.row(axis) = seen.row(axis);

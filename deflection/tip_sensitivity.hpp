@@ -3,10 +3,10 @@
 //
 // All loads are dead, so the loads beyond a cut change only because their points of action move with the cut. About the
 // base's origin, dM = A w + v x F for a motion (w, v) of the cut: w is a rotation and v the motion of the point at the
-// origin. One sweep inwards finds A at every cut without iteration, with the elements' response included, as
-// articulated bodies are solved in dynamics. The tip's sensitivities are the transpose of that solution: a sweep
-// inwards gives the effect of motions on the tip, a sweep outwards the effect of loads. The response to a variable is
-// then one product.
+// origin. One inward sweep computes A at every cut without iteration, including the response of the elements, as in the
+// articulated-body algorithm of dynamics. The tip's sensitivities are the transpose of that solution: a sweep inwards
+// gives the effect of motions on the tip, a sweep outwards the effect of loads. The response to a variable is then one
+// product.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@
 
 namespace tubeplan::deflection {
 
-/// Value of an argument `row` that selects the tool frame, at the tip.
+/// Value of `row` that selects the tool frame at the tip instead of a row.
 inline constexpr int kTool = -1;
 
 /// Motion of the tip (position [m], then rotation vector [rad], base axes) per unit of each component of a vector.
@@ -32,8 +32,8 @@ struct ElementSensitivity {
 class TipSensitivity {
  public:
   /// Linearises about the shape last solved by `arm`, in axes of the base as moved by effects. With a `row`, the
-  /// responses are those of the row's deflected frame instead of the tip; changes beyond that frame act on it only
-  /// through loads.
+  /// responses are for the row's deflected frame instead of the tip; changes beyond that frame act on it only through
+  /// loads.
   void linearize(const PreparedArm& arm, int row = kTool);
 
   /// Returns the near frames of the links, then the tip's frame.
@@ -66,7 +66,7 @@ class TipSensitivity {
   };
   /// Linearised response of an element, in near axes unless base axes are stated.
   struct Answer {
-    bool is_member;             ///< false: the element only rotates, and only under moments
+    bool is_member;             ///< false if the element only rotates, and only under moments
     Eigen::Matrix3d R, turn_B;  ///< near axes; rotation vector in base axes per change of the element's rotation
     Eigen::Matrix3d displacement_by_force, displacement_by_moment, displacement_by_weight;
     Eigen::Matrix3d rotation_by_force, rotation_by_moment, rotation_by_weight, rotation_by_displacement;

@@ -10,7 +10,7 @@ namespace tubeplan::deflection {
 struct TurnForm {
   const char* name;
   const char* words;  ///< description, with the manufacturers that use the notation
-  /// Returns the rotation for three numbers [rad] in the order in which they are written.
+  /// Returns the rotation for three numbers [rad], in the order of the notation.
   Eigen::Matrix3d (*turn)(const Eigen::Vector3d& numbers);
 };
 

@@ -2,7 +2,7 @@
 //
 // Law: the base is shifted by rate * time.
 // Symbols: rate [m/s] in base axes, time [s] as stated in the measurements.
-// Validity: creep proportional to time. A reading without a time counts as undrifted.
+// Validity: creep proportional to time. A measurement without a time is treated as undrifted.
 // Source: rigid body.
 #pragma once
 

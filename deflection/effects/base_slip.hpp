@@ -1,8 +1,8 @@
 // A base that slips once.
 //
-// Law: from the slip time on, the base is shifted by (x, y, z) and rotated by yaw about its own z axis.
+// Law: after the slip time, the base is shifted by (x, y, z) and rotated by yaw about its own z axis.
 // Symbols: x, y, z [m] in the axes of the base before the slip, yaw [rad], t slip time [s].
-// Validity: a single slip. A reading without a time counts as later than the slip.
+// Validity: a single slip. A measurement without a time is treated as taken after the slip.
 // Source: rigid body.
 #pragma once
 

@@ -2,7 +2,7 @@
 //
 // Law: a constant force f at the tip, against gravity.
 // Symbols: f force [N], positive upwards.
-// Validity: a probe or a support of constant force, equal in every reading.
+// Validity: a probe or support that exerts the same force in every measurement.
 // Source: statics.
 #pragma once
 

@@ -1,5 +1,5 @@
-// The catalogue of physical effects: deviations of a real arm from the model in its file. Each effect has a file that
-// states its law, and a row of the table in effects.cpp; no other code names the effect.
+// Catalogue of physical effects: ways in which a real arm can deviate from the model in its file. Each effect has its
+// own file, which states its law, and a row of the table in effects.cpp. No other code refers to a particular effect.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,15 @@ namespace tubeplan::deflection {
 
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// One parameter of an effect, in internal units. For effects on the readings of prismatic joints, angles are lengths.
+/// One parameter of an effect, in internal units. For the readings of prismatic joints, angles are replaced by lengths.
 struct EffectParameter {
   const char* name;
   Quantity quantity;
   double neutral;       ///< value at which the effect vanishes, if all other parameters are neutral
   double lower, upper;  ///< hard physical bounds
   double plausible;     ///< largest plausible magnitude on a real machine
-  /// True: at neutral values, the parameter has no influence, so a fit that starts there must find its value by a scan.
+  /// True if the parameter has no influence while the effect's other parameters are neutral. A fit must then find its
+  /// value by a scan.
   bool is_shape = false;
   double (*least)(const Arm&, const Place&) = nullptr;  ///< replaces `lower` if the bound depends on the arm
 };
@@ -52,8 +53,8 @@ class EffectVariable {
 /// Part of the model that an effect acts on.
 enum class EffectStage { kJointReading, kGeometry, kLoad, kFlexibility, kBase, kMeasurement };
 
-/// Notation of a place: `theta2`, `theta3<-theta2`, `forearm`, `tool.z`, the name of a set-up of the base, or the
-/// kind's fixed word.
+/// Notation for the location of an effect: `theta2`, `theta3<-theta2`, `forearm`, `tool.z`, the name of a set-up of the
+/// base, or a fixed word.
 enum class PlaceRule { kJoint, kJointPair, kLink, kRowAxis, kSetup, kWord };
 
 /// Requirements for an effect to be observable, in addition to the conditions with which it varies: stated approach
@@ -73,12 +74,14 @@ struct EffectKind {
   EffectStage stage;
   PlaceRule at;
   const char* word = "";  ///< name of the only place, for PlaceRule::kWord
-  /// Feature that a place requires and that an arm may lack, such as "an axis with joint_stiffness in the arm file".
+  /// Feature that the arm needs for the effect to have a location, such as "an axis with joint_stiffness in the arm
+  /// file".
   const char* place_needs = "";
   const char* places_elsewhere = "";  ///< description of the places, if `places` does not list them
-  double odds = 1;  ///< prior odds of the kind relative to others, split among its places; 0: tried only on request
+  /// Prior odds of the kind relative to others, divided among its locations; 0 means tried only on request.
+  double odds = 1;
   const char* odds_reason = "";             ///< reason for the odds
-  std::vector<EffectVariable> varies_with;  ///< variables of the law, simplest first; empty: unknown
+  std::vector<EffectVariable> varies_with;  ///< variables of the law, simplest first; empty means unknown
   EffectNeeds needs;
   std::vector<EffectParameter> parameters;
   std::vector<Place> (*places)(const Arm&);  ///< returns every place of an arm where the effect can act
@@ -88,13 +91,14 @@ struct EffectKind {
 
 const std::vector<EffectKind>& effectKinds();
 
-/// Returns the conditions with which an effect varies, which readings must state for the effect to be observable.
+/// Returns the conditions on which an effect depends. Measurements must state these conditions for the effect to be
+/// observable.
 [[nodiscard]] std::vector<Condition> conditionsOf(const EffectKind& kind);
 
 /// Returns the kind of an effect.
 [[nodiscard]] const EffectKind& kindOf(const Effect& effect);
 
-/// Returns the index of the kind named `name`; nothing if there is none.
+/// Returns the index of the kind named `name`; std::nullopt if there is none.
 [[nodiscard]] std::optional<int> findEffectKind(std::string_view name);
 
 /// Returns a place as written in files and reports.
@@ -103,8 +107,8 @@ const std::vector<EffectKind>& effectKinds();
 /// Returns every place of an arm where effects of a kind can act, as written in files.
 [[nodiscard]] std::vector<std::string> placeTexts(const Arm& arm, const EffectKind& kind);
 
-/// Returns a sentence such as "this arm has no place for this effect, which needs ...", for a kind without places in an
-/// arm.
+/// Returns an explanation for a kind that has no location in an arm, such as "this arm has no place for this effect,
+/// which needs ...".
 [[nodiscard]] std::string lackOfPlace(const EffectKind& kind);
 
 [[nodiscard]] std::optional<Place> findPlace(const Arm& arm, const EffectKind& kind, std::string_view text);
@@ -128,7 +132,7 @@ struct MadeEffect {
 /// Makes an effect at neutral values from its name and its place, such as "backlash" and "tool.z".
 [[nodiscard]] MadeEffect makeEffect(const Arm& arm, std::string_view name, std::string_view at);
 
-/// Returns the parameters of an effect, in the order of its values: those of its kind or of its formula.
+/// Returns the parameters of an effect's kind or formula, in the order of the effect's values.
 [[nodiscard]] const std::vector<EffectParameter>& numbersOf(const Effect& effect);
 
 /// Quantity and bounds of an effect's parameter, for the effect's place in an arm.

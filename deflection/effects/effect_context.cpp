@@ -28,8 +28,8 @@ void copyWithoutEffects(const ArmOf<S>& from, ArmOf<S>& to) {
   to.tip_load = from.tip_load;
 }
 
-/// Makes rigid the rows that the arm declares rigid in the posture's set-up, such as those of a flexible mounting while
-/// the arm is bolted to a bench.
+/// Makes the rows rigid that the arm declares rigid in the posture's set-up. An example is the flexible mounting of an
+/// arm that is now bolted to a bench.
 template <class S>
 void makeMountingRigid(EffectContext<S>& context) {
   for (const RigidMounting& mounting : context.given.mountings) {

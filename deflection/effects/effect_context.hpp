@@ -16,17 +16,21 @@ struct EffectContext {
   EffectContext(const ArmOf<S>& given_arm, const PostureOf<S>& asked_posture)
       : given(given_arm), asked(asked_posture) {}
 
-  const ArmOf<S>& given;                         ///< arm as in its file; effects read it
-  const PostureOf<S>& asked;                     ///< encoder readings, and gravity in the nominal base
-  ArmOf<S> arm;                                  ///< copy that effects modify; it carries no effects
-  PostureOf<S> posture;                          ///< true joint values, and gravity in the moved base
-  Vector3<S> gravity_turn = Vector3<S>::Zero();  ///< rotation vector by which effects tilt gravity, base axes
+  const ArmOf<S>& given;  ///< nominal arm, read by the effects
+  /// Nominal posture: encoder readings, gravity in the axes of the nominal base.
+  const PostureOf<S>& asked;
+  /// Copy of the arm that effects modify; its own list of effects is empty.
+  ArmOf<S> arm;
+  /// Actual posture: true joint values, gravity in the axes of the moved base.
+  PostureOf<S> posture;
+  Vector3<S> gravity_turn = Vector3<S>::Zero();  ///< rotation vector by which effects tilt gravity, in base axes [rad]
   PoseOf<S> X_BM;                                ///< pose of the moved base M in the nominal base
   S measurement_scale{1};                        ///< ratio of measured to true coordinates
   std::optional<RigidFrames<S>> rigid_frames;    ///< undeflected frames, computed on demand
   /// Moments on the rows of the undeflected arm, computed when an effect first needs them.
   std::optional<std::vector<Vector3<S>>> rigid_moments;
-  std::string undefined = {};  ///< reason why an effect has no finite value here; empty if every effect has one
+  /// Reason why an effect has no finite value at this posture; empty if all values are finite.
+  std::string undefined = {};
 };
 
 /// Resets the copies of arm and posture, and applies the arm's effects to them. Earlier content is overwritten in

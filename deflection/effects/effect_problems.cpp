@@ -9,7 +9,7 @@ namespace tubeplan::deflection {
 
 namespace {
 
-/// Returns true if an arm has the rows to which a formula refers.
+/// Returns true if an arm has all rows that a formula refers to.
 bool fits(const Arm& arm, const Formula& formula) {
   const auto active = activeRows(arm);
   const auto isJoint = [&](int row) { return std::find(active.begin(), active.end(), row) != active.end(); };

@@ -17,7 +17,8 @@ namespace {
 // Ratio of the wide to the narrow step of the central differences; the narrow step is used if the wide step may cross a
 // kink.
 constexpr double kNarrower = 64;
-constexpr double kSmoothEnough = 1e-10;  // a function is smooth if both steps' results differ by less, relatively
+// Largest relative difference between the results of both steps for a smooth function.
+constexpr double kSmoothEnough = 1e-10;
 constexpr const char* kConstants[] = {"pi", "_pi", "_e"};
 
 bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -26,7 +27,7 @@ bool isOfName(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 
 struct Word {
   std::string text;
   std::size_t position;
-  bool is_called;  // true: an opening bracket follows the name
+  bool is_called;  // true if an opening bracket follows the name
 };
 
 std::size_t endOfNumber(const std::string& text, std::size_t at) {
@@ -59,8 +60,7 @@ std::vector<Word> wordsOf(const std::string& text) {
   return words;
 }
 
-/// Finds content that muParser would accept but a formula must not contain: assignments, string literals, non-printable
-/// bytes.
+/// Finds syntax that muParser accepts but formulas must not use: assignments, string literals and non-printable bytes.
 std::optional<ExpressionProblem> findForeign(const std::string& text) {
   for (std::size_t k = 0; k < text.size(); ++k) {
     const char c = text[k];

@@ -1,5 +1,6 @@
 // An expression such as `c*sin(3*theta1)`, as a function of the variables that it names. It may use the functions and
-// operators of muParser, such as sin, cos, exp, sqrt, abs, ^ and ? :, and the constant pi. No other file uses muParser.
+// operators of muParser, such as sin, cos, exp, sqrt, abs, ^ and ? :, and the constant pi. muParser is used only in
+// expression.cpp.
 #pragma once
 
 #include <memory>
@@ -11,17 +12,17 @@
 
 namespace tubeplan::deflection {
 
-/// Reason why a string is not a valid expression. The message consists of `what`, " at character N" and `rest`.
+/// Error found while parsing an expression. The error message consists of `what`, " at character N" and `rest`.
 struct ExpressionProblem {
   std::string what;                ///< beginning of the message, such as "the formula ends"
   std::string rest;                ///< end of the message, such as " where an expression should follow"; may be empty
-  std::size_t position = 0;        ///< index of the character in the string, from 0
-  std::string word;                ///< the unknown name, if a name is unknown; else empty
-  std::vector<std::string> known;  ///< the known names, if a name is unknown
+  std::size_t position = 0;        ///< 0-based index of the character in the string
+  std::string word;                ///< the unknown name; empty for other errors
+  std::vector<std::string> known;  ///< valid names, if a name is unknown
 };
 
-/// A parsed expression, which several threads may evaluate at once. Where the expression has no value (0/0, log(-1)),
-/// the result is NaN or infinite.
+/// A parsed expression; evaluation is thread-safe. If the expression has no value (0/0, log(-1)), the result is NaN or
+/// infinite.
 class Expression {
  public:
   /// Parses a string. If it is not an expression, returns null and sets `problem` to the reason.

@@ -171,7 +171,7 @@ std::optional<MadeFormula> chooseParameters(const std::vector<Start>& starts, Fo
 }
 
 /// Returns the formula's place: the one requested or, if none is requested, the first of "theta3", "theta3#2", ... that
-/// no other formula of the arm has. Returns nothing if the request is invalid.
+/// no other formula of the arm has. Returns std::nullopt if the request is invalid.
 std::optional<std::string> placeOf(const Arm& arm, const std::string& target, std::string_view asked) {
   if (!asked.empty()) {
     const std::string_view rest = asked.substr(std::min(asked.size(), target.size()));

@@ -6,8 +6,8 @@
 // Symbols: a joint's name (its reading: an angle in radians, or a length if the joint is prismatic), JOINT_dir (the
 //      direction of the joint's last motion: -1, 0 or 1), moment_ROW_x, _y, _z (moment about the axes of a row of the
 //      undeflected arm, under its weights and the hung load), load, and the conditions by their names. In names,
-//      characters other than letters and digits become _. If a reading does not state a condition, the arm's reference
-//      value is used.
+//      characters other than letters and digits become _. If a measurement does not state a condition, the arm's
+//      reference value is used.
 // Values of symbols that are lengths, forces, moments or conditions are in the file's units. The value of the
 // expression is in the target's unit, in degrees for an angle if the file uses degrees.
 // All other names are parameters, of two kinds. Sizes are the largest set of parameters in which the formula is linear
@@ -40,7 +40,7 @@ struct FormulaTarget {
   enum class Of { kJoint, kTip, kBase };
   Of of = Of::kJoint;
   int row = -1;   ///< row of the joint; -1 if the target is not a joint
-  int axis = -1;  ///< axis of tip or base: 0, 1, 2; 3: yaw; -1: none
+  int axis = -1;  ///< axis of tip or base: 0, 1, 2; 3: yaw; -1 if none
 };
 
 /// Meaning of a name in an expression. The value of the name is (internal value) / `unit` - `zero`.
@@ -93,12 +93,12 @@ enum class FormulaStatus { kNotRun, kMade, kBadTarget, kBadExpression, kBadStart
 
 struct MadeFormula {
   FormulaStatus status = FormulaStatus::kNotRun;
-  /// If no formula was made: the wrong value found or, if `expected` is empty, a sentence that states the problem.
+  /// Reason for failure: the wrong value found or, if `expected` is empty, a sentence that describes the problem.
   std::string found;
   std::string expected;            ///< description of valid values; empty unless a value is wrong
-  std::string word;                ///< the unknown name, if a name is unknown; else empty
-  std::vector<std::string> known;  ///< the known names, if a name is unknown
-  /// Names of the parameters without a start value. They would include a misspelt symbol.
+  std::string word;                ///< the unknown name; empty for other errors
+  std::vector<std::string> known;  ///< valid names, if a name is unknown
+  /// Parameters without a start value; a misspelt symbol shows up here.
   std::vector<std::string> free;
   Effect effect;  ///< the effect at its start values
 };

@@ -10,7 +10,7 @@ namespace tubeplan::deflection {
 namespace {
 
 constexpr int kSamples = 24;      // number of points at which a formula is evaluated
-constexpr double kLinear = 1e-9;  // relative error up to which a formula counts as linear
+constexpr double kLinear = 1e-9;  // relative error up to which a formula is treated as linear
 
 /// A fixed sequence of irregular numbers between -2 and 2, at which a nonlinear formula is unlikely to look linear.
 class Spread {
@@ -30,9 +30,11 @@ bool isLinear(const Formula& formula, unsigned mask) {
   Spread spread;
   int tried = 0;
   for (int n = 0; n < kSamples; ++n) {
-    // At the five points, the parameters in the mask are 0, u, v, u + v and -2 u; all other arguments are equal.
+    // The selected parameters are 0, u, v, u + v and -2 u at the five points; the other arguments are the same at all
+    // of them.
     std::array<std::vector<double>, 5> at;
-    const double scale = std::pow(10., n % 4);  // 1 to 1000, because temperatures and moments are larger than angles
+    // 1 to 1000, to cover the magnitudes of temperatures and moments as well as angles.
+    const double scale = std::pow(10., n % 4);
     for (const Formula::Input& input : formula.inputs) {
       const double u = spread.next(), v = spread.next();
       const bool is_in = input.parameter >= 0 && (mask >> input.parameter & 1U) != 0;

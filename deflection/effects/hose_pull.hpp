@@ -2,7 +2,7 @@
 //
 // Law: a constant force (x, y, z) at the link's end, in base axes.
 // Symbols: x, y, z components of the force [N].
-// Validity: a hose so long that neither the posture nor the deflection changes its pull.
+// Validity: the hose is long enough that its pull does not depend on the posture or the deflection.
 // Source: statics.
 #pragma once
 

@@ -2,7 +2,7 @@
 //
 // Law: true joint value = reading + h s.
 // Symbols: h half width [rad; m for a prismatic joint], s direction of the joint's last motion, -1, 0 or +1.
-// Validity: the joint moved further than its lost motion before it stopped. An unknown direction counts as 0.
+// Validity: the joint moved further than its lost motion before it stopped. An unknown direction is treated as 0.
 // Source: Coulomb friction before a spring; lost motion in Harmonic Drive's catalogues.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Compliance of a joint axis that was taken as rigid.
+// Compliance of a joint axis that was modelled as rigid.
 //
 // Law: rotation = c M about the axis, at the row's origin (elements/joint_stiffness.hpp).
 // Symbols: c compliance [rad/(N m)], M moment about the axis [N m].

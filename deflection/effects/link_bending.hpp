@@ -1,4 +1,4 @@
-// Bending of a member about an axis that was taken as rigid.
+// Bending of a member about an axis that was modelled as rigid.
 //
 // Law: curvature = b M about the row's axis projected perpendicular to the member (elements/beam.hpp); b = 1/(E I).
 // Symbols: b bending compliance [1/(N m^2)], M moment about that axis [N m].

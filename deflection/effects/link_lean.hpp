@@ -1,4 +1,4 @@
-// A link whose two joint axes, drawn nearly parallel, lean relative to each other.
+// A link whose two joint axes, nominally almost parallel, are tilted relative to each other.
 //
 // Law: the next row's frame is rotated by dbeta about its own y axis, before its joint rotates it.
 // Symbols: dbeta lean angle [rad].

@@ -25,7 +25,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   std::get<Origin<S>>(next.placement).position += drawn * S(effect.values[0] / sqrt(drawn.squaredNorm()));
 }
 
-/// Returns true if the link has a direction along which it can grow: the next frame is placed by Denavit-Hartenberg
+/// Returns true if the direction of the link's length is defined: the next frame is placed by Denavit-Hartenberg
 /// parameters, or its origin differs from the link's own.
 inline bool hasPlace(const Arm& arm, int row) {
   if (row + 1 == static_cast<int>(arm.rows.size())) return false;

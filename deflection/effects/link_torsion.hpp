@@ -1,4 +1,4 @@
-// Torsion of a member that was taken as rigid.
+// Torsion of a member that was modelled as rigid.
 //
 // Law: twist per length = t M about the member (elements/beam.hpp); t = 1/(G J).
 // Symbols: t torsion compliance [1/(N m^2)], M moment about the member [N m].

@@ -13,7 +13,7 @@ struct Formula;
 /// arm.
 struct Place {
   int row = -1;
-  int axis = -1;           ///< 0, 1, 2: x, y, z axis of the row
+  int axis = -1;           ///< axis of the row: 0 for x, 1 for y, 2 for z
   int other = -1;          ///< row of the second joint, if the place is a pair
   std::string setup = {};  ///< name of the set-up of the base, if the place is a set-up
   bool operator==(const Place&) const = default;

@@ -84,7 +84,7 @@ std::vector<std::string> placeTexts(const Arm& arm, const EffectKind& kind) {
 }
 
 std::optional<Place> findPlace(const Arm& arm, const EffectKind& kind, std::string_view text) {
-  if (kind.at == PlaceRule::kSetup)  // any name is valid, because set-ups are named by measurements, not by the arm
+  if (kind.at == PlaceRule::kSetup)  // any name is valid: set-ups are defined by measurements, not by the arm
     return text.empty() ? std::nullopt : std::optional(Place{.setup = std::string(text)});
   for (const Place& place : kind.places(arm))
     if (textOf(arm, kind, place) == text) return place;

@@ -1,4 +1,4 @@
-// Lists of the places of an arm at which effects of different kinds can act.
+// Lists of the locations in an arm where effects can act.
 #pragma once
 
 #include "deflection/effects/effect.hpp"

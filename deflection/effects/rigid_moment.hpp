@@ -1,5 +1,5 @@
-// Moments on the rows of the undeflected arm due to its weights and the loads on its tip: an explicit function of
-// posture and parameters, for laws that depend on moments.
+// Moments on the rows of the undeflected arm due to its weights and the loads on its tip: for laws that depend on
+// moments. They are an explicit function of posture and parameters, without iteration.
 #pragma once
 
 #include "deflection/parameters.hpp"
@@ -17,7 +17,7 @@ void addWrench(const Chain<S>& chain, const WrenchOf<S>& wrench, Vector3<S>& for
   moment += R.transpose() * wrench.moment_B;
 }
 
-/// Returns for each row the moment of all loads from its frame outwards, about its origin and in its axes [N m].
+/// Returns, for each row, the moment about its origin of all loads outboard of its frame, in its axes [N m].
 template <class S>
 std::vector<Vector3<S>> rigidMoments(const ArmOf<S>& arm, const PostureOf<S>& posture) {
   ArmOf<S> hung;

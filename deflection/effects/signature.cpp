@@ -14,11 +14,11 @@ namespace {
 using Eigen::Index, Eigen::Matrix3Xd, Eigen::Vector3d;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-// Weight of a sweep of a condition or direction when sweeps are compared (1 for the load), because few laws depend on
-// these.
+// Weight of a sweep over a condition or direction, relative to a sweep over the load. It is large because few laws
+// depend on conditions or directions.
 constexpr double kOfCondition = 5;
-constexpr double kOfOwnJoint = 3;  // weight of a sweep of the effect's own joint
-constexpr double kOfReach = 1e-9;  // largest tip shift that may be due to rounding alone, as a fraction of the reach
+constexpr double kOfOwnJoint = 3;  // weight of a sweep over the effect's own joint
+constexpr double kOfReach = 1e-9;  // tip shifts up to this fraction of the reach are attributed to rounding
 constexpr double kOfRange = 0.05;  // smallest distance from a joint's limits, as a fraction of its range
 
 /// Returns the effect at half of its plausible magnitude. A step in time occurs halfway through the sweep of time.
@@ -56,7 +56,8 @@ class Sweeper {
     middle_.q.resize(joints);
     for (Index j = 0; j < joints; ++j) {
       const Range range = rangeOf(arm.joint(j));
-      constexpr double kGolden = 0.6180339887498949;  // irregular fractions of ranges, to avoid the arm's symmetries
+      // Golden ratio: gives irregular fractions of the joint ranges, which avoids symmetric postures.
+      constexpr double kGolden = 0.6180339887498949;
       const double share = 0.3 + 0.4 * std::fmod(0.5 + kGolden * static_cast<double>(j), 1);
       middle_.q[j] = range.lower + share * (range.upper - range.lower);
     }
@@ -120,8 +121,8 @@ class Sweeper {
     return row == place.row || row == place.other ? kOfOwnJoint : 1;
   }
 
-  /// Keeps the signature of a sweep if the weighted change of its shifts exceeds that of all sweeps before. The
-  /// reported shift is the component along the axis on which the shifts change most.
+  /// Keeps a sweep's signature if its weighted change is the largest so far. The reported shift is the component along
+  /// the axis on which the shifts change most.
   void take(Signature found, const Matrix3Xd& shifts) {
     Matrix3Xd changes(3, 0);
     for (Index k = 0; k < shifts.cols(); ++k) {
@@ -134,8 +135,7 @@ class Sweeper {
     const double change = changes.colwise().norm().maxCoeff(), weighed = change * weightOf(found);
     if (change <= kOfReach * reachOf(without_) || weighed <= most_change_) return;
     most_change_ = weighed;
-    // MatrixXd, because for a matrix with three fixed rows Eigen's U is fixed at 3 x 3 and cannot have just two
-    // columns.
+    // A fully dynamic matrix is needed: with three fixed rows, Eigen fixes U at 3 x 3, but only two columns are needed.
     const Eigen::JacobiSVD<Eigen::MatrixXd> axes(changes, Eigen::ComputeThinU);
     const Vector3d axis = axes.matrixU().col(0);
     for (Index k = 0; k < shifts.cols(); ++k) found.shift.push_back(axis.dot(shifts.col(k)));

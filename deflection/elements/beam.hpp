@@ -8,7 +8,7 @@
 // Symbols: F force [N] and M moment [N m] on the far end, W weight along the member [N], v member [m],
 //      L length of v, e = v/L, r deflected chord (so that moments are taken on the bent shape), n_k component of the
 //      row's axis k perpendicular to e, scaled to unit length, b_k, t compliances that an effect adds to a member or
-//      axis taken as rigid [1/(N m^2)].
+//      axis modelled as rigid [1/(N m^2)].
 // Foreshortening: the far end of a bent member comes nearer by half the mean square of the slope,
 //      1/2 mean(theta(s) x (theta(s) x v)). On the Cobra arm this is 0.003 in, more than the tolerance of the
 //      comparison with exact rods.
@@ -88,7 +88,8 @@ struct Slope {
   Vector3<S> m, f, w;
 };
 
-/// `L` is the scalar type of the loading: double if only the flexibility has derivatives.
+/// Computes the deflection under a load. The scalar type `L` of the load is double if only the flexibility has
+/// derivatives.
 template <class S, class L>
 Slope<S> slopeOf(const Flexibility<S>& flexibility, const Loading<L>& loading) {
   return {flexibility.compliance * loading.moment, flexibility.compliance * loading.chord.cross(loading.force),

@@ -16,11 +16,12 @@
 
 namespace tubeplan::deflection::clearance {
 
-/// Parameters that limit the motion of a joint within its gap in one pass.
+/// Parameters that limit how far a joint moves within its gap in one pass.
 struct Restoring {
-  double moment_per_angle;  ///< dM/dtheta if only this joint moves [N m/rad]; negative if the load hangs
-  double scale;             ///< sum of the forces beyond the joint, times the arm's reach [N m]
-  int clearances;           ///< number of clearances in the arm
+  /// dM/dtheta if only this joint moves [N m/rad]; negative if the load hangs like a pendulum.
+  double moment_per_angle;
+  double scale;    ///< sum of the forces beyond the joint, times the arm's reach [N m]
+  int clearances;  ///< number of clearances in the arm
 };
 
 /// Position of a joint in its gap after a pass, and the derivatives of that position.

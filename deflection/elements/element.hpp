@@ -7,7 +7,7 @@
 
 namespace tubeplan::deflection {
 
-/// Flexibility of a row's element, computed once for all loads.
+/// Load-independent flexibility of a row's element.
 template <class S>
 struct Flexibility {
   Vector3<S> member = Vector3<S>::Zero();  ///< vector from near to far end, undeflected [m]
@@ -21,8 +21,8 @@ struct Flexibility {
 /// Load on an element, in the row's own (deflected) axes [N, N m, m].
 template <class S>
 struct Loading {
-  Vector3<S> force;   ///< force on the far end, from everything beyond
-  Vector3<S> moment;  ///< moment about the far end, from everything beyond
+  Vector3<S> force;   ///< total outboard force on the far end
+  Vector3<S> moment;  ///< total outboard moment about the far end
   Vector3<S> weight;  ///< total weight distributed along the element
   Vector3<S> chord;   ///< vector from near to far end, deflected as in the last pass
 };

@@ -43,7 +43,8 @@ Flexibility<S> flexibilityOf(const Row<S>& row, const Vector3<S>&) {
   return result;
 }
 
-/// `L` is the scalar type of the loading: double if only the flexibility has derivatives.
+/// Computes the deflection under a load. The scalar type `L` of the load is double if only the flexibility has
+/// derivatives.
 template <class S, class L>
 Deflection<S> deflect(const Flexibility<S>& flexibility, const Loading<L>& loading) {
   Deflection<S> result;

@@ -23,8 +23,8 @@ std::string degrees(double angle) {
   return text.str();
 }
 
-/// Returns the rank of a branch, smallest for the best: 0 for usable branches, 1 and 2 for others that reach the goal
-/// position within the joint limits.
+/// Returns the rank of a branch, where lower is better: 0 for usable branches, 1 and 2 for other branches that reach
+/// the goal position within the joint limits.
 int severity(const Branch& branch) {
   if (branch.status == BranchStatus::kSingular && branch.reason == kNextToSingular) return 1;
   switch (branch.status) {

@@ -12,7 +12,7 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Dynamic, Eigen::Index, Eigen::Matrix, Eigen::Vector3d, Eigen::VectorXd;
-constexpr double kMoved = 1e-4;  ///< perturbation of the axes, as a fraction of the reach and in rad
+constexpr double kMoved = 1e-4;  ///< perturbation of the axes [fraction of the reach, rad]
 
 /// Returns the n-th number of a low-discrepancy sequence in (-1, 1).
 double drawn(int n) { return 2 * std::fmod(0.5 + n * 0.6180339887498949, 1.) - 1; }
@@ -77,7 +77,8 @@ Closure<Size> closureOf(const Vector3d& p, const Vector3d& l) {
 template <int Size>
 struct ClosedLoop<Size>::Sides {
   Outer outer;
-  /// Decomposition of the outer joints' terms, without the equation of the quantity 1 and without the constant term.
+  /// Decomposition of the outer joints' terms, without the constant term and without the trivial equation of the
+  /// quantity 1.
   Eigen::ColPivHouseholderQR<Matrices> outer_solver;
   std::array<Matrices, 3> polynomial;
 };
@@ -113,8 +114,8 @@ ClosedLoop<Size>::ClosedLoop(const ClosureChain<Size>& chain) : reach_(chain.rea
   std::array<JointTerms<Size>, kJoints> terms;
   for (std::size_t k = 0; k < kJoints; ++k) {
     slides_[k] = chain.joints[k].slides;
-    // The value is quasi-random, because the half-angle tangent is infinite half a turn away from it: a root is
-    // unlikely to lie there.
+    // The half-angle tangent is infinite half a turn away from this value. A quasi-random value makes a root there
+    // unlikely.
     zero_[k] = slides_[k] ? 0.1 : 1 + 2 * drawn(static_cast<int>(k) + 40);
     if (k < kOuter)
       outer_[k] = chain.joints[k];

@@ -4,10 +4,9 @@
 // joints control a position and an axis with free roll about the axis, with at most sixteen postures. Prismatic joints
 // are treated in the same way as revolute joints.
 //
-// The roots are those of a chain whose axes are perturbed by a ten-thousandth of the reach and 1e-4 rad, so that no
-// design is a special case of the equations. Parallel or intersecting axes, which would make matrices singular, then
-// only make them nearly singular. Iterations lead from these roots to postures of the unperturbed chain. Internal to
-// the inverse kinematics.
+// Parallel or intersecting axes would make matrices singular, so the axes are perturbed by a ten-thousandth of the
+// reach and 1e-4 rad. The roots are then refined to postures of the unperturbed chain. Internal to the inverse
+// kinematics.
 #pragma once
 
 #include <vector>
@@ -39,7 +38,7 @@ class ClosedLoop {
  public:
   static constexpr int kJoints = Size == kLineSize ? 5 : 3;
 
-  /// `chain` must have kJoints joints.
+  /// Prepares the solver; `chain` must have kJoints joints.
   explicit ClosedLoop(const ClosureChain<Size>& chain);
 
   /// Adds approximations of the readings that meet the goal. Complex roots with an imaginary part up to

@@ -13,16 +13,17 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Dynamic, Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
-constexpr double kPlaceFloor = 1e-4;  ///< smallest derivative of the position, divided by the reach, that counts as
-                                      ///< motion
+/// Smallest derivative of the position, divided by the reach, that is distinguished from zero.
+constexpr double kPlaceFloor = 1e-4;
 /// Weight of the position residual (as a fraction of the reach), relative to the tilt [rad], in the merit of a posture.
 constexpr double kPlaceWeight = 10;
 constexpr double kLimitWeight = 2;  ///< weight of the excess over joint limits [rad or fraction of the reach]
-/// Step into the limits below which the iteration may end [rad or fraction of the reach].
+/// The iteration may end once the step that brings joints into their limits is shorter than this [rad or fraction of
+/// the reach].
 constexpr double kIntoLimits = 1e-3;
 constexpr double kLongestScaledStep = 0.5;  ///< longest step of any joint [rad or fraction of the reach]
 constexpr double kLeastShare = 0.1;         ///< smallest fraction of a step that is tried
-constexpr int kMostStrikes = 4;             ///< steps without improvement at any length before the start is abandoned
+constexpr int kMostStrikes = 4;             ///< number of steps without improvement before a start is abandoned
 constexpr std::size_t kSideBySide = 32;
 
 /// Returns the smallest singular value of the derivatives of the position and, if `with_lean` (for turret arms), of the
@@ -44,7 +45,7 @@ struct GoalStep {
   double into_limits = 0;  ///< length of the part that moves joints into their limits
 };
 
-/// Adds to the step a motion of joints back into their limits, as far as it changes neither the position nor the tilt.
+/// Adds a motion of the joints back into their limits, without changing the position or the tilt.
 void addWayIntoLimits(const GoalProblem& problem, const VectorXd& q, FreeMotion& free, GoalStep& step) {
   std::vector<Index> past;
   for (Index k = 0; k < q.size(); ++k)
@@ -91,7 +92,7 @@ double meritOf(const GoalProblem& problem, const GoalResidual& r, const VectorXd
   return kPlaceWeight * r.off.norm() + r.lean.norm() + kLimitWeight * std::sqrt(past);
 }
 
-/// The iteration from one start to its goal, which requests the tip at one posture after another.
+/// Iteration from one start to its goal. The caller evaluates the tip at each requested posture.
 class Lead {
  public:
   void begin(std::size_t which, const VectorXd& start) {
@@ -103,9 +104,10 @@ class Lead {
   }
 
   [[nodiscard]] std::size_t which() const { return which_; }
-  [[nodiscard]] const VectorXd& asked() const { return there_; }  ///< readings at which the tip is needed next
+  /// Returns the joint readings at which the caller must evaluate the tip next.
+  [[nodiscard]] const VectorXd& asked() const { return there_; }
 
-  /// Continues the iteration with the tip at the readings asked(); returns false when the iteration has ended.
+  /// Continues the iteration with the tip evaluated at asked(); returns false once the iteration has ended.
   bool arrive(const GoalProblem& problem, const ToolGoal& goal, TipMotion& tip) {
     problem.evaluate(goal, tip, next_);
     if (is_first_) {
@@ -165,7 +167,7 @@ class Lead {
 
   std::size_t which_ = 0;
   GoalResidual here_, next_;
-  VectorXd q_, there_, whole_;  ///< whole_: the full step, of which fractions are tried
+  VectorXd q_, there_, whole_;  ///< `whole_` is the full step; fractions of it are tried
   double merit_ = 0, share_ = 1;
   int strikes_ = 0, iterations_ = 0;
   bool is_first_ = true;

@@ -11,7 +11,7 @@
 namespace tubeplan::deflection {
 
 /// Returns one branch for each start: the result of the iteration to the goal with the same index. Several starts are
-/// solved side by side, with the same results as one by one. The steps are Newton steps for the position and
+/// solved in parallel lanes, with the same results as one at a time. The steps are Newton steps for the position and
 /// Gauss-Newton steps for the remaining tilt, shortened while the residual grows.
 [[nodiscard]] std::vector<Branch> leadToGoals(GoalProblem& problem, std::span<const ToolGoal> goals,
                                               std::span<const Eigen::VectorXd> starts);

@@ -32,7 +32,7 @@ void addPitch(const Vector3d& n, const TipMotion& tip, GoalResidual& out) {
 void addLean(const Vector3d& n, const TipMotion& tip, GoalResidual& out) {
   const Vector3d t = tip.axis, across = t.cross(n);
   const double sine = across.norm();
-  // If tool axis and goal axis are parallel or opposite, any perpendicular direction can serve as the rotation axis.
+  // If tool axis and goal axis are parallel or opposite, any perpendicular direction is a valid rotation axis.
   const Vector3d u = sine > 1e-12 ? Vector3d(across / sine) : Vector3d(t.unitOrthogonal()), v = t.cross(u);
   out.lean.resize(2);
   out.lean << out.tilt, 0;

@@ -1,5 +1,5 @@
-// The equations that an arm's readings must fulfil at a goal: the residual of a posture and its derivatives with
-// respect to the joints. Internal to the inverse kinematics.
+// Goal equations of an arm: the residual of a posture at a goal, and its derivatives with respect to the joints.
+// Internal to the inverse kinematics.
 #pragma once
 
 #include <functional>
@@ -47,8 +47,8 @@ class GoalProblem {
   /// Computes the residual of a tip; converts `tip.columns` to scaled joints in place.
   void evaluate(const ToolGoal& goal, TipMotion& tip, GoalResidual& residual) const;
 
-  /// Returns how far the k-th reading, wrapped by whole turns, lies beyond its nearer limit (negative below the lower
-  /// limit), plus a small margin, divided by scale(). Zero if the reading is within the limits.
+  /// Returns the signed distance of the k-th reading beyond its nearer limit (negative below the lower limit), plus a
+  /// small margin, divided by scale(). The reading is wrapped by whole turns first. Zero if it is within the limits.
   [[nodiscard]] double pastLimit(Eigen::Index k, double reading) const;
   [[nodiscard]] double mostPastLimits(const Eigen::Ref<const Eigen::VectorXd>& q) const;
 

@@ -19,7 +19,7 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
-constexpr int kStraightSteps = 12;  ///< largest number of undamped steps; goals not met by then are solved with damping
+constexpr int kStraightSteps = 12;  ///< largest number of undamped steps; goals that need more are solved with damping
 
 simd::Tool toolOf(const Arm& arm, const simd::RevoluteChain& chain) {
   const simd::TurnDirection& last = chain.lastAxis();
@@ -148,7 +148,8 @@ void InverseSolver::Parts::leadOthers(std::span<const ToolGoal> goals, std::span
   std::vector<Branch> led = leadToGoals(*problem_, goal_of, from);
   for (std::size_t n = 0; n < which.size(); ++n) found[which[n]] = std::move(led[n]);
   if (!dependsOnPosture(arm_)) return;
-  // If an effect scales a reading, wrapping it by a whole turn moves the tip, so the goal is solved again from there.
+  // If an effect scales a reading, wrapping the reading by a whole turn moves the tip. The goal is then solved again
+  // from the wrapped posture.
   std::vector<std::size_t> turned;
   goal_of.clear(), from.clear();
   for (const std::size_t k : which) {
@@ -189,7 +190,7 @@ std::vector<InverseKinematics> InverseSolver::solve(std::span<const ToolGoal> go
       Branch& branch = found[k];
       const bool known = std::any_of(branches.begin(), branches.end(),
                                      [&](const Branch& other) { return isSameBranch(other.q, branch.q); });
-      // Except on turret arms, a start from which the flexible arm does not reach the goal gives no branch.
+      // Except on turret arms, a start gives no branch if the flexible arm does not reach the goal from it.
       if (!known && (parts_->branches.isTurret() || branch.position_error < parts_->options.position_tolerance))
         branches.push_back(std::move(branch));
     }

@@ -15,14 +15,15 @@ struct InverseKinematicsOptions {
   double pitch_tolerance = 1e-10;     ///< tolerance of the tilt that the joints can still reduce [rad]
   int max_iterations = 60;
   /// Smallest allowed singular value of the scaled Jacobian, whose rows are the tip's motion as a fraction of the reach
-  /// and, for turret arms, the pitch, per rad. On other arms, a tilt that the joints change by less than this value per
-  /// rad is not reduced.
+  /// and, for turret arms, the pitch, per rad. On other arms, tilt is not reduced in directions in which the joints
+  /// change it by less than this value per rad.
   double singular_floor = 0.01;
   /// Largest allowed angle between tool axis and goal axis [rad]; branches with a larger angle get kTiltTooLarge.
   double max_tilt = std::numbers::pi / 2;
   int lattice_starts = 256;  ///< number of start postures for arms without a closed form or closure equations
-  int most_branches = 48;    ///< largest number of distinct rigid postures near their limits or within, from which the
-                             ///< flexible solution is started
+  /// Largest number of distinct rigid postures, within or near the joint limits, from which the flexible solution is
+  /// started.
+  int most_branches = 48;
   FlexibleKinematicsOptions kinematics{1e-13, 100};
 };
 
@@ -43,7 +44,8 @@ struct Branch {
 };
 
 struct InverseKinematics {
-  BranchStatus status = BranchStatus::kNotRun;  ///< kConverged if a branch converged; else the most informative failure
+  /// kConverged if a branch converged; otherwise the most informative failure.
+  BranchStatus status = BranchStatus::kNotRun;
   std::string reason;
   std::vector<Branch> branches;  ///< all branches, converged branches first, in a fixed order
 };
@@ -55,7 +57,7 @@ struct InverseKinematics {
                                                        const Eigen::Vector3d& gravity_B,
                                                        const InverseKinematicsOptions& options = {});
 
-/// Returns the branch reached from a nearby start posture, for example that of a neighbouring via point.
+/// Returns the branch reached from a nearby start posture, for example from a neighbouring via point.
 [[nodiscard]] Branch refineBranch(const Arm& arm, const ToolGoal& goal, double load, const Eigen::Vector3d& gravity_B,
                                   const Eigen::VectorXd& start, const InverseKinematicsOptions& options = {});
 

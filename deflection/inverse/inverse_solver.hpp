@@ -10,12 +10,12 @@
 
 namespace tubeplan::deflection {
 
-/// Returns an upper bound on the number of branches of a goal, without those that start far outside joint limits or
+/// Returns an upper bound on the number of branches of a goal, except branches that start far outside joint limits or
 /// with far too large a tilt.
 [[nodiscard]] int mostBranches(const Arm& arm, const InverseKinematicsOptions& options);
 
 /// Solves goals of one arm under one load; each thread needs its own object. The solution of a goal is bit-identical
-/// whatever goals are solved with it.
+/// regardless of the other goals in the call.
 class InverseSolver {
  public:
   /// `arm` must outlive this object, and must not change.

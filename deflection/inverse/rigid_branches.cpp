@@ -40,7 +40,7 @@ void addTurretBranches(const AxesAtZero& axes, const ToolGoal& goal, std::vector
     const Vector3d tip_goal = axes.point[0] + R.transpose() * p;
     const Vector2d axis = plane.direction(R.transpose() * goal.axis_B);
     if (axis.norm() < 1e-9) continue;
-    const double total = angleOf(axis);  // the tool axis is along u at zero readings
+    const double total = angleOf(axis);  // at zero readings, the tool axis points along u
     const Vector2d hand = plane(axes.tip) - plane(axes.point[3]);
     const Vector2d wrist_goal = plane(tip_goal) - turned(hand, total);
     for (const Vector2d& s : solveTwoLinks(plane(axes.point[2]), plane(axes.point[3]), wrist_goal)) {

@@ -15,10 +15,10 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 constexpr int kProbes = 8;              ///< number of postures at which the tip's derivatives are examined
-constexpr double kTurnsTheTool = 1e-3;  ///< smallest singular value of slopesAt() at which an arm can turn its tool
+constexpr double kTurnsTheTool = 1e-3;  ///< smallest singular value of slopesAt() for an arm that can orient its tool
 constexpr double kNearlyReal = 0.2;     ///< largest imaginary part of complex roots that are used [rad]
-/// Number of slices, in each of which the held joints and the tool's rotation about its axis are fixed: for turret
-/// arms, which have a closed form; for one redundant joint; for several redundant joints.
+/// Number of slices. In a slice, the held joints and the tool's rotation about its axis are fixed. The numbers are for
+/// turret arms, which have a closed form; for one redundant joint; for several redundant joints.
 constexpr int kTurretSlices = 96, kSlicesOfOne = 24, kSlicesOfMore = 48;
 constexpr std::size_t kStride = 31;  ///< index step between tool rotations of successive slices; coprime to their count
 
@@ -41,8 +41,8 @@ AxesAtZero withJointHeld(AxesAtZero axes, std::size_t held, double q) {
   return axes;
 }
 
-/// Returns derivatives with respect to the joints. The first three rows are those of the tip position divided by the
-/// reach, the last two those of the tool's rotation about two directions perpendicular to its axis.
+/// Returns derivatives with respect to the joints. The first three rows are for the tip position divided by the reach,
+/// the last two for the tool's rotation about two directions perpendicular to its axis.
 MatrixXd slopesAt(const AxesAtZero& axes, const VectorXd& q, double reach) {
   TipMotion tip;
   placeRigidTip(axes, q, tip);
@@ -71,8 +71,8 @@ std::vector<double> turnsRound(int count) {
   return turns;
 }
 
-/// Returns the joints to hold so that the first `rows` rows of the other joints' derivatives are as far from singular
-/// as possible, on average over the probes.
+/// Returns the joints to hold. With these, the first `rows` rows of the other joints' derivatives are as far from
+/// singular as possible, on average over the probes.
 std::vector<int> heldJoints(const std::vector<MatrixXd>& slopes, Index rows) {
   const Index n = slopes.front().cols();
   double best = -1;
@@ -109,7 +109,7 @@ void RigidSearch::addSlices(const Arm& arm) {
                     : held_.size() == 1 && !has_wrist ? kSlicesOfOne
                                                       : kSlicesOfMore;
   const std::vector<double> rolls = turnsRound(count);
-  // Each lattice point has its own rotation of the tool, in an order unrelated to the readings.
+  // Each lattice point gets a different rotation of the tool. The stride decorrelates the rotations from the readings.
   std::size_t next = 0;
   for (const VectorXd& q : latticeStarts(arm, count)) {
     slices_.push_back(sliceAt(q(held_), has_wrist ? std::vector{rolls[next % rolls.size()]} : std::vector<double>()));

@@ -29,7 +29,7 @@ class RigidSearch {
   [[nodiscard]] std::span<const int> sampled() const { return held_; }
   /// Returns true if a continuous family of postures meets a goal; the search then returns samples of the family.
   [[nodiscard]] bool isContinuum() const { return !held_.empty() || form_ == Form::kWrist; }
-  /// Returns true if the search finds postures with the tool along the goal axis; otherwise it ignores the tool's
+  /// Returns true if the found postures have the tool along the goal axis; false if the search ignores the tool's
   /// direction.
   [[nodiscard]] bool areUpright() const { return form_ != Form::kPlace; }
 
@@ -42,7 +42,8 @@ class RigidSearch {
   /// The arm with its redundant joints held.
   struct Slice {
     Eigen::VectorXd readings;
-    std::variant<AxesAtZero, WristBranches, PlaceLoop, LineLoop> chain;  ///< first alternative for turret arms
+    /// Solver for the remaining joints; turret arms use the first alternative.
+    std::variant<AxesAtZero, WristBranches, PlaceLoop, LineLoop> chain;
     std::vector<double> rolls;  ///< rotations of the tool about its axis, for arms with a wrist [rad]
   };
   void chooseForm(const Arm& arm, Hold hold);

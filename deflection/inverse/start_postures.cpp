@@ -19,11 +19,12 @@ constexpr double kBendsBy = 0.1;
 /// Smallest difference between the postures that are chosen first, in at least one joint [rad or fraction of the
 /// reach].
 constexpr double kUnlike = 0.3;
-/// Largest difference, in every joint, between postures that count as the same [rad or fraction of the reach].
+/// Largest difference, in every joint, between postures that are treated as the same [rad or fraction of the reach].
 constexpr double kSamePosture = 1e-3;
 constexpr double kNearGoal = 0.01;  ///< largest tip error of a usable search result, as a fraction of the reach
 constexpr std::size_t kEnough = 8;  ///< number of usable postures that suffices for a redundant arm
-/// Largest number of start postures outside limits or tilted too far; their branches explain why a goal is not met.
+/// Largest number of start postures outside limits or tilted too far; their branches explain to the user why a goal is
+/// not met.
 constexpr int kMostSpoilt = 4;
 
 InverseKinematicsOptions roughly(InverseKinematicsOptions options) {
@@ -31,8 +32,8 @@ InverseKinematicsOptions roughly(InverseKinematicsOptions options) {
   return options;
 }
 
-/// Returns the number of prismatic joints. The closure equations of three are singular even with perturbed axes, and
-/// those of two may be.
+/// Returns the number of prismatic joints. With three, the closure equations are singular even with perturbed axes;
+/// with two, they may be.
 std::ptrdiff_t countSlides(const AxesAtZero& axes) { return std::count(axes.slides.begin(), axes.slides.end(), true); }
 
 }  // namespace

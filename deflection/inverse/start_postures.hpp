@@ -25,12 +25,13 @@ class StartPostures {
  private:
   struct Candidate {
     Eigen::VectorXd q;
-    double spoilt;  ///< excess over joint limits [rad or fraction of the reach] plus excess over the largest tilt [rad]
+    /// Penalty: excess over the joint limits [rad or fraction of the reach] plus excess over the largest tilt [rad].
+    double spoilt;
   };
   [[nodiscard]] std::vector<Candidate> search(const ToolGoal& goal);
   [[nodiscard]] std::vector<Candidate> within(const ToolGoal& goal, std::span<const Eigen::VectorXd> starts);
-  /// Iterates from each start to the goal. `candidates` becomes the postures that meet the goal or, if none does, those
-  /// that end near it. Returns true if any posture meets it.
+  /// Iterates from each start to the goal. Sets `candidates` to the postures that meet the goal or, if there are none,
+  /// to the postures that end near it. Returns true if any posture meets it.
   bool leadAll(const ToolGoal& goal, std::span<const Eigen::VectorXd> starts, std::vector<Candidate>& candidates);
   [[nodiscard]] std::vector<Eigen::VectorXd> unlike(std::span<const Candidate> candidates, int most) const;
 

@@ -1,5 +1,5 @@
-// Small problems of rotations about known axes, from which closed forms are composed (Paden 1985, Kahan). Internal to
-// the inverse kinematics.
+// Paden-Kahan subproblems: rotations about known axes, from which closed-form solutions are composed (Paden 1985).
+// Internal to the inverse kinematics.
 #pragma once
 
 #include <Eigen/Core>
@@ -44,7 +44,8 @@ struct Plane {
 inline double angleOf(const Eigen::Vector2d& d) { return std::atan2(d.y(), d.x()); }
 inline Eigen::Vector2d turned(const Eigen::Vector2d& d, double angle) { return Eigen::Rotation2Dd(angle) * d; }
 
-/// Largest |cosine| of the elbow angle that a goal may require: with more, no deflection brings it within reach.
+/// Largest |cosine| of the elbow angle that a goal may require. Values slightly above 1 are allowed, because deflection
+/// extends the reach.
 inline constexpr double kMostBeyond = 1.1;
 
 /// Returns the shoulder and elbow angles [rad] that bring the wrist to `w`. The shoulder is at the plane's origin;
@@ -55,7 +56,8 @@ inline std::vector<Eigen::Vector2d> solveTwoLinks(const Eigen::Vector2d& elbow, 
   const double l1 = upper.norm(), l2 = fore.norm();
   const double c = (w.squaredNorm() - l1 * l1 - l2 * l2) / (2 * l1 * l2);
   if (!(std::abs(c) <= kMostBeyond)) return {};
-  // A deflected arm may reach slightly further than a rigid one: for such a goal, start from a slightly bent elbow.
+  // A deflected arm may reach slightly further than a rigid one. For a goal just out of rigid reach, start from a
+  // slightly bent elbow.
   const double at_zero = angleOf(fore) - angleOf(upper),
                bend = std::acos(std::abs(c) <= 1 ? c : std::copysign(0.98, c));
   std::vector<Eigen::Vector2d> solutions;

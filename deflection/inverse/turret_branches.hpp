@@ -6,7 +6,8 @@
 
 namespace tubeplan::deflection {
 
-inline constexpr int kTurretBranches = 4;  ///< largest number: turret facing front or back, elbow either way
+/// Largest number of branches: turret facing front or back, elbow up or down.
+inline constexpr int kTurretBranches = 4;
 
 /// Returns true if an arm with these axes is a turret arm.
 [[nodiscard]] bool carriesPlane(const AxesAtZero& axes);

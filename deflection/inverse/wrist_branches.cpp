@@ -14,18 +14,19 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Index, Eigen::Matrix3d, Eigen::Vector3d, Eigen::VectorXd;
-/// Tolerance for axes that count as intersecting or parallel: distance as a fraction of the reach, angle in rad.
+/// Tolerance within which axes are treated as intersecting or parallel [fraction of the reach, rad].
 constexpr double kMeet = 1e-3;
 constexpr double kParallel = 0.02;     ///< largest angle between axes treated as parallel; iterations correct it [rad]
 constexpr double kLeastSine = 0.2;     ///< smallest sine of the angle between successive axes of a wrist
-constexpr double kStretched = 1e-6;    ///< relative excess of a cosine over its limit that is put down to rounding
-constexpr double kInLine = 1e-6;       ///< angle below which two axes count as being in line [rad]
-constexpr double kNearlyInLine = 0.1;  ///< angle below which axes may be in line on a flexible arm [rad]
-constexpr double kSameRoot = 0.5;      ///< largest difference between readings of one root at successive rolls [rad, m]
-constexpr int kTurnsInLine = 6;        ///< number of sampled readings of two joints that are in line
+constexpr double kStretched = 1e-6;    ///< excess of a cosine over 1 that is attributed to rounding
+constexpr double kInLine = 1e-6;       ///< angle below which two axes are collinear [rad]
+constexpr double kNearlyInLine = 0.1;  ///< angle below which axes may become collinear on a flexible arm [rad]
+constexpr double kSameRoot = 0.5;      ///< largest change of a root's readings from one roll to the next [rad, m]
+constexpr int kTurnsInLine = 6;        ///< number of samples of the redundant rotation of two collinear joints
 constexpr double kNear = 0.01;         ///< largest position error of a usable wrist centre, as a fraction of the reach
-constexpr double kAtItsPlace = 1e-7;   ///< largest position error of a converged centre, as a fraction of the reach
-constexpr double kLongestStep = 0.5;   ///< longest step of a joint [rad or fraction of the reach]
+/// Largest position error of a converged wrist centre, as a fraction of the reach.
+constexpr double kAtItsPlace = 1e-7;
+constexpr double kLongestStep = 0.5;  ///< longest step of a joint [rad or fraction of the reach]
 constexpr int kMostSteps = 6;
 
 /// Returns the point with the smallest sum of squared distances from the last three axes.

@@ -20,7 +20,7 @@ namespace tubeplan::deflection {
 
 class WristBranches {
  public:
-  /// `axes` must have six joints and fulfil carriesWrist(); `reach` is the arm's reach [m].
+  /// `axes` must have six joints and satisfy carriesWrist(); `reach` is the arm's reach [m].
   WristBranches(const AxesAtZero& axes, double reach);
 
   /// Adds postures with the tip at the goal position and the tool along the goal axis, rotated about it by each of

@@ -1,5 +1,5 @@
 // Newton's method on position and pitch of the deflected tip, for several goals side by side. inverse_kinematics.cpp
-// states the goals, and repeats the iteration with damping for goals that are not met at first.
+// provides the goals, and repeats the iteration with damping for goals that are not met.
 #pragma once
 
 #include "deflection/revolute_chain/jacobian_kernel.hpp"
@@ -20,7 +20,7 @@ inline Vec turned(const Frame& X, const double* v) {
   return constant(v[0]) * X.x + constant(v[1]) * X.y + constant(v[2]) * X.z;
 }
 
-/// Shapes at the readings tried last, and directions of the tool in base axes.
+/// Shapes at the last trial readings, and directions of the tool in base axes.
 struct Tried {
   TurnState t[kMaxTurns];
   Frame frames[kMaxTurns], tip;
@@ -92,7 +92,7 @@ inline Real adjugateOf(const Real (*a)[4], Real (*adj)[4]) {
 }
 
 /// Returns the smallest singular value, from the smallest root of the characteristic polynomial of J^T J. Newton's
-/// method finds that root, starting from zero, without passing it.
+/// method, started from zero, converges to that root without overshooting.
 inline Real smallestSingularValue(const Real (*slope)[4], const Real (*adjugate)[4], Real determinant) {
   Real gram[4][4], trace = constant(0), squares = constant(0), c1 = constant(0);
   for (int i = 0; i < 4; ++i)

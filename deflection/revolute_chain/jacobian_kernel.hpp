@@ -15,7 +15,7 @@ namespace {
 
 struct Unknown {
   int turn;
-  bool is_rho;  ///< true: rho of a beam; false: the deflection of the turn
+  bool is_rho;  ///< true if rho of a beam; false if the deflection of the turn
   Vec shifts;   ///< for beams: displacement of everything beyond, per unit of the unknown
   Vec a;        ///< the moment about an axis z nearer to the base changes by z . a
   Vec turns;    ///< a beam's rho changes by z . turns if an axis z nearer to the base turns
@@ -23,7 +23,7 @@ struct Unknown {
 
 /// Derivatives with respect to the compliance of a turn's springs or of its beam, under constant moment.
 struct Softening {
-  Real given;  ///< derivative of the turn's deflection
+  Real given;  ///< derivative of the turn's own deflection
   Vec shift;   ///< for beams: displacement of everything beyond, except the part due to `given`
   Vec a;       ///< the moment about an axis z nearer to the base changes by z . a
 };

@@ -18,7 +18,7 @@ struct Kernel {
 /// Returns the kernels that this processor can run, narrowest first; the first has one lane, the last is the fastest.
 std::span<const Kernel> kernels();
 
-/// Returns the narrowest kernel with at least `count` lanes, or the widest kernel if none has.
+/// Returns the narrowest kernel with at least `count` lanes, or the widest kernel if no kernel has that many.
 const Kernel& kernelFor(int count);
 
 }  // namespace tubeplan::deflection::simd

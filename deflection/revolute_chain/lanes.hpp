@@ -1,10 +1,9 @@
 // SIMD numbers with TUBEPLAN_LANES lanes: one double, or a vector register of the processor.
 //
 // Included by source files that are each compiled for one type of processor. Everything is in an unnamed namespace and
-// nothing of the standard library is used, so that the linker never takes code compiled for another processor. Every
-// operation is an IEEE operation on doubles, lane by lane (the source files are compiled without contraction). The
-// shape of a posture is therefore bit-identical whatever the number of lanes and whatever postures fill the other
-// lanes.
+// nothing of the standard library is used, so that the linker cannot substitute code compiled for another processor.
+// Every operation is an IEEE operation on doubles, lane by lane (the source files are compiled without contraction).
+// The shape of a posture is therefore bit-identical for any number of lanes and any postures in the other lanes.
 #pragma once
 
 #if TUBEPLAN_LANES >= 4
@@ -22,7 +21,7 @@ inline double lane(Real x, int) { return x; }
 inline Real withLane(Real, int, double value) { return value; }
 inline bool any(Bits mask) { return mask != 0; }
 inline Real select(Bits mask, Real yes, Real no) { return mask ? yes : no; }
-/// Returns `yes`, because it is only called while the single lane is active.
+/// Returns `yes`: with a single lane, this is only called while the lane is active.
 inline Real where(Bits, Real yes, Real) { return yes; }
 inline Bits bitsOf(Real x) { return __builtin_bit_cast(Bits, x); }
 inline Real realOf(Bits x) { return __builtin_bit_cast(Real, x); }

@@ -3,7 +3,7 @@
 // Postures are stored side by side: entry l of each array belongs to lane l, and the values of one posture are `stride`
 // apart.
 //
-// Included by source files that are compiled for different processors, so nothing here may generate code.
+// Source files that are compiled for different processors include this header, so it must not define functions.
 #pragma once
 
 namespace tubeplan::deflection::simd {
@@ -18,22 +18,24 @@ struct PlainPose {
 
 /// An element of a row's member.
 struct BentPiece {
-  int turn;                   ///< index in the chain of the turn that the piece deflects
-  bool bends;                 ///< false: the piece only twists
-  double compliance, others;  ///< compliance about the turn's axis; sum of other compliances there [rad/(N m)]
-  double along[3];            ///< vector of the piece, in the row's axes [m]
-  double across[3];           ///< cross product of the turn's axis and `along` [m]
-  double turning[3];          ///< cross product of the turn's axis and the row's member [m]
+  int turn;    ///< index in the chain of the turn that the piece deflects
+  bool bends;  ///< false if the piece only twists
+  /// Compliance of the piece, and sum of the other compliances about the turn's axis [rad/(N m)].
+  double compliance, others;
+  double along[3];    ///< vector of the piece, in the row's axes [m]
+  double across[3];   ///< cross product of the turn's axis and `along` [m]
+  double turning[3];  ///< cross product of the turn's axis and the row's member [m]
 };
 
 /// A row's frame and, if the row has a beam, its member.
 struct PlainRow {
-  int turn;  ///< index of the turn that carries the row; -1: the base
+  int turn;  ///< index of the turn that carries the row; -1 means the base
   PlainPose X_TL;
-  bool is_at_turn;    ///< true: X_TL is the identity
-  bool along_chord;   ///< true: bodies lie along the bent member's chord
-  double member[3];   ///< member in the row's axes [m]
-  double bow_factor;  ///< bow per sum of the pieces' rotations, for a member of several pieces [m/rad]
+  bool is_at_turn;   ///< true if X_TL is the identity
+  bool along_chord;  ///< true if bodies lie along the bent member's chord
+  double member[3];  ///< member in the row's axes [m]
+  /// For a member of several pieces, largest distance from the chord per sum of the pieces' rotations [m/rad].
+  double bow_factor;
   int first_piece, pieces;
 };
 

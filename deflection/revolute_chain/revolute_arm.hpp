@@ -2,7 +2,7 @@
 //
 // Every turn is a rotation about the z axis of its frame. A translation, a twist about x and the turn lead from the
 // frame before to the turn's frame, as modified Denavit-Hartenberg parameters do. A joint, a spring and the far end of
-// a beam on a common axis are one turn. The rigid part beyond a turn, up to the next turn, is the turn's body.
+// a beam that share an axis are merged into one turn. The turn's body is the rigid part between it and the next turn.
 //
 // Included by source files that are compiled for different processors, so nothing here may generate code.
 #pragma once
@@ -26,7 +26,7 @@ struct Turn {
   double weight, moment[3];     ///< weight of the body [N], and first moment about the turn's origin [N m]
   double beam_compliance;       ///< bending compliance of the beam that leads to the turn [rad/(N m)]
   double beam_weight;           ///< weight along the beam [N]
-  int joint;                    ///< index of the joint reading; -1: none
+  int joint;                    ///< index of the joint reading; -1 if none
   int twist;                    ///< a value of Twisted
   bool shifted[3], is_compliant, is_beam, has_moment;
 };
@@ -36,8 +36,8 @@ struct RevoluteArm {
   int count, joints;
   double reach;               ///< length that scales tolerances [m]
   double tip_R[9], tip_p[3];  ///< pose of the tip in the last turn's frame; columns one after the other
-  bool tip_turned;            ///< true: tip_R is not the identity
-  bool is_compliant;          ///< true: at least one turn is compliant
+  bool tip_turned;            ///< true if tip_R is not the identity
+  bool is_compliant;          ///< true if at least one turn is compliant
 };
 
 /// Postures side by side: entry l of each array belongs to lane l; arrays of one kind are `stride` apart.
@@ -70,7 +70,7 @@ struct Shapes {
 /// Solves as many postures at once as the kernel has lanes.
 using SolveShapes = void (*)(const RevoluteArm&, const Postures&, const Shapes&);
 
-/// Directions on an arm of four joints that Newton's method compares with those of the goals.
+/// Directions on a four-joint arm that Newton's method aligns with the directions of the goals.
 struct Tool {
   double axis[3];       ///< tool axis in the tip's frame
   int hand;             ///< index of the turn that carries the last joint's axis
@@ -81,10 +81,10 @@ struct Tool {
 struct Goals {
   double p_BT[3][8], axis_B[3][8], start[4][8], load[8], gravity_B[3][8];
   double tolerance;                            ///< tolerance of shapes, at the tip [m]
-  double position_tolerance, pitch_tolerance;  ///< [m], [rad]
+  double position_tolerance, pitch_tolerance;  ///< tolerances of the tip's position [m] and pitch [rad]
   int max_sweeps;                              ///< largest number of pairs of sweeps for one shape
   int max_steps;
-  bool damped;  ///< true: steps are halved until they reduce the residual
+  bool damped;  ///< true if steps are halved until they reduce the residual
 };
 
 /// Results of Newton's method, side by side.

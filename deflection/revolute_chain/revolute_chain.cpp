@@ -33,7 +33,7 @@ Matrix3d axesAbout(const Vector3d& z) {
   z.cwiseAbs().maxCoeff(&largest);
   Matrix3d R;
   if (z.cwiseAbs().sum() == 1) {
-    // z is a coordinate axis: avoid rounding errors.
+    // z is a coordinate axis, so exact axes are available.
     R.col(2) = z;
     R.col(0) = Vector3d::Unit((largest + 1) % 3);
   } else {
@@ -64,8 +64,8 @@ Twist twistOf(const Matrix3d& R) {
   const bool square = std::abs(R(2, 2)) < kSameFrame;
   out.cosine = square ? 0 : R(2, 2);
   out.sine = square ? 1 : sine;
-  // The rotation that remains after the first two. For nearly parallel axes, `before` and `after` alone are lost in
-  // rounding, but their combination is not.
+  // The rotation that remains after the first two. For nearly parallel axes, rounding makes `before` and `after`
+  // inaccurate, but not their combination.
   const double c = std::cos(out.before), s = std::sin(out.before);
   const Vector3d x(c * R(0, 0) + s * R(1, 0), c * R(1, 0) - s * R(0, 0), R(2, 0));
   out.after = std::atan2(out.cosine * x.y() + out.sine * x.z(), x.x());
@@ -74,7 +74,7 @@ Twist twistOf(const Matrix3d& R) {
 
 }  // namespace
 
-/// Builder that walks the chain outwards. It keeps the last turn open for additions, and tracks the pose of the present
+/// Builder that walks the chain outwards. It keeps the last turn open for additions, and tracks the pose of the current
 /// link in that turn's frame.
 class RevoluteChain::Builder {
  public:
@@ -84,7 +84,7 @@ class RevoluteChain::Builder {
   }
 
   bool addElement(const ChainLink<double>& link, const FlexibleElement& element) {
-    // Gaps, soft zones and compliances of zero count as absent.
+    // Gaps, soft zones and compliances of zero are treated as absent.
     if ((element.hasGap() && !element.gap_width.isZero(0)) || !element.flexibility.softness.isZero(0)) return false;
     if (element.flexibility.compliance.isZero(0)) {
       addWeight(element.weight, here_.p + here_.R * (link.p / 2));
@@ -162,7 +162,7 @@ class RevoluteChain::Builder {
   }
 
   void addWeight(double weight, const Vector3d& place) {
-    if (last() < 0) return;  // the weight rests on the base and loads no turn
+    if (last() < 0) return;  // the base carries the weight, so it does not load any turn
     Turn& turn = out_.turns_.back();
     turn.weight += weight;
     for (int k = 0; k < 3; ++k) turn.moment[k] += weight * place[k];
@@ -182,7 +182,7 @@ class RevoluteChain::Builder {
       if (row.turn == last()) row.X_TL = PoseOf<double>{back, Vector3d::Zero()} * row.X_TL;
   }
 
-  /// Returns true if a turn about the z axis of R at the present pose can be merged with the last turn.
+  /// Returns true if a turn about the z axis of R at the current pose can be merged with the last turn.
   [[nodiscard]] bool isOneWithLast(const Matrix3d& R, bool with_joint) const {
     if (!startsAtLast(R)) return false;
     const Turn& turn = out_.turns_.back();
@@ -192,12 +192,12 @@ class RevoluteChain::Builder {
            !(with_joint && turn.joint >= 0);
   }
 
-  /// Returns the turn about the z axis of `axes` (in the present axes) at the present position: the last turn, if
+  /// Returns the turn about the z axis of `axes` (in the present axes) at the current position: the last turn, if
   /// possible, or a new one. The following links start from that turn.
   Turn& turnTo(const Matrix3d& axes, bool with_joint = false) {
     const Matrix3d R = here_.R * axes;
     if (isOneWithLast(R, with_joint)) {
-      // Rows already fixed to the last turn lie before this addition and must not turn with it: the chain cannot state
+      // Rows already fixed to the last turn would wrongly rotate with this addition, so the chain cannot represent
       // their frames.
       for (const RowOnTurn& row : out_.rows_) rows_are_fixed_ = rows_are_fixed_ && row.turn != last();
       here_.R = R;
@@ -250,14 +250,14 @@ class RevoluteChain::Builder {
     here_ = {};
   }
 
-  /// Returns true if a beam can start at the last turn's frame, whatever weights the turn carries.
+  /// Returns true if a beam can start at the last turn's frame, regardless of the weights that the turn carries.
   [[nodiscard]] bool startsAtLast(const Matrix3d& R) const {
     return last() >= 0 && R(2, 2) > 0 && sineOf(R) < kSameFrame && here_.p.cwiseAbs().maxCoeff() <= kSameFrame * reach_;
   }
 
   double reach_;
   RevoluteChain out_;
-  PoseOf<double> here_;  ///< pose of the present link in the last turn's frame, or in the base's
+  PoseOf<double> here_;  ///< pose of the current link in the last turn's frame, or in the base's
   bool rows_are_fixed_ = true;
 };
 

@@ -1,4 +1,5 @@
-// An arm's chain as a sequence of rotations about one axis each, the form that the kernels solve; not all arms have it.
+// An arm's chain as a sequence of rotations about one axis each, which is the form that the kernels solve. Not every
+// arm can be converted to it.
 #pragma once
 
 #include <optional>
@@ -12,7 +13,7 @@ namespace tubeplan::deflection::simd {
 
 /// An element of the chain: its turn, its axis and its compliance.
 struct RevoluteElement {
-  int turn;              ///< index of the turn to which the element belongs; -1 if it is rigid
+  int turn;              ///< index of the element's turn; -1 if the element is rigid
   Eigen::Vector3d axis;  ///< unit length, in the element's near axes
   double compliance;     ///< compliance about the axis [rad/(N m)]
   bool is_beam;
@@ -25,7 +26,7 @@ struct TurnDirection {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
 };
 
-/// A row's frame, fixed to a turn (`turn` -1: to the base).
+/// A row's frame, fixed to a turn or, if `turn` is -1, to the base.
 struct RowOnTurn {
   int row = -1, turn = -1;
   PoseOf<double> X_TL;
@@ -34,8 +35,8 @@ struct RowOnTurn {
 class RevoluteChain {
  public:
   /// Builds the chain. `joint_of` holds the index of the reading that rotates each link of the chain, -1 for none;
-  /// `elements` are the elements of the chain, in order. Returns nothing if an element is compliant about more than one
-  /// axis or has a clearance or a soft zone, or if the arm is too long.
+  /// `elements` are the elements of the chain, in order. Returns std::nullopt if an element is compliant about more
+  /// than one axis or has a clearance or a soft zone, or if the arm is too long.
   static std::optional<RevoluteChain> of(const Chain<double>& chain, const Arm& arm, const std::vector<int>& joint_of,
                                          const std::vector<FlexibleElement>& elements, double reach);
 

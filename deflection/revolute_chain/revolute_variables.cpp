@@ -11,9 +11,9 @@ bool isStiffnessAt(const ParameterPath& path) {
          deflection::isStiffness(parameterFields()[static_cast<std::size_t>(path.field)].quantity);
 }
 
-/// Returns the derivative of an element's compliance with respect to a stiffness `value`; nothing if the stiffness acts
-/// about another axis. The compliance's terms due to the stiffness are inversely proportional to it. They vanish in the
-/// row `without`, where the stiffness is infinite.
+/// Returns the derivative of an element's compliance with respect to a stiffness `value`; std::nullopt if the stiffness
+/// acts about another axis. The compliance's terms due to the stiffness are inversely proportional to it. They vanish
+/// in the row `without`, where the stiffness is infinite.
 std::optional<double> slopeOf(const FlexibleElement& element, const RevoluteElement& hinge, const Row<double>& without,
                               double value) {
   const Eigen::Matrix3d of_number =

@@ -16,8 +16,8 @@ struct ElementSlope {
   double slope;
 };
 
-/// Returns the derivatives of the elements' compliances with respect to a stiffness. Returns nothing if the parameter
-/// is not a stiffness, or acts about an axis other than the element's.
+/// Returns the derivatives of the elements' compliances with respect to a stiffness. Returns std::nullopt if the
+/// parameter is not a stiffness, or acts about an axis other than the element's.
 std::optional<std::vector<ElementSlope>> elementSlopes(const Arm& arm, const ParameterPath& path,
                                                        const Chain<double>& chain, const RevoluteChain& revolute_chain,
                                                        const std::vector<FlexibleElement>& elements);
@@ -27,8 +27,8 @@ bool areSame(const std::vector<Variable>& a, const std::vector<Variable>& b);
 
 class RevoluteVariables {
  public:
-  /// Builds the rule for the derivatives with respect to `variables`; nothing if a kernel lacks a derivative that one
-  /// of them needs.
+  /// Builds the rule for the derivatives with respect to `variables`; std::nullopt if a variable needs a derivative
+  /// that the kernels do not compute.
   static std::optional<RevoluteVariables> of(const std::vector<Variable>& variables, const Arm& arm,
                                              const Chain<double>& chain, const RevoluteChain& revolute_chain,
                                              const std::vector<FlexibleElement>& elements);
@@ -36,7 +36,7 @@ class RevoluteVariables {
   /// Returns the number of columns of 6 values that a kernel writes.
   [[nodiscard]] int columns() const { return columns_; }
   /// Sets the derivative pointers of `out` to places in `derivatives`, which holds one kind of derivative after
-  /// another, with values `lanes` apart.
+  /// another, with a stride of `lanes`.
   void place(double* derivatives, long lanes, Shapes& out) const;
 
   /// Combines a kernel's derivatives into the 6 derivatives with respect to a variable, for the first `count` lanes

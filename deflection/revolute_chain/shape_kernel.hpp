@@ -3,10 +3,10 @@
 //
 // Every load is due to gravity. The load on a turn therefore follows from the direction g of gravity in the turn's
 // frame, which a sweep outwards computes, and from the magnitude and first moment S of the loads beyond, which a sweep
-// inwards gathers. The moment about the turn's axis is S_x g_y - S_y g_x. Both sweeps bend each turn by its present
-// moment (symmetric Gauss-Seidel method: each sweep multiplies the error by about the size of a deflection). The change
-// of a turn within a sweep is passed on by its tangent, so that no step waits for a sine; the next sweep starts from
-// exact sines.
+// inwards gathers. The moment about the turn's axis is S_x g_y - S_y g_x. Both sweeps bend each turn by its current
+// moment (symmetric Gauss-Seidel method: each sweep multiplies the error by about the size of a deflection). Within a
+// sweep, rotations are updated by their tangents, because computing sines would stall every step. The next sweep starts
+// from exact sines.
 //
 // A beam in the plane of its turn, along v with u = z x v, carries a force F (magnitude `size`, along g), a moment M
 // about its far end and a weight W. With rho = chord x g, f = cL size, w = cL W,
@@ -172,7 +172,7 @@ inline void gatherInwards(const RevoluteArm& arm, Vec gravity, Real load_at_tip,
 /// Sweeps until each lane is at rest. Returns the number of sweeps in each lane, negative if the lane does not
 /// converge.
 ///
-/// A lane is at rest if the next sweep would move its tip by less than the tolerance. Either the present sweep moved it
+/// A lane is at rest if the next sweep would move its tip by less than the tolerance. Either the current sweep moved it
 /// by less, or the changes shrink so fast that four times the extrapolated next change is below the tolerance.
 inline Real converge(const RevoluteArm& arm, const Postures& in, Vec gravity, Real load_at_tip, TurnState* t) {
   if (!arm.is_compliant) return constant(1);
