@@ -12,19 +12,19 @@
 namespace tubeplan::tubesheets {
 
 struct CsvRow {
-  int line = 0;  ///< line number, counted from 1
+  int line = 0;  ///< line number, starting from 1
   std::vector<std::string> fields;
 };
 
-/// A parsed table: a header, and rows with as many fields as the header. Blank lines and lines that start with # are
-/// skipped. Fields are trimmed. A field may be in double quotes; within them, "" stands for one quote.
+/// A parsed table. Every row has as many fields as the header. Blank lines and lines that start with # are skipped.
+/// Fields are trimmed. A field may be in double quotes; within them, "" stands for one quote.
 struct CsvTable {
   std::vector<std::string> columns;
   int header_line = 0;
   std::vector<CsvRow> rows;
-  std::optional<Problem> problem;  ///< first fault; if there is one, the other members must not be used
+  std::optional<Problem> problem;  ///< first error; the other members are valid only if there is none
 
-  /// Returns the index of the column with that name, or nothing if there is none.
+  /// Returns the index of the column with that name, or std::nullopt if there is none.
   [[nodiscard]] std::optional<std::size_t> find(std::string_view column) const;
 };
 
@@ -34,7 +34,7 @@ struct CsvTable {
 
 /// One line of the input, without its line ending.
 struct TextLine {
-  int number = 0;         ///< line number, counted from 1
+  int number = 0;         ///< line number, starting from 1
   std::string_view text;  ///< line without leading and trailing blanks
   std::string_view raw;
 };
@@ -45,15 +45,15 @@ struct TextLine {
 /// Returns true if the line begins with #, // or %.
 [[nodiscard]] bool isCommentLine(std::string_view line);
 
-/// Returns the part of the line that each field occupies, including blanks and quotes but not the separators; nothing
-/// if a quote is not closed.
+/// Returns the part of the line that each field occupies, including blanks and quotes but not the separators;
+/// std::nullopt if a quote is not closed.
 [[nodiscard]] std::optional<std::vector<std::string_view>> csvSpans(std::string_view line, char separator);
 
-/// Returns the fields of one line, trimmed and without quotes; nothing if a quote is not closed or is followed by more
-/// text.
+/// Returns the fields of one line, trimmed and without quotes; std::nullopt if a quote is not closed or is followed by
+/// more text.
 [[nodiscard]] std::optional<std::vector<std::string>> splitCsvLine(std::string_view line, char separator);
 
-/// Parse the whole field as a finite number or as an integer; return nothing if it is not one.
+/// Parse the whole field as a finite number or as an integer; return std::nullopt if it is not one.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view field);
 [[nodiscard]] std::optional<int> parseInteger(std::string_view field);
 

@@ -8,7 +8,7 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-constexpr double kFarthestCell = 1e12;  // holes farther away are in the outermost cell, so that indices do not overflow
+constexpr double kFarthestCell = 1e12;  // holes farther away are put into the outermost cell, to avoid integer overflow
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// A grid that finds the holes near a point without checking all holes.
+// Spatial index of holes: finds the holes near a point without checking all of them.
 #pragma once
 
 #include <cstdint>

@@ -18,11 +18,11 @@ namespace {
 constexpr double kReach = 2.6;  // distance over which holes are compared, in pitches
 // largest deviation of a lattice step's length from the pitch, as a fraction of the pitch
 constexpr double kOneStep = 0.1;
-constexpr double kAgrees = 0.1;          // deviation from the lattice from which a hole is reported, in pitches
+constexpr double kAgrees = 0.1;          // smallest deviation from the lattice that is reported, in pitches
 constexpr std::size_t kEnoughAgree = 4;  // smallest number of neighbours that must agree
 constexpr double kMostAgree = 0.7;       // smallest fraction of the neighbours that must agree
 
-// A remainder shorter than this [pitches] is certainly the shortest, because it is below half of the shortest lattice
+// A remainder shorter than this [pitches] cannot be improved, because it is less than half of the shortest lattice
 // step.
 constexpr double kSurelyShortest = 0.4;
 
@@ -39,7 +39,7 @@ struct Basis {
   Vector2d a, b;
 
   /// Subtracts whole lattice steps from a difference of positions and returns the shortest vector that can remain. If
-  /// the two steps are oblique, rounding may be one step off, so the remainders one step away are tried too.
+  /// the two steps are oblique, rounding may be one step off, so the neighbouring remainders are also tried.
   [[nodiscard]] Vector2d remainder(const Vector2d& difference) const {
     const double area = cross(a, b);
     const double s = std::round(cross(difference, b) / area), t = std::round(cross(a, difference) / area);
@@ -53,8 +53,8 @@ struct Basis {
   }
 };
 
-/// Returns the mean of the steps in the most common direction, with opposite steps reversed; nothing if there are no
-/// steps.
+/// Returns the mean of the steps in the most common direction, with opposite steps reversed; std::nullopt if there are
+/// no steps.
 std::optional<Vector2d> commonStep(const std::vector<Vector2d>& steps) {
   constexpr int kBins = 180;  // bins of one degree over half a turn
   constexpr double kNearBin = 2 * std::numbers::pi / kBins;
@@ -79,7 +79,7 @@ std::optional<Vector2d> commonStep(const std::vector<Vector2d>& steps) {
 }
 
 std::optional<Basis> basisOf(const Sheet& sheet, const std::vector<std::vector<int>>& neighbours) {
-  constexpr double kAcross = 0.7;  // smallest sine of the angle between the two steps of a basis
+  constexpr double kAcross = 0.7;  // smallest sine of the angle between the two basis steps
   std::vector<Vector2d> steps;
   for (int tube = 0; tube < static_cast<int>(neighbours.size()); ++tube)
     for (const int other : neighbours[static_cast<std::size_t>(tube)]) {
@@ -107,8 +107,8 @@ bool isOnLattice(const std::vector<Vector2d>& shifts) {
   return 2 * static_cast<std::size_t>(agree) >= shifts.size();
 }
 
-/// Returns the mean of the shifts that agree with each other; nothing if they are too few or too small a fraction of
-/// all shifts.
+/// Returns the mean of the shifts that agree with each other; std::nullopt if they are too few or too small a fraction
+/// of all shifts.
 std::optional<Vector2d> agreedShift(const Basis& basis, const std::vector<Vector2d>& shifts) {
   for (const Vector2d& centre : shifts) {
     Vector2d sum = Vector2d::Zero();

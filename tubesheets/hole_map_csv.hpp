@@ -19,8 +19,8 @@ struct HoleMap : TubeText {
   std::optional<Leg> leg;
 };
 
-/// Writes one line per hole in sheet order. Numbers have the fewest digits that are read back to the same bits. Keeps
-/// the comments and other columns of the map from which the sheet was read. If that map is separated by commas and has
+/// Writes one line per hole in sheet order. Numbers have the fewest digits that are read back to the same bits. If the
+/// sheet was read from a map, keeps the map's comments and other columns. If that map is separated by commas and has
 /// the columns row, column, state, and x and y in `unit`, it is written as it was read; only codes in its state column
 /// are replaced by states.
 [[nodiscard]] std::string formatHoleMap(const Sheet& sheet, const LengthUnit& unit = kInch);

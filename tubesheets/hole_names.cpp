@@ -12,11 +12,11 @@ using Eigen::Vector2d;
 
 namespace {
 
-// A hole at least this far [pitches] from its expected position counts as misnamed.
+// Smallest distance [pitches] from the expected position at which a hole is reported as misnamed.
 constexpr double kOff = 0.5;
-constexpr std::size_t kMost = 20;       // limit on the number of misnamed holes, for large sheets
-constexpr std::size_t kLeast = 2;       // the same limit, for small sheets
-constexpr double kMostShare = 0.02;     // the same limit as a fraction of all holes, for other sheets
+constexpr std::size_t kMost = 20;       // upper bound on the number of misnamed holes
+constexpr std::size_t kLeast = 2;       // this many misnamed holes are always allowed
+constexpr double kMostShare = 0.02;     // number of misnamed holes allowed, as a fraction of all holes
 constexpr std::size_t kLeastInRow = 4;  // smallest number of holes that determine where a row begins
 
 Vector2d inPlane(const Tube& tube) { return {tube.x, tube.y}; }

@@ -1,4 +1,4 @@
-// Detection of holes whose names do not fit their positions in a map: typing errors that would send the tool to the
+// Detection of holes whose names contradict their positions in a map. Such typing errors would send the tool to the
 // wrong tube.
 #pragma once
 
@@ -14,10 +14,10 @@ struct MisnamedHole {
   int there = -1;       ///< index in Sheet::tubes of the hole at the expected position; -1 if there is none
 };
 
-/// Finds, in sheet order, the holes at least half a pitch from the position that their column number implies, given the
-/// other holes of their row. Columns are assumed to be a constant step apart; rows may begin anywhere. The result is
-/// empty if more than a few holes would be found, because the map then numbers its columns differently. The sheet must
-/// have no problems.
+/// Finds the holes that are at least half a pitch away from the position implied by their column number and the other
+/// holes of their row. The result is in sheet order. Columns are assumed to be a constant step apart; rows may begin
+/// anywhere. If there are more than a few, the map probably numbers its columns differently, and the result is empty.
+/// The sheet must have no problems.
 [[nodiscard]] std::vector<MisnamedHole> findMisnamedHoles(const Sheet& sheet);
 
 }  // namespace tubeplan::tubesheets

@@ -44,8 +44,8 @@ void findSizeProblems(const Layout& layout, const LayoutType& type, std::vector<
                         "leave out `columns` to have the number derived"});
 }
 
-// Reports a layout without holes, and a stated number of columns larger than fits within the radius: every column
-// number would be shifted and name the wrong tube.
+// Reports a layout without holes, and a stated number of columns that does not fit within the radius. In the latter
+// case, all column numbers would be shifted, so that names would refer to the wrong tubes.
 void findNumberingProblems(const Layout& layout, const LayoutType& type, std::vector<Problem>& problems) {
   const std::vector<Tube> tubes = type.make_tubes(layout);
   if (tubes.empty()) {

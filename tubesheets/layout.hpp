@@ -18,12 +18,12 @@ struct Layout {
   double first_row = std::numeric_limits<double>::quiet_NaN();
   double radius = std::numeric_limits<double>::quiet_NaN();  ///< radius of the circle that contains all hole centres
   double stay_radius = 0;  ///< radius of the central circle without hole centres (stay cylinder)
-  int rows = 0;            ///< largest number of rows; 0: as many as fit
-  int columns = 0;         ///< number of columns, centred on x = 0; 0: as many as fit
+  int rows = 0;            ///< largest number of rows; 0 means as many as fit
+  int columns = 0;         ///< number of columns, centred on x = 0; 0 means as many as fit
 };
 
-/// Returns the problems that make the layout unfit for makeTubes(); empty if there are none. These include a layout
-/// without holes, and more columns than fit, which would shift every column number.
+/// Returns the problems that prevent makeTubes(); empty if there are none. More columns than fit are a problem, because
+/// every column number would be shifted.
 [[nodiscard]] std::vector<Problem> findLayoutProblems(const Layout& layout);
 
 /// Returns the holes row by row, all open, in the frame of the hot leg or of the full sheet. The layout must have no

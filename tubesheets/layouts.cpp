@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kHalfRootThree = std::numbers::sqrt3 / 2;
 
-// Tolerance as a fraction of the radius, so that a centre on the limiting circle counts as inside despite rounding.
+// Tolerance, as a fraction of the radius, that keeps hole centres on the limiting circle inside despite rounding.
 constexpr double kOnCircle = 1e-12;
 
 bool isWithin(const Layout& layout, double x, double y) {

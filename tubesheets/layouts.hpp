@@ -1,4 +1,4 @@
-// The table of layout types, one row per type. To add a pattern, add its function and its row.
+// Table of layout types, one row per type. To add a type, write its function and add a row.
 #pragma once
 
 #include <string>
@@ -14,7 +14,8 @@ namespace tubeplan::tubesheets {
 struct LayoutKey {
   std::string_view name;
   std::variant<double Layout::*, int Layout::*> field;
-  bool required = false;  ///< true: must be stated and above zero; false: may be left out, and must be zero or more
+  /// True if the value must be given and positive; false if it is optional and may be zero.
+  bool required = false;
   std::string_view meaning;
 };
 
@@ -22,8 +23,9 @@ struct LayoutType {
   std::string_view name;
   std::string_view sentence;
   std::vector<LayoutKey> keys;
-  bool covers_full_sheet = false;  ///< true: holes of the full sheet; false: of the hot leg, mirrored for the cold leg
-  int columns_modulo_two = -1;     ///< 0: a stated number of columns must be even; 1: odd; -1: either
+  /// True if the layout covers the full sheet; false if it covers the hot leg and is mirrored for the cold leg.
+  bool covers_full_sheet = false;
+  int columns_modulo_two = -1;  ///< required parity of a given number of columns: 0 for even, 1 for odd, -1 for either
   std::vector<Tube> (*make_tubes)(const Layout&) = nullptr;
 };
 

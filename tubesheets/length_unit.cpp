@@ -18,7 +18,7 @@ struct LengthWord {
   LengthUnit unit;
 };
 
-/// Names of units, in addition to the suffixes.
+/// Alternative names of units, in addition to the suffixes.
 constexpr LengthWord kLengthWords[] = {
     {"inch", kInch},
     {"inches", kInch},
@@ -59,7 +59,7 @@ const LengthUnit* findLengthWord(std::string_view word) {
 
 double snapLength(double metres) {
   if (!(std::abs(metres) < kLargestSnapped)) return metres;
-  // adding 0.0 avoids a negative zero
+  // adding 0.0 turns -0.0 into 0.0
   return std::ldexp(std::round(std::ldexp(metres, kGridExponent)), -kGridExponent) + 0.0;
 }
 

@@ -27,8 +27,8 @@ inline constexpr LengthUnit kMetre{"m", 1.0};
 [[nodiscard]] const LengthUnit* findLengthWord(std::string_view word);
 
 /// Rounds a length [m] to the grid of 2^-44 m (57 femtometres) on which hole positions are stored. The grid is far
-/// finer than the precision of any drawing, but coarse enough that a length printed in another unit is read back to the
-/// same bits.
+/// finer than the precision of any drawing, but coarse enough that a length printed in any unit is read back
+/// bit-identically.
 [[nodiscard]] double snapLength(double metres);
 
 /// Returns a length in `unit` as the shortest decimal number that converts back to exactly `metres` after snapping.

@@ -21,8 +21,8 @@ struct Manway {
 };
 
 /// Returns the problems of a manway: values that are not finite, a diameter not above zero, an opening wider than the
-/// bowl, and a centre that is not below the sheet, is straight below its middle (so that it has no direction) or is in
-/// the other leg.
+/// bowl, and a centre that is not below the sheet, that lies on the sheet's axis (and therefore has no direction), or
+/// that is in the other leg.
 [[nodiscard]] std::vector<Problem> findManwayProblems(const Manway& manway, Leg leg);
 
 }  // namespace tubeplan::tubesheets

@@ -1,13 +1,13 @@
-// A fault of an input, as a value. The application converts it to its exception type.
+// An error in an input, as a value. The application converts it to its exception type.
 #pragma once
 
 #include <string>
 
 namespace tubeplan::tubesheets {
 
-/// One fault of an input, in terms that a user can act on.
+/// One error in an input, described so that the user can correct it.
 struct Problem {
-  std::string what;      ///< key, hole, step or column with the fault
+  std::string what;      ///< key, hole, step or column with the error
   std::string found;     ///< value found; if `expected` is empty, a sentence that states the problem
   std::string expected;  ///< value expected; empty unless a value is wrong
   std::string advice;    ///< advice to the user; may be empty

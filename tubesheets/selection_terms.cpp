@@ -25,7 +25,7 @@ TermChoice keepIf(const std::vector<int>& candidates, Predicate predicate) {
 
 TermChoice refuseTerm(std::string reason) { return {{}, std::move(reason)}; }
 
-// Parses a count of 1 or more; returns nothing if the argument is not such a number.
+// Parses a count of 1 or more; returns std::nullopt if the argument is not such a number.
 std::optional<int> parseCount(std::string_view argument) {
   const std::optional<int> count = parseInteger(argument);
   return count && *count >= 1 ? count : std::nullopt;
@@ -42,7 +42,7 @@ TermChoice chooseOuter(const Sheet& sheet, const std::vector<int>& candidates, s
   return keepIf(candidates, [&](int tube) { return depths[tube] > 0 && depths[tube] <= *depth; });
 }
 
-// Parses a zone such as "-10:10:20:40in". Returns four limits in metres, or nothing if the zone is malformed.
+// Parses a zone such as "-10:10:20:40in". Returns four limits in metres, or std::nullopt if the zone is malformed.
 std::optional<std::vector<double>> parseZone(std::string_view argument) {
   const std::size_t unit_start = argument.find_last_not_of("abcdefghijklmnopqrstuvwxyz") + 1;
   const LengthUnit* unit = findLengthUnit(argument.substr(unit_start));

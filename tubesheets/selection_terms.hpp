@@ -18,7 +18,7 @@ struct TermChoice {
 enum class TermRole {
   kSource,   ///< adds tubes to the selection, or removes them if preceded by a minus
   kGuard,    ///< selects no tubes, but refuses a sheet or leg other than the stated one
-  kThinner,  ///< keeps a part of the tubes that the other terms select
+  kThinner,  ///< keeps a subset of the tubes selected by the other terms
 };
 
 struct SelectionTerm {
@@ -38,8 +38,8 @@ struct SelectionTerm {
 /// because sheets are round.
 [[nodiscard]] TermChoice chooseRange(const Sheet& sheet, const std::vector<int>& candidates, std::string_view range);
 
-/// Returns a sentence such as "R60C3 is not on this sheet: rows 1 to 49, columns 1 to 114", where the columns are those
-/// of the tube's row if the row exists.
+/// Returns a sentence such as "R60C3 is not on this sheet: rows 1 to 49, columns 1 to 114", with the columns of the
+/// tube's row if the row exists.
 [[nodiscard]] std::string explainMissing(const Sheet& sheet, int row, int column);
 
 }  // namespace tubeplan::tubesheets

@@ -34,7 +34,7 @@ struct SheetDescription {
   double hole_diameter = std::numeric_limits<double>::quiet_NaN();
   Leg leg = Leg::kHot;
   ViewedFrom viewed_from = ViewedFrom::kBelow;
-  std::optional<Manway> manway = std::nullopt;  ///< manway of the sheet; nothing if its position is unknown
+  std::optional<Manway> manway = std::nullopt;  ///< manway of the sheet; std::nullopt if its position is unknown
 };
 
 /// A tube sheet. `tubes` are sorted in sheet order: by row, then by column. Positions [m] are in the sheet frame of
@@ -55,7 +55,7 @@ struct Sheet {
   /// Returns the tube at that row and column, or null if it is not on this sheet.
   [[nodiscard]] const Tube* find(int row, int column) const;
 
-  /// Returns the index in `tubes` of the tube at that row and column, or nothing if it is not on this sheet.
+  /// Returns the index in `tubes` of the tube at that row and column, or std::nullopt if it is not on this sheet.
   [[nodiscard]] std::optional<int> indexOf(int row, int column) const;
 
   /// Returns the indices in `tubes` of the other holes within 1.05 pitches of a tube, in sheet order. Compares the tube
@@ -83,9 +83,9 @@ struct Sheet {
 /// Returns for each hole the indices of the other holes within 1.05 pitches, in sheet order.
 [[nodiscard]] std::vector<std::vector<int>> findNeighbours(const Sheet& sheet);
 
-/// Returns the first twenty or so problems that make the sheet unusable: no holes, numbers that are not finite or
-/// absurd, two holes with the same name, holes that overlap, a hole diameter not below the pitch, holes beyond the
-/// divider plate, a spacing that contradicts the pitch (a wrong unit), and faults of the manway.
+/// Returns up to about twenty problems that make the sheet unusable: no holes, numbers that are not finite or absurd,
+/// two holes with the same name, holes that overlap, a hole diameter not below the pitch, holes beyond the divider
+/// plate, a spacing that contradicts the pitch (a wrong unit), and faults of the manway.
 [[nodiscard]] std::vector<Problem> findSheetProblems(const Sheet& sheet);
 
 }  // namespace tubeplan::tubesheets

@@ -122,12 +122,13 @@ std::vector<double> nearestWithin(const Sheet& sheet, double reach) {
   return distances;
 }
 
-// Checks the pitch against the distances from each hole to the nearest one. With a wrong pitch no hole would have
-// neighbours one pitch away, and all holes would count as outermost.
+// Checks the pitch against the distances from each hole to the nearest one. With a wrong pitch, no hole would have
+// neighbours one pitch away, so every hole would seem to be on the periphery.
 void findPitchProblems(const Sheet& sheet, std::vector<double> distances, std::vector<Problem>& problems) {
   constexpr double kAsDrawn = 0.02;  // largest deviation of the median distance from the pitch, as a fraction
-  std::erase_if(distances, [&](double distance) { return distance < sheet.hole_diameter; });  // holes that overlap
-  // nothing to check if most holes are isolated
+  // Overlapping holes are reported separately.
+  std::erase_if(distances, [&](double distance) { return distance < sheet.hole_diameter; });
+  // The typical spacing is unknown if most holes are isolated.
   if (distances.size() < 2 || 2 * distances.size() < sheet.tubes.size()) return;
   const double distance = medianOf(distances);
   if (std::abs(distance - sheet.pitch) <= kAsDrawn * sheet.pitch) return;
@@ -165,7 +166,7 @@ void findUnitProblems(const Sheet& sheet, std::vector<Problem>& problems) {
 
 // Checks the distances between nearest holes: against the pitch if they are near, and for a wrong unit if all are far.
 void findNeighbourProblems(const Sheet& sheet, std::vector<Problem>& problems) {
-  constexpr double kNear = 1.6;  // distance below which two holes count as near, in pitches
+  constexpr double kNear = 1.6;  // largest distance between near holes, in pitches
   auto distances = nearestWithin(sheet, kMostSpacing * sheet.pitch);
   if (distances.empty()) {
     findUnitProblems(sheet, problems);

@@ -18,10 +18,10 @@ constexpr double kNoWidth = 1e-14;
 constexpr double kRoundOff = 1e-12;
 constexpr double kQuadrature = 1e-12;  // largest absolute error of the integral over each piece
 constexpr int kDeepest = 14;           // largest number of times that a piece is bisected
-// largest number of bisections for a tilted tool, whose integrand has corners that bisection does not smooth
+// the same for a tilted tool: its integrand has corners, so more bisections do not help
 constexpr int kDeepestLeaning = 3;
 
-// The offset along its principal axes: `wide` is the axis with the larger standard deviation [m].
+// The offset's distribution along its principal axes; `wide` is the axis with the larger standard deviation [m].
 struct PrincipalOffset {
   double wide_mean, wide_sigma, thin_mean, thin_sigma;
 };
@@ -43,8 +43,8 @@ double probabilityOfBand(double half, double mean, double sigma) {
 }
 
 // Integrates by bisecting the interval until the error is below an absolute tolerance. Boost's own refinement uses a
-// tolerance relative to each piece, so that it does not end on pieces with an integral of almost zero. Its error
-// estimate is correct on [-1, 1] only.
+// tolerance relative to each piece, which never terminates on pieces with an integral near zero. Its error estimate is
+// correct on [-1, 1] only.
 template <class Function>
 double integrate(const Function& function, double from, double to, int depth = kDeepest) {
   const double middle = (from + to) / 2, half = (to - from) / 2;
@@ -56,8 +56,8 @@ double integrate(const Function& function, double from, double to, int depth = k
 }
 
 // Integrates the probability within the disc over strips perpendicular to the thin axis, at y = mean + u sigma, |u| <=
-// kTail. The substitution u = middle + span sin(turn) removes the square root from a strip's half-length where an end
-// of the range is the disc's rim.
+// kTail. If the range ends at the disc's rim, the half-length of a strip contains a square root, which the substitution
+// u = middle + span sin(turn) removes.
 double integrateStrips(double radius, const PrincipalOffset& offset) {
   const double mean = offset.thin_mean, sigma = offset.thin_sigma;
   const double lowest = std::max(-kTail, (-radius - mean) / sigma), highest = std::min(kTail, (radius - mean) / sigma);
@@ -75,8 +75,8 @@ double integrateStrips(double radius, const PrincipalOffset& offset) {
   return std::clamp(sum, 0.0, 1.0);
 }
 
-// Condition for a section of the tool to enter: the tip's offset is within `radius` [m] of the point at `along` [m] in
-// the direction of the tilt. The section is then within `radius` of the hole's axis.
+// Condition for a section of the tool to enter the hole: the section must be within `radius` [m] of the hole's axis.
+// Equivalently, the tip's offset is within `radius` of the point at `along` [m] in the direction of the tilt.
 struct Ring {
   double along, radius;
 };
@@ -177,12 +177,13 @@ double toleratedTilt(const SteppedTool& tool) {
 }
 
 double playInTube(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean, double depth) {
-  constexpr double kAtFace = 1e-6;  // [m]; so that rounding does not count a step that ends at the face as entered
+  // Tolerance [m] for a step that ends exactly at the face: it is not counted as entered.
+  constexpr double kAtFace = 1e-6;
   double least = std::numeric_limits<double>::infinity(), from = 0;
   for (std::size_t k = 0; k < tool.steps.size() && from + kAtFace < depth; ++k) {
     const bool is_last = tool.lengths.empty() || k + 1 == tool.steps.size();
     const double to = is_last ? depth : std::min(depth, from + tool.lengths[k]);
-    for (const double below : {from, to})  // the distance from the axis is largest at an end of the section
+    for (const double below : {from, to})  // check both ends of the section: one of them is farthest from the axis
       least = std::min(least, tool.steps[k].tolerance - (offset - below * lean).norm());
     from = to;
   }

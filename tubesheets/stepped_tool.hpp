@@ -1,5 +1,5 @@
-// The stepped calibration tool: the number of steps that enter a hole shows how well the tool is centred (thesis
-// section 5.5, table 5.7).
+// The stepped calibration tool: the number of steps that enter a hole measures how well the tool is centred (Calkins
+// 1994, section 5.5, table 5.7).
 #pragma once
 
 #include <Eigen/Core>
@@ -41,8 +41,8 @@ struct SteppedTool {
 /// tool has no lengths, all steps are at the tip.
 [[nodiscard]] int stepsInserted(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean);
 
-/// Returns the largest tilt [rad] at which the first step still enters when the tip is centred: the far end of that
-/// step then just uses up its clearance. Infinite if the lengths of the steps are not given.
+/// Returns the largest tilt [rad] at which the first step still enters when the tip is centred: at that tilt, the far
+/// end of the step just touches the tube. Infinite if the lengths of the steps are not given.
 [[nodiscard]] double toleratedTilt(const SteppedTool& tool);
 
 /// Returns the smallest clearance [m] of any part of the tool in a tube that its tip has entered by `depth` [m], with

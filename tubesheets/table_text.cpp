@@ -30,7 +30,7 @@ class LineEditor {
   LineEditor(const TextTable& table, const std::vector<ColumnText>& columns) : table_(table), columns_(columns) {}
 
   [[nodiscard]] std::string edited(std::string_view content, int line) const {
-    // Surplus tabs at the ends of a line would become empty fields if columns were added after them.
+    // Remove trailing tabs, which would become empty fields once columns are appended.
     if (table_.separator == '\t' && csvSpans(content, '\t')->size() != table_.columns.size())
       content = trimBlanks(content);
     std::string text =

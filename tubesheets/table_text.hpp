@@ -1,4 +1,4 @@
-// The text of a table with columns added or changed; everything else is kept byte for byte.
+// Adds or changes columns in the text of a table; everything else is kept byte for byte.
 #pragma once
 
 #include <map>

@@ -13,7 +13,7 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-constexpr char kBlanks = ' ';  // separator that stands for any number of blanks and tabs between two fields
+constexpr char kBlanks = ' ';  // represents any number of blanks and tabs between two fields
 constexpr std::array kMarks{'\t', ';', ',', '|'};
 constexpr double kMostLinesAlike = 0.5;
 
@@ -54,7 +54,8 @@ std::string withPoint(std::string field) {
   return parseNumber(number) ? number : field;
 }
 
-/// Returns true for a number such as "1.190" or "1,190", whose mark may be a thousands or a decimal separator.
+/// Returns true for a number such as "1.190" or "1,190", whose punctuation mark may be a thousands or a decimal
+/// separator.
 bool isAmbiguous(const std::string& field, char mark) {
   const std::size_t at = field.find(mark);
   if (at == std::string::npos || field.size() != at + 4) return false;

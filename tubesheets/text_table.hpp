@@ -1,5 +1,5 @@
-// Tables written by other programs and by people, such as exports of trackers, controllers, inspection programs and
-// spreadsheets. This module parses text; it does not open files.
+// Parser for tables from other programs or written by hand, such as exports of trackers, controllers, inspection
+// programs and spreadsheets. This module does not open files.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace tubeplan::tubesheets {
 /// Confidence that a row of fields is the heading of a table.
 enum class HeadingRank { kNone, kPartial, kWhole };
 
-/// Functions by which a reader recognises the headings and units of its tables.
+/// Callbacks that recognise the headings and units of a reader's tables.
 struct TableWords {
   bool (*isUnit)(std::string_view) = nullptr;  ///< returns true for a unit in the row of units below the heading
   /// Ranks how likely a row is the heading. The heading is the first row of rank kWhole, else the first of rank
@@ -33,11 +33,11 @@ struct TextTable {
   int heading_line = 0;  ///< line number of the heading, from 1; 0 if there is none
   /// Line number of a row of units, which are added to the column names in brackets; 0 if there is none.
   int units_line = 0;
-  char separator = ',';  ///< separator of fields; a blank stands for any number of blanks and tabs
+  char separator = ',';  ///< field separator; a blank represents any number of blanks and tabs
   std::vector<CsvRow> rows;
   /// Lines outside the rows: all comments, lines above the table, then lines that state units.
   std::vector<std::string> lines_before;
-  std::optional<Problem> problem;  ///< first fault; if there is one, the other members must not be used
+  std::optional<Problem> problem;  ///< first error; the other members are valid only if there is none
 };
 
 /// Reads a table whose fields are separated by tab, semicolon, comma or |, or by blanks if `words.rankHeading` is not

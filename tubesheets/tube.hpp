@@ -55,8 +55,8 @@ struct RowAndColumn {
 /// Returns all tube states, in the order of TubeState.
 [[nodiscard]] std::vector<TubeState> tubeStates();
 
-/// Return the value with the given name; nothing if the name is unknown. A leg may also be written HL, CL or "Hot leg",
-/// in upper or lower case.
+/// Return the value with the given name; std::nullopt if the name is unknown. A leg may also be written HL, CL or "Hot
+/// leg", in upper or lower case.
 [[nodiscard]] std::optional<Leg> findLeg(std::string_view name);
 [[nodiscard]] std::optional<ViewedFrom> findViewedFrom(std::string_view name);
 [[nodiscard]] std::optional<TubeState> findTubeState(std::string_view name);

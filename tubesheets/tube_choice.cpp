@@ -34,7 +34,7 @@ std::vector<int> peelDepths(const Sheet& sheet) {
     left[tube] = neighbours[tube].size();
     if (left[tube] < most) layer.push_back(tube);
   }
-  // In a sheet so small that all tubes have equally many neighbours (one or two tubes), all are on the periphery.
+  // If all tubes have the same number of neighbours (sheets of one or two tubes), all are on the periphery.
   if (layer.empty()) return std::vector<int>(neighbours.size(), 1);
   for (int depth = 1; !layer.empty(); ++depth) {
     for (const int tube : layer) depths[tube] = depth;

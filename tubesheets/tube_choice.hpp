@@ -7,9 +7,9 @@
 
 namespace tubeplan::tubesheets {
 
-/// Returns the depth of each tube of the sheet: 1 for tubes on the periphery, 2 for tubes on the periphery after those
-/// are removed, and so on. A tube is on the periphery if it has fewer neighbours than a tube inside the lattice. The
-/// row along the divider lane and the edge of a stay cylinder or of a missing hole also count as periphery.
+/// Returns the depth of each tube of the sheet: 1 for tubes on the periphery, 2 for tubes that are on the periphery
+/// once these are removed, and so on. A tube is on the periphery if it has fewer neighbours than a tube inside the
+/// lattice. The row along the divider lane and the edge of a stay cylinder or of a missing hole are periphery, too.
 [[nodiscard]] std::vector<int> peelDepths(const Sheet& sheet);
 
 /// Chooses `count` of the candidates (indices in Sheet::tubes), evenly spread: first the candidate nearest their mean

@@ -10,8 +10,8 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-// Common codes of eddy-current reports; the guidelines of a plant may differ, and no guideline is quoted here. A
-// missing code can be added as a row.
+// Common codes in eddy-current reports. They are not taken from a guideline, and a plant's own codes may differ. To
+// support another code, add a row.
 constexpr TubeCode kFieldCodes[] = {
     {"PLG", "plugged", CodeUse::kState, TubeState::kPlugged},
     {"STB", "stabilised", CodeUse::kState, TubeState::kStabilised},

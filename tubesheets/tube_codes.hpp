@@ -12,9 +12,9 @@ namespace tubeplan::tubesheets {
 
 /// Effect of a code on whether its tube is visited.
 enum class CodeUse {
-  kState,   ///< the tube has a state, which decides whether a tool can enter
-  kRemark,  ///< a result or a request: the tube keeps the state given by the sheet
-  kDone,    ///< the work is done: a work list leaves the tube out
+  kState,   ///< state of the tube, which decides whether a tool can enter
+  kRemark,  ///< inspection result or request; does not change the tube's state
+  kDone,    ///< work is done; the tube is omitted from work lists
 };
 
 struct TubeCode {

@@ -41,7 +41,7 @@ enum class TubeColumn {
 
 /// Meaning of a column heading. A unit that does not fit makes the column unknown: "row (mm)" is not a row column.
 struct TubeHeading {
-  std::optional<TubeColumn> column;  ///< column that the heading names; nothing if it is unknown
+  std::optional<TubeColumn> column;  ///< column that the heading names; std::nullopt if it is unknown
   std::string unit;                  ///< unit as written; empty if no unit is stated
 };
 [[nodiscard]] TubeHeading readTubeHeading(const std::string& heading);

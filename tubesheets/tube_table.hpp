@@ -30,7 +30,7 @@ struct TubeTable {
   std::vector<std::string> unread;           ///< names of unknown columns
   const LengthUnit* unit_x = nullptr;        ///< unit of x; null if there is no x column, or if its unit is not stated
   const LengthUnit* unit_y = nullptr;
-  std::optional<Problem> problem;  ///< first fault; if there is one, the other members must not be used
+  std::optional<Problem> problem;  ///< first error; the other members are valid only if there is none
 
   [[nodiscard]] bool has(TubeColumn column) const { return places.contains(column); }
   /// Returns the heading of a column, which must exist in the table.
@@ -49,15 +49,15 @@ struct TubeTable {
 struct ChosenTubeColumn {
   TubeColumn column = TubeColumn::kNote;
   std::size_t place = 0;             ///< index of the column in the table
-  const LengthUnit* unit = nullptr;  ///< unit of x or y; null: the unit stated above the table is used
+  const LengthUnit* unit = nullptr;  ///< unit of x or y; null means that the unit stated above the table is used
 };
 
 /// Parses a table whose headings may be unknown. The table begins below a known heading, else at the first row with a
 /// number, else below the first line.
 [[nodiscard]] TextTable parseTubeText(std::string_view text);
 
-/// Returns a tube table with only the chosen columns. Sets `problem` for no column for the tube, one quantity in two
-/// columns, or x and y in different units.
+/// Returns a tube table with only the chosen columns. Sets `problem` if there is no column for the tube, if one
+/// quantity is in two columns, or if x and y have different units.
 [[nodiscard]] TubeTable tubeTableOf(TextTable text, const std::vector<ChosenTubeColumn>& chosen);
 
 enum class TubeTextStatus { kNotRun, kRead, kRefused };
@@ -65,7 +65,7 @@ enum class TubeTextStatus { kNotRun, kRead, kRefused };
 /// Base of hole maps and work lists that are read from text; derived types add the content of the rows.
 struct TubeText {
   TubeTextStatus status = TubeTextStatus::kNotRun;
-  std::optional<Problem> problem;  ///< first fault; nothing unless the text is refused
+  std::optional<Problem> problem;  ///< first error; std::nullopt if the text was accepted
   std::vector<std::string> notes;  ///< one sentence for each kind of content that was ignored, or repeated and used
                                    ///< only once
   std::string text;                ///< text that the table was read from
@@ -87,7 +87,8 @@ struct NamedTube {
 };
 [[nodiscard]] NamedTube tubeOf(const TubeTable& table, const CsvRow& row);
 
-/// A length in the x or y column of a row [m]; nothing if the field is empty; a problem if the field is not a number.
+/// A length in the x or y column of a row [m]; std::nullopt if the field is empty; a problem if the field is not a
+/// number.
 struct ReadLength {
   std::optional<double> metres;
   std::optional<Problem> problem;

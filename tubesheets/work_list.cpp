@@ -15,11 +15,11 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-// One item of a request: its text without the minus, and its position.
+// One item of a request: its text without the minus sign, and its position.
 struct Item {
   std::string_view text;
-  int number = 0;             // number of the item, from 1
-  std::size_t character = 0;  // position of the item's first character, from 1
+  int number = 0;             // number of the item, starting from 1
+  std::size_t character = 0;  // position of the item's first character, starting from 1
   bool is_minus = false;
   const SelectionTerm* term = nullptr;  // term of the item; null for a range or a state
   std::string_view argument;
@@ -99,7 +99,7 @@ std::vector<int> allTubes(const Sheet& sheet) {
 
 bool takesNoTool(TubeState state) { return state == TubeState::kPlugged || state == TubeState::kStabilised; }
 
-// Returns true for states in which a tube may be out of reach or misidentified, so it is selected only if named.
+// Returns true for states in which a tube may be unreachable or misidentified. Such tubes are selected only by name.
 bool isDoubtful(TubeState state) { return state == TubeState::kInaccessible || state == TubeState::kUnresolved; }
 
 // Returns a flag for each tube: true if it is requested by its state or by its own name, not as part of a range.
@@ -118,8 +118,7 @@ std::vector<bool> namedTubes(const Sheet& sheet, const std::vector<Item>& items)
   return is_named;
 }
 
-// Applies the source items, first those that add tubes, then those that remove tubes. The first reason for refusal ends
-// the selection.
+// Applies the items that add tubes, then the items that remove tubes. Stops at the first item that is refused.
 Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
   const std::vector<int> all = allTubes(sheet);
   const bool has_addition = std::any_of(
@@ -203,8 +202,8 @@ std::map<int, WorkListItem> tubesOfList(const WorkList& list, const Sheet& sheet
   return tubes;
 }
 
-/// Returns the reason why a tube is left out: done or plugged according to the list, or plugged according to the sheet;
-/// nothing if the tube is to be visited.
+/// Returns the reason for omitting a tube: done or plugged according to the list, or plugged according to the sheet;
+/// std::nullopt if the tube is to be visited.
 std::optional<LeftOut> leftOutOf(int index, const WorkListItem& item, const Sheet& sheet) {
   if (item.is_done) return LeftOut{index, "done", true};
   const TubeState state = item.state.value_or(sheet.tubes[static_cast<std::size_t>(index)].state);

@@ -7,7 +7,7 @@
 //   - every:K, spread:N: keeps part of the tubes that the other items select; applied in the order written.
 //   - leg:hot, sheet:FINGERPRINT: refuses a sheet of another leg or with another fingerprint.
 // Plugged and stabilised tubes cannot take a tool, inaccessible tubes could not be reached before, and the identity of
-// unresolved tubes is in doubt. All these tubes are left out, and counted, unless they are requested by their state
+// unresolved tubes is in doubt. All these tubes are omitted, and counted, unless they are requested by their state
 // (`plugged`, such as in `all,plugged`) or by their own name (R10C20).
 #pragma once
 
@@ -31,7 +31,7 @@ struct WorkListItem {
   int column = 0;
   int line = 0;
   std::optional<Leg> leg;
-  std::string sheet;               ///< fingerprint of the sheet; empty: any sheet
+  std::string sheet;               ///< fingerprint of the sheet; empty means any sheet
   std::optional<double> dwell;     ///< dwell time at the tube [s]
   std::optional<TubeState> state;  ///< state of the tube according to the list
   bool is_done = false;            ///< true if the list says that the work is done
@@ -60,10 +60,10 @@ struct Selection {
   std::map<int, double> dwell;
   std::vector<LeftOut> left_out;  ///< requested tubes that are excluded because of their state or because their work is
                                   ///< done
-  /// Inaccessible or unresolved tubes that were selected by name, keyed by index in Sheet::tubes. The state is that of
-  /// the list if it states one, otherwise that of the sheet.
+  /// Inaccessible or unresolved tubes that were selected by name, keyed by index in Sheet::tubes. The state is taken
+  /// from the list if it states one, otherwise from the sheet.
   std::map<int, TubeState> doubtful;
-  std::optional<WorkList> list;  ///< work list that the tubes come from; nothing for a request
+  std::optional<WorkList> list;  ///< work list that the tubes come from; std::nullopt for a request
 };
 
 /// Returns a phrase that counts the tubes in `left_out`, such as "12 plugged, 3 stabilised, 2 done according to the
@@ -88,21 +88,20 @@ struct Selection {
 
 /// Reads a work list (text_table.hpp) with columns for row and column, or for the tube's name, under any of their usual
 /// names (tube_columns.cpp). Optional columns are leg (hot, cold, full, HL, CL), sheet (a fingerprint), dwell_s (dwell
-/// time in seconds, from 0 to a day; empty: not stated), state or status (a state or a code of tube_codes.hpp; empty:
-/// the state on the sheet), code or ind (a state, a code or any remark), x and y with a unit (position of the hole) and
-/// sg (the steam generator). A note lists all other columns. A tube may be named several times, for example once per
-/// indication. Refuses two legs, sheets or steam generators in one list, two states or two dwell times for one tube,
-/// malformed fields, and a list without tubes.
+/// time in seconds, from 0 to a day; empty means that it was not stated), state or status (a state or a code of
+/// tube_codes.hpp; empty means that the state on the sheet), code or ind (a state, a code or any remark), x and y with
+/// a unit (position of the hole) and sg (the steam generator). A note lists all other columns. A tube may be named
+/// several times, for example once per indication. Refuses two legs, sheets or steam generators in one list, two states
+/// or two dwell times for one tube, malformed fields, and a list without tubes.
 [[nodiscard]] WorkList parseWorkListCsv(std::string_view text);
 
 /// Reads a work list from a table whose columns the user chose, with the rules of parseWorkListCsv().
 [[nodiscard]] WorkList readWorkListTable(std::string_view text, TubeTable table);
 
-/// Selects the tubes of a list, each once. Leaves out tubes whose work is done, and tubes that are plugged or
-/// stabilised according to the list or, where the list states nothing, according to the sheet. Inaccessible and
-/// unresolved tubes are selected, since the list names them. Refuses a list that could not be read, another leg or
-/// sheet, tubes that are not on the sheet (all are counted) or whose position in the list differs from the sheet's, and
-/// an empty result.
+/// Selects the tubes of a list, each once. Omits tubes whose work is done, and tubes that are plugged or stabilised
+/// according to the list or, where the list states nothing, according to the sheet. Inaccessible and unresolved tubes
+/// are selected, because the list names them. Refuses a list that could not be read, another leg or sheet, tubes that
+/// are not on the sheet (all are counted) or whose position in the list differs from the sheet's, and an empty result.
 [[nodiscard]] Selection selectTubes(const Sheet& sheet, WorkList list);
 
 }  // namespace tubeplan::tubesheets

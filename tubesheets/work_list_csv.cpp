@@ -14,7 +14,8 @@ namespace {
 std::string describeLeg(const std::optional<Leg>& leg) { return leg ? std::string(legName(*leg)) : "no leg"; }
 std::string describeSheet(const std::string& sheet) { return sheet.empty() ? "no sheet" : sheet; }
 
-// Returns a problem if a row is for another leg, sheet or steam generator than the first row (pasted by mistake).
+// Returns a problem if a row is for a different leg, sheet or steam generator than the first row, for example because
+// it was pasted by mistake.
 std::optional<Problem> findOddLine(const WorkListItem& first, const WorkListItem& item) {
   if (item.leg != first.leg)
     return Problem{"leg", describeLeg(item.leg), describeLeg(first.leg) + ", as on the lines above",
