@@ -11,13 +11,14 @@ namespace {
 
 // Largest number of moves whose time is estimated: kEstimates plus kEstimatesPerPair for each pair of nodes.
 constexpr int kEstimates = 20, kEstimatesPerPair = 10;
-constexpr long kMostChecks = 1'000'000;  // estimates end once they have checked this many postures
+constexpr long kMostChecks = 1'000'000;  // largest number of postures checked for all estimates together
 constexpr double kRounding = 1e-12;      // rounding error of a sum of times in a different order
 // Assumed fraction of the extra time of a rough detour, compared with the straight move, that remains after
 // optimisation: for expected times, optimistic times and lower bounds. Measured for three arms, the fraction is 0.6 to
 // 0.7 on average, with a standard deviation of 0.2.
 constexpr std::array kExcessLeft{0.6, 0.2, 0.0};
-// The first two fractions are used in turn. The last is used once the quickest orders for both are known.
+// The search alternates between the first two fractions. It uses the last one once the quickest orders for both are
+// known.
 constexpr std::size_t kTakenInTurn = 2;
 
 std::vector<Stop> stopsOf(const PostureTable& table, const VisitChoice& choice) {
@@ -126,8 +127,8 @@ void FewTubes::noteApart(bool is_apart, const Clearance& tightest) {
   between_ = tightest;
 }
 
-/// Once a first move between disconnected parts of the free space is found, marks all such moves as forbidden, so that
-/// they need not be tried one by one.
+/// Marks all moves between disconnected parts of the free space as forbidden, once the first such move is found. This
+/// saves trying each of them.
 void FewTubes::takePartsAsApart() {
   has_parts_ = true;
   const std::vector<int> parts = network_.partsOf(stops_);
@@ -139,8 +140,8 @@ void FewTubes::takePartsAsApart() {
     }
 }
 
-/// Once no more estimates are allowed, sets the time of each move not yet estimated to its straight time multiplied by
-/// the ratio of known to straight times of all other moves.
+/// Sets the times of moves that have not been estimated, once no more estimates are allowed: the straight time
+/// multiplied by the ratio of known to straight times of all other moves.
 void FewTubes::expectTheUnknownToBeAsTheKnown() {
   const auto isKnown = [this](int p, int q) { return knowledgeOf(p, q) != Knowledge::kStraight; };
   for (Eigen::MatrixXd& times : times_) {

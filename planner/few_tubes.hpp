@@ -1,10 +1,10 @@
 // Search for the quickest order of a few tubes: an exact search with the times of moves known so far, repeated until
 // all moves of the order found have been planned. Internal to the planning of visits.
 //
-// The time of a move along the straight line is known at once. The rough time of a detour takes some computing time,
-// and the time of an optimised detour takes ten times as much. Each is therefore computed only if the quickest order
-// depends on it. Because the gain from optimising a detour varies, the search uses expected and optimistic times in
-// turn, and finally lower bounds of the times. The result is the quickest of all orders that were planned in full.
+// The time of a move along the straight line is known at once. The rough time of a detour is slower to compute, and the
+// time of an optimised detour ten times slower still. Each is therefore computed only if the quickest order depends on
+// it. Because the gain from optimising a detour varies, the search alternates between expected and optimistic times,
+// and finally uses lower bounds. The result is the quickest of all orders that were planned in full.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,12 +18,12 @@ namespace tubeplan::planner {
 
 class FewTubes {
  public:
-  /// `zones` has the zone of each visit, or is empty; if it is empty or constant, any order is allowed.
+  /// `zones` has the zone of each visit. If it is empty or constant, any order is allowed.
   FewTubes(const PlanContext& context, const VisitChoice& choice, const PostureTable& table,
            const std::vector<int>& zones, TravelNetwork& network);
 
-  /// Returns the order, as orderWithRealMoves() does. A move between disconnected parts of the free space is avoided
-  /// like any impossible move; `is_parted` is true if no order without such a move was found.
+  /// Returns the order, as orderWithRealMoves() does. Moves between disconnected parts of the free space are treated as
+  /// impossible; `is_parted` is true if every order found needs one.
   [[nodiscard]] RealOrder order();
 
  private:

@@ -31,7 +31,7 @@ std::vector<PathRow> samplePath(const VisitPlan& plan, const JointSpeeds& speeds
         segment.kind == SegmentKind::kRetreat ? plan.visits[static_cast<std::size_t>(segment.visit)].dwell : 0;
     start += stay;
     const auto samples = samplesOf(segment, speeds, max_step);
-    // A segment begins where the previous segment ended: that row exists already, unless the arm dwelt there.
+    // Skip the first row of a segment, which repeats the last row of the previous one, unless the arm dwelt there.
     for (std::size_t s = rows.empty() || stay > 0 ? 0 : 1; s < samples.size(); ++s)
       rows.push_back({start + samples[s].time, static_cast<int>(k), segment.kind, samples[s].posture});
     start += durationOf(segment, speeds);

@@ -36,7 +36,7 @@ std::vector<Stop> stopsOf(const VisitOrder& order, const VisitChoice& choice, co
 struct Priced {
   bool learnt = false, is_parted = false;
   Clearance between;  ///< obstacle in the way of the first move between disconnected parts
-  double time = 0;    ///< total time [s]; a move without a path counts kForbiddenTime
+  double time = 0;    ///< total time [s], with kForbiddenTime for each move without a path
 };
 
 /// Plans the moves of an order and records their extra times in `penalties`.
@@ -70,8 +70,8 @@ void addExtraTimes(const EdgePenalties& penalties, const VisitChoice& choice, Ro
     route.with_extra.push_back(penalties.touches(visit));
 }
 
-/// Returns the order of one round, from the cache if it is there. If a search that starts from the order of an earlier
-/// work list cannot avoid a forbidden move, it is repeated without that start.
+/// Returns the order of one round, from the cache if it is there. If a search from the order of an earlier work list
+/// cannot avoid a forbidden move, the search is repeated without this order.
 VisitOrder orderOfRound(const PlanContext& context, const Route& route, const std::vector<int>& zones,
                         std::size_t round, VisitOrderOptions& ordering) {
   auto& known = context.cache.orders;
@@ -161,7 +161,7 @@ std::string apartReason(const Clearance& between, bool has_start) {
   return reason;
 }
 
-/// Returns the number of the part of the free space that the branches of the most tubes lie in; -1 if there is none.
+/// Returns the index of the part of the free space that contains branches of the most tubes; -1 if there is none.
 int largestPart(const std::vector<std::vector<int>>& parts) {
   std::map<int, int> tubes;
   for (const auto& of_visit : parts) {

@@ -55,7 +55,7 @@ std::vector<TrajectoryPoint> trajectoryOf(const VisitPlan& plan, const JointSpee
   }
   if (plan.segments.empty()) return points;
   const Eigen::VectorXd end = plan.segments.back().waypoints.back(), none = Eigen::VectorXd::Zero(end.size());
-  // The end of the path must be kept, so a point less than `least_step` before it is dropped.
+  // Keep the end of the path: drop a point less than `least_step` before it instead.
   if (!points.empty() && start < points.back().time + least_step) points.pop_back();
   add({start, end, none, none});
   return points;

@@ -26,8 +26,8 @@ MotionPlan reversed(MotionPlan plan) {
   return plan;
 }
 
-/// Returns a seed for the travel between two tubes, so that its path depends neither on the order of requests nor on
-/// the rest of the work list.
+/// Returns a seed for the travel between two tubes, so that its path is independent of the order of requests and of the
+/// rest of the work list.
 std::uint64_t pairSeed(std::uint64_t seed, TubePosture a, TubePosture b) {
   for (int part : {a.tube, a.branch, b.tube, b.branch})
     seed = (seed ^ static_cast<std::uint64_t>(part + 1)) * 0x9E3779B97F4A7C15ULL;

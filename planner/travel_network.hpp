@@ -1,4 +1,4 @@
-// The travels between standoffs, planned on demand and kept in the plan's cache.
+// Travels between standoffs, planned on demand and stored in the plan's cache.
 #pragma once
 
 #include <map>
@@ -43,7 +43,8 @@ class TravelRoadmap {
 struct TravelEstimate {
   double time = std::numeric_limits<double>::infinity();  ///< time of the travel [s]; infinite if there is no path
   bool is_exact = false;  ///< true if the time is final; false for a detour that is not yet optimised
-  bool apart = false;     ///< true if there is no path because the ends are disconnected; `tightest` has the obstacle
+  /// True if there is no path because the ends are disconnected; `tightest` then has the obstacle.
+  bool apart = false;
   Clearance tightest;
   long checks = 0;  ///< number of postures checked
 };

@@ -18,8 +18,9 @@ struct Workcell {
   /// Covariance of the base's pose: translation [m], then rotation vector [rad], in world axes. Zero if the pose is
   /// treated as exactly known.
   Eigen::Matrix<double, 6, 6> base_covariance = Eigen::Matrix<double, 6, 6>::Zero();
-  /// Standard deviation [m], in any direction, of the position of each row's bodies that the arm's uncertain parameters
-  /// cause beyond `base_covariance`: a typical value over postures, one for each row. Empty if there is none.
+  /// Standard deviation [m], in any direction, of the position of each row's bodies due to the uncertainty of the arm's
+  /// parameters, in addition to `base_covariance`. One typical value over postures for each row. Empty if there is
+  /// none.
   std::vector<double> row_deviations = {};
   tubesheets::Sheet sheet;
   tubesheets::SteppedTool tool;

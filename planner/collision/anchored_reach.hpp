@@ -1,5 +1,5 @@
 // Largest distances of body points from the origins of the arm's rows, for bounds on the travel of bodies. The origins
-// are first moved along the joint axes, so that it does not matter where on its axis the arm file puts an origin.
+// are first moved along the joint axes, which makes the result independent of the origins chosen in the arm file.
 #pragma once
 
 #include <vector>

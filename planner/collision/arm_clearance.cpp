@@ -54,7 +54,7 @@ std::vector<LinkReach> linksOf(const AnchoredReach& anchored) {
                  : joint.type == deflection::JointType::kPrismatic ? LinkReach::Joint::kPrismatic
                                                                    : LinkReach::Joint::kRevolute;
     link.follows = joint.follows;
-    // A prismatic joint lengthens the step from the origin of the row before it to the origin of its own row.
+    // A prismatic joint increases the distance from the previous row's origin to its own row's origin.
     if (!links.empty()) links.back().step += deflection::slideLength(joint);
     links.push_back(link);
   }
@@ -87,8 +87,8 @@ double deflectionFactor(const Workcell& cell) {
     if (bent.kinematics.status != deflection::KinematicsStatus::kConverged) continue;
     for (int k = 0; k < bent.position_B.cols(); ++k) {
       const double extra = (bent.position_B.col(k) - straight.position_B.col(k)).norm();
-      // The rigid motion per rad is taken as at least a quarter of the reach: a joint whose lever is short here has a
-      // longer one in another posture, which determines the bound of the joint.
+      // Lower bound of a quarter of the reach on the rigid motion per rad: a joint with a short lever arm in this
+      // posture has a longer one in another posture, and the longest one determines the joint's bound.
       most = std::max(most, 1 + extra / std::max(straight.position_B.col(k).norm(), reach / 4));
     }
   }

@@ -14,16 +14,16 @@ namespace tubeplan::planner {
 class NearestPairs;
 struct NearestPair;
 
-/// Rule on the tool's entry into the sheet's holes. It may enter holes only while it approaches or retreats; while it
-/// travels between tubes it keeps clear of the sheet like every other body.
+/// Rule for contact between tool and sheet. The tool may enter holes only during approach and retreat; during travel
+/// between tubes it must keep clear of the sheet, like any other body.
 enum class ContactRule { kTravel, kApproach };
 
 /// Bound on the travel of any body point while joints move, including changes of the deflection
-/// (deflection_travel.hpp). If the bound on these changes is not proved, a factor found over sampled postures replaces
-/// it (deflectionFactor()).
+/// (deflection_travel.hpp). If these changes have no proved bound, a factor estimated from sampled postures is used
+/// instead (deflectionFactor()).
 struct ArmTravel {
   TravelBound bound;
-  double jump = 0;  ///< distance that a point may jump within the play of joints, subtracted from every margin [m]
+  double jump = 0;  ///< distance that a point may jump because of joint play, subtracted from every margin [m]
   bool is_proved = false;
   std::string reason;  ///< reason why the bound is not proved; empty if the bound is proved
 };
@@ -32,8 +32,8 @@ struct ArmTravel {
 /// Joint values of many postures [rad, m], one column per posture.
 using PostureColumns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Margins of many postures, and the full clearance of the posture with the smallest margin, or of a posture with a NaN
-/// margin if there is one.
+/// Margins of many postures, and the full clearance of the worst one: a posture with a NaN margin or, if there is none,
+/// the posture with the smallest margin.
 struct MarginsSideBySide {
   std::vector<double> margins;  ///< margin of each posture [m]
   std::size_t tightest = 0;
@@ -43,8 +43,8 @@ struct MarginsSideBySide {
 /// Computes the clearance of the arm in any posture in one workcell. Const use from several threads is safe.
 class ArmClearance {
  public:
-  /// `padding` is a number of standard deviations of the base's pose: propagated to each body in each posture, they are
-  /// subtracted from its distance to fixed obstacles.
+  /// `padding` is a number of standard deviations of the base pose. They are propagated to each body in each posture,
+  /// and subtracted from its distances to fixed obstacles.
   explicit ArmClearance(const Workcell& cell, double padding = 0);
   ~ArmClearance();
 
@@ -54,8 +54,8 @@ class ArmClearance {
   /// frames. If the deflected shape does not converge, the margin is NaN and `other` states the reason.
   [[nodiscard]] Clearance at(const Eigen::VectorXd& q, ContactRule rule) const;
 
-  /// Returns the clearance with `spare` [m] subtracted from the margin. The planner keeps this reserve so that a proof
-  /// by another method succeeds too.
+  /// Returns the clearance with `spare` [m] subtracted from the margin. The planner keeps this reserve so that the
+  /// independent plan check also succeeds.
   [[nodiscard]] Clearance withSpare(const Eigen::VectorXd& q, ContactRule rule, double spare) const;
 
   /// Returns the margins of one or more postures, computed side by side in the SIMD lanes of the processor. Each margin
@@ -83,8 +83,8 @@ class ArmClearance {
 };
 
 /// Returns the factor by which a point may move faster than on a rigid arm, because the deflection changes with the
-/// joints. The factor is the largest ratio found for the tip over a lattice of postures under the cell's load, with the
-/// excess over 1 increased by a tenth; at least 1.1. Sampled, not proved.
+/// joints. The factor is the largest ratio of the tip's speeds over a lattice of postures, with the excess over 1
+/// increased by 10 %; at least 1.1. It is an estimate from samples, not a proved bound.
 [[nodiscard]] double deflectionFactor(const Workcell& cell);
 
 /// Returns the poses of the rows' bodies in the world: each row's frame, turned so that its member lies along the chord

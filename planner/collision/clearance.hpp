@@ -11,10 +11,10 @@ namespace tubeplan::planner {
 
 /// Nearest approach of the arm in one posture to anything that it must not touch.
 struct Clearance {
-  /// lower bound of the true distance [m]; negative if bodies overlap, infinite if the scene has nothing to touch
+  /// lower bound of the true distance [m]; negative if bodies overlap, infinite if there is nothing to collide with
   double distance = std::numeric_limits<double>::quiet_NaN();
-  /// distance minus the clearance that the scene requires [m]. The posture is free if the margin is zero or more; NaN
-  /// means that it could not be computed, and counts as not free.
+  /// distance minus the clearance that the scene requires [m]. The posture is free if the margin is zero or more; A NaN
+  /// margin could not be computed, and the posture is treated as not free.
   double margin = std::numeric_limits<double>::quiet_NaN();
   std::string body;  ///< body of the arm that comes nearest to `other`
   /// Obstacle or other body of the arm that `body` comes nearest to; the reason if the margin is NaN.

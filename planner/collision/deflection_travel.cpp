@@ -20,9 +20,9 @@ constexpr int kMostTerms = 200;
 // Change of a member's bow from its chord, as a fraction of the motion of the member's end.
 constexpr double kBowShare = 0.3;
 
-/// A flexible element, with the largest moment, weight, reach and rotation over all postures, taken with every
-/// prismatic joint fully extended. The element of a joint is at its row's origin, that of a beam at the far end of its
-/// member.
+/// A flexible element with its largest moment, weight, reach and rotation over all postures. Every prismatic joint is
+/// assumed to be fully extended. The element of a joint is at its row's origin, the element of a beam at the far end of
+/// its member.
 struct FlexiblePlace {
   int row;
   double compliance;  ///< compliance of the element [rad/(N m)]
@@ -59,7 +59,7 @@ double complianceOf(const deflection::Row<double>& row, deflection::ElementPlace
 
 class Bound {
  public:
-  /// `load`: weight that hangs from the tip [N].
+  /// Prepares the bound; `load` is the weight that hangs from the tip [N].
   Bound(const AnchoredReach& anchored, double load) : arm_(anchored.arm) {
     const int rows = static_cast<int>(arm_.rows.size());
     // Sums the loads beyond each element, from the tip inwards.
@@ -151,8 +151,8 @@ class Bound {
         const FlexiblePlace& here = places_[static_cast<std::size_t>(e)];
         const FlexiblePlace& there = places_[static_cast<std::size_t>(other)];
         const double by_displacement = there.weight * displacement(there);
-        // An element before this one turns gravity relative to the loads beyond this one. An element beyond it, or this
-        // one itself, turns and displaces the loads beyond that element.
+        // An inboard element rotates gravity relative to the loads beyond element e. Element e itself or an outboard
+        // element rotates and displaces the loads beyond that element.
         const double moment = other < e ? here.moment : there.moment + by_displacement;
         spread_(e, other) = here.compliance * moment;
       }

@@ -1,5 +1,5 @@
-// Proved bound, valid in every posture, on how far a point of the arm moves because deflections change while joints
-// move.
+// Proved bound on how far a point of the arm moves because deflections change while joints move. It is valid in every
+// posture.
 //
 // A joint that turns by dq turns the loads beyond it, and turns gravity in the frames of the elements beyond it. The
 // moment on each element changes by at most dq times a first moment of loads, and the rotation of each element changes
@@ -30,7 +30,7 @@ struct DeflectionTravel {
   /// motion per rad (or m) of each joint [m], in addition to the motion of the arm frozen in its bent shape; includes
   /// changes of the members' bow
   Eigen::VectorXd per_joint;
-  double jump = 0;  ///< motion when the mechanical play of joints snaps over, however little the joints move [m]
+  double jump = 0;  ///< jump when joint play snaps over, independent of how far the joints move [m]
   /// Factor on all rigid lengths, because the chord of a bent member may be longer than the member.
   double stretch = 1;
 };

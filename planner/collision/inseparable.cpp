@@ -47,7 +47,7 @@ std::vector<std::pair<int, int>> inseparableBodies(const deflection::Arm& arm, c
           !mayTouch(scene.bodies[static_cast<std::size_t>(a)], scene.bodies[static_cast<std::size_t>(b)]))
         pairs.emplace_back(a, b);
   if (pairs.empty()) return pairs;
-  // Usually the first posture separates all pairs, and the loop ends.
+  // The loop usually ends at the first posture, which separates all pairs.
   for (const auto& q : deflection::latticeStarts(arm, kPostures)) {
     const auto X_BL = rigidFrames(arm, q);
     if (X_BL.empty()) continue;

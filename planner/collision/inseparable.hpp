@@ -10,9 +10,10 @@
 
 namespace tubeplan::planner {
 
-/// Returns the pairs for which areJudged() is true and that are closer than the scene's clearance in each of 1,000
-/// postures spread over the joint limits, computed with rigid kinematics. No plan could keep such bodies apart, so
-/// Scene::inseparable lists them instead. A pair holds two indices of bodies, the smaller first.
+/// Returns the pairs, among those with areJudged(), that are closer than the scene's clearance in each of 1,000
+/// postures. The postures are spread over the joint limits and computed with rigid kinematics. No plan could keep such
+/// bodies apart, so they are listed in Scene::inseparable and not checked. A pair holds two indices of bodies, the
+/// smaller first.
 [[nodiscard]] std::vector<std::pair<int, int>> inseparableBodies(const deflection::Arm& arm, const Scene& scene);
 
 }  // namespace tubeplan::planner

@@ -23,7 +23,7 @@ double halfLengthOf(const Capsule& capsule) { return 0.5 * (capsule.to - capsule
 
 struct KnownObstacle {
   PairKind kind;
-  bool is_itself;  ///< false if a solid around the obstacle replaces it
+  bool is_itself;  ///< false if a bounding solid replaces the obstacle
 };
 
 KnownObstacle boxOf(const Isometry3d& X_WC, const Vector3d& half, bool is_itself, PlainObstacle& plain) {
@@ -52,7 +52,8 @@ KnownObstacle cylinderOf(const CylinderSolid& cylinder, PlainObstacle& plain) {
   return {PairKind::kCylinder, true};
 }
 
-/// Represents a shape that the kernels do not support by a sphere of infinite radius, which is near everything.
+/// Replaces a shape that the kernels do not support with a sphere of infinite radius, so that its pairs are never
+/// skipped.
 KnownObstacle unknown(PlainObstacle& plain) {
   return capsuleOf({Vector3d::Zero(), Vector3d::Zero(), std::numeric_limits<double>::infinity()}, false, plain);
 }
@@ -76,8 +77,8 @@ KnownObstacle plainOf(const Shape& shape, PlainObstacle& plain) {
   return capsuleOf(solid->around(), solid->isCapsule(), plain);
 }
 
-/// Returns the rank of a pair's cost. Cheap pairs come first, because their results make most expensive pairs
-/// unnecessary.
+/// Returns the rank of a pair's cost. Cheap pairs come first, because their results rule out most of the expensive
+/// pairs.
 int costOf(PairKind kind) { return kind == PairKind::kBox || kind == PairKind::kCylinder ? 1 : 0; }
 
 }  // namespace

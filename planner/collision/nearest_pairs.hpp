@@ -2,8 +2,8 @@
 //
 // Kernels compute the distances of capsules from planes, spheres, boxes, cylinders and each other
 // (kernels/distance_kernel.hpp). For every other pair (a mesh, or a body of the arm that is not a capsule) a kernel
-// computes a lower bound from the capsule around the body and the box around the mesh. Posture by posture, the distance
-// of such a pair is computed only if its lower bound is smaller than the smallest distance so far.
+// computes a lower bound from the capsule around the body and the box around the mesh. The distance of such a pair is
+// computed, for one posture at a time, only if its lower bound is smaller than the smallest distance so far.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ namespace tubeplan::planner {
 /// The pair nearest to each other in one posture, and its distance.
 struct NearestPair {
   double distance = std::numeric_limits<double>::quiet_NaN();  ///< distance, as in Clearance::distance [m]
-  int pair = -1;  ///< index of the nearest pair among the pairs of the scene; -1 if there is nothing to touch
+  int pair = -1;  ///< index of the nearest pair among the pairs of the scene; -1 if the scene has no pairs
 };
 
 /// A scene prepared for many queries. Queries are const, and safe from several threads at once.
@@ -33,7 +33,7 @@ class NearestPairs {
   void find(const deflection::PlacedRows& placed, std::span<NearestPair> found) const;
 
   /// Finds the nearest pair of one posture, with the padding of the base subtracted from every distance to fixed
-  /// obstacles. Pairs are computed one by one, without a kernel.
+  /// obstacles. The distances are computed without a kernel.
   [[nodiscard]] NearestPair findPadded(const deflection::PlacedRows& placed, int lane,
                                        const BasePadding& padding) const;
 

@@ -3,8 +3,8 @@
 // If the base is wrong by a shift t and a small rotation w, a point p moves by t + w x (p - p_WB). The standard
 // deviation of this motion, in every direction, is a convex function of p. Within a capsule it therefore never exceeds
 // its value at the capsule's ends plus the rotation's standard deviation times the capsule's radius. Per metre that p
-// moves, it changes by no more than the rotation's standard deviation. What the arm's parameters add is a constant for
-// each row (Workcell::row_deviations), whose square is added to that of the base; this makes no change larger.
+// moves, it changes by no more than the rotation's standard deviation. The arm's parameters add a constant variance for
+// each row (Workcell::row_deviations), which does not increase the rate of change.
 #pragma once
 
 #include "planner/scene/shape.hpp"
@@ -34,7 +34,7 @@ class BasePadding {
   [[nodiscard]] double slope() const { return slope_; }
 
  private:
-  /// Returns the padding for the standard deviation that the base causes at a body of the row [m].
+  /// Returns the padding of a body of the row [m]; `base_deviation` is the standard deviation caused by the base [m].
   [[nodiscard]] double paddedBy(double base_deviation, int row) const;
 
   double sigmas_ = 0, slope_ = 0;

@@ -12,8 +12,8 @@ namespace tubeplan::planner {
 /// Bound on the travel during a straight motion in joint space: the sum of |dq_j| times `reach_per_joint[j]`. For a
 /// revolute joint, `reach_per_joint` is an upper bound of the distance of any body point beyond the joint from its axis
 /// [m/rad]. For a prismatic joint it is 1 [m/m]. If frames of other links follow the joint, the corresponding distance
-/// for each of them, times its ratio, is added. The sum also bounds how far two bodies of the arm approach each other,
-/// because only the joints between them matter.
+/// for each of them, times its ratio, is added. The sum also bounds how far two bodies of the arm can approach each
+/// other.
 struct TravelBound {
   Eigen::VectorXd reach_per_joint;
 

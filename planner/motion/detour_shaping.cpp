@@ -28,8 +28,8 @@ bool isWithinLimits(const VectorXd& q, const MotionProblem& problem) {
 
 bool isFree(const MotionCheckResult& check) { return check.status == MotionCheckStatus::kFree; }
 
-/// Returns joint steps that move the arm's farthest point by about one metre each; zero for a joint that moves no
-/// point.
+/// Returns the step of each joint that moves the arm's farthest point by about one metre; zero for a joint that does
+/// not move any body.
 VectorXd stepsPerMetre(const MotionProblem& problem) {
   const VectorXd& reach = problem.travel.reach_per_joint;
   const double least = 1e-3 * reach.maxCoeff();

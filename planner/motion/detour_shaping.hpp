@@ -14,7 +14,7 @@ using Waypoints = std::vector<Eigen::VectorXd>;
 [[nodiscard]] double flowTime(const Waypoints& waypoints, const MotionProblem& problem);
 
 /// Checks the motion without stops at the waypoints. Returns its smallest proved margin [m] and the tightest posture
-/// met; blocked if any part is not proved free. `checks` is increased by the number of postures checked.
+/// met; the motion is blocked if any part is not proved free. `checks` is increased by the number of postures checked.
 [[nodiscard]] MotionCheckResult checkFlow(const Waypoints& waypoints, const MotionProblem& problem,
                                           const MotionCheckOptions& options, long& checks);
 
@@ -24,8 +24,8 @@ using Waypoints = std::vector<Eigen::VectorXd>;
                                            const MotionProblem& problem, const MotionCheckOptions& options,
                                            long& checks);
 
-/// Moves, removes and adds inner waypoints of a proved motion at random, in decreasing steps, as long as this saves
-/// time and the motion stays proved free. The same seed gives the same waypoints.
+/// Moves, removes and adds inner waypoints of a proved motion at random, with decreasing step size. A change is kept if
+/// it saves time and the motion is still proved free. The same seed gives the same waypoints.
 void quicken(Waypoints& waypoints, const MotionProblem& problem, const MotionPlannerOptions& options, long& checks);
 
 }  // namespace tubeplan::planner

@@ -79,8 +79,7 @@ class MotionProof {
 
   double travelOf(const Stretch& stretch) const { return travel_ * (stretch.b.s - stretch.a.s); }
 
-  /// Returns a lower bound on the margin along the segment: the value where the bounds that decrease from its two ends
-  /// meet.
+  /// Returns a lower bound on the margin along the segment, at the point where the bounds from its two ends intersect.
   double lowerBound(const Stretch& stretch) const {
     const double middle = 0.5 * (stretch.a.margin + stretch.b.margin - travelOf(stretch));
     return std::min({stretch.a.margin, stretch.b.margin, middle});
@@ -99,7 +98,7 @@ class MotionProof {
     return true;
   }
 
-  /// Computes the margins at several positions in advance. The results do not change; they are only computed earlier.
+  /// Computes the margins at several positions in advance. This affects only the speed, not the results.
   void askTogether(const std::vector<double>& places) {
     if (!side_by_side_ || places.size() < 2) return;
     PostureColumns q(q0_.size(), static_cast<Eigen::Index>(places.size()));
@@ -109,7 +108,7 @@ class MotionProof {
     named_.push_back({places[found.tightest], std::move(found.clearance)});
   }
 
-  /// Computes the margins at the midpoints of the next segments to be bisected. Unused lanes compute those of the
+  /// Computes the margins at the midpoints of the next segments to be bisected. Unused lanes compute the midpoints of
   /// halves that will probably be bisected again.
   void askForMiddles(const std::deque<Stretch>& open, std::size_t count) {
     if (!side_by_side_) return;
@@ -192,7 +191,7 @@ class MotionProof {
   const MotionCheckOptions& options_;
   std::vector<Sample> known_;  ///< margins computed in advance
   std::vector<Named> named_;   ///< the tightest posture of each batch
-  bool is_named_ = true;       ///< true if `tightest` has the names of its pair, not only a margin
+  bool is_named_ = true;       ///< true if `tightest` includes the names of its pair as well as the margin
   MotionCheckResult result_;
 };
 

@@ -12,17 +12,17 @@
 
 namespace tubeplan::planner {
 
-/// Function that returns the clearance of a posture [rad, m]. A NaN margin counts as blocked; `other` should then state
-/// the reason.
+/// Function that returns the clearance of a posture [rad, m]. A posture with a NaN margin is treated as blocked;
+/// `other` should then state the reason.
 using PostureClearance = std::function<Clearance(const Eigen::VectorXd& q)>;
 
 struct MotionCheckOptions {
-  /// Travel below which a segment is not bisected [m]; a shorter segment that is not proved counts as blocked.
+  /// Travel below which a segment is not bisected [m]; a shorter segment that is not proved is treated as blocked.
   double least_travel = 1e-4;
   /// Largest difference between the proved margin and the smallest margin met [m]; bisection continues until this
-  /// accuracy is reached. Infinite: bisection stops as soon as the motion is proved free.
+  /// accuracy is reached. If infinite, bisection stops as soon as the motion is proved free.
   double accuracy = std::numeric_limits<double>::infinity();
-  /// Largest number of postures checked; a motion that is not proved by then counts as blocked.
+  /// Largest number of postures checked; a motion that needs more is treated as blocked.
   int max_checks = 100000;
 };
 

@@ -52,7 +52,7 @@ struct TravelCoordinates {
   }
 };
 
-/// A sampler with its own seed; the samplers of OMPL draw from a generator whose seed is global to the process.
+/// A sampler with its own seed; OMPL's own samplers share a seed that is global to the process.
 class SeededSampler : public ob::StateSampler {
  public:
   SeededSampler(const ob::StateSpace* space, std::uint64_t seed) : ob::StateSampler(space), generator_(seed) {}
@@ -147,8 +147,8 @@ ob::StateSpacePtr makeSpace(const TravelCoordinates& coordinates, std::uint64_t 
   return space;
 }
 
-/// Returns the path's postures. The first and last are the exact start and goal, without the rounding of scaling them
-/// back and forth.
+/// Returns the path's postures. The first and last are exactly the start and the goal, without rounding errors from
+/// scaling.
 std::vector<VectorXd> waypointsOf(const og::PathGeometric& path, const TravelCoordinates& coordinates,
                                   const VectorXd& q0, const VectorXd& q1) {
   std::vector<VectorXd> waypoints;
@@ -166,10 +166,10 @@ bool allStretchesFree(const std::vector<VectorXd>& waypoints, Referee& referee) 
 
 }  // namespace
 
-// Searches with OMPL 1.5.2, with these precautions: a new planner, space and problem definition for every query (trees
-// of an earlier query are not wholly discarded); a linear list of neighbours (the tree-shaped list is broken after a
-// rebuild and draws from the global generator); exact solutions alone (an approximate solution may start at the goal);
-// and a second proof of the whole path.
+// Searches with OMPL 1.5.2, with precautions against its faults. Every query has a new planner, space and problem
+// definition, because trees of an earlier query are not completely discarded. Neighbours are in a linear list, because
+// the tree-shaped list is wrong after a rebuild and draws from the global random generator. Only exact solutions are
+// accepted, because an approximate solution may start at the goal. The whole path is proved a second time.
 MotionSearchResult searchMotion(const VectorXd& q0, const VectorXd& q1, const MotionProblem& problem,
                                 const MotionPlannerOptions& options) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);

@@ -266,7 +266,7 @@ bool Roadmap::bridge(const std::vector<VectorXd>& postures, const MotionPlannerO
   const int main =
       std::ranges::max_element(asked, [](const auto& a, const auto& b) { return a.second < b.second; })->first;
   asked.erase(main);
-  // One search at a time, because OMPL's planners share data about their spaces.
+  // Searches are serialised, because OMPL's planners share data about their spaces.
   bool found = false;
   for (const auto& [part, count] : asked) {
     const auto way = wayBetween(nodes.at(part), nodes.at(main), options);

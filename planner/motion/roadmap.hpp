@@ -1,8 +1,8 @@
 // Free postures connected by straight moves that are proved free: built once for an arm and its obstacles, and used for
 // every detour (probabilistic roadmap: Kavraki, Svestka, Latombe and Overmars 1996).
 //
-// The results of a roadmap depend on the scene, the seed and the postures that bridge() was called with, never on
-// earlier queries.
+// The results of a roadmap depend only on the scene, the seed and the postures passed to bridge(), not on earlier
+// queries.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,7 @@ struct RoadmapOptions {
   std::uint64_t seed = 1;
   /// Number of free postures drawn within the joint limits, in addition to the given postures.
   int random_postures = 1200;
-  int neighbours = 12;   ///< number of nearest postures to which each posture is connected by a move, if that move is
-                         ///< free
+  int neighbours = 12;   ///< number of nearest postures that each posture is connected to, if the move is free
   int attachments = 24;  ///< number of nearest postures tried to attach a start or goal
   MotionCheckOptions check = {};
 };
@@ -46,13 +45,13 @@ class Roadmap {
   /// use from several threads is safe if the problem's functions are.
   [[nodiscard]] RoadmapWay between(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, long& checks) const;
 
-  /// For each posture, returns the number, from 0, of the connected part of the roadmap that it is attached to; -1 if
-  /// it cannot be attached. A posture that is attached to two parts connects them.
+  /// For each posture, returns the 0-based number of the connected component of the roadmap that it is attached to; -1
+  /// if it cannot be attached. A posture that is attached to two parts connects them.
   [[nodiscard]] std::vector<int> partsOf(const std::vector<Eigen::VectorXd>& postures) const;
 
-  /// Searches for connections between the disconnected parts that `postures` are attached to: from each part to the
-  /// part with the most of these postures, between nodes close to each other. Returns true if a connection was found;
-  /// its moves become edges.
+  /// Searches for connections between the disconnected parts that `postures` are attached to: between close nodes of
+  /// each part and of the part with the most of these postures. Returns true if a connection was found; its moves
+  /// become edges.
   bool bridge(const std::vector<Eigen::VectorXd>& postures, const MotionPlannerOptions& options);
 
   [[nodiscard]] int postures() const { return static_cast<int>(postures_.size()); }
@@ -73,7 +72,7 @@ class Roadmap {
   void join();
   [[nodiscard]] std::vector<std::vector<Edge>> attachAll(const std::vector<Eigen::VectorXd>& postures) const;
   /// For each node, returns the lowest node index in its part; parts to which the same posture is attached are merged.
-  /// `joined`: attachments of each posture.
+  /// `joined` has the attachments of each posture.
   [[nodiscard]] std::vector<int> rootsWith(const std::vector<std::vector<Edge>>& joined) const;
   [[nodiscard]] std::vector<Eigen::VectorXd> wayBetween(const std::vector<int>& from, const std::vector<int>& to,
                                                         MotionPlannerOptions options) const;

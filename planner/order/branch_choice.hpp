@@ -15,8 +15,8 @@ struct BranchChoice {
   BranchChoiceStatus status = BranchChoiceStatus::kNotRun;
   std::string reason;
   std::vector<int> branches;  ///< index of the branch chosen for each visit, in the order of visits
-  /// Travel time [s], including extra times and the moves from the start and to the end posture; infinite if every
-  /// choice has a forbidden move.
+  /// Travel time [s], including extra times and the moves from the start and to the end posture; infinite if all
+  /// choices contain a forbidden move.
   double travel_time = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -27,8 +27,8 @@ struct BranchChoice {
 class PostureTable;
 
 /// Chooses a posture for each node so that the total time is as short as possible. `node_order` has the nodes of the
-/// table in order, with start and end nodes if there are any. Returns the time [s], in which a forbidden move counts
-/// `kForbiddenTime`.
+/// table in order, with start and end nodes if there are any. Returns the time [s], with `kForbiddenTime` for each
+/// forbidden move.
 double choosePostures(const PostureTable& table, const std::vector<int>& node_order, std::vector<int>& posture_of_node);
 
 /// Returns the order of visits with the start node added before it and the end node after it, if there are any.

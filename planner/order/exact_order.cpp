@@ -20,7 +20,8 @@ Eigen::MatrixXd timesBy(const PostureTable& table, double (PostureTable::*time)(
   return times;
 }
 
-/// For each visit, returns the visits that must precede it. `zones`: zone of each visit; empty if there are none.
+/// For each visit, returns the visits that must precede it. `zones` has the zone of each visit, or is empty if there
+/// are no zones.
 std::vector<VisitSet> visitsBefore(int visits, const std::vector<int>& zones) {
   std::vector<VisitSet> before(static_cast<std::size_t>(visits), 0);
   if (zones.empty()) return before;
@@ -37,7 +38,7 @@ ExactOrder betweenEnds(const PostureTable& table, const Eigen::MatrixXd& times) 
   return order;
 }
 
-/// Dynamic programme: fills a table over sets of visits and last postures, and reads the quickest order from the table.
+/// Dynamic programming: fills a table over sets of visits and last postures, from which the quickest order is read.
 class Programme {
  public:
   Programme(const PostureTable& table, const Eigen::MatrixXd& times, const std::vector<int>& zones)

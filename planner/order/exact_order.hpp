@@ -28,7 +28,7 @@ struct ExactOrder {
 };
 
 /// Finds the quickest of all permitted orders. `zones` has one number for each visit: all visits of a zone come before
-/// any visit of a zone with a higher number. Empty: any order is permitted.
+/// any visit of a zone with a higher number. Empty means that any order is permitted.
 [[nodiscard]] ExactOrder exactOrder(const PostureTable& table, const Eigen::MatrixXd& times,
                                     const std::vector<int>& zones = {});
 

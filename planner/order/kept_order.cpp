@@ -19,7 +19,8 @@ double between(const PostureTable& table, int a, int b) {
   return least;
 }
 
-/// Returns the index at which inserting the visit adds the least time; the size of the order means at its end.
+/// Returns the index at which inserting the visit adds the least time. An index equal to the size of the order appends
+/// the visit.
 std::size_t cheapestPlace(const PostureTable& table, const std::vector<int>& order, int visit) {
   std::vector<double> to(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) to[k] = between(table, order[k], visit);

@@ -19,17 +19,18 @@ constexpr double kFall = 0.8;
 constexpr double kMeanShareByNodes = 0.3, kMeanShareByPostures = 0.03;
 constexpr std::size_t kCutsOfRound = 10;
 constexpr int kMostPosturesToCut = 1000;
-// Smallest worthwhile improvement, as a fraction of the bound: cuts end if less is still possible, and a round of cuts
-// that gains less counts as idle.
+// Smallest worthwhile improvement, as a fraction of the bound. Cutting ends if the possible improvement is smaller; a
+// round of cuts that gains less is idle.
 constexpr double kWorthwhile = 2e-3;
-// Number of successive idle rounds after which cuts end: more than one, because cuts take effect together.
+// Number of successive idle rounds after which cutting ends. More than one, because several cuts may be needed for an
+// effect.
 constexpr int kIdleCutRounds = 3;
 
 enum class Detail { kNodes, kPostures };
 
 // Returns how much a tree violates each condition, in the order of the prices. With Detail::kNodes, the edge ends of
-// all postures of a node are counted together. With one posture per node this covers every condition; with several, it
-// suits the first steps best.
+// all postures of a node are counted together. With one posture per node, this covers every condition; with several, it
+// is best for the first steps.
 std::vector<double> violations(const PostureTable& table, const PairGraph& graph, const PricedTree& tree,
                                Detail detail) {
   const std::size_t first_cut = tree.ends.size() + tree.pair_ends.size();
@@ -154,9 +155,11 @@ class Ascent {
   std::vector<std::vector<Neighbour>> neighbours_;
   PairGraph graph_;
   Prices best_;
-  EdgeUse use_;  // use of edges by the trees of the climb so far, divided by `use_scale_`; the latest trees weigh most
+  // Weighted use of edges by the trees of the current climb, divided by `use_scale_`; the latest trees have the largest
+  // weights.
+  EdgeUse use_;
   double use_scale_ = 1;
-  double proved_ = 0;  // a valid bound, because times are never negative
+  double proved_ = 0;  // zero is a valid bound, because times are never negative
   int iterations_ = 0;
 };
 
@@ -177,7 +180,7 @@ OneTreeBound oneTreeBound(const Route& route, const OneTreeOptions& options) {
   }
   const PostureTable table(route);
   Ascent ascent(table, options);
-  // A tree on the complete graph takes a quarter of a second for 4,674 visits, so none is started after a stop.
+  // A tree on the complete graph takes 0.25 s for 4,674 visits, so none is started once a stop is requested.
   const auto is_stopped = [&] { return options.stop && options.stop(); };
   if (!is_stopped()) ascent.prove();
   const int rounds = std::max(1, options.rounds);

@@ -1,10 +1,11 @@
 // A proved lower bound on the travel time of any route.
 //
-// A route is a path, so it is a spanning tree in which each visit has two edge ends (a free end of the route counts as
-// one), both at the same branch. The bound is the cost of the cheapest spanning tree with Lagrangian prices for these
-// conditions (see priced_tree.hpp), which extends Held and Karp (1970, 1971) to several branches. Prices are found on a
-// sparse graph; the bound itself is always computed on the complete graph. With prices alone, a relaxed route may take
-// half of one family of postures and half of another. Cuts that every route must cross (posture_cuts.hpp) prevent that.
+// A route is a path, so it is a spanning tree in which each visit has two edge ends (a free end of the route is also an
+// edge end), both at the same branch. The bound is the cost of the cheapest spanning tree with Lagrangian prices for
+// these conditions (see priced_tree.hpp), which extends Held and Karp (1970, 1971) to several branches. Prices are
+// found on a sparse graph; the bound itself is always computed on the complete graph. With prices alone, a relaxed
+// route may take half of one family of postures and half of another. Cuts that every route must cross
+// (posture_cuts.hpp) prevent that.
 #pragma once
 
 #include <functional>
@@ -26,7 +27,8 @@ struct OneTreeOptions {
   int cut_rounds = 12;
   /// Travel time of a known route, which controls the step size [s].
   double known_time = std::numeric_limits<double>::quiet_NaN();
-  std::function<bool()> stop;  ///< called at every step; returns true to stop, and the bound found so far stays valid
+  /// Called at every step; returns true to stop early. The bound found so far is then returned.
+  std::function<bool()> stop;
 };
 
 enum class OneTreeStatus { kNotRun, kSolved, kBadInput };

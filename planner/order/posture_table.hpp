@@ -16,7 +16,7 @@ inline constexpr double kForbiddenTime = 1e6;
 
 class PostureTable {
  public:
-  /// `route` must have no problems (findRouteProblems()), and must outlive the table.
+  /// Builds the table. `route` must have no problems (findRouteProblems()), and must outlive the table.
   explicit PostureTable(const Route& route);
 
   [[nodiscard]] int visits() const { return visits_; }
@@ -73,11 +73,11 @@ class PostureTable {
   int start_node_ = -1;
   int end_node_ = -1;
   bool has_extra_;
-  // true: all joints have the same ratio of speed to acceleration, so that one difference gives both times
+  // true if all joints have the same ratio of speed to acceleration, so that one difference gives both times
   bool one_ratio_ = false;
   double ratio_ = 0;  // ratio of speed to acceleration [s]
   std::vector<int> first_, node_of_;
-  // flag for each visit, nonzero if a move to or from it may have extra time; empty: any may
+  // flag for each visit, nonzero if a move to or from it may have extra time; empty means that any may
   std::vector<char> with_extra_;
   std::vector<double> by_speed_;         // posture x joint: value / max_speed [s]
   std::vector<double> by_acceleration_;  // posture x joint: value / max_acceleration [s^2]

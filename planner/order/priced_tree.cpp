@@ -53,7 +53,7 @@ class PairGraph::Sum {
     for (int p = 0; p < table_.postures(); ++p) worth[p] = 2 * prices_.of_posture[p];
     for (std::size_t k = 0; k < prices_.of_pair.size(); ++k) worth[graph_.postureOfPrice(k)] += prices_.of_pair[k];
     for (int node = 0; node < table_.nodes(); ++node) takePostures(node, worth);
-    tree_.bound = sum_ - 1e-12 * magnitude_;  // rounding must not raise the bound
+    tree_.bound = sum_ - 1e-12 * magnitude_;  // subtract the rounding error, so that the bound stays valid
     return std::move(tree_);
   }
 

@@ -1,10 +1,10 @@
 // The cheapest spanning tree of a route's nodes under prices of its postures. Internal to the lower bound.
 //
-// A route is a tree in which each node has two edge ends (an open end of the route counts as one), both at the posture
-// that the node takes. Lagrangian prices replace the conditions that a tree may violate. Price u_p is for the condition
-// that posture p has two edge ends if it is taken, and none otherwise. Price w >= 0, for chosen pairs of nodes, is for
-// the condition that both postures of a used edge are taken. An edge then costs straight(p, q) + u_p + u_q + w_pq,p +
-// w_pq,q, and for any prices
+// A route is a tree in which each node has two edge ends (an open end of the route is also an edge end), both at the
+// posture that the node takes. Lagrangian prices replace the conditions that a tree may violate. Price u_p is for the
+// condition that posture p has two edge ends if it is taken, and none otherwise. Price w >= 0, for chosen pairs of
+// nodes, is for the condition that both postures of a used edge are taken. An edge then costs straight(p, q) + u_p +
+// u_q + w_pq,p + w_pq,q, and for any prices
 //   tree + open ends - sum over nodes of max over p of (2 u_p + sum of p's w) <= travel time.
 // With one posture per node this is the bound of Held and Karp (1970, 1971) for a path. If a set of postures has all
 // postures of one node and none of another, every route crosses the set's border (Fischetti, Salazar and Toth 1997): a
@@ -24,7 +24,7 @@ namespace tubeplan::planner {
 struct Prices {
   std::vector<double> of_posture;  // price u of each posture, for the condition on its edge ends
   // prices w: one for each posture of both nodes of each chosen pair. The pairs are in the order of the graph; within a
-  // pair, the postures of one node come first, then those of the other node.
+  // pair, the postures of one node come first, then the postures of the other.
   std::vector<double> of_pair;
   std::vector<double> of_cut = {};  // price v of each cut, in the order of the graph's cuts; missing prices are zero
 };
@@ -32,9 +32,10 @@ struct Prices {
 struct PricedTree {
   double bound = 0;          ///< lower bound of the travel time, valid if the tree was found on the complete graph [s]
   std::vector<double> ends;  ///< number of edge ends at each posture
-  std::vector<double> pair_ends;  ///< number of edge ends to which each pair price applies
-  std::vector<double> taken;      ///< share of each posture in its node, by the prices; adds up to 1 in each node
-  std::vector<double> crossings;  ///< number of edges across each cut
+  std::vector<double> pair_ends;  ///< number of edge ends that each pair price applies to
+  /// Fraction to which each posture is taken at its node; sums to 1 over the postures of a node.
+  std::vector<double> taken;
+  std::vector<double> crossings;           ///< number of edges across each cut
   std::vector<std::pair<int, int>> edges;  ///< edges of the tree as pairs of postures
 };
 
@@ -62,7 +63,8 @@ class PairGraph {
  private:
   struct Edge {
     int to;
-    std::size_t times;  // index in `times_` of the first pair of postures; the other node's posture varies faster
+    // Index in `times_` of the first pair of postures; the index of the other node's posture varies fastest.
+    std::size_t times;
     // price indices of this node's first posture and of the other node's first posture
     std::size_t own_prices, other_prices;
   };

@@ -42,18 +42,18 @@ class EdgePenalties {
 
  private:
   std::unordered_map<std::uint64_t, double> seconds_;
-  std::vector<char> touched_;  // for each visit, nonzero if any of its moves has extra time; saves most look-ups
+  std::vector<char> touched_;  // for each visit, nonzero if any of its moves has extra time; avoids most look-ups
 };
 
-/// A route visits every tube once, in any order, from rest to rest. Without `start` it begins at any tube; without
-/// `end` it ends at any tube.
+/// Ordering problem: visit every tube once, in any order, starting and ending at rest. Without `start` it begins at any
+/// tube; without `end` it ends at any tube.
 struct Route {
   std::vector<Visit> visits;
   JointSpeeds speeds;
   std::optional<Eigen::VectorXd> start;  ///< start posture [rad]; the route may begin at any tube if there is none
   std::optional<Eigen::VectorXd> end;    ///< end posture [rad]; the route may end at any tube if there is none
   ExtraTime extra_time;                  ///< extra times of moves; empty if no move has extra time
-  /// Flag for each visit, nonzero if a move to or from it may have extra time. Empty: any move may.
+  /// Flag for each visit, nonzero if a move to or from it may have extra time. Empty means that any move may.
   std::vector<char> with_extra;
 };
 

@@ -8,8 +8,8 @@ namespace {
 
 constexpr int kNarrowView = 3, kWideView = 60;  // rounds of averaging, for a narrow and a wide neighbourhood
 
-// For each node, returns the posture from which neighbouring nodes are quickest to reach, averaged over a region that
-// grows with the number of rounds.
+// For each node, returns the posture with the shortest time to neighbouring nodes, averaged over nearby postures. Each
+// round widens the region of the average.
 std::vector<int> locallyQuickest(const PostureTable& table, const std::vector<std::vector<Neighbour>>& neighbours,
                                  int rounds) {
   std::vector<std::vector<int>> beside(table.postures());

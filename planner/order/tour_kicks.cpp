@@ -1,4 +1,4 @@
-// Random perturbations (kicks) of the tour search, small and local so that repairing a kick costs little.
+// Random perturbations (kicks) of the tour search, small and local, so that the search repairs each kick quickly.
 #include <algorithm>
 #include <cmath>
 
@@ -43,8 +43,7 @@ bool TourSearch::swapSegments(std::mt19937_64& random) {
   return true;
 }
 
-// Switches a random visit to another branch, and each visit after it to the posture nearest to that of the visit
-// before.
+// Switches a random visit to another branch, and each later visit to the posture nearest to the previous visit's.
 bool TourSearch::switchBranches(std::mt19937_64& random) {
   const int start = below(size(), random), length = 1 + below(std::min(kLongestKick, size() - 2), random);
   int node = tour_[start];

@@ -10,7 +10,7 @@
 namespace tubeplan::planner {
 namespace {
 
-// smallest gain for which a move is made [s]; above the rounding errors of sums that include forbidden moves
+// smallest gain for which a move is made [s]; exceeds the rounding errors of sums that include forbidden moves
 constexpr double kLeastGain = 1e-8;
 
 }  // namespace
@@ -49,8 +49,8 @@ std::vector<int> TourSearch::order() const {
 }
 
 double TourSearch::costAt(int node_a, int posture_a, int node_b) const {
-  // An edge between anchors is infinitely cheap, so that breaking it never gains. A move that breaks it and makes it
-  // again gains NaN, which compares false.
+  // An edge between anchors has a cost of minus infinity, so that removing it never gains. A move that removes and
+  // restores it has a gain of NaN, which fails every comparison.
   if (node_a >= visits_ && node_b >= visits_) return -std::numeric_limits<double>::infinity();
   if (node_a == free_anchor_ || node_b == free_anchor_) return 0;
   return table_.cost(posture_a, posture_of_node_[node_b]);
@@ -211,7 +211,7 @@ void TourSearch::exchange(int a, int b, int c, int d) {
   }
 }
 
-// Reverses the given positions or all the others, whichever are fewer: both give the same closed tour.
+// Reverses either the given positions or all other positions, whichever are fewer. Both give the same closed tour.
 void TourSearch::reversePlaces(int from, int to) {
   int length = to - from + 1;
   if (length <= 0) length += size();

@@ -1,7 +1,7 @@
 // Local search on the order of a route: 2-opt, Or-opt and branch changes, with local kicks. Internal to the ordering.
 //
 // The open route is stored as a closed tour, joined by anchors: the start and end postures and, unless both are given,
-// one free anchor that costs nothing to reach. Edges between anchors are so cheap that no move gains by breaking them.
+// one free anchor that costs nothing to reach. Edges between anchors are so cheap that no move removes them.
 #pragma once
 
 #include <cstdint>

@@ -20,7 +20,7 @@ constexpr double kTrialShare = 0.08;   // fraction of all kicks for each start t
 constexpr double kFinishShare = 0.32;  // fraction of all kicks for the best start tour
 constexpr double kFewBranches = 4;     // mean number of branches per visit above which there are fewer kicks
 constexpr long kKicksBetweenStops = 1000;
-constexpr int kLegs = 8;  // rounds of kicks, each followed by the exact branch choice
+constexpr int kLegs = 8;  // number of rounds of kicks; each round ends with an exact branch choice
 
 struct Candidate {
   std::vector<int> order;

@@ -15,12 +15,13 @@ namespace tubeplan::planner {
 
 struct VisitOrderOptions {
   std::uint64_t seed = 1;
-  /// Number of local kicks per visit: a count and not a time limit, so that a run can be repeated exactly.
+  /// Number of local kicks per visit. A count instead of a time limit makes runs reproducible.
   int kicks_per_visit = 30;
   int least_kicks = 20'000;    ///< smallest number of kicks, for small problems
   int most_kicks = 2'000'000;  ///< largest number of kicks, for large problems
   int neighbours = 8;          ///< number of nearest other visits that the local search may connect to a visit
-  double most_exact_work = kMostExactWork;  ///< routes with at most this work are ordered exactly (exact_order.hpp)
+  /// Routes that need at most this much work are ordered exactly (exact_order.hpp).
+  double most_exact_work = kMostExactWork;
   /// If false, lower_bound and optimality_gap stay NaN. The bound ignores extra times, so a search repeated with other
   /// extra times does not need it again.
   bool with_bound = true;
@@ -30,8 +31,7 @@ struct VisitOrderOptions {
   std::vector<int> start;
   /// An order of all visits found earlier, used as an additional starting order of the search; may be empty.
   std::vector<int> hint;
-  /// Called from time to time, from several threads. Once it returns true, the search ends early with its result so
-  /// far.
+  /// Called regularly from several threads. Once it returns true, the search ends early with its result so far.
   std::function<bool()> stop;
 };
 

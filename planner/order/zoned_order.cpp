@@ -96,7 +96,7 @@ VisitOrder orderByZones(const Route& route, const std::vector<int>& zones, const
     for (const int visit : order.order) whole.order.push_back(visits[static_cast<std::size_t>(visit)]);
     whole.branches.insert(whole.branches.end(), order.branches.begin(), order.branches.end());
   }
-  // The branches of each zone were chosen without regard to the next zone, so all branches are chosen again.
+  // The branches of each zone were chosen independently of the next zone, so choose all branches again.
   const BranchChoice together = bestBranches(route, whole.order);
   whole.branches = together.branches;
   whole.travel_time = together.travel_time;

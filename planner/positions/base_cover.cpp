@@ -100,7 +100,7 @@ class CoverSearch {
     }
   }
 
-  /// Returns candidates that reach everything: each one adds the most tubes.
+  /// Returns candidates that together reach all tubes, chosen greedily: each one adds the most tubes.
   std::vector<int> greedy() {
     std::vector<int> found;
     while (true) {
@@ -122,7 +122,8 @@ class CoverSearch {
     return found;
   }
 
-  /// Returns a number of open groups of which no candidate reaches two: at least as many candidates are needed.
+  /// Returns the size of a set of open groups such that no candidate reaches two of them. At least that many candidates
+  /// are needed.
   [[nodiscard]] int independentGroups() const {
     std::vector<bool> is_used(of_candidate_.size(), false);
     int count = 0;

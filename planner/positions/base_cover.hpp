@@ -2,8 +2,8 @@
 //
 // Both are covering problems over sets of tubes. The choice of at most `most` candidates is found by branch and bound:
 // a partial choice can gain no more than its largest remaining gains (Nemhauser, Wolsey and Fisher 1978). The fewest
-// candidates are found by branching over the candidates that reach a tube which few of them reach. Tubes with the same
-// candidates count as one.
+// candidates are found by branching over the candidates for the tube that the fewest candidates reach. Tubes with the
+// same candidates are merged.
 #pragma once
 
 #include <cstddef>
@@ -28,9 +28,9 @@ struct BaseCover {
   BaseCoverStatus status = BaseCoverStatus::kNotRun;
   std::vector<int> best;  ///< the chosen candidates, at most BaseCoverOptions::most, ascending
   int reached = 0;        ///< number of tubes that `best` reaches
-  int at_most = 0;        ///< no choice of as many candidates reaches more tubes
+  int at_most = 0;        ///< upper bound on the tubes that any choice of this size reaches
   std::vector<int> all;   ///< the fewest candidates that reach every tube that any candidate reaches, ascending
-  int at_least = 0;       ///< no fewer candidates reach all of these tubes
+  int at_least = 0;       ///< lower bound on the number of candidates that reach all of these tubes
   int reachable = 0;      ///< number of tubes that any candidate reaches
 };
 

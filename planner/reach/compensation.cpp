@@ -118,7 +118,8 @@ void goDown(ToolPlacer& placer, double standoff, std::vector<Approach>& approach
   }
 }
 
-/// Judges each approach by the tip positions midway between its via points, and drops those that are finished.
+/// Checks each approach at the tip positions midway between its via points, and removes the approaches that are
+/// finished.
 void judgeMiddles(ToolPlacer& placer, const CompensationOptions& options, std::vector<Approach>& approaches) {
   std::vector<VectorXd> postures;
   for (Approach& approach : approaches) {
@@ -182,8 +183,8 @@ class Modes {
     ToolPlacer& via = options_.mode == Compensation::kViaPoint ? flexible() : rigid();
     std::vector<Approach> approaches;
     for (TubeBranch& branch : branches)
-      // The approach ends where its own model has the tip in the goal posture. With goal-point compensation this is the
-      // tip of the rigid model, although the flexible model found the posture.
+      // The approach ends at the tip position that its own model predicts for the goal posture. With goal-point
+      // compensation, this is the rigid model's tip, although the posture was found with the flexible model.
       if (branch.status == BranchStatus::kConverged) approaches.emplace_back(via.tipsAt({branch.q}).front(), branch);
     addApproaches(via, options_, std::move(approaches));
     for (TubeBranch& branch : branches)

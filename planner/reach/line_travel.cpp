@@ -14,7 +14,7 @@ using Eigen::Vector3d, Eigen::VectorXd;
 
 // Shortest segment, as a fraction of the line; if a segment this short still needs a via point, the branches differ.
 constexpr double kShortest = 1. / 2048;
-constexpr int kMostTries = 6;  // attempts, each with via points refined to half the tolerance of the previous attempt
+constexpr int kMostTries = 6;  // number of attempts; each one halves the tolerance of the previous attempt
 
 double distanceFromLine(const Vector3d& p, const Vector3d& from, const Vector3d& to) {
   const Vector3d along = (to - from).stableNormalized();

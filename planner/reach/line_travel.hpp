@@ -13,7 +13,8 @@
 namespace tubeplan::planner {
 
 struct LineTravelOptions {
-  /// Largest distance of the deflected tip from the line, also where corners between via points are cut [m] (0.002 in).
+  /// Largest distance of the deflected tip from the line, including where corners between via points are rounded [m]
+  /// (0.002 in).
   double tolerance = 5.08e-5;
   int most_waypoints = 1025;
 };

@@ -27,7 +27,7 @@ struct Centring {
 [[nodiscard]] Centring scoreVisit(const Workcell& truth, const Eigen::Vector3d& hole_W, const TubeBranch& visit,
                                   const Eigen::Vector3d& tip_error_W = Eigen::Vector3d::Zero());
 
-/// Returns the same result, computed with `tips`, which must have been created from `truth`.
+/// Overload that reuses `tips`, which must have been created from `truth`.
 [[nodiscard]] Centring scoreVisit(TipPrediction& tips, const Workcell& truth, const Eigen::Vector3d& hole_W,
                                   const TubeBranch& visit,
                                   const Eigen::Vector3d& tip_error_W = Eigen::Vector3d::Zero());

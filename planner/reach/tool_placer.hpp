@@ -9,8 +9,8 @@
 
 namespace tubeplan::planner {
 
-/// Finds postures for given tip positions, and the converse, with the flexible or the rigid arm. The tool points along
-/// the holes' axis as closely as the arm can. `cell` and `arm` must outlive this object.
+/// Converts tip positions to postures and back, with the flexible or the rigid arm. The tool points along the holes'
+/// axis as closely as the arm can. `cell` and `arm` must outlive this object.
 class ToolPlacer {
  public:
   ToolPlacer(const Workcell& cell, const deflection::Arm& arm, const deflection::InverseKinematicsOptions& options);

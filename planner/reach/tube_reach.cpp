@@ -10,7 +10,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-/// The test that a branch failed, in the order of the tests; the latest failure is the most informative.
+/// Test that a branch failed, in the order of the tests. The failure of a later test is more informative.
 enum class Hurdle { kNone, kKinematics, kStandoff, kApproach, kTube };
 
 struct BranchVerdict {
@@ -19,7 +19,8 @@ struct BranchVerdict {
   Clearance blocking;
 };
 
-constexpr double kSameTilt = 0.0044;  ///< difference below which tilts count as equal, a quarter of a degree [rad]
+/// Tilts that differ by less than this are treated as equal [rad]; a quarter of a degree.
+constexpr double kSameTilt = 0.0044;
 
 /// Smallest number of joints with which an arm controls its tilt: three for the tip's position, two more for the tilt.
 constexpr Eigen::Index kJointsThatTilt = 5;

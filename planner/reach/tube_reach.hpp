@@ -13,11 +13,11 @@ namespace tubeplan::planner {
 struct TubeReachOptions {
   CompensationOptions compensation;
   MotionCheckOptions check;
-  /// Number of standard deviations of the base's pose by which the scene's clearance is increased. A standoff is
-  /// lowered by the same number of deviations along the hole's axis, so that `compensation.standoff` remains.
+  /// The scene's clearance is increased by this number of standard deviations of the base's pose. A standoff is lowered
+  /// by the same number of deviations along the hole's axis, so that `compensation.standoff` remains.
   double padding = 0;
-  /// Standoffs to try at each tube, as fractions of `compensation.standoff`, ascending. The first one from which a
-  /// branch is usable is taken, so that the tool goes up and down no further than necessary.
+  /// Standoffs to try at each tube, as fractions of `compensation.standoff`, ascending. The first one with a usable
+  /// branch is taken, which keeps the vertical moves short.
   std::vector<double> standoff_shares = {1};
   double spare = 5.08e-4;  ///< reserve that a plan keeps beyond the scene's clearance [m] (0.020 in)
 };

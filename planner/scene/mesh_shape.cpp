@@ -52,7 +52,8 @@ class NearestTriangle {
   const Vector3d &from_, &to_;
   AlignedBox3d around_;
   double radius_;
-  double reach_ = std::numeric_limits<double>::infinity();  ///< largest coordinate of the body along `least.across`
+  /// Largest coordinate of the body along `least.across`, the normal of the separating plane.
+  double reach_ = std::numeric_limits<double>::infinity();
 };
 
 /// Returns the gap between a segment and the triangle nearest to it; the gap is `enough` [m] if no triangle is nearer.
@@ -68,7 +69,7 @@ TriangleGap nearestTriangle(const TriangleTree& tree, const Vector3d& from, cons
 
 MeshShape::MeshShape(const TriangleMesh& mesh, const Isometry3d& X_FM) : survey_(surveyMesh(mesh)), tree_(mesh, X_FM) {}
 
-/// Returns true if a point is inside a closed mesh; uncertain cases count as inside.
+/// Returns true if a point is inside a closed mesh; uncertain cases are treated as inside.
 bool MeshShape::isInside(const Vector3d& p) const { return survey_.isClosed() && tree_.windingNumber(p) != 0; }
 
 double MeshShape::pointDistance(const Vector3d& p) const {

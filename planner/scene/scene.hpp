@@ -42,7 +42,7 @@ struct Scene {
   std::vector<std::pair<int, int>> inseparable = {};
 };
 
-/// A fault of a scene. `path` names the faulty field (`obstacle mezzanine: allow`).
+/// An error in a scene. `path` names the field with the error (`obstacle mezzanine: allow`).
 struct SceneProblem {
   std::string path;
   std::string found;          ///< value found; if `expected` is empty, a sentence that states the problem

@@ -26,12 +26,12 @@ struct ShapeField {
   std::string_view name;
   ShapeQuantity quantity;
   int count;             ///< number of values; 0 for a name
-  bool required = true;  ///< if false, the field may be left out and is then all zeros
+  bool required = true;  ///< if false, the field is optional; by default it is all zeros
 };
 
 struct MadeShape {
   ShapePointer shape;   ///< the shape; null if there is a problem
-  std::string problem;  ///< name of the faulty field, and the reason; empty if there is no problem
+  std::string problem;  ///< name of the field with the error, and the reason; empty if there is none
 };
 
 struct ShapeRow {

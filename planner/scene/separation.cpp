@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 // Tolerance of the distance library; the default, 1e-6, gives errors of a millimetre between a capsule and a
 // metre-sized box.
 constexpr double kLibraryTolerance = 1e-12;
-// Gap below which two bodies cannot be distinguished from touching; a smaller gap counts as contact [m].
+// Numerical accuracy of a gap between two bodies [m]; a smaller gap is treated as contact.
 constexpr double kContact = 1e-9;
 // The library's second solver is called as well if the gap between the supporting planes is smaller than the library's
 // distance by more than this [m].
@@ -29,7 +29,8 @@ struct Proposal {
   Vector3d on_a, on_b;
 };
 
-/// Returns the nearest points of the cores according to the library; nothing if the library finds contact or fails.
+/// Returns the nearest points of the cores according to the library; std::nullopt if the library finds contact or
+/// fails.
 std::optional<Proposal> askLibrary(const Isometry3d& X_WCa, const RoundedCore& a, const Isometry3d& X_WCb,
                                    const RoundedCore& b, fcl::GJKSolverType solver) {
   const fcl::DistanceRequestd request(true, false, 0.0, 0.0, kLibraryTolerance, solver);
@@ -94,7 +95,8 @@ Proposal fromBox(const Isometry3d& X_WA, const Box& a, const Isometry3d& X_WB, c
   return best;
 }
 
-/// Returns the nearest points of the cores if b is a capsule, or a or b is a box; nothing if the library is needed.
+/// Returns the nearest points of the cores if b is a capsule, or a or b is a box; std::nullopt if the library is
+/// needed.
 std::optional<Proposal> proposalOf(const Isometry3d& X_WA, const Solid& a, const Isometry3d& X_WB, const Solid& b) {
   if (b.isCapsule()) return swapped(fromSegment(X_WB * b.around().from, X_WB * b.around().to, X_WA, a));
   if (a.box()) return fromBox(X_WA, *a.box(), X_WB, b);

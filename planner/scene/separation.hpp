@@ -25,7 +25,7 @@ struct SegmentPair {
 /// Returns the distance between solids a and b placed in W, exact for two capsules (including spheres). For other
 /// solids, the nearest points are estimated, in closed form if a or b is a capsule or a box. The result is the gap
 /// between two planes perpendicular to the line through these points, one supporting a and one supporting b. It never
-/// exceeds the true distance, so that inaccurate points can only lose clearance. The returned point is on a, in W.
+/// exceeds the true distance, so inaccurate points give a conservative result. The returned point is on a, in W.
 [[nodiscard]] Separation separation(const Eigen::Isometry3d& X_WA, const Solid& a, const Eigen::Isometry3d& X_WB,
                                     const Solid& b);
 

@@ -50,8 +50,8 @@ struct Core {
 };
 
 /// Returns the gap between a convex body and a triangle. Either the triangle's nearest point is on an edge, or the
-/// body's nearest point is the point that reaches farthest towards the face. A body that meets the triangle but none of
-/// its edges is cut right through by the face.
+/// body's nearest point is the point that reaches farthest towards the face. A body that intersects the triangle but
+/// none of its edges passes through the face.
 template <class Body>
 TriangleGap gapBetween(const Corners& t, const Body& body) {
   TriangleGap best{-std::numeric_limits<double>::infinity(), {}};

@@ -3,7 +3,7 @@
 // Each distance is computed as the width of a gap between two parallel planes, one supporting the triangle and the
 // other the point, segment or solid. The widest gap is taken over the directions in which the nearest points may lie.
 // No such gap is wider than the distance, and the gap along the line of the nearest points is just as wide. Errors in
-// the normal of a triangle that is nearly a line can therefore only lose clearance.
+// the normal of a nearly degenerate triangle therefore give a conservative result.
 #pragma once
 
 #include "planner/scene/shape.hpp"
@@ -11,7 +11,7 @@
 
 namespace tubeplan::planner {
 
-/// Gap [m] below which a body and a triangle cannot be distinguished from touching; it counts as contact and is
+/// Gap [m] below which a body and a triangle cannot be distinguished from touching; it is treated as contact, and
 /// returned as 0.
 inline constexpr double kTriangleContact = 1e-9;
 

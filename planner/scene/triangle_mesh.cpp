@@ -20,7 +20,7 @@ constexpr double kFarthest = 1e6;
 /// Returns an index for each corner, the same for corners that coincide within the rounding of mesh files. Some file
 /// formats repeat a corner for each of its triangles.
 std::vector<int> placesOf(const std::vector<Vector3d>& vertices) {
-  constexpr double kSame = 1e-6;  // as a fraction of the mesh's extent; two corners in one cell always coincide
+  constexpr double kSame = 1e-6;  // cell size as a fraction of the mesh's extent; corners in the same cell are merged
   Eigen::AlignedBox3d box;
   for (const Vector3d& vertex : vertices) box.extend(vertex);
   const double side = std::max(kSame * box.sizes().maxCoeff(), std::numeric_limits<double>::min());
@@ -60,7 +60,7 @@ std::vector<EdgeUse> edgeUses(const TriangleMesh& mesh) {
     for (int k = 0; k < 3; ++k) {
       const auto from = static_cast<std::uint64_t>(place[static_cast<std::size_t>(triangle[k])]);
       const auto to = static_cast<std::uint64_t>(place[static_cast<std::size_t>(triangle[(k + 1) % 3])]);
-      // An edge of zero length, in a degenerate triangle, cannot leave the surface open, so it is not counted.
+      // Edges of zero length (degenerate triangles) are skipped, because they cannot leave a gap in the surface.
       if (from != to) uses.push_back({std::min(from, to) << 32 | std::max(from, to), from < to ? 1 : -1});
     }
   std::ranges::sort(uses, {}, &EdgeUse::edge);

@@ -23,7 +23,7 @@ inline constexpr std::size_t kMostTriangles = 2'000'000;
 /// corners are finite and at most a million.
 [[nodiscard]] std::string findMeshProblem(const TriangleMesh& mesh);
 
-/// Topology of a mesh. Corners at the same coordinates count as one.
+/// Topology of a mesh. Corners with the same coordinates are merged.
 struct MeshSurvey {
   std::size_t open_edges = 0;  ///< edges that belong to an odd number of triangles
   /// Other edges that are traversed more often in one direction than in the other, because adjacent triangles have

@@ -13,8 +13,7 @@ constexpr std::size_t kLeafTriangles = 4;
 constexpr std::size_t kBins = 12;
 // Depth beyond which the triangles are split into halves of equal count, so that the recursion terminates.
 constexpr int kDeepestSearch = 40;
-// Smallest triple product whose sign is certain despite rounding, relative to the product of the lengths of its
-// vectors.
+// Smallest relative triple product whose sign is reliable despite rounding.
 constexpr double kTellable = 1e-12;
 
 /// Directions of rays for the winding number. They are arbitrary, but no edge or face of a mesh is likely to be
@@ -37,7 +36,7 @@ bool rayMeets(const AlignedBox3d& box, const Vector3d& p, const Vector3d& invers
 }
 
 /// Returns 1 or -1 if the ray passes through a triangle that faces along or against it, 0 if it misses the triangle,
-/// nothing if that is uncertain.
+/// std::nullopt if that is uncertain.
 std::optional<int> crossing(const Corners& corners, const Vector3d& p, const Vector3d& direction) {
   const Vector3d a = corners[0] - p, b = corners[1] - p, c = corners[2] - p;
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
@@ -49,8 +48,8 @@ std::optional<int> crossing(const Corners& corners, const Vector3d& p, const Vec
     negative += sides[k] < -floors[k];
   }
   if (positive > 0 && negative > 0) return 0;
-  // The sign of `height` tells on which side of the face p lies, and so whether the triangle is ahead of p or behind
-  // it.
+  // The sign of `height` gives the side of the face on which p lies, and therefore whether the triangle is ahead of p
+  // or behind it.
   const double height = a.dot(b.cross(c)), floor = kTellable * la * lb * lc;
   const bool is_behind = positive > 0 ? height < -floor : negative > 0 && height > floor;
   if (is_behind) return 0;

@@ -1,4 +1,4 @@
-// A tree of boxes around triangles, which finds triangles near a body without checking all triangles.
+// A tree of boxes around triangles, which finds triangles near a body without testing all of them.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -27,9 +27,9 @@ class TriangleTree {
   [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return nodes_.front().box; }
   [[nodiscard]] std::span<const Corners> triangles() const { return triangles_; }
 
-  /// Calls `look(corners)` for triangles, those in the nearest boxes first. `distance_of(box, least)` returns a lower
-  /// bound of the distance of the triangles in a box; boxes with a bound of `least` or more are skipped. `look` lowers
-  /// `least` when it finds a nearer triangle.
+  /// Calls `look(corners)` for triangles, starting with those in the nearest boxes. `distance_of(box, least)` returns a
+  /// lower bound of the distance of the triangles in a box; boxes with a bound of `least` or more are skipped. `look`
+  /// lowers `least` when it finds a nearer triangle.
   template <class DistanceOf, class Look>
   void nearestFirst(const DistanceOf& distance_of, const Look& look, const double& least) const {
     descend(0, distance_of(nodes_.front().box, least), distance_of, look, least);
@@ -37,7 +37,7 @@ class TriangleTree {
 
   /// Returns the winding number of the surface around p_F, which is not zero inside a closed mesh. It is the number of
   /// triangles along a ray from p_F that face in the ray's direction minus the number that face against it. Returns
-  /// nothing if all rays tried pass too close to an edge, for example if the point is on the surface.
+  /// std::nullopt if all rays tried pass too close to an edge, for example if the point is on the surface.
   [[nodiscard]] std::optional<int> windingNumber(const Eigen::Vector3d& p_F) const;
 
  private:

@@ -12,7 +12,7 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr int kChords = 8;  // number of chords for a curved phase
-// Each repair multiplies by kRepair the durations of the legs that are too short for their corners.
+// Each repair lengthens the legs that are too short for their corners, by the factor kRepair.
 constexpr int kMostRepairs = 1000;
 constexpr double kRepair = 1.02;
 
@@ -37,8 +37,8 @@ Legs legsOf(const std::vector<VectorXd>& waypoints, const JointSpeeds& speeds) {
     const VectorXd way = waypoints[k] - waypoints[k - 1];
     if (way.isZero(0)) continue;
     legs.ways.push_back(way);
-    // A leg that is entered and left at speed may take less time than from rest to rest, so repairs begin with half the
-    // rest-to-rest time of the leg.
+    // A leg that is entered and left at speed may be faster than a rest-to-rest move, so repairs start from half the
+    // rest-to-rest time.
     legs.times.push_back(
         std::max(slowest(way, speeds.max_speed), 0.5 * std::sqrt(slowest(way, speeds.max_acceleration))));
   }
@@ -54,8 +54,8 @@ std::vector<double> cornerTimes(const Legs& legs, const JointSpeeds& speeds) {
 }
 
 /// Increases the durations of legs until each leg has time for half of the corner at either end. Returns the durations
-/// of the corners [s], or an empty vector if that fails. Each pass changes all legs at once, so that the reversed path
-/// takes the same times.
+/// of the corners [s], or an empty vector if that fails. Each pass changes all legs simultaneously, so that the
+/// reversed path gets the same times.
 std::vector<double> fitCorners(Legs& legs, const JointSpeeds& speeds) {
   std::vector<double> corners = cornerTimes(legs, speeds);
   for (int repair = 0; repair < kMostRepairs; ++repair) {

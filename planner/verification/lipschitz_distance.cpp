@@ -31,7 +31,7 @@ double lipschitzDistance(const Capsule& capsule, const Shape& shape, const Lipsc
   assert(options.accuracy > 0);
   const Eigen::Vector3d along = capsule.to - capsule.from;
   const double length = along.norm();
-  // A capsule at an undefined position counts as touching everything.
+  // A capsule at an undefined position is treated as touching everything.
   if (!std::isfinite(length)) return -std::numeric_limits<double>::infinity();
   const auto at = [&](double s) { return shape.pointDistance(capsule.from + s * along) - capsule.radius; };
   std::vector<CapsuleStretch> open{{0, 1, at(0), at(1)}};
@@ -71,8 +71,9 @@ LipschitzMargins::Look LipschitzMargins::lookAt(const Pair& pair, std::span<cons
   };
   const Body& body = scene_.bodies[pair.body];
   Capsule capsule = placed(frameOf(body), capsuleAround(body));
-  const double padding =
-      pair.with_body || padding_.isNone() ? 0 : padding_.towards(*scene_.obstacles[pair.other].shape, capsule, body.frame_index);
+  const double padding = pair.with_body || padding_.isNone()
+                             ? 0
+                             : padding_.towards(*scene_.obstacles[pair.other].shape, capsule, body.frame_index);
   if (pair.with_body) capsule = placed(frameOf(scene_.bodies[pair.other]).inverse(), capsule);
   const Shape& other = pair.with_body ? *scene_.bodies[pair.other].shape : *scene_.obstacles[pair.other].shape;
   const double half_length = (capsule.to - capsule.from).norm() / 2;
@@ -80,8 +81,8 @@ LipschitzMargins::Look LipschitzMargins::lookAt(const Pair& pair, std::span<cons
   return {&pair, capsule, &other, padding, middle - half_length - capsule.radius - padding};
 }
 
-/// Returns the gap between a body that is not a capsule and the other shape of the pair. It is proved by supporting
-/// planes on both sides of the gap, whatever their direction.
+/// Returns the gap between a body that is not a capsule and the other shape of the pair. Supporting planes on both
+/// sides of the gap prove it, in any direction.
 double LipschitzMargins::gapOf(const Look& look, std::span<const Eigen::Isometry3d> X_WL) const {
   const auto frameOf = [&](const Body& body) { return X_WL[static_cast<std::size_t>(body.frame_index)]; };
   const Body& body = scene_.bodies[look.pair->body];

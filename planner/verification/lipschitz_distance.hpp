@@ -21,8 +21,8 @@ struct LipschitzOptions {
   double accuracy = 1e-6;  ///< largest amount by which the result may fall below the true distance [m]
   /// Alternative accuracy, as a fraction of the distance beyond `required`; the larger of the two applies.
   double share = 0;
-  double required = 0;  ///< distance at which `share` begins to count [m]
-  /// A lower bound of at least `enough` [m] counts as accurate enough.
+  double required = 0;  ///< distance from which `share` is measured [m]
+  /// A lower bound of at least `enough` [m] is accurate enough.
   double enough = std::numeric_limits<double>::infinity();
 };
 

@@ -129,16 +129,16 @@ class PathClearance {
  private:
   [[nodiscard]] bool isStopped() const { return hooks_.stop && hooks_.stop(); }
 
-  /// Returns true if all joint values are within their limits. Rows beyond the limits are refuted by another check;
-  /// moves to them are skipped here, because they may be very long.
+  /// Returns true if all joint values are within their limits. Another check reports rows beyond the limits. Moves to
+  /// them are skipped here, because they may be very long.
   [[nodiscard]] bool isWithinLimits(const VectorXd& q) const {
     for (int j = 0; j < q.size(); ++j)
       if (isPastLimit(arm_.joint(j), q[j])) return false;
     return true;
   }
 
-  /// Checks the stated clearance against the smallest margin met. That margin is a lower bound of the true margin at
-  /// its posture, so `slack` allows for its error.
+  /// Checks the stated clearance against the smallest margin met. That margin is a lower bound of the true margin, and
+  /// `slack` allows for the difference.
   void checkStated() {
     if (!plan_.least_clearance || plan_.path.empty()) return;
     const double stated = *plan_.least_clearance - travel_scene_.clearance;

@@ -157,8 +157,8 @@ class SegmentedArm {
     }
   }
 
-  /// Adds the lumped weights of a row: those of a rigid row hang from its frame, one along a flexible member from the
-  /// nearest piece.
+  /// Adds the lumped weights of a row. The weights of a rigid row act on its frame; a weight along a flexible member
+  /// acts on the nearest piece.
   void addLumps(const Row& row, const Vector3d& member) {
     const bool gives = member.squaredNorm() > 0 && !curvatureOf(row, member.normalized()).isZero(0);
     Step& frame = steps_.emplace_back();

@@ -14,7 +14,7 @@ struct SegmentedStaticsOptions {
   /// Number of pieces into which each flexible member is cut; the error is inversely proportional to the square of this
   /// number.
   int pieces = 32;
-  double tolerance = 1e-9;  ///< converged if no spring's rotation changes by more between two passes [rad]
+  double tolerance = 1e-9;  ///< convergence tolerance: largest change of a spring's rotation between two passes [rad]
   int max_passes = 200;
 };
 
@@ -22,13 +22,13 @@ enum class SegmentedStaticsStatus { kNotRun, kConverged, kNotConverged, kNotCove
 
 struct SegmentedStatics {
   SegmentedStaticsStatus status = SegmentedStaticsStatus::kNotRun;
-  std::string reason;  ///< why the shape did not converge or the arm is not covered; empty if converged
+  std::string reason;  ///< reason why the shape did not converge or the arm is not supported; empty if converged
   Eigen::Vector3d p_BD = Eigen::Vector3d::Zero();  ///< deflected tip in the base frame [m]
 };
 
-/// Solves for the shape at rest, in which every spring turns by its compliance times the moment of all weights and
-/// loads beyond it, in their positions on the bent shape. Effects act according to their own laws; arms with mechanical
-/// play are not covered.
+/// Solves for the shape at rest: every spring turns by its compliance times the moment of all weights and loads beyond
+/// it, at their positions on the bent shape. Effects are included by their own laws; arms with mechanical play are not
+/// supported.
 [[nodiscard]] SegmentedStatics solveSegmentedStatics(const deflection::Arm& arm, const deflection::Posture& posture,
                                                      const SegmentedStaticsOptions& options = {});
 

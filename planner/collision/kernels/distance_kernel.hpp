@@ -5,7 +5,7 @@
 // or a cylinder is convex. The zero of its slope is found by Newton steps kept within a bracket, as in
 // segment_distance.hpp; each lane steps until it converges. The result is the gap between the parallel planes that
 // support the segment and the solid, perpendicular to the line through the two points found. This gap never exceeds the
-// distance, wherever the search ended.
+// distance, even if the search has not converged.
 #pragma once
 
 #include "deflection/revolute_chain/row_kernel.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 using namespace tubeplan::planner::kernels;
 
-constexpr double kContactGap = 1e-9;   // a smaller gap counts as contact [m]
+constexpr double kContactGap = 1e-9;   // a smaller gap is treated as contact [m]
 constexpr double kFinestStep = 1e-15;  // smallest Newton step, as a fraction of the segment's length
 constexpr int kMostSteps = 100;
 
@@ -50,7 +50,7 @@ struct Slope {
 };
 
 /// Returns the position along the segment, from 0 to 1, where the slope is zero; an end if the slope has one sign
-/// throughout. `asked`: lanes whose result is used.
+/// throughout. `asked` is the mask of lanes whose result is used.
 template <class SlopeAt>
 inline Real levelPlace(Bits asked, const SlopeAt& slope_at) {
   const Real zero = constant(0), one = constant(1);

@@ -2,8 +2,8 @@
 //
 // Pairs are computed one after the other, each for all postures at once. Before an iterative search, or the distance
 // between two segments, the sphere around the capsule shows whether the pair can be nearer than the nearest pair so
-// far. A lane where it cannot is left unchanged even if other lanes continue, so that the bits of a posture's result do
-// not depend on the other lanes.
+// far. If it cannot, the lane is left unchanged even if other lanes continue. The result of a posture is therefore
+// bit-identical regardless of the other lanes.
 #pragma once
 
 #include "planner/collision/kernels/distance_kernel.hpp"

@@ -4,7 +4,7 @@
 // apart.
 //
 // This header must not define functions: it is included by sources that are compiled for different processors, and the
-// linker might keep the version of a processor other than the one in use.
+// linker might keep the code for the wrong processor.
 #pragma once
 
 #include "deflection/revolute_chain/plain_rows.hpp"
