@@ -1,4 +1,4 @@
-// Hooks of long-running work, by which a caller follows its progress and can stop it.
+// Hooks with which a caller monitors and stops long-running work.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ namespace tubeplan::calibration {
 using StopQuestion = std::function<bool()>;
 
 /// Hooks of long-running work. Either may be empty, and neither changes a computed result. The calling thread calls
-/// `progress` with the number of steps done in a stage and their total (0: unknown). If `stop` returns true, the work
-/// ends early and its result states only that it was stopped.
+/// `progress` with the number of steps done in a stage and their total (0 means unknown). If `stop` returns true, the
+/// work ends early and its result contains only the status `stopped`.
 struct WorkHooks {
   std::function<void(std::string_view stage, std::size_t done, std::size_t total)> progress;
   StopQuestion stop;
@@ -21,7 +21,7 @@ struct WorkHooks {
 
 [[nodiscard]] inline bool shouldStop(const StopQuestion& stop) { return stop && stop(); }
 
-/// Returns hooks for a nested task: the task stops on the same request, but reports no progress of its own.
+/// Returns hooks for a nested task: the task stops on the same request, but does not report progress.
 [[nodiscard]] inline WorkHooks withoutProgress(const WorkHooks& hooks) { return {{}, hooks.stop}; }
 
 /// Exception that unwinds stopped work within this library. The function that was given the hooks catches it.

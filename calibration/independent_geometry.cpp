@@ -18,8 +18,9 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr int kPostures = 12;
-constexpr double kNothingNew = 1e-6;  // fraction of a column's norm outside the span ("newness") that counts as zero
-// Newness below which a parameter is deferred until those of all ranks have been tried.
+// Largest "newness" (fraction of a column's norm outside the span) that is treated as zero.
+constexpr double kNothingNew = 1e-6;
+// Newness below which a parameter is deferred until all ranks have been tried.
 constexpr double kHardlyNew = 0.01;
 // The first column in file order with at least this fraction of the largest newness is taken.
 constexpr double kNearlyAsNew = 0.3;
@@ -52,7 +53,7 @@ std::vector<deflection::Posture> posturesAllOver(const Arm& mechanism) {
 }
 
 /// Returns the derivatives of the tool pose at random postures: 6 rows per posture, with lengths divided by the arm's
-/// reach. The columns are those of the parameters, then those of the six components of a base step.
+/// reach. The columns are the parameters, then the six components of a base step.
 MatrixXd motionsBy(const Arm& mechanism, const std::vector<Parameter>& numbers) {
   std::vector<deflection::Variable> variables;
   for (const Parameter& number : numbers) variables.push_back(deflection::Variable::number(number.path));
@@ -92,8 +93,8 @@ class Span {
   VectorXd lengths_;
 };
 
-/// Returns the rank of a parameter, of which those with rank 0 are tried first; empty if it is not a geometric
-/// parameter of the main chain.
+/// Returns the rank of a parameter (rank 0 is tried first), or std::nullopt if it is not a geometric parameter of the
+/// main chain.
 std::optional<int> rankOf(const Parameter& number, const PlacedArm& placed) {
   if (number.path.side_chain >= 0 || number.path.effect >= 0 || !isGeometry(number.name)) return std::nullopt;
   if (number.path.row < 0) return 1;
@@ -102,7 +103,7 @@ std::optional<int> rankOf(const Parameter& number, const PlacedArm& placed) {
   return moves(placed.arm.rows[static_cast<std::size_t>(number.path.row)].joint) ? 2 : 3;
 }
 
-/// Takes the parameters of one rank, one after another, until the newness of all that remain is below `least`.
+/// Takes the parameters of one rank, one after another, until the newness of all remaining ones is below `least`.
 void takeAll(std::vector<Index> columns, double least, Span& span, std::vector<Index>& taken) {
   while (!columns.empty()) {
     double newest = 0;

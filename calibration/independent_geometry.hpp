@@ -1,5 +1,5 @@
-// Selection of geometric parameters of an arm that a fit can free together, because each moves the tool in a way that
-// no combination of the others can.
+// Selection of geometric parameters of an arm that a fit can free together: each moves the tool in a way that no
+// combination of the others can.
 #pragma once
 
 #include <string>
@@ -28,8 +28,8 @@ struct IndependentNumber {
 /// every change of the tool pose that any geometric parameter causes. The set has four parameters per revolute row, two
 /// per prismatic row and six for the tool, less six if no base is known (Everett 1987), in any kinematic convention of
 /// the rows. If no measurement depends on the tool's rotation (`placed.shows_tool_turn` is false), the set has three
-/// parameters fewer: rotations of the tool about its tip then count as already free, and the last joint's zero replaces
-/// one coordinate of the tip.
+/// parameters fewer: rotations of the tool about its tip are then treated as already free, and the last joint's zero
+/// replaces one coordinate of the tip.
 ///
 /// Joint zeros are tried first, then the tip, then rows with a moving joint, then other rows. The first row's b is
 /// tried last, because it adds a motion only if the base is known. Among equally independent parameters, the first in

@@ -1,4 +1,4 @@
-// A measurement, also called a measurement: what was measured, at which joint readings and under which load.
+// One measurement: the measured values, the joint readings, and the conditions under which they were taken.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,26 +15,27 @@ namespace tubeplan::calibration {
 
 using deflection::Condition;
 
-/// Value of a number that is neither stated nor computed: NaN.
+/// Placeholder for a number that was neither given nor computed (NaN).
 inline constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 /// Kinds of measurement, in the order of the table in measurements/measurement_kinds.hpp.
 enum class MeasurementKind {
-  kPosition,     ///< p_W is the measured position of the tip
-  kTouch,        ///< the tip rests centred at `point`; p_W is the position of that point, empty if unknown
-  kDeflection,   ///< p_W is the tip's measured displacement from its unloaded position at the same joint readings
-  kDistance,     ///< p_W is a fixed anchor, own[0] the measured distance from the anchor to the tip [m]
-  kAxis,         ///< p_W is a fixed anchor, own[0] the distance of the tip beyond the anchor along `direction_W` [m]
-  kOrientation,  ///< own is roll, pitch and yaw of the tool frame in the world frame [rad]
-  kPose,         ///< position and orientation in one measurement: the values of kPosition and kOrientation
-  kOffset,       ///< p_W is a hole or mark, own its centre relative to the tip, in the tool frame [m]
-  kTilt,         ///< own holds the angles above the horizontal of the axes of the tool frame or of a row's frame [rad]
-  kSteps,  ///< p_W is a hole; own is the number of tool steps that entered it, and the limits of the centring error [m]
-  kRelative,  ///< p_W is the displacement of the tip from its position at `reference`, or own[0] its length [m]
-  kPlane,     ///< the tip touches the plane named `point`, whose position is unknown
-  kSphere,    ///< the tip touches the sphere named `point`, of unknown centre; own[0] is its radius [m], NaN if unknown
-  kPolar,     ///< p_W is a station; own is range [m], horizontal and vertical angle [rad] to the tip
-  kDirection,  ///< own is azimuth and altitude [rad] of the x axis of the tool frame or of a row's frame
+  kPosition,     ///< measured position of the tip: p_W
+  kTouch,        ///< tip centred at `point`, whose position is p_W (empty if unknown)
+  kDeflection,   ///< measured displacement of the tip from its unloaded position at the same joint readings: p_W
+  kDistance,     ///< measured distance from the anchor p_W to the tip: own[0] [m]
+  kAxis,         ///< measured distance of the tip from the anchor p_W along `direction_W`: own[0] [m]
+  kOrientation,  ///< measured roll, pitch and yaw of the tool frame in the world frame: own [rad]
+  kPose,         ///< position and orientation together, as in kPosition and kOrientation
+  kOffset,       ///< measured offset of the hole or mark p_W from the tip, in the tool frame: own [m]
+  kTilt,         ///< measured angles of the axes of the tool frame or of a row's frame above the horizontal: own [rad]
+  kSteps,        ///< own: number of tool steps that entered the hole p_W, and limits of the centring error [m]
+  kRelative,     ///< measured displacement of the tip from its position at `reference`: p_W, or its length own[0] [m]
+  kPlane,        ///< contact of the tip with the plane named `point`, whose position is unknown
+  /// Contact of the tip with the sphere named `point`, of unknown centre and radius own[0] [m] (NaN if unknown).
+  kSphere,
+  kPolar,      ///< measured range [m], horizontal and vertical angle [rad] from the station p_W to the tip: own
+  kDirection,  ///< measured azimuth and altitude of the x axis of the tool frame or of a row's frame: own [rad]
 };
 
 /// A touched plane or sphere of unknown position, as fitted to the measurements that touched it.
@@ -62,30 +63,30 @@ struct Measurement {
   double load = 0;                  ///< load hung from the tip [N]
   std::optional<TipWrench> wrench;  ///< force and moment on the tip in addition to `load`
   Eigen::VectorXd q;  ///< joint readings in the order of the arm's active rows [rad, m for a prismatic joint]
-  /// Measurements of the side chains' joints, in the order of deflection/side_chains.hpp [rad, m for a prismatic
-  /// joint].
+  /// Readings of the side chains' joints, in the order of deflection/side_chains.hpp [rad, m for a prismatic joint].
   Eigen::VectorXd side_q;
-  std::optional<Eigen::Vector3d> p_W;          ///< point in the world frame [m], with the meaning stated at `kind`
+  std::optional<Eigen::Vector3d> p_W;          ///< point in the world frame [m]; see MeasurementKind for its meaning
   std::optional<Eigen::Vector3d> direction_W;  ///< unit vector along which the kind measures; empty for other kinds
   /// Measurement whose tip position is the origin of this displacement; null for most kinds.
   std::shared_ptr<const Measurement> reference;
-  std::optional<Eigen::Vector3d> p_TQ;  ///< position of the measured point in the tool frame [m]; empty: the tip itself
+  /// Position of the measured point in the tool frame [m]; empty means the tip itself.
+  std::optional<Eigen::Vector3d> p_TQ;
   /// Touched plane or sphere as fitted (surfaces.hpp); empty before the fit and for kinds that touch no surface.
   std::optional<Surface> surface;
-  std::optional<int> row;  ///< row of the arm whose deflected frame is measured; empty: the tool frame
+  std::optional<int> row;  ///< row of the arm whose deflected frame is measured; empty means the tool frame
   /// Values of the file columns that only this kind of measurement has, in the order of those columns; NaN = not
   /// stated.
   Eigen::Vector3d own = Eigen::Vector3d::Constant(kNotKnown);
   double turn_sigma = kNotKnown;           ///< standard deviation of a measured angle [rad]; NaN = not stated
   double sigma = kNotKnown;                ///< standard deviation of each measured coordinate [m]; NaN = not stated
   std::optional<Eigen::Vector3d> sigma_W;  ///< standard deviations of x, y and z [m]; empty if all equal `sigma`
-  /// Error correlations of x with y, x with z, y with z; only together with sigma_W; empty: uncorrelated.
+  /// Error correlations of x with y, x with z, y with z; only together with sigma_W; empty means uncorrelated.
   std::optional<Eigen::Vector3d> correlation_W;
   /// Sign of each joint's last motion: -1, +1 or 0 (not known); empty if not stated.
   std::vector<int> approach_directions;
   deflection::ConditionValues conditions;  ///< conditions stated for the measurement, such as temperature and time
-  bool is_held_out = false;                ///< true: not used in the fit, but to validate it
-  int line = 0;                            ///< line number in the measurement file, from 1
+  bool is_held_out = false;                ///< true if the measurement validates the fit instead of contributing to it
+  int line = 0;                            ///< line number in the measurement file, starting from 1
 };
 
 /// Returns the items of `all` at the indices `places`, in the order of `places`.
@@ -96,7 +97,7 @@ template <class Item>
   return some;
 }
 
-/// Returns `readings` without those at the indices `places`, which must be in ascending order.
+/// Returns `measurements` without those at the indices `places`, which must be in ascending order.
 [[nodiscard]] inline std::vector<Measurement> withoutMeasurements(std::vector<Measurement> measurements,
                                                                   const std::vector<int>& places) {
   int place = 0;

@@ -16,9 +16,9 @@ namespace {
 using deflection::isStiffness, deflection::Parameter, deflection::Quantity;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kStiffest = 1e4;  // largest stiffness of an axis in a fit, as a multiple of its stiffness at the start
+constexpr double kStiffest = 1e4;  // largest stiffness of an axis in a fit, as a multiple of its start value
 constexpr double kSoftest = 100;   // largest compliance of an axis in a fit, as a multiple of its typical compliance
-// Rotation that a rigid axis is given at the start of a fit, under the arm's whole weight at full reach [rad].
+// Start value for rigid axes that are freed: rotation under the arm's whole weight at full reach [rad].
 constexpr double kNearlyRigid = 1e-5;
 constexpr double kMayGive = 0.02;  // typical rotation of an axis under the arm's whole weight at full reach [rad]
 
@@ -50,8 +50,8 @@ double typicalOf(const Parameter& parameter, const deflection::Arm& arm) {
   }
 }
 
-/// Returns the factor by which a stiffness parameter is multiplied to give an angular stiffness: 1 for a joint, and for
-/// a beam the other factors of E I / L or G J / L.
+/// Returns the factor that converts a stiffness parameter to an angular stiffness [N m/rad]: 1 for a joint, and for a
+/// beam the other factors of E I / L or G J / L.
 double angleStiffnessOf(const Parameter& parameter, const deflection::Arm& arm) {
   if (parameter.quantity == Quantity::kTorquePerAngle) return 1;
   const auto& beam = *arm.rows.at(static_cast<std::size_t>(parameter.path.row)).beam;
@@ -96,8 +96,8 @@ bool isReplaced(const Parameter& parameter, const deflection::Arm& arm) {
          !deflection::isNearlyParallel(arm.rows.at(static_cast<std::size_t>(parameter.path.row)));
 }
 
-/// Returns true for the magnitude of an effect in the catalogue, whose likely value is known, unlike that of a user's
-/// formula or of a shape parameter.
+/// Returns true for the magnitude of an effect in the catalogue. Its likely value is known, unlike the magnitude of a
+/// user's formula or a shape parameter.
 bool isSizeOfCatalogue(const Unknown& unknown, const deflection::Arm& arm) {
   if (unknown.path.effect < 0) return false;
   const auto& effect = arm.effects.at(static_cast<std::size_t>(unknown.path.effect));
@@ -141,8 +141,8 @@ void addBase(const PlacedArm& placed, std::vector<Unknown>& list) {
   }
 }
 
-/// Gives a rigid joint axis a finite stiffness, so large that the axis hardly deflects under the arm's weight, so that
-/// the stiffness becomes a parameter. Returns false if `name` does not name a rigid joint axis.
+/// Turns the stiffness of a rigid joint axis into a parameter, by giving it a finite value at which the axis hardly
+/// deflects under the arm's weight. Returns false if `name` does not name a rigid joint axis.
 bool soften(deflection::Arm& arm, const std::string& name) {
   const std::size_t dot = name.find(".joint_stiffness.");
   if (dot == std::string::npos || name.size() != dot + 18) return false;

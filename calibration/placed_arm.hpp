@@ -42,11 +42,11 @@ struct Unknown {
   int base_pose = -1, component = -1;
   enum class Scale { kLinear, kCompliance };
   Scale scale = Scale::kLinear;
-  bool is_geometry = false;  ///< true: freed because the choice of parameters names `geometry`
-  double typical = 1;        ///< likely difference of the variable from its start; solvers divide the variable by it
-  double prior_sigma = 10;   ///< standard deviation of the variable's normal prior; infinite: no prior
-  /// Mean of the variable's prior. It stands for the value in the arm's file (0 unless the unknown was rebased) or, for
-  /// the magnitude of an effect, for the value at which the effect vanishes.
+  bool is_geometry = false;  ///< true if freed because the choice of parameters names `geometry`
+  double typical = 1;        ///< expected magnitude of the variable's change; solvers divide the variable by it
+  double prior_sigma = 10;   ///< standard deviation of the variable's normal prior; infinite if there is no prior
+  /// Mean of the variable's prior. It corresponds to the value in the arm's file (0 unless the unknown was rebased) or,
+  /// for the magnitude of an effect, to the value at which the effect vanishes.
   double prior_mean = 0;
   double start = 0;             ///< value of the parameter at the start
   double lower = 0, upper = 0;  ///< bounds of the variable, which is 0 at the start
@@ -68,14 +68,14 @@ void takeSizePrior(const deflection::EffectParameter& parameter, Unknown& unknow
   return typicals;
 }
 
-/// Prior standard deviations of the parameters about their values in the arm's file. Geometric parameters have those of
-/// the first four members, and effects' magnitudes the prior of takeSizePrior(). All other parameters have a weak
-/// prior, whose standard deviation is a multiple of Unknown::typical, so that a few measurements outweigh it.
+/// Prior standard deviations of the parameters about their values in the arm's file. The first four members apply to
+/// geometric parameters, and takeSizePrior() to magnitudes of effects. All other parameters have a weak prior, which a
+/// few measurements outweigh.
 struct Priors {
   double length = 0.005;  ///< lengths of frames, and offsets of prismatic joints [m]
   double angle = 0.02;    ///< angles of frames, and offsets of revolute joints [rad]
   double tip = 0.05;      ///< coordinates of the tool's tip, which is mounted and measured by hand [m]
-  double turn = 0.1;      ///< rotation of the tool frame, which is mounted by hand too [rad]
+  double turn = 0.1;      ///< rotation of the tool frame, which is also mounted by hand [rad]
   double weak = 10;       ///< all other parameters, as a multiple of Unknown::typical
   /// Standard deviations of individual parameters, keyed by name, in internal units; for a stiffness, the standard
   /// deviation of its compliance. They replace the values above.
@@ -85,9 +85,9 @@ struct Priors {
 struct PlacedArm {
   deflection::Arm arm;
   std::vector<BasePose> base_poses;
-  Priors priors = {};  ///< priors given to chooseUnknowns() last; they also hold for parameters freed later
-  /// True: some measurement depends on the rotation of the tool frame. False: none does, and the parameters of that
-  /// rotation do not count as geometry.
+  Priors priors = {};  ///< priors last given to chooseUnknowns(); they also apply to parameters freed later
+  /// True if any measurement depends on the rotation of the tool frame. If false, the parameters of that rotation are
+  /// not treated as geometry.
   bool shows_tool_turn = false;
 };
 
@@ -102,17 +102,17 @@ struct FreeProblem {
   std::string name;
   std::string what;         ///< the reason, as a sentence
   std::string advice;       ///< advice to the user
-  bool is_unknown = false;  ///< true: the arm has no parameter of that name
+  bool is_unknown = false;  ///< true if the arm has no parameter of that name
 };
 
 struct FreeChoice {
   std::vector<std::string> names;  ///< names to free, each expanded by namesBehind()
-  bool base = true;                ///< true: every unknown base pose is freed too
+  bool base = true;                ///< true if every unknown base pose is freed too
   Priors priors = {};
 };
 
-/// Unknowns that result from a FreeChoice: base poses first, then named parameters in the order of the names, then
-/// those of `geometry`. In `placed`, chooseUnknowns() gives each named rigid joint axis a finite stiffness. Every
+/// Unknowns that result from a FreeChoice: base poses first, then named parameters in the order of the names, then the
+/// parameters of `geometry`. In `placed`, chooseUnknowns() gives each named rigid joint axis a finite stiffness. Every
 /// variable is 0 at the start.
 struct Unknowns {
   std::vector<FreeProblem> problems;
@@ -120,7 +120,7 @@ struct Unknowns {
 };
 [[nodiscard]] Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice);
 
-/// Returns the parameter names that `name` stands for: those with the prefix `name` ("tool.tip", "forearm.origin.rpy",
+/// Returns the parameter names to which `name` expands: those with the prefix `name` ("tool.tip", "forearm.origin.rpy",
 /// "forearm.dh"); for "geometry", all geometric parameters, from which independentGeometry() selects those to free;
 /// otherwise `name` itself.
 [[nodiscard]] std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::string& name);

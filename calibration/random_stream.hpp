@@ -1,4 +1,4 @@
-// Random numbers, selections and shuffles that are the same on every machine and with every standard library.
+// Portable random numbers, selections and shuffles: identical on every machine and with every standard library.
 #pragma once
 
 #include <Eigen/Core>

@@ -14,7 +14,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// A parameter counts as identifiable if its sigma is below this fraction of its typical size.
+// A parameter is identifiable if its sigma is below this fraction of its typical size.
 constexpr double kIdentifiable = 0.5;
 
 /// Returns the expected measurements of each candidate; empty for a candidate at which the arm's deflected shape does

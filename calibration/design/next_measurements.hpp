@@ -39,7 +39,7 @@ struct NumberForecast {
   double after = std::numeric_limits<double>::quiet_NaN();
   double random = std::numeric_limits<double>::quiet_NaN();
   bool is_identifiable_now = false, is_identifiable_after = false,
-       is_identifiable_random = false;  ///< true: sigma is below half the typical size
+       is_identifiable_random = false;  ///< true if sigma is less than half of the typical size
 };
 
 enum class NextMeasurementsStatus { kNotRun, kDone, kTooFewCandidates };
@@ -52,15 +52,16 @@ struct NextMeasurements {
   std::vector<int> candidates;
   Design design;
   std::vector<NumberForecast> numbers;
-  TipSigma tip_now, tip_after, tip_random;                 ///< sigma of the predicted tip, without encoder noise
+  /// Standard deviation of the predicted tip position, without encoder noise [m].
+  TipSigma tip_now, tip_after, tip_random;
   double bits = std::numeric_limits<double>::quiet_NaN();  ///< total information gain [bit]
   double bits_random = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Design problem with only those candidates at which the arm's deflected shape converges.
+/// Design problem restricted to the candidates at which the arm's deflected shape converges.
 struct PosedDesign {
   DesignProblem problem;
-  std::vector<int> candidates;  ///< index, among all candidates, of each candidate of the problem
+  std::vector<int> candidates;  ///< for each candidate of the problem, its index among all candidates
 };
 [[nodiscard]] PosedDesign poseDesign(const Estimate& estimate, const std::vector<MeasurementCandidate>& candidates,
                                      const Work& work);

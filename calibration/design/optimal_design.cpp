@@ -53,11 +53,11 @@ MatrixXd meanOfSquares(const std::vector<MatrixXd>& work, Index variables) {
   return mean;
 }
 
-/// A set of chosen measurements that is being built up. Adding a measurement with Jacobian H to the information M needs
-/// only the inverse of a matrix with the measurement's number of rows: (M + H^T H)^-1 = C - C H^T S^-1 H C, with C =
-/// M^-1 and S = I + H C H^T. The determinant of C is divided by det S. That of the block of C without the nuisance
-/// variables b is divided by det S / det S_b, where S_b = I + H_b M_bb^-1 H_b^T is S if all variables other than b are
-/// known.
+/// Incrementally built set of chosen measurements. Adding a measurement with Jacobian H to the information matrix M
+/// requires only the inverse of a small matrix S, with one row for each row of H: (M + H^T H)^-1 = C - C H^T S^-1 H C,
+/// with C = M^-1 and S = I + H C H^T. The determinant of C is thereby divided by det S. The determinant of C without
+/// the rows and columns of the nuisance variables b is divided by det S / det S_b. S_b = I + H_b M_bb^-1 H_b^T is the
+/// matrix S if all variables other than b are known.
 class Choice {
  public:
   static constexpr int kVacant = -1;
@@ -84,8 +84,8 @@ class Choice {
     update();
   }
 
-  /// Returns by how much the candidate increases the log determinant of the information matrix, from which the nuisance
-  /// variables have been eliminated.
+  /// Returns the increase in the log determinant of the information matrix due to the candidate, with the nuisance
+  /// variables eliminated.
   [[nodiscard]] double gainOf(int candidate) const {
     const MatrixXd& H = problem_.candidates[static_cast<std::size_t>(candidate)];
     const double all = logDetOf(H, covariance_);
@@ -108,13 +108,13 @@ class Choice {
     return variances.maxCoeff();
   }
 
-  /// Returns the score of the present choice for a tip criterion (kWorstTip or kMeanTip).
+  /// Returns the score of the current choice for a tip criterion (kWorstTip or kMeanTip).
   [[nodiscard]] double score() const {
     return optimality_ == Optimality::kWorstTip ? variances_.maxCoeff() : variances_.mean();
   }
 
-  /// The candidate with the best score that has not been chosen yet, and its score. If `among` is given, only
-  /// candidates in it are considered; kVacant if there is none.
+  /// The unchosen candidate with the best score, and its score; kVacant if there is none. If `among` is given, only
+  /// those candidates are considered.
   struct Best {
     int candidate = kVacant;
     double score = std::numeric_limits<double>::infinity();
@@ -177,7 +177,7 @@ int exchange(Choice& choice, int most_passes) {
 }
 
 /// Returns the best choice found by greedy selection and exchange. For the tip criteria, a greedy choice may be a poor
-/// start, so the exchange is repeated from the best choice by determinant, and the better result is returned.
+/// start. The exchange is therefore repeated from the best choice by determinant, and the better result is returned.
 std::vector<int> bestChoice(const DesignProblem& problem, const DesignOptions& options, int& swaps) {
   Choice greedy(problem, options.optimality);
   for (int k = 0; k < options.count; ++k) greedy.add(greedy.best().candidate);

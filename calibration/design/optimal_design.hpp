@@ -13,13 +13,14 @@ namespace tubeplan::calibration {
 /// Design problem with n variables, each an unknown divided by its typical size. The last `beside` of them are nuisance
 /// variables: measurements and tip depend on them, but their own accuracy is not an objective.
 struct DesignProblem {
-  Eigen::MatrixXd information;              ///< present information matrix, n x n, positive definite
+  /// Information matrix before the new measurements, n x n, positive definite.
+  Eigen::MatrixXd information;
   std::vector<Eigen::MatrixXd> candidates;  ///< whitened Jacobian of each candidate measurement: its number of rows x n
   std::vector<Eigen::MatrixXd> work;        ///< Jacobian of the tip at each work posture, 3 x n [m]
   int beside = 0;
 };
 
-/// Criterion by which measurements are chosen: the quantity that they minimise.
+/// Quantity that the chosen measurements minimise.
 enum class Optimality {
   kDeterminant,  ///< D: determinant of the covariance, without the nuisance variables
   kWorstTip,     ///< G: variance of the tip at the worst work posture
@@ -44,7 +45,7 @@ struct DesignStep {
   int candidate = -1;
   /// Information on the variables, other than nuisance variables, that the candidate adds [bit].
   double bits = std::numeric_limits<double>::quiet_NaN();
-  TipSigma tip;          ///< sigma of the tip after this step
+  TipSigma tip;          ///< standard deviation of the tip after this step
   int most_helped = -1;  ///< index of the variable whose sigma decreases most, nuisance variables excluded
   /// Sigma of the variable `most_helped` after the step, divided by its sigma before the step; at most 1.
   double helped_by = std::numeric_limits<double>::quiet_NaN();
@@ -55,7 +56,7 @@ enum class DesignStatus { kNotRun, kDone, kTooFewCandidates };
 struct Design {
   DesignStatus status = DesignStatus::kNotRun;
   std::string reason;
-  std::vector<DesignStep> steps;  ///< chosen measurements, ordered such that each is the best of the remaining ones
+  std::vector<DesignStep> steps;  ///< chosen measurements; each one is the best of those not listed before it
   Eigen::MatrixXd covariance;     ///< covariance of the variables after all steps
   int swaps = 0;
 };
@@ -65,8 +66,7 @@ struct Design {
 /// choice by determinant either.
 [[nodiscard]] Design chooseMeasurements(const DesignProblem& problem, const DesignOptions& options = {});
 
-/// Returns the design that consists of the candidates `chosen`, in this order, evaluated as chooseMeasurements()
-/// evaluates its own choice.
+/// Evaluates a given choice of candidates, in this order, like the choice of chooseMeasurements().
 [[nodiscard]] Design judgeMeasurements(const DesignProblem& problem, const std::vector<int>& chosen);
 
 /// Returns `draws` random selections, each of `count` different indices from 0 to candidates - 1.

@@ -42,7 +42,7 @@ Measurement tipAt(const VectorXd& q, double load) {
   return tip;
 }
 
-/// Returns the matrix that projects an error onto the components that count as centring error.
+/// Returns the projection of an error onto the components that contribute to the centring error.
 Matrix3d countedPart(const SensitivityTask& task) {
   if (!task.hole_axis_W) return Matrix3d::Identity();
   return Matrix3d::Identity() - *task.hole_axis_W * task.hole_axis_W->transpose();
@@ -101,8 +101,8 @@ Tips tipsAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const std
   return result;
 }
 
-/// Returns by how much a unit error of each parameter changes the variables that a calibration by touches estimates,
-/// one column per parameter. Empty if the touches do not determine the base; zero if there are no touches.
+/// Returns the changes of the variables estimated by a touch calibration due to a unit error of each parameter, one
+/// column per parameter. Empty if the touches do not determine the base; zero if there are no touches.
 std::optional<MatrixXd> calibratedResponse(const Estimate& untouched, const SensitivityTask& task, const Tips& touches,
                                            Index numbers) {
   const Index all = untouched.information.rows();
@@ -124,8 +124,8 @@ std::optional<MatrixXd> calibratedResponse(const Estimate& untouched, const Sens
   return -(untouched.information + information).ldlt().solve(right);
 }
 
-/// Sets the derivative of the mean deflection with respect to each parameter. At each work posture, this is the
-/// component along the deflection of the deflected tip's derivative minus the rigid tip's.
+/// Sets the derivative of the mean deflection with respect to each parameter. At each work posture, it is the
+/// difference between the derivatives of the deflected and the rigid tip, projected onto the deflection.
 void addDeflection(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const SensitivityTask& task,
                    const Tips& work, std::vector<NumberSensitivity>& numbers) {
   const deflection::Arm rigid = deflection::rigidCopy(arm);

@@ -19,11 +19,12 @@ enum class NumberKind { kStiffness, kWeight, kLength, kOther };
 struct SensitivityTask {
   std::vector<Eigen::VectorXd> work;  ///< joint readings of the work postures [rad, m]
   double load = 0;  ///< load hung from the tip at the work postures [N]; touches are made without load
-  /// Joint readings of the touches that determine the base, three or more; empty: the base is known.
+  /// Joint readings of the touches that determine the base, three or more; empty means that the base is known.
   std::vector<Eigen::VectorXd> touches;
   double touch_sigma = 1.27e-4;  ///< standard deviation of each coordinate of a touch [m]
   DoubtBeside doubt = {};        ///< prior uncertainty of the arm, which the fit of the touches takes into account
-  /// Axis of the holes. Only components perpendicular to it count as centring error; empty: all components count.
+  /// Axis of the holes. Only components perpendicular to it count as centring error; empty means that all components
+  /// count.
   std::optional<Eigen::Vector3d> hole_axis_W;
 };
 
@@ -36,9 +37,9 @@ struct NumberSensitivity {
   /// Derivative, with respect to the parameter, of the mean centring error without compensation of the deflection [m
   /// per unit].
   double centring = std::numeric_limits<double>::quiet_NaN();
-  /// Mean centring error per unit of an unknown error in the parameter [m per unit], with the deflection compensated:
-  /// `error_base_known` if the base is known, `error` if touches determine it. In the latter case, the fitted base and
-  /// parameters absorb a part of the error.
+  /// Mean centring error, with deflection compensation, per unit error of the parameter [m per unit]:
+  /// `error_base_known` if the base is known, `error` if it is calibrated by touches. Calibration absorbs a part of the
+  /// error.
   double error_base_known = std::numeric_limits<double>::quiet_NaN();
   double error = std::numeric_limits<double>::quiet_NaN();
 };
@@ -49,14 +50,14 @@ struct Sensitivity {
   SensitivityStatus status = SensitivityStatus::kNotRun;
   std::string reason;
   double mean_deflection = std::numeric_limits<double>::quiet_NaN();  ///< mean deflection over the work postures [m]
-  /// Mean centring error at the work postures [m] if rigid kinematics is used throughout, also to determine the base
-  /// from the touches.
+  /// Mean centring error at the work postures [m] if rigid kinematics is used throughout, including the fit of the base
+  /// to the touches.
   double mean_uncompensated = std::numeric_limits<double>::quiet_NaN();
   std::vector<NumberSensitivity> numbers;  ///< sensitivities to each parameter of the arm, in file order
 };
 
-/// Computes the sensitivities to all parameters. Derivatives are exact, except that of the uncompensated error: it is a
-/// central difference with a step of one thousandth of the parameter (NaN for a parameter that is zero).
+/// Computes the sensitivities to all parameters. Derivatives are exact, except for the uncompensated error. Its
+/// derivative is a central difference with a step of one thousandth of the parameter (NaN if the parameter is zero).
 [[nodiscard]] Sensitivity findSensitivities(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                             const SensitivityTask& task);
 
@@ -65,9 +66,9 @@ struct Sensitivity {
 [[nodiscard]] double meanDeflection(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                     const SensitivityTask& task);
 
-/// Returns the mean centring error over the work postures [m] if rigid kinematics is used both to determine the base
-/// from the touches and to move the arm: the part of the deflection that the fitted base does not absorb. NaN if the
-/// deflected shape does not converge.
+/// Returns the mean centring error over the work postures [m] without deflection compensation. Rigid kinematics is used
+/// both to fit the base to the touches and to move the arm, so the fitted base absorbs part of the deflection. NaN if
+/// the deflected shape does not converge.
 [[nodiscard]] double meanUncompensatedError(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                             const SensitivityTask& task);
 

@@ -17,9 +17,9 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-/// Matrices of all candidates, three rows each, from whose blocks the tip's variance after any set of touches is
-/// computed (in the notation of touch_choice.hpp). W is the mean of J^T J over the tip coordinates at all work
-/// postures, with J = [T U].
+/// Precomputed matrices with three rows per candidate. Their blocks give the tip's variance after any set of touches
+/// (notation of touch_choice.hpp). W is the mean of J^T J over the tip coordinates at all work postures, with J = [T
+/// U].
 struct TouchBlocks {
   explicit TouchBlocks(const DesignProblem& problem) : prior(problem.information.topLeftCorner<6, 6>()) {
     const Index rows = 3 * static_cast<Index>(problem.candidates.size()), all = 6 + problem.beside;
@@ -44,7 +44,7 @@ struct TouchBlocks {
 };
 
 /// A set of touches to which one candidate with an index of at least `first` may be added. Stores the blocks of all
-/// these candidates, minus the part that the set already determines.
+/// these candidates, conditioned on the set.
 class GrownSet {
  public:
   GrownSet(const TouchBlocks& blocks, const std::vector<int>& touches, int first) : blocks_(blocks), first_(first) {
@@ -151,7 +151,7 @@ TouchChoice chooseTouches(const DesignProblem& problem, int count) {
     if (!std::isfinite(next.variance)) break;
     best = std::move(next);
   }
-  constexpr double kUseless = 0.01;  // variance of the tip from which on the base counts as undetermined [m^2]
+  constexpr double kUseless = 0.01;  // variance of the tip above which the base is undetermined [m^2]
   if (static_cast<int>(best.touches.size()) < count || !(best.variance < kUseless)) {
     result.status = TouchChoiceStatus::kNotDetermined;
     result.reason = "no " + std::to_string(count) + " of the " + std::to_string(n) +

@@ -2,10 +2,10 @@
 // parameters.
 //
 // Let B and Z be the whitened Jacobians of the touches with respect to the base and to the parameters (as independent
-// standard normal variables). The touches' information on the base is F = B^T V^-1 B with V = I + Z Z^T. A tip position
+// standard normal variables). The information matrix of the base is F = B^T V^-1 B with V = I + Z Z^T. A tip position
 // with Jacobians T and U with respect to the same variables has the error covariance
 //     (T - U Z^T V^-1 B) F^-1 (T - U Z^T V^-1 B)^T + U (I - Z^T V^-1 Z) U^T.
-// The largest matrices in it have three rows per touch. Their blocks are computed once for every pair of holes.
+// The largest matrices have three rows per touch. Their blocks are computed once for each pair of holes.
 #pragma once
 
 #include <string>

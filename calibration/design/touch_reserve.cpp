@@ -8,8 +8,8 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Returns the errors of the base pose to try, as fractions of the largest shift (first three components) and rotation
-/// (last three) in BaseDoubt: unit vectors along each axis with either sign, and along each diagonal.
+/// Returns the trial errors of the base pose: unit vectors along each axis with either sign, and along each diagonal.
+/// The first three components are fractions of BaseDoubt::shift, the last three of BaseDoubt::turn.
 std::vector<Vector6> waysOff() {
   std::vector<Vector6> ways;
   for (int axis = 0; axis < 6; ++axis)

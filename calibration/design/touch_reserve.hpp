@@ -23,7 +23,7 @@ struct BaseDoubt {
                                                    const std::vector<TouchPlan>& candidates,
                                                    const BaseDoubt& doubt = {});
 
-/// Returns the candidates that keepTouchable() keeps, or all candidates if it keeps fewer than `count`.
+/// Returns the result of keepTouchable(), or all candidates if it has fewer than `count` entries.
 [[nodiscard]] std::vector<TouchPlan> surelyTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                                      const std::vector<TouchPlan>& candidates, int count);
 

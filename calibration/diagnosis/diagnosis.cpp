@@ -25,8 +25,7 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr std::size_t kMostClosest = 8;
-// Tolerance of the baseline fit, relative to chi-square. It may be loose, because each model is fitted again, starting
-// from the baseline.
+// Tolerance of the baseline fit, relative to chi-square. It is loose, because each model is refitted from the baseline.
 constexpr double kBaselineTolerance = 1e-6;
 // Log odds against a measurement being an outlier. An outlier may be wrong by up to 30 standard deviations per
 // coordinate.
@@ -61,7 +60,7 @@ struct Answer {
   Diagnosis result;
   DiagnosisWork work;
   std::vector<Measurement> held_out;
-  bool is_found = false;  ///< true: competing models exist in `work`
+  bool is_found = false;  ///< true if competing models exist in `work`
 };
 
 void describeBaseline(const DiagnosisWork& work, Diagnosis& result) {
@@ -98,8 +97,8 @@ void weighModels(Answer& answer) {
   compareModels(answer.work);
 }
 
-/// If repeated measurements scatter by as much as the model's errors, counts their scatter as noise, although it
-/// exceeds the stated noise.
+/// Treats the scatter of repeated measurements as noise if it is as large as the model's errors, even if it exceeds the
+/// stated noise.
 void takeRepeatsForNoise(const DiagnosisWork& work, const CompetingModel& model, Diagnosis& result) {
   const Repeats repeats = repeatsBy(work, model);
   const bool is_larger =
@@ -116,8 +115,8 @@ void takeRepeatsForNoise(const DiagnosisWork& work, const CompetingModel& model,
   result.scatter_probability = 0;
 }
 
-/// Withdraws the verdict "adequate" if noise alone would hardly leave such large residuals, because a comparison would
-/// reject the model at such a chi-square.
+/// Withdraws the verdict "adequate" if the residuals are too large for noise alone: `compare` would reject the model at
+/// this chi-square.
 void withholdAdequate(const DiagnosisWork& work, Diagnosis& result) {
   if (result.verdict != Verdict::kAdequate || !(result.p_value < kLackOfFit)) return;
   takeRepeatsForNoise(work, modelOfNothing(work), result);
@@ -197,12 +196,13 @@ Diagnosis completed(Answer found, const std::vector<Measurement>& all) {
   return std::move(result);
 }
 
-/// Returns the log weight of the best model for all measurements; measurements that were set aside count as outliers.
+/// Returns the log weight of the best model for all measurements; measurements that were set aside are treated as
+/// outliers.
 double bestWeight(const Answer& found, const std::vector<Measurement>& measurements) {
   if (!found.is_found) return -std::numeric_limits<double>::infinity();
   const auto& best = found.work.models.front();
-  // The model does not predict measurements that are set aside. Each gets the mean log density of noise, less the log
-  // odds against an outlier.
+  // The model does not predict measurements that are set aside. Each contributes the mean log density of noise, minus
+  // the log odds against an outlier.
   const double outliers = countOutliers(found.result.set_aside, measurements);
   const auto set_aside = static_cast<double>(found.result.set_aside.size());
   const auto& weights = found.work.noise.front().weights;
@@ -212,7 +212,7 @@ double bestWeight(const Answer& found, const std::vector<Measurement>& measureme
   return best.logWeight() + set_aside * density - outliers * kOutlier;
 }
 
-/// Returns how far the models' log weights may be wrong because their evidence is linearised.
+/// Returns the possible error of the models' log weights due to linearised evidence.
 double windowOf(const Answer& found) {
   if (!found.is_found) return 0;
   return leaderWindow(found.work.models.front().logWeight(), modelOfNothing(found.work).logWeight());
@@ -232,8 +232,8 @@ Diagnosis diagnosed(const PlacedArm& start, const std::vector<Measurement>& meas
   std::optional<WithoutOutliers> without = withoutOutliers(measurements, baseline, options.baseline.outlier_level, fit);
   Answer whole = compareAll(std::move(baseline), measurements, {}, options);
   if (!without || !whole.is_found) return concluded(std::move(whole), measurements);
-  // If the base slips between touches of one point, these touches also look like outliers. Therefore a cause that
-  // explains all measurements competes with the best model without the outliers.
+  // If the base slips between touches of one point, these touches also look like outliers. Causes that explain all
+  // measurements therefore compete with the best model without the outliers.
   Answer fewer = compareAll(std::move(without->fit), measurements, without->set_aside, options);
   const double before = bestWeight(whole, measurements), after = bestWeight(fewer, measurements);
   if (std::abs(before - after) > std::max(windowOf(whole), windowOf(fewer)))

@@ -27,8 +27,8 @@ struct CompetingExplanations {
 };
 
 /// Fits the models that the search finds, and the requested models `asked`, each given as a list of effects. If the
-/// values of the requested effects are not neutral, a second fit starts at these values and the more probable result is
-/// kept. Returns no models if the baseline cannot be fitted or the work was stopped on request.
+/// requested effects have values other than neutral, a second fit starts from these values, and the more probable of
+/// the two results is kept. Returns no models if the baseline cannot be fitted or the work was stopped on request.
 [[nodiscard]] CompetingExplanations competingExplanations(const PlacedArm& start,
                                                           const std::vector<Measurement>& measurements,
                                                           const DiagnosisOptions& options,

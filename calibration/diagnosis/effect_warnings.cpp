@@ -13,12 +13,13 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kGap = 8;          // smallest relevant difference of -2 log of the posterior
-constexpr double kLack = 0.003;     // p-value of the fit below which the model lacks a further effect
-constexpr double kNearNeutral = 2;  // deviation above which a parameter counts as not neutral [standard deviations]
-constexpr double kByChance = 0.05;  // p-value above which a decrease of chi-square counts as noise
+constexpr double kGap = 8;       // smallest relevant difference of -2 log of the posterior
+constexpr double kLack = 0.003;  // p-value of the fit below which the model lacks a further effect
+// Largest deviation of a parameter that is consistent with its neutral value [standard deviations].
+constexpr double kNearNeutral = 2;
+constexpr double kByChance = 0.05;  // p-value above which a decrease of chi-square is attributed to noise
 constexpr int kRivals = 6;          // number of models that are fitted as replacements of an effect
-// Product of the numbers of fitted parameters, measurements and effects above which no replacements are fitted.
+// Upper limit on (fitted parameters x measurements x effects) for fitting replacements.
 constexpr double kMostWork = 2e4;
 
 /// Input for judging effects, the same for an identification and for a diagnosis.
@@ -159,8 +160,8 @@ const FoundEffect* find(const Explanation& explanation, const EffectWarning& war
   return nullptr;
 }
 
-/// Judges an effect that is not a cause of the catalogue, such as a user's formula, by the rise of chi-square without
-/// the effect.
+/// Judges an effect outside the catalogue, such as a user's formula, by the increase of chi-square if the effect is
+/// removed.
 void judgeByFit(const Case& c, int effect, std::vector<EffectWarning>& warnings) {
   EffectWarning not_needed = unneeded(c, effect, 0);
   not_needed.is_within_noise = not_needed.p_value > kByChance;
@@ -171,7 +172,7 @@ void judgeByFit(const Case& c, int effect, std::vector<EffectWarning>& warnings)
 /// if another one is better.
 void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std::vector<EffectWarning>& warnings) {
   DiagnosisOptions bare = options;
-  bare.most_causes = 1;  // at most one replacement of the effect
+  bare.most_causes = 1;  // replace the effect by at most one other effect
   bare.most_leaders = kRivals;
   bare.baseline.free.names = namesOfOthers(c.start.arm, options.baseline.free.names, effect);
   EffectWarning warning = named(c, effect, EffectWarningKind::kBetterExplainedBy);
@@ -183,7 +184,7 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   const auto models = competingExplanations(without, c.measurements, bare, asked);
   throwIfStopped(bare.hooks.stop);
   const Explanation *own = nullptr, *other = nullptr, *nothing = nullptr;
-  for (const Explanation& model : models.found) {  // most probable first
+  for (const Explanation& model : models.found) {  // models are sorted, most probable first
     const Explanation*& of = model.effects.empty() ? nothing : find(model, warning) ? own : other;
     if (!of) of = &model;
   }
@@ -197,8 +198,8 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   const bool is_beaten = other && other->criterion + kGap < own->criterion;
   if (gain < kGap) {
     const EffectWarning not_needed = unneeded(c, effect, gain);
-    // An effect that lowers chi-square significantly although the evidence does not support it probably takes the place
-    // of another effect, which is then reported.
+    // If an effect lowers chi-square significantly but lacks evidence, it probably substitutes for another effect,
+    // which is reported instead.
     if (!is_beaten || not_needed.p_value > kLack) {
       warnings.push_back(not_needed);
       return;
@@ -227,8 +228,8 @@ double riseWithout(const Case& c, int effect) {
   return x.dot(c.with.covariance(which, which).ldlt().solve(x));
 }
 
-/// Judges an effect by the covariance alone, for models so large that fits of replacements for every effect would take
-/// minutes.
+/// Judges an effect by the covariance alone. This is used for large models, for which fitting replacements of every
+/// effect would take minutes.
 void judgeByCovariance(const Case& c, int effect, std::vector<EffectWarning>& warnings) {
   const double gain = riseWithout(c, effect);
   if (!(gain >= kGap)) warnings.push_back(unneeded(c, effect, gain - kGap));
@@ -257,7 +258,7 @@ std::vector<EffectWarning> warningsOf(const Case& c, const std::vector<int>& eff
   return warnings;
 }
 
-/// Returns the result of `work`; an empty list if the work was stopped, because a list of warnings has no status.
+/// Returns the result of `work`, or an empty list if the work was stopped.
 template <class Work>
 std::vector<EffectWarning> unlessStopped(Work work) {
   try {

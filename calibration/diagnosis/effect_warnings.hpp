@@ -1,5 +1,5 @@
-// Warnings about effects of a model that the measurements do not support: each effect is removed in turn, and the
-// remaining model is fitted again.
+// Warnings about effects of a model that the measurements do not support. Each effect is removed, one at a time, and
+// the remaining model is refitted.
 //
 // The model without the effect competes with models that contain the effect itself, or another cause in its place
 // (competing_models.hpp). An effect that lowers -2 log of the posterior by less than a threshold is not needed. If the
@@ -21,8 +21,8 @@ struct EffectWarning {
   double fall = kNotKnown;  ///< decrease of chi-square due to the effect's parameters
   /// Probability that noise alone decreases chi-square by `fall`; p-value of the fit for kLackOfFitRemains.
   double p_value = kNotKnown;
-  bool is_within_noise = false;  ///< true: `Explanation::criterion` is no better with the effect than without it
-  bool is_at_neutral = false;    ///< true: all parameters are within two standard deviations of neutral
+  bool is_within_noise = false;  ///< true if `Explanation::criterion` is no better with the effect than without it
+  bool is_at_neutral = false;    ///< true if all parameters are within two standard deviations of neutral
   ErrorSize heldout_with, heldout_without;
   FoundNumber number;  ///< parameter that exceeds the largest value found on real machines
   double plausible = kNotKnown;

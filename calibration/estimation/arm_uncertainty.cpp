@@ -27,7 +27,7 @@ double priorSigma(const Parameter& parameter, const deflection::Arm& arm, const 
   if (parameter.path.effect >= 0) return by.stiffness * size;
   if (isPlacement(parameter) && parameter.path.row <= firstJointRow(arm)) return 0;
   if (parameter.name.starts_with("tool.tip.")) return by.tip;
-  if (parameter.name.starts_with("tool.turn.")) return 0;  // does not move the tip
+  if (parameter.name.starts_with("tool.turn.")) return 0;  // the rotation of the tool frame does not move the tip
   switch (parameter.quantity) {
     case Quantity::kTorquePerAngle:
     case Quantity::kLengthToTheFourth:
@@ -46,7 +46,7 @@ double priorSigma(const Parameter& parameter, const deflection::Arm& arm, const 
 
 /// Returns a square root of a covariance matrix: R with R R^T = covariance, without columns that are zero.
 MatrixXd rootOf(const MatrixXd& covariance) {
-  // Eigenvalues below this fraction of the largest count as zero, after each parameter is scaled by its standard
+  // Eigenvalues below this fraction of the largest are treated as zero, after each parameter is scaled by its standard
   // deviation.
   constexpr double kLeast = 1e-14;
   const VectorXd sigma = covariance.diagonal().cwiseMax(0).cwiseSqrt();

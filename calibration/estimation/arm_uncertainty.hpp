@@ -10,8 +10,8 @@
 
 namespace tubeplan::calibration {
 
-/// Standard deviations of an arm's parameters about the values in the arm's file. The defaults are those of an arm that
-/// is built to a drawing and checked by hand.
+/// Standard deviations of an arm's parameters about the values in the arm's file. The defaults are for an arm that is
+/// built to a drawing and checked by hand.
 struct ArmUncertainty {
   double stiffness = 0.1;  ///< relative standard deviation of each stiffness and of each effect's magnitude
   double weight = 0.02;    ///< relative standard deviation of each weight

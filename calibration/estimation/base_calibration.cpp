@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Isometry3d, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d;
 
-constexpr std::size_t kMostNamed = 3;  // the reason lists at most this many holes that may be mistaken
+constexpr std::size_t kMostNamed = 3;  // largest number of possibly mistaken holes listed in the reason
 
 BaseStep stepBetween(const Isometry3d& from, const Isometry3d& to) {
   const Eigen::AngleAxisd turn(Matrix3d(to.linear() * from.linear().transpose()));
@@ -36,8 +36,8 @@ void recordResiduals(const TouchFit& fit, const std::vector<Measurement>& touche
   result.rms = fit.error_W.norm() / std::sqrt(static_cast<double>(touches.size()));
 }
 
-/// Tip position that the arm's file predicts, with its derivatives (3 x k) with respect to the k independent standard
-/// normal variables of the uncertain parameters.
+/// Tip position predicted by the arm as described in its file, with its derivatives (3 x k) with respect to the k
+/// independent standard normal variables of the uncertain parameters.
 struct FiledTip {
   bool ok = false;
   Vector3d p_W = Vector3d::Zero();
@@ -83,8 +83,8 @@ void recordNumbers(const UncertainNumbers& numbers, const TouchFit& fit, BaseCal
   }
 }
 
-/// Returns true, and sets a reason that names the holes that may be mistaken, if the lack of fit is too large for
-/// noise, uncertain parameters and the usual model error together.
+/// Returns true if the lack of fit is too large for noise, uncertain parameters and the usual model error together. The
+/// reason then names the holes that may be mistaken.
 bool isMistaken(const TouchesToExplain& asked, BaseCalibration& result) {
   const double least = asked.options.mistaken_hole_p_value;
   if (!(result.p_value < least)) return false;

@@ -25,12 +25,15 @@ struct BaseCalibrationOptions {
   /// Smallest accepted spread of the holes perpendicular to their best-fit line, relative to their spread along the
   /// line.
   double collinear_ratio = 0.05;
-  double mistaken_hole_p_value = 1e-4;  ///< p-value of the fit below which mistaken holes are searched for; 0: never
-  /// Function that returns the holes around a touched one, for the search for mistaken holes; empty: no search.
+  /// P-value of the fit below which mistaken holes are searched for; 0 disables the search.
+  double mistaken_hole_p_value = 1e-4;
+  /// Function that returns the holes around a touched hole, used to search for mistaken holes. If empty, the search is
+  /// disabled.
   NeighbourQuestion neighbours;
   double model_error = 0;         ///< model error known beforehand, per coordinate [m]
-  bool finds_model_error = true;  ///< true: after a lack of fit, the model error is increased until the touches fit
-  bool finds_suspects = true;  ///< true: after a lack of fit, the touch or joint reading that causes it is searched for
+  bool finds_model_error = true;  ///< true if the model error is increased after a lack of fit, until the touches fit
+  /// True if the touch or joint reading that causes a lack of fit is searched for.
+  bool finds_suspects = true;
   LeastSquaresMethod method = LeastSquaresMethod::kHybrid;
 };
 
@@ -48,7 +51,8 @@ struct TouchResidual {
 /// Neither depends on the base.
 struct DistanceCheck {
   std::string from, to;
-  double by_arm = 0, on_sheet = 0;  ///< distance predicted by the arm, and known from the tube sheet [m]
+  /// Distance predicted by the arm model, and distance according to the tube sheet [m].
+  double by_arm = 0, on_sheet = 0;
   /// Standard deviation of the difference, due to touch noise and the arm's uncertain parameters [m].
   double sigma = 0;
 };
@@ -57,7 +61,7 @@ struct DistanceCheck {
 struct TouchedNumber {
   std::string name;
   deflection::Quantity quantity = deflection::Quantity::kNone;
-  double filed = 0, value = 0;      ///< value in the arm's file, and fitted value
+  double filed = 0, value = 0;      ///< value in the arm's file, and value after the fit
   double prior = 0, posterior = 0;  ///< standard deviation before and after the touches
 };
 
@@ -65,8 +69,8 @@ struct TouchedNumber {
 struct SuspectMeasurement {
   std::string touch;
   Eigen::Index joint = -1;
-  double off = 0;      ///< measurement minus the value required by the other touches [rad or m]
-  double p_value = 0;  ///< p-value of the fit to all touches after this measurement is corrected for `off`
+  double off = 0;      ///< joint reading minus the value that the other touches require [rad or m]
+  double p_value = 0;  ///< p-value of the fit to all touches with this joint reading corrected by `off`
 };
 
 struct BaseCalibration : TouchedBase {
@@ -75,8 +79,7 @@ struct BaseCalibration : TouchedBase {
   std::vector<std::string> suspects;   ///< holes that may be mistaken, such as "touch T2 named R10C20 fits hole R10C21"
   std::vector<TouchedNumber> numbers;  ///< uncertain parameters of the arm, which were fitted with the base
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Constant(kNotKnown);
-  /// Index of the touch whose removal makes the others fit, if it is the only one with this property among at least
-  /// four touches; otherwise -1.
+  /// Index of the only touch whose removal makes the others fit, among at least four touches; otherwise -1.
   int odd_touch = -1;
   double rms_of_others = kNotKnown;  ///< rms error of the other touches in a fit without the odd touch [m]
   std::vector<SuspectMeasurement>

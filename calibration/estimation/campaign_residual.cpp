@@ -119,7 +119,7 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   if (!linearize(x, jacobian != nullptr)) return false;
   r.resize(weights_.rows + prior_slopes_.size());
   if (jacobian) jacobian->setZero(r.size(), x.size());
-  if (x.size() == 0) jacobian = nullptr;  // a Jacobian without columns has no storage, so it must not be accessed below
+  if (x.size() == 0) jacobian = nullptr;  // an empty Jacobian has no storage and must not be accessed below
   applyWeights(r, jacobian);
   if (error) *error = last_.error;
   takeSharedOff(weights_, r);
@@ -141,7 +141,7 @@ bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
   last_.jacobian.setZero(with_jacobian ? weights_.rows : 0, with_jacobian ? x.size() : 0);
   if (!settled_.empty() && !settleSurfaces(placed_, settled_)) return false;
   if (!fill(with_jacobian)) {
-    throwIfStopped(stop_);  // if `fill` failed because of a stop, throw instead of reporting a failure of the model
+    throwIfStopped(stop_);  // if a stop made `fill` fail, throw instead of reporting a model failure
     return false;
   }
   last_.x = x;

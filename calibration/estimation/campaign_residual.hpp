@@ -17,8 +17,7 @@ class CampaignResidual {
   /// unknown.
   enum class Priors { kNone, kAppended };
 
-  /// The arguments passed by reference must outlive this object. If a stop is requested during an evaluation, the
-  /// evaluation throws WorkStopped.
+  /// Arguments passed by reference must outlive this object. An evaluation throws WorkStopped if a stop is requested.
   CampaignResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                    const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
                    Priors priors = Priors::kNone, StopQuestion stop = {});
@@ -50,7 +49,7 @@ class CampaignResidual {
   bool fill(bool with_jacobian);
   void scatter(int base_pose, const Prediction& prediction, Eigen::Index row);
 
-  /// Returns the measurements; any touched surfaces in them are fitted to the arm at the last variables.
+  /// Returns the measurements, with touched surfaces fitted to the arm at the last variables.
   [[nodiscard]] const std::vector<Measurement>& taken() const { return settled_.empty() ? measurements_ : settled_; }
 
   const PlacedArm& start_;
@@ -65,9 +64,9 @@ class CampaignResidual {
   std::vector<int> base_pose_of_;   ///< index of each measurement's base pose
   PredictionRequest slopes_asked_;  ///< derivatives to compute: by the free parameters, and by the base if one is free
   std::vector<Eigen::Index> numbers_;  ///< Jacobian column of each parameter
-  /// For each base, Jacobian columns of its step, -1 for a fixed component; empty: known base.
+  /// For each base, Jacobian columns of its step, -1 for a fixed component; empty means known base.
   std::vector<std::vector<Eigen::Index>> bases_;
-  PlacedArm placed_;            ///< placed arm at the last variables
+  PlacedArm placed_;            ///< placed arm at the variables of the last evaluation
   std::vector<double> slopes_;  ///< derivative of each parameter with respect to its variable
   /// Matrices that map the rate of the rotation vector to the angular velocity, one per base.
   std::vector<Eigen::Matrix3d> turns_;

@@ -30,7 +30,7 @@ UncertainNumbers heldNumbers(const Identification& fit, const std::vector<Unknow
 }
 
 /// Returns true for unknowns that the result includes. A base step is included only if there is a single base pose,
-/// because each of several base poses holds for its own set-up only.
+/// because several base poses would each apply only to their own set-up.
 bool isKept(const Unknown& unknown, const Identification& fit) {
   return unknown.owner == Unknown::Owner::kArm || fit.fitted.base_poses.size() == 1;
 }
@@ -63,7 +63,7 @@ std::optional<ArmUncertainty> determinedNumbers(const Identification& fit, const
   prior.head(own) = priorSlopes(fitted).cwiseAbs2();
   gradient.head(own) += priorSlopes(fitted).cwiseProduct(priorResiduals(fitted, zerosOf(fitted)));
   const MatrixXd inverse = inverseOfInformation(jacobian.transpose() * jacobian + MatrixXd(prior.asDiagonal()));
-  const VectorXd shift = inverse * gradient;  // step from the present to the most probable values of the variables
+  const VectorXd shift = inverse * gradient;  // step from the current values of the variables to the most probable ones
   const MatrixXd covariance = to_numbers * (inverse + shift * shift.transpose()) * to_numbers.transpose();
   ArmUncertainty determined = held_numbers;
   determined.determined.clear();

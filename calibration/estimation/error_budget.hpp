@@ -2,7 +2,7 @@
 // errors in this form.
 //
 // The error is the root mean square of the distances between measured and predicted values (ErrorSize). A held-out
-// error is that of measurements which the fit has not used, a fitted error that of measurements which it has used.
+// error is computed over measurements that the fit has not used, a fitted error over those that it has used.
 // Measurements set aside as outliers are not counted.
 #pragma once
 
@@ -20,7 +20,7 @@ struct ErrorBudget {
   double noise = kNotKnown;      ///< noise floor, but no more than the error with the explanation
   int measurements = 0;
   bool is_held_out = false;
-  bool are_angles = false;  ///< true: all measurements measure only angles
+  bool are_angles = false;  ///< true if all measurements measure only angles
 };
 
 /// Errors of a model on the same measurements, before and after an explanation (such as a fitted effect) is added.

@@ -35,8 +35,8 @@ MatrixXd informationOf(const Estimate& estimate, const std::vector<Measurement>&
   return by_variables->transpose() * *by_variables;
 }
 
-/// Returns the diagonal of the prior information matrix. The prior sigma of a free variable is its typical size, or
-/// that of its own prior if smaller; each standard normal variable of `beside` has variance 1.
+/// Returns the diagonal of the prior information matrix. The prior sigma of a free variable is its typical size, or the
+/// sigma of its own prior if smaller; each standard normal variable of `beside` has variance 1.
 VectorXd informationBeforehand(const Estimate& estimate) {
   const VectorXd of_free = priorInformation(estimate.unknowns);
   VectorXd information = VectorXd::Ones(of_free.size() + estimate.beside.root.cols());
@@ -69,7 +69,7 @@ bool fitBaseByTouches(const std::vector<Measurement>& touches, Estimate& estimat
   return true;
 }
 
-/// Fits the free parameters and takes all others as exact; returns false if the fit fails.
+/// Fits the free parameters, treating all others as exact. Returns false if the fit fails.
 bool fitFreeNumbers(const PlacedArm& placed, const std::vector<Measurement>& measurements, const FreeChoice& free,
                     Estimate& estimate) {
   IdentificationOptions options;
@@ -130,7 +130,7 @@ std::optional<MatrixXd> sensitivityOf(const Estimate& estimate, const std::vecto
 
 std::vector<MatrixXd> tipSensitivities(const Estimate& estimate, const std::vector<VectorXd>& postures, double load) {
   std::vector<Measurement> tips;
-  MeasurementWeights weights;  // only with identity matrices as whiteners, so that the Jacobian stays in metres
+  MeasurementWeights weights;  // identity whiteners keep the Jacobian in metres
   for (const auto& q : postures) {
     Measurement tip;
     tip.q = q;

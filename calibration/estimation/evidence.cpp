@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kLeastPostures = 4;
 constexpr int kLeastFreedom = 6;
-constexpr double kTooGood = 1e-6;  // a fit is too good if chi-square is this small with at most this probability
-// A fit is reported as too good only if residuals are below this fraction of the stated noise; a ratio nearer to 1 may
+constexpr double kTooGood = 1e-6;  // lower-tail probability of chi-square below which a fit is too good
+// A fit is reported as too good only if residuals are below this fraction of the stated noise. A ratio closer to 1 may
 // be due to a rounded sigma.
 constexpr double kFarTooGood = 0.5;
 

@@ -21,7 +21,7 @@ namespace {
 constexpr int kMaxRounds = 3;
 // The fit is repeated if new weights change chi-square by more than this fraction.
 constexpr double kWeightsRest = 1e-3;
-// A fit at its iteration limit counts as converged if chi-square would decrease by less.
+// A fit at its iteration limit is accepted as converged if the predicted decrease of chi-square is below this.
 constexpr double kNearMinimum = 0.01;
 constexpr int kMaxModelErrorRounds = 8;
 // The fit is repeated until the model error changes by no more than this fraction.
@@ -123,7 +123,7 @@ class Fitting {
     return fit_.solution.status != LeastSquaresStatus::kFailed;
   }
 
-  /// Returns the residual of the measurements at the solution, with the present weights but without the priors.
+  /// Returns the residual of the measurements at the solution, with the current weights but without the priors.
   WhitenedResidual residual(bool with_jacobian) {
     WhitenedResidual at;
     at.ok = with_priors_->evaluate(fit_.solution.x, at.r, with_jacobian ? &at.jacobian : nullptr, &at.error);
@@ -143,8 +143,8 @@ class Fitting {
     return comparableChi2(measurements_, stated, by_stated.r, options_.loss);
   }
 
-  /// Repeats the fit until the weights converge. They depend on the solution: encoder noise acts through the
-  /// derivatives there, and a robust weight factor depends on the residual.
+  /// Repeats the fit until the weights converge. The weights depend on the solution: encoder noise is propagated by the
+  /// derivatives there, and robust weight factors depend on the residuals.
   bool untilWeightsRest() {
     const bool is_robust = options_.loss != RobustLoss::kNone;
     const int rounds = is_robust ? 5 * kMaxRounds : kMaxRounds;
@@ -185,8 +185,8 @@ class Fitting {
     return true;
   }
 
-  /// Returns, to second order, by how much chi-square would still decrease to its minimum: gradient^T covariance
-  /// gradient. A value of 1 corresponds to a distance of one standard deviation.
+  /// Returns a second-order prediction of the remaining decrease of chi-square: gradient^T covariance gradient. A value
+  /// of 1 corresponds to a distance of one standard deviation.
   [[nodiscard]] double distanceToMinimum() const {
     const VectorXd gradient = fit_.residual.jacobian.transpose() * fit_.residual.r +
                               priorSlopes(unknowns_).cwiseProduct(priorResiduals(unknowns_, fit_.solution.x));

@@ -12,10 +12,11 @@ namespace tubeplan::calibration {
 ///
 /// If the residuals exceed the stated noise significantly (chi-square, p < 0.01), the model itself is in error. A model
 /// error is then added to the variance of every coordinate, as large as needed for chi-square to equal its degrees of
-/// freedom. This limits the weight of the measurements against the priors: otherwise measurements with micrometres of
-/// stated noise, but residuals of tenths of a millimetre, would override a drawing that is right to millimetres.
+/// freedom. This limits the weight of the measurements relative to the priors. Otherwise, measurements with a stated
+/// noise of micrometres but residuals of tenths of a millimetre would override a drawing that is accurate to
+/// millimetres.
 struct Fit {
-  /// Solution of the least-squares problem; its `chi2` is that of the measurements with the final weights, without
+  /// Solution of the least-squares problem. Its `chi2` covers the measurements with their final weights, but not the
   /// priors.
   LeastSquaresResult solution;
   MeasurementWeights weights;  ///< weights of the last iteration
@@ -28,12 +29,12 @@ struct Fit {
   double p_value = kNotKnown;
 };
 
-inline constexpr double kLackOfFit = 0.01;  ///< p-value below which residuals count as too large for the stated noise
+inline constexpr double kLackOfFit = 0.01;  ///< p-value below which residuals are too large for the stated noise
 
 struct FitOptions {
   LeastSquaresOptions solver;
   RobustLoss loss = RobustLoss::kNone;
-  std::optional<double> model_error = {};  ///< standard deviation of the model error [m]; empty: estimated
+  std::optional<double> model_error = {};  ///< standard deviation of the model error [m]; empty means estimated
   /// Weights from the stated noise alone, if the caller has already computed them; otherwise null.
   const MeasurementWeights* weights = nullptr;
 };
@@ -49,7 +50,7 @@ struct FitOptions {
                               const FitOptions& options);
 
 /// Returns the least-squares problem of a fit; its residuals include those of the priors. The problem keeps references
-/// to `start`, `unknowns`, `readings` and `weights`, which must outlive it.
+/// to `start`, `unknowns`, `measurements` and `weights`, which must outlive it.
 [[nodiscard]] LeastSquaresProblem fitProblem(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                              const std::vector<Measurement>& measurements,
                                              const MeasurementWeights& weights, const Eigen::VectorXd& x,

@@ -18,15 +18,16 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kLeastLeft = 6;  // number of groups of a set-up that must remain, so that they determine its base
-// Measurements whose joints differ by less than this [rad, m] count as taken at the same posture.
+constexpr std::size_t kLeastLeft = 6;  // smallest number of groups of a set-up that must remain, to determine its base
+// Measurements are at the same posture if their joint readings differ by less than this [rad, m].
 constexpr double kSamePosture = 0.01;
 
 /// Groups measurements by posture: a measurement belongs to a group if its posture is close to that of the group's
 /// first measurement.
 class PostureGroups {
  public:
-  /// Returns the index of the first measurement in the group of `reading`; `reading` itself if the group is new.
+  /// Returns the index of the first measurement in the group of `measurement`; `measurement` itself if the group is
+  /// new.
   int leaderOf(const std::vector<Measurement>& measurements, int measurement) {
     const Measurement& m = measurements[static_cast<std::size_t>(measurement)];
     const long cell = m.q.size() ? std::lround(m.q[0] / kSamePosture) : 0;
@@ -82,9 +83,9 @@ std::map<std::string, std::vector<int>> groupsBySetup(const std::vector<Measurem
   return by_setup;
 }
 
-/// Returns the fold of each group. Groups are assigned to folds in turn, set-up by set-up and in the order of `rank`,
-/// so that each set-up is spread over all folds. A set-up that would keep too few groups to determine its base is never
-/// held out (-1), provided that another set-up is large enough.
+/// Returns the fold of each group. Groups are dealt to the folds cyclically, set-up by set-up and in the order of
+/// `rank`, so that each set-up is spread over all folds. A set-up that would keep too few groups to determine its base
+/// is never held out (-1), provided that another set-up is large enough.
 std::vector<int> dealt(std::map<std::string, std::vector<int>> by_setup, const std::vector<int>& rank, int folds) {
   const auto leavesFew = [&](const std::vector<int>& groups) {
     const auto parts = static_cast<std::size_t>(folds);
@@ -129,7 +130,7 @@ std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Meas
     double& farthest = reach[measurements[k].setup].emplace(groups[k], 0).first->second;
     if (predicted.ok) farthest = std::max(farthest, predicted.value.norm());
   }
-  std::map<std::string, double> least;  // by set-up: distance [m] from which a group is in the farthest quarter
+  std::map<std::string, double> least;  // for each set-up, smallest distance of a group in the farthest quarter [m]
   for (const auto& [setup, poses] : reach) {
     if (reach.size() > 1 && 3 * poses.size() / 4 < kLeastLeft) {
       least[setup] = std::numeric_limits<double>::infinity();
@@ -216,8 +217,8 @@ std::vector<Index> rowsOutside(int fold, const std::vector<int>& folds, const st
   return rows;
 }
 
-/// Returns the Gauss-Newton step from the solution of the fit `whole` to that of a fit to the given rows alone; empty
-/// if the step is too long or leaves the bounds.
+/// Returns the Gauss-Newton step from the solution of the fit `whole` to the solution of a fit to the given rows alone;
+/// empty if the step is too long or leaves the bounds.
 std::optional<VectorXd> stepTo(const std::vector<Index>& rows, const Fit& whole, const std::vector<Unknown>& unknowns) {
   const VectorXd& x = whole.solution.x;
   const MatrixXd jacobian = whole.residual.jacobian(rows, Eigen::all);
@@ -246,7 +247,7 @@ void moveErrors(int fold, const std::vector<int>& folds, const Fit& whole, const
 }
 
 /// Cross-validates without evaluating the model again. Not valid for touches of unknown points, because each fold would
-/// estimate the points' positions from its own readings.
+/// estimate the points' positions from its own measurements.
 std::optional<ErrorSize> crossValidateToFirstOrder(const std::vector<Unknown>& unknowns,
                                                    const std::vector<Measurement>& measurements, const Fit& whole,
                                                    const std::vector<int>& folds, const WorkHooks& hooks) {

@@ -1,5 +1,5 @@
-// Validation of a fit by measurements that the fit has not used. Measurements at the same posture or point are always
-// held out together.
+// Validation of a fit on measurements that were not used for fitting. Measurements at the same posture or point are
+// always held out together.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +20,14 @@ namespace tubeplan::calibration {
 /// never held out, because too few groups of their set-up would remain to determine its base.
 [[nodiscard]] std::vector<int> foldsOf(const std::vector<Measurement>& measurements, int folds, std::uint64_t seed);
 
-/// Returns fold 0 for the measurements of each set-up that are in the quarter of its groups reaching farthest from the
-/// base, and -1 (never held out) for all others. With these folds, cross-validation tests how well a fit extrapolates.
+/// For each set-up, finds the quarter of its groups that reach farthest from the base. Returns fold 0 for their
+/// measurements, and -1 (never held out) for all others. With these folds, cross-validation tests how well a fit
+/// extrapolates.
 [[nodiscard]] std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Measurement>& measurements);
 
-/// Returns those of the measurements `held_out` that a fit to the measurements `fitted` can predict. Excludes single
-/// touches of an unmeasured point, because the point is estimated from the touch itself, and measurements of a set-up
-/// whose base is neither known nor determined by fitted measurements.
+/// Returns the measurements among `held_out` that a fit to the measurements `fitted` can predict. Excludes two kinds:
+/// single touches of an unmeasured point, because the point is estimated from the touch itself; and measurements in a
+/// set-up whose base is neither known nor fitted.
 [[nodiscard]] std::vector<Measurement> judgeable(const PlacedArm& placed, const std::vector<Measurement>& fitted,
                                                  const std::vector<Measurement>& held_out);
 
@@ -42,8 +43,8 @@ using FitToMeasurements = std::function<std::optional<PlacedArm>(const std::vect
 [[nodiscard]] ErrorSize judgeFolds(const std::vector<Measurement>& measurements, const std::vector<int>& folds,
                                    const FitToMeasurements& fit, const WorkHooks& hooks = {});
 
-/// Cross-validates by fits of the unknowns that start at `x`, and returns the held-out errors; if there are no
-/// unknowns, the errors are those of the model `start` itself.
+/// Cross-validates by fits of the unknowns that start at `x`, and returns the held-out errors; without unknowns,
+/// returns the errors of the model `start` itself.
 [[nodiscard]] ErrorSize crossValidate(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                       const std::vector<Measurement>& measurements, const Eigen::VectorXd& x,
                                       const std::vector<int>& folds, const FitOptions& options,

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSoon = 30;  // iterations of Levenberg-Marquardt before Ipopt is tried
 
-/// Returns the result `found`, to whose counts of iterations and evaluations those of `other` are added.
+/// Returns `found` with the iteration and evaluation counts of `other` added.
 LeastSquaresResult withWorkOf(LeastSquaresResult found, const LeastSquaresResult& other) {
   countWork(other, found);
   return found;

@@ -12,10 +12,11 @@ namespace {
 // A parameter is identifiable only if its sigma is at most this fraction of its prior uncertainty.
 constexpr double kSharpened = 0.5;
 constexpr double kCorrelated = 0.3;  // correlation above which another parameter is reported as a partner
-constexpr double kOneWithIt = 0.95;  // correlation above which a parameter is identifiable only if its partner is
+// Correlation above which a parameter is identifiable only together with its partner.
+constexpr double kOneWithIt = 0.95;
 constexpr std::size_t kMostPartners = 4;
-// A compliance is identifiable only if it differs from zero by more than this many sigmas; otherwise the stiffness
-// would have no upper limit.
+// A compliance is identifiable only if it differs from zero by more than this many sigmas; otherwise, the stiffness
+// would have no upper bound.
 constexpr double kSeen = 2;
 
 /// Returns the prior uncertainty of a parameter, which is the smaller of its typical size and its prior sigma.
@@ -55,7 +56,8 @@ std::vector<NumberIdentifiability> judgeIdentifiability(const MatrixXd& jacobian
     numbers[n].with = partnersOf(k, covariance);
     if (!numbers[n].with.empty()) numbers[n].verdict = Identifiability::kInCombination;
   }
-  // A parameter that looks identifiable is not if the measurements cannot distinguish it from one that is not.
+  // A parameter is not identifiable if the measurements cannot distinguish it from another parameter that is not
+  // identifiable.
   for (std::size_t n = 0; n < unknowns.size(); ++n) {
     if (numbers[n].verdict != Identifiability::kYes) continue;
     const auto k = static_cast<Index>(n);

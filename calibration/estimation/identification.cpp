@@ -62,7 +62,7 @@ void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& all,
     return;
   }
   if (model.options.folds < 2) return;
-  if (model.unknowns.empty()) {  // nothing is fitted, so held-out errors equal the others
+  if (model.unknowns.empty()) {  // nothing is fitted, so the held-out errors equal the fitted errors
     result.heldout = result.heldout_before = result.after_base;
     return;
   }
@@ -77,7 +77,7 @@ void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& all,
   result.heldout = by_steps ? *by_steps
                             : crossValidate(model.start, model.unknowns, model.fitted, model.fit.solution.x, folds,
                                             options, model.options.hooks);
-  // No base is fitted, so held-out errors equal the others.
+  // No base is fitted, so the held-out errors equal the fitted errors.
   const bool is_fixed = bases.empty() && result.heldout.measurements > 0;
   result.heldout_before =
       is_fixed ? result.after_base : crossValidate(model.start, bases, model.fitted, zerosOf(bases), folds, options);
@@ -194,7 +194,7 @@ void giveUp(const IdentifiedNumber& number, PlacedArm& start) {
   deflection::locate(start.arm, number.unknown.path) = is_stiffness ? deflection::kRigid : number.unknown.start;
 }
 
-/// Returns the difference between a parameter and the value that it would have if dropped, in sigmas.
+/// Returns the difference between a parameter and its value when dropped, in sigmas.
 double needOf(const IdentifiedNumber& number) {
   // A dropped stiffness has zero compliance; value / sigma is the same for the compliance as for the stiffness.
   if (number.unknown.scale != Unknown::Scale::kLinear) return number.value / number.sigma;

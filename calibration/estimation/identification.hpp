@@ -18,12 +18,12 @@
 //     const Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
 //     std::vector<calibration::Measurement> measurements;
 //     for (int k = 0; k < 12; ++k) {
-//       auto& measurement = readings.emplace_back();
-//       reading.id = std::to_string(k);
-//       reading.q = Eigen::VectorXd::Constant(1, 0.1 * k);
-//       reading.load = 50 * (k % 3);  // N
-//       reading.sigma = 1e-5;         // m
-//       reading.p_W = calibration::predictTip(real, X_WB, reading.q, reading.load).value;
+//       auto& measurement = measurements.emplace_back();
+//       measurement.id = std::to_string(k);
+//       measurement.q = Eigen::VectorXd::Constant(1, 0.1 * k);
+//       measurement.load = 50 * (k % 3);  // N
+//       measurement.sigma = 1e-5;         // m
+//       measurement.p_W = calibration::predictTip(real, X_WB, measurement.q, measurement.load).value;
 //     }
 //     calibration::IdentificationOptions options;
 //     options.free.names = {"link.joint_stiffness.z"};
@@ -51,16 +51,16 @@ struct IdentificationOptions {
   FreeChoice free;
   LeastSquaresOptions solver;
   RobustLoss loss = RobustLoss::kNone;
-  int starts = 1;          ///< number of starting points: the given one, and others drawn at random around it
+  int starts = 1;          ///< number of starting points: the given one, plus random ones around it
   std::uint64_t seed = 1;  ///< seed of the random starts and of the assignment to folds
-  /// Number of folds of the cross-validation, which is done if no measurement is marked as held out; 0: none.
+  /// Number of folds of the cross-validation, which is done if no measurement is marked as held out; 0 disables it.
   int folds = 5;
   double outlier_level = 0.01;  ///< probability that some measurement is reported as an outlier although there is none
   /// If above 0, parameters that are not significant at this level are dropped from the fit, one at a time.
   double drop_level = 0;
   bool intervals_by_profile = true;
-  bool may_hold_all = false;  ///< true: a model without free parameters is evaluated as it is; false: it is refused
-  /// Uncertainty of the parameters that are held fixed; empty: Identification::uncertainty is not computed.
+  bool may_hold_all = false;  ///< true if a model without free parameters is evaluated; false if it is refused
+  /// Uncertainty of the parameters that are held fixed. If empty, Identification::uncertainty is not computed.
   std::optional<ArmUncertainty> uncertainty;
   WorkHooks hooks;  ///< progress report and stop request, which also stops the solver
   /// Called at every iteration of a fit to all measurements, from each start, but not in fits to a part of the
@@ -76,14 +76,14 @@ struct IdentifiedNumber {
   double sigma = kNotKnown;
   double lower = kNotKnown;  ///< lower end of the 95 % interval
   double upper = kNotKnown;
-  bool is_profile = false;  ///< true: the interval is a likelihood-profile interval; false: it follows from `sigma`
+  bool is_profile = false;  ///< true if the interval is a likelihood-profile interval; false if it follows from `sigma`
   Identifiability identifiable = Identifiability::kNo;
   /// Names of the unknowns with which the errors of this one are correlated, for kInCombination.
   std::vector<std::string> with;
   double prior_deviation = 0;  ///< distance of the variable from its prior's mean, in standard deviations of the prior
   bool is_at_bound = false;
   /// For the magnitude of an effect: values that explain the measurements equally well, most probable first; empty if
-  /// only `value` does. The interval covers all of them.
+  /// `value` is the only one. The interval covers all of them.
   std::vector<double> modes;
   std::string note;  ///< note for the user, as a sentence; may be empty
 };
@@ -99,14 +99,14 @@ struct StrongCorrelation {
   double value = 0;
 };
 
-/// Root mean square, mean and maximum of the errors of a set of measurements [m]. The error of a measured position is
-/// its distance from the predicted position; that of an angle is the difference times kTurnLever.
+/// Root mean square, mean and maximum of the errors of a set of measurements [m]. The error of a position is the
+/// distance between measured and predicted position; the error of an angle is the difference times kTurnLever.
 struct ErrorSize {
   double rms = kNotKnown;
   double mean = kNotKnown;
   double max = kNotKnown;
   int measurements = 0;
-  bool are_angles = false;  ///< true: all measurements measure only angles
+  bool are_angles = false;  ///< true if all measurements measure only angles
 };
 
 struct Identification {
@@ -117,7 +117,7 @@ struct Identification {
   std::optional<MeasurementProblem> measurement_problem;
   std::vector<std::string>
       dropped;              ///< parameters dropped because the measurements do not require them, as "NAME: why"
-  PlacedArm start, fitted;  ///< model before the fit, but with its bases placed, and model after the fit
+  PlacedArm start, fitted;  ///< model with its bases placed before the fit, and model after the fit
   std::vector<IdentifiedNumber> numbers;
   /// Covariance of the variables of `numbers`, in the same order (compliances for stiffnesses).
   Eigen::MatrixXd covariance;
@@ -157,7 +157,7 @@ struct Identification {
                                       const IdentificationOptions& options);
 
 /// One stage of an identification: names of the parameters that it frees, and the set-up whose measurements it uses
-/// (empty: all measurements).
+/// (empty means all measurements).
 struct IdentificationStage {
   std::vector<std::string> names;
   std::string setup;

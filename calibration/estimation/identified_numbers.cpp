@@ -16,7 +16,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr double kNormal95 = 1.959963984540054;
-// A value counts as at its bound if closer than this fraction of its typical size.
+// A value is at its bound if it is closer to it than this fraction of its typical size.
 constexpr double kBoundMargin = 1e-4;
 // The normal interval is inaccurate if the relative sigma of a compliance exceeds this.
 constexpr double kPoorNormal = 0.2;
@@ -35,7 +35,7 @@ std::string namesOf(const std::vector<std::string>& names) {
   return text;
 }
 
-constexpr double kFarFromDrawing = 3;  // a note is added if the value is farther from its prior's mean, in sigmas
+constexpr double kFarFromDrawing = 3;  // distance of a value from its prior mean above which a note is added [sigmas]
 
 bool isCompliance(const Unknown& unknown) { return unknown.scale == Unknown::Scale::kCompliance; }
 
@@ -56,8 +56,8 @@ std::string noteOf(const IdentifiedNumber& number, bool is_nearly_rigid) {
   return "";
 }
 
-/// Returns true if the normal interval of a stiffness is inaccurate, because the interval is wide or because the
-/// stiffness is correlated with a parameter that is within two sigmas of a bound.
+/// Returns true if the normal approximation of a stiffness's interval is inaccurate: the interval is wide, or the
+/// stiffness is correlated with a parameter within two sigmas of a bound.
 bool isNormalPoor(const std::vector<Unknown>& unknowns, const VectorXd& x, const MatrixXd& covariance, Index k) {
   const auto sigma = [&](Index i) { return std::sqrt(covariance(i, i)); };
   if (sigma(k) > kPoorNormal / valueAt(unknowns[static_cast<std::size_t>(k)], x[k])) return true;
@@ -75,7 +75,7 @@ bool isSizeOf(const Unknown& unknown, int effect, const deflection::Arm& arm) {
   return !numbers[static_cast<std::size_t>(unknown.path.value)].is_shape;
 }
 
-/// Widens the interval of `number`, the `k`-th size of the effect searched, to include all modes found.
+/// Widens the interval of `number`, the `k`-th size of the effect, to include all modes found.
 void widen(const SizeModes& found, Index k, IdentifiedNumber& number) {
   for (const SizeMode& mode : found.modes) {
     number.lower = std::min(number.lower, mode.lower[k]);

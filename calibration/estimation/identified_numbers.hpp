@@ -14,7 +14,7 @@ struct FittedModel {
   std::vector<Unknown> unknowns;
   Fit fit;
   std::optional<MeasurementWeights>
-      start_weights;  ///< weights at `start`; empty if the model cannot be evaluated there
+      start_weights;  ///< measurement weights at `start`; empty if the model cannot be evaluated there
 };
 
 /// Fills `result.numbers` with one entry per unknown, in the order of `model.unknowns`.

@@ -1,4 +1,4 @@
-// Interior-point method by Ipopt. No other file uses Ipopt.
+// Interior-point method by Ipopt. Ipopt is used only in this file.
 #include <IpIpoptApplication.hpp>
 #include <IpSolveStatistics.hpp>
 #include <IpTNLP.hpp>
@@ -14,8 +14,8 @@ namespace {
 using Eigen::MatrixXd, Eigen::VectorXd;
 using Ipopt::Number;
 constexpr double kUnbounded = 2e19;      // Ipopt's value for infinity
-constexpr double kRestingShare = 1e-13;  // relative change of chi2 that counts as rounding
-constexpr double kNearBound = 1e-2;      // a variable is near a bound if closer than this, in units of its scale
+constexpr double kRestingShare = 1e-13;  // relative change of chi2 that is attributed to rounding
+constexpr double kNearBound = 1e-2;      // distance below which a variable is near a bound, in units of its scale
 
 /// The problem in Ipopt's interface; its objective is half the squared residual. Trial points are evaluated without a
 /// Jacobian. The Jacobian at an accepted point gives both the gradient and the (Gauss-Newton) Hessian.
@@ -80,8 +80,8 @@ class NonlinearProgram : public Ipopt::TNLP {
   }
 
   /// Ends the iteration at the minimum. Ipopt's own test compares the gradient with an absolute tolerance, which
-  /// rounding makes unattainable if the residuals are large. Here, the minimum counts as reached if a Gauss-Newton step
-  /// predicts no decrease beyond rounding, or if two steps in a row have brought none.
+  /// rounding makes unattainable if the residuals are large. Here, the minimum is reached if a Gauss-Newton step
+  /// predicts no decrease beyond rounding, or if two successive steps gave none.
   bool intermediate_callback(Ipopt::AlgorithmMode, Ipopt::Index iteration, Number value, Number, Number, Number,
                              Number step, Number damping, Number, Number, Ipopt::Index, const Ipopt::IpoptData*,
                              Ipopt::IpoptCalculatedQuantities*) override {
@@ -133,9 +133,9 @@ class NonlinearProgram : public Ipopt::TNLP {
   ScaledProblem& problem_;
   const IterationObserver& observe_;
   Eigen::Index n_;
-  VectorXd x_;  // point to which chi2_ belongs
+  VectorXd x_;  // point at which chi2_ was computed
   double chi2_ = std::numeric_limits<double>::quiet_NaN();
-  VectorXd linearized_x_, r_;  // point to which r_ and J_ belong, and the residual there
+  VectorXd linearized_x_, r_;  // point at which r_ and J_ were computed, and the residual there
   MatrixXd J_;
   bool linearized_ = false;
   double last_value_ = std::numeric_limits<double>::quiet_NaN();
@@ -153,7 +153,7 @@ Ipopt::SmartPtr<Ipopt::IpoptApplication> makeSolver() {
   settings->SetNumericValue("bound_relax_factor", 0);
   settings->SetStringValue("mu_strategy", "adaptive");
   // Overhead dominates the cost of each linear solution by MUMPS. These settings reduce the number of solutions per
-  // step from three to one, and allow refinement only if a solution is inaccurate.
+  // step from three to one, and refine a solution only if it is inaccurate.
   settings->SetStringValue("mu_oracle", "loqo");
   settings->SetIntegerValue("min_refinement_steps", 0);
   if (solver->Initialize("") != Ipopt::Solve_Succeeded) return nullptr;
@@ -193,7 +193,7 @@ Meaning meaningOf(Ipopt::ApplicationReturnStatus status) {
 LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
                                            const IterationObserver& observe) {
   // Calls are serialised, because MUMPS, the linear solver of Debian's Ipopt, keeps its instances in a process-wide
-  // table without a lock. All calls share one Ipopt instance, because creating one takes longer than solving many a
+  // table without a lock. All calls share one Ipopt instance, because creating one takes longer than solving a typical
   // problem.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);

@@ -26,7 +26,7 @@ LeastSquaresResult evaluateFixed(const LeastSquaresProblem& problem) {
                              : scaled.failureAtStart();
 }
 
-/// Minimises with an `evaluate` that fails as soon as a stop is requested, so that any method soon gives up.
+/// Minimises with an `evaluate` that fails once a stop is requested, which makes any method end soon.
 LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, const LeastSquaresProblem& problem,
                                         const LeastSquaresStop& rest, const LeastSquaresOptions& options) {
   bool is_stopped = false;
@@ -35,7 +35,7 @@ LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, cons
     is_stopped = is_stopped || options.stop();
     try {
       return !is_stopped && problem.evaluate(x, r, jacobian);
-    } catch (const WorkStopped&) {  // an exception must not pass through a third-party solver
+    } catch (const WorkStopped&) {  // exceptions must not propagate through a third-party solver
       is_stopped = true;
       return false;
     }

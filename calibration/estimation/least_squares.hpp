@@ -18,7 +18,7 @@ namespace tubeplan::calibration {
 /// nearest point within them.
 struct LeastSquaresProblem {
   Eigen::VectorXd start, lower, upper;
-  Eigen::VectorXd scale;  ///< typical size of each variable, above zero; the solvers work in x / scale
+  Eigen::VectorXd scale;  ///< typical size of each variable, above zero; solvers use x / scale internally
   /// Computes r, and the Jacobian (residuals x variables) if `jacobian` is not null. Returns false if r cannot be
   /// evaluated at x. Called only within the bounds.
   std::function<bool(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian)> evaluate;
@@ -35,7 +35,7 @@ struct LeastSquaresStop {
 /// An iteration of a method, as reported to an observer.
 struct LeastSquaresIteration {
   std::string_view method;                                 ///< name of the active method, as in leastSquaresMethods()
-  int iteration = 0;                                       ///< iteration number; 0: the start
+  int iteration = 0;                                       ///< iteration number; 0 means the start
   double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< r . r at the iteration's point
   double step = 0;  ///< length of the step to this point, with each variable in units of its scale
   /// Damping added to the diagonal of the normal matrix for the step; 0 for methods without damping.
@@ -55,8 +55,8 @@ struct LeastSquaresOptions {
 
 enum class LeastSquaresStatus { kNotRun, kConverged, kIterationLimit, kFailed, kStopped };
 
-/// Result of a minimisation. `x` is the point where the method stopped, whatever the status. `chi2` is NaN if r(x)
-/// could not be evaluated at any point.
+/// Result of a minimisation. `x` is the point where the method stopped, for every status. `chi2` is NaN if r(x) could
+/// not be evaluated at any point.
 struct LeastSquaresResult {
   LeastSquaresStatus status = LeastSquaresStatus::kNotRun;
   std::string reason;  ///< reason why the method stopped
@@ -67,7 +67,7 @@ struct LeastSquaresResult {
   int jacobian_evaluations = 0;  ///< calls of `evaluate` for r and the Jacobian together
 };
 
-/// Adds the iteration and evaluation counts of the result `of` to those of `to`.
+/// Adds the iteration and evaluation counts of the result `of` to the counts of `to`.
 template <class Counted>
 void countWork(const LeastSquaresResult& of, Counted& to) {
   to.iterations += of.iterations;

@@ -16,17 +16,16 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 constexpr double kFirstRadius = 1;  // initial radius: root mean square step of the scaled variables
 // Smallest radius, in the same measure; shorter steps are lost in rounding.
 constexpr double kLeastRadius = 1e-14;
-// Relative increase of each diagonal element of the normal matrix, which prevents rounding errors from moving a
-// variable.
+// Relative increase of each diagonal element of the normal matrix, to suppress steps caused by rounding errors.
 constexpr double kRest = 1e-13;
-// Increase of all diagonal elements, as a fraction of the largest, which keeps variables in place that affect no
-// residual.
+// Increase of all diagonal elements, as a fraction of the largest, so that variables that affect no residual do not
+// move.
 constexpr double kLeastDamping = 1e-30;
 constexpr double kLengthRest = 0.1;  // a damped step may exceed the radius by this fraction
 constexpr int kDampings = 20;        // maximum number of attempts to adapt the damping to the radius
 // Maximum number of times that the damping is doubled to make the damped matrix positive definite.
 constexpr int kFactorisations = 100;
-constexpr double kNoLackOfFit = 1e-6;  // below this chi2, the tolerance is relative to this value instead of chi2
+constexpr double kNoLackOfFit = 1e-6;  // lower bound on the chi2 to which the tolerance is relative
 // The radius grows if chi2 decreases by more than the fraction kGood of the predicted decrease, and shrinks below
 // kPoor.
 constexpr double kGood = 0.75, kPoor = 0.25;
@@ -140,7 +139,7 @@ class TrustRegionMinimizer {
   QuadraticModel model_;
   std::vector<Index> free_;
   double last_fall_ = std::numeric_limits<double>::infinity();
-  bool is_linear_ = true;  ///< true: r_ and jacobian_ have been computed at x_
+  bool is_linear_ = true;  ///< true if r_ and jacobian_ have been computed at x_
   int iterations_ = 0;
   double length_ = 0, damping_ = 0;  ///< length and damping of the last step taken
 };
@@ -154,8 +153,8 @@ void TrustRegionMinimizer::adaptRadius(double length, double fall, double predic
     radius_ = kPoor * std::min(radius_, length);
 }
 
-/// Moves x_ to `next` if chi2 is smaller there, and returns whether it did. A first trial usually succeeds and
-/// therefore computes the Jacobian at once; trials after a rejected step compute only chi2.
+/// Moves x_ to `next` if chi2 is smaller there. Returns true if it moved. A first trial usually succeeds and therefore
+/// computes the Jacobian at once; trials after a rejected step compute only chi2.
 bool TrustRegionMinimizer::moveTo(const VectorXd& next, double predicted, bool is_first) {
   const bool is_linear = predicted > 0 && is_first && scaled_.linearizeAt(next, next_r_, next_jacobian_);
   const double tried = is_linear ? next_r_.squaredNorm() : predicted > 0 ? scaled_.chi2At(next) : chi2_;
@@ -178,8 +177,8 @@ TrustRegionMinimizer::Step TrustRegionMinimizer::step(double tolerance) {
     const VectorXd next = scaled_.withinBounds(x_ + boundedStep(scaled_, model_, x_, free_, radius_, damping));
     const double predicted = model_.predictedReduction(next - x_);
     const double little = tolerance * std::max(chi2_, kNoLackOfFit);
-    // A damped step may gain little only because it is short. It shows convergence only if the step before also gained
-    // little.
+    // A damped step may gain little merely because it is short. It indicates convergence only if the previous step also
+    // gained little.
     if (std::abs(predicted) <= little && (damping == 0 || (is_first && last_fall_ <= little))) return Step::kAtRest;
     if (moveTo(next, predicted, is_first)) {
       damping_ = damping;

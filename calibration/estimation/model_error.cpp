@@ -12,7 +12,7 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// Probability that some measurement counts as a gross error although there is none.
+// Probability that noise alone makes a measurement look like a gross error.
 constexpr double kGrossErrorLevel = 0.01;
 
 /// Squared errors of measurements relative to the sum of their noise variance and an additional variance of every
@@ -66,8 +66,7 @@ double modelErrorOf(const std::vector<Measurement>& measurements, const Measurem
                     const VectorXd& error, int degrees_of_freedom) {
   if (degrees_of_freedom <= 0) return 0;
   const ErrorVariance errors(measurements, weights, error);
-  // Errors that are far larger than the typical one are gross errors. They are excluded, because the model does not
-  // cause them.
+  // Errors far above the typical one are gross errors, which the model does not cause, so they are excluded.
   const double usual = errors.solve([&](double v) { return errors.usualSquare(v) - 1; });
   ChiSquareLimit limitOf(kGrossErrorLevel / static_cast<double>(measurements.size()));
   std::vector<std::size_t> kept;

@@ -12,14 +12,14 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Error of a measurement relative to a fit without it.
+/// Error of a measurement relative to a fit that excludes it.
 struct Alone {
   VectorXd error;     // error of the measurement [m]
   double square = 0;  // error^T covariance^-1 error: chi-square with one degree of freedom per row
 };
 
-/// Returns for each reading its rows of the matrix Q of its unknown point; empty for measurements without an unknown
-/// point.
+/// Returns for each measurement its rows of the matrix Q of its unknown point; empty for measurements without an
+/// unknown point.
 std::vector<MatrixXd> pointBlocks(const MeasurementWeights& weights, std::size_t measurements) {
   std::vector<MatrixXd> blocks(measurements);
   for (const auto& point : weights.points)
@@ -30,9 +30,9 @@ std::vector<MatrixXd> pointBlocks(const MeasurementWeights& weights, std::size_t
   return blocks;
 }
 
-/// Returns the error of a measurement relative to a fit without it. With H the measurement's block of the projection
-/// onto the fitted unknowns, this error is (I - H)^-1 r and its covariance (I - H)^-1, both whitened. The weight factor
-/// f of a robust fit is undone: the measurement's own part of the covariance stays I, the part due to other
+/// Returns the error of a measurement relative to a fit without it. Let H be the measurement's block of the projection
+/// onto the fitted unknowns. The error is then (I - H)^-1 r and its covariance (I - H)^-1, both whitened. The weight
+/// factor f of a robust fit is removed: the measurement's own part of the covariance stays I, the part due to other
 /// measurements is divided by f.
 Alone judgeAlone(const VectorXd& r, const MatrixXd& H, double factor, const MatrixXd& covariance) {
   const Index n = r.size();

@@ -8,9 +8,8 @@
 namespace tubeplan::calibration {
 
 /// Compares each measurement with its prediction by a fit without that measurement. Returns the outliers, worst first.
-/// The limit is chosen such that noise alone produces an outlier anywhere in the set with probability `level`. If most
-/// errors exceed the noise, the limit is relative to the typical error instead. Weight factors of a robust fit are
-/// undone first.
+/// The limit is chosen such that, with probability `level`, noise alone produces at least one outlier. If most errors
+/// exceed the noise, the limit is relative to the typical error. Weight factors of a robust fit are removed first.
 [[nodiscard]] std::vector<Outlier> findOutliers(const std::vector<Measurement>& measurements, const Fit& fit,
                                                 double level);
 

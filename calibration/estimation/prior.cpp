@@ -9,7 +9,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kSingular = 1e-14;  // eigenvalues below this fraction of the largest count as zero
+constexpr double kSingular = 1e-14;  // eigenvalues below this fraction of the largest are treated as zero
 
 }  // namespace
 
@@ -39,7 +39,7 @@ MatrixXd posteriorCovariance(const MatrixXd& jacobian, const std::vector<Unknown
   MatrixXd information = MatrixXd::Zero(n, n);
   if (jacobian.rows() > 0) information.selfadjointView<Eigen::Lower>().rankUpdate(jacobian.transpose());
   information.diagonal() += priorSlopes(unknowns).cwiseAbs2();
-  // The matrix is scaled to a unit diagonal, because a compliance and a length differ by many powers of ten.
+  // Scale the matrix to a unit diagonal, because compliances and lengths differ by many orders of magnitude.
   const VectorXd scale =
       information.diagonal().unaryExpr([](double value) { return value > 0 ? 1 / std::sqrt(value) : 0; });
   information =

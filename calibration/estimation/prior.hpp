@@ -1,4 +1,4 @@
-// How prior knowledge enters a fit and the resulting uncertainty. Every free parameter has a normal prior
+// Prior knowledge in a fit and in the resulting uncertainty. Every free parameter has a normal prior
 // (Unknown::prior_sigma), which enters least squares as one more residual, (x - mean) / sigma. The minimum is then the
 // most probable state. Its posterior covariance C is the inverse of J^T J + Lambda, with Lambda = diag(1 / sigma^2). Of
 // the n parameters, the measurements determine p = tr(C J^T J), the effective number of parameters (Spiegelhalter et

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRise = 3.841458820694124;  // 95 % quantile of chi-square with one degree of freedom
 constexpr int kMaxSteps = 12;
-constexpr double kFarthest = 40;  // an interval that extends farther from the optimum [sigmas] counts as unbounded
+constexpr double kFarthest = 40;  // an interval that extends farther from the optimum is treated as unbounded [sigmas]
 
 /// Returns solver options for refits, which start close to their solution.
 LeastSquaresOptions nearby(const StopQuestion& stop) {

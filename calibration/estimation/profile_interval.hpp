@@ -7,7 +7,7 @@
 namespace tubeplan::calibration {
 
 struct ProfileInterval {
-  /// Ends of the interval, as values of the variable; infinite in a direction in which chi-square never rises that far.
+  /// Ends of the interval, as values of the variable; an end is infinite if chi-square never rises that far.
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
 };

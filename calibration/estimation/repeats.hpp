@@ -1,5 +1,5 @@
-// Estimate of the noise from the scatter of repeated measurements, which does not depend on the model, and a test of
-// whether the model's errors exceed this noise.
+// Model-independent estimate of the noise from the scatter of repeated measurements, and a test of whether the model's
+// errors exceed this noise.
 //
 // The estimate may correct the stated noise by a factor of three at most, because users can state their noise to that
 // accuracy. A larger scatter must have another cause, such as clearance in a joint; the model's errors are then

@@ -20,8 +20,7 @@ double robustFactor(double length, RobustLoss loss) {
   return loss == RobustLoss::kHuber ? (length > 1.6 ? 1.6 / length : 1) : 1 / (1 + length * length / 6);
 }
 
-/// Returns the expected fraction of a measurement's chi-square that remains after weighting by a robust loss, for
-/// normal noise.
+/// Returns the expected fraction of a measurement's chi-square that is left after robust weighting, for normal noise.
 double shareLeft(int rows, RobustLoss loss) {
   constexpr int kSteps = 400;
   double sum = 0;

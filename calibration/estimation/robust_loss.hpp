@@ -10,9 +10,9 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the weight factor of each reading from the length of its whitened residual. Lengths are relative to their
-/// typical value, so that a model with errors everywhere does not reduce the weight of every measurement. `old` holds
-/// the factors already included in `weights`; empty: none.
+/// Returns the weight factor of each measurement from the length of its whitened residual. Lengths are relative to
+/// their typical value, so that a model with errors everywhere does not reduce the weight of every measurement. `old`
+/// holds the factors already included in `weights`; empty if none.
 [[nodiscard]] Eigen::VectorXd robustFactors(const std::vector<Measurement>& measurements,
                                             const MeasurementWeights& weights, const WhitenedResidual& residual,
                                             const Eigen::VectorXd& old, RobustLoss loss);

@@ -37,9 +37,8 @@ std::vector<int> outliersOf(const Identification& fit) {
   return places;
 }
 
-/// Returns those of the measurements set aside that the fit to the others mispredicts, because a robust fit may also
-/// have named measurements that are no outliers. Only measured tip positions are checked; all other measurements are
-/// returned.
+/// Returns the measurements set aside that the fit to the others indeed mispredicts; a robust fit may also have flagged
+/// measurements that are not outliers. Only measured tip positions are checked; all other measurements are returned.
 std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set_aside,
                           const std::vector<Measurement>& measurements, double level) {
   std::vector<int> missed;
@@ -64,8 +63,8 @@ std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set
   return missed;
 }
 
-/// Returns the outliers together with any remaining touches of unknown points that are too few without the outliers to
-/// give any information.
+/// Returns the outliers, together with touches of unknown points that become uninformative because too few of them
+/// remain.
 std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector<Measurement>& measurements) {
   const auto isLeft = [&](std::size_t k) {
     return !measurements[k].is_held_out && !std::binary_search(outliers.begin(), outliers.end(), static_cast<int>(k));

@@ -29,9 +29,9 @@ using BaselineFit = std::function<Identification(const std::vector<Measurement>&
 
 /// Finds outliers and fits the remaining measurements. The search is repeated on the remaining measurements, because a
 /// large outlier hides a smaller one. If chi-square rejects the baseline fit although it shows no outlier, the outliers
-/// of a robust fit are used, because several outliers together can bias a fit so far that none stands out. `level` is
-/// IdentificationOptions::outlier_level. Empty if there are no outliers, or if more than one measurement in ten is an
-/// outlier.
+/// of a robust fit are used, because several outliers together can bias a fit so much that no single one stands out.
+/// `level` is IdentificationOptions::outlier_level. Empty if there are no outliers, or if more than one measurement in
+/// ten is an outlier.
 [[nodiscard]] std::optional<WithoutOutliers> withoutOutliers(const std::vector<Measurement>& measurements,
                                                              const Identification& baseline, double level,
                                                              const BaselineFit& fit);

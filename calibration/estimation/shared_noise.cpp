@@ -53,8 +53,8 @@ void takeOff(const SharedNoise& shared, const std::vector<Index>& rows, Eigen::R
   columns(rows, Eigen::all) = own - shared.Q * (shared.shrink.asDiagonal() * (shared.Q.transpose() * own));
 }
 
-/// Returns true if the noise that these measurements share can be taken into account. Each unknown point is eliminated
-/// separately, so its touches may share noise only with one another.
+/// Returns true if the noise shared by these measurements can be modelled. Each unknown point is eliminated separately,
+/// so its touches may share noise only with one another.
 bool canShare(const std::vector<Share>& shares, const std::vector<Measurement>& measurements) {
   const auto at = [&](const Share& share) -> const Measurement& {
     return measurements[static_cast<std::size_t>(share.measurement)];
@@ -65,8 +65,8 @@ bool canShare(const std::vector<Share>& shares, const std::vector<Measurement>& 
   });
 }
 
-/// Returns, for each station, whether its shared noise can be computed at an acceptable cost. Long chains of
-/// displacements connect many stations, so that the matrices Q would have the rows of all their measurements.
+/// For each station, returns true if its shared noise can be computed at an acceptable cost. Long chains of
+/// displacements connect many stations, and the matrices Q would then have the rows of all their measurements.
 std::vector<bool> areAffordable(const std::vector<const std::vector<Share>*>& stations,
                                 const std::vector<Measurement>& measurements, Index joints) {
   constexpr double kMostNumbers = 5e6;  // largest total number of entries in the matrices Q of connected stations
@@ -97,7 +97,7 @@ SharedNoise sharedBy(const std::vector<Share>& shares, const VectorXd& sigmas, s
     auto columns = by_joints[static_cast<std::size_t>(measurement)].middleCols(first, sigmas.size());
     const MatrixXd slopes = columns * sigmas.asDiagonal();
     columns.setZero();
-    // A displacement that ends at its reference posture is listed twice in succession; its derivatives are added up.
+    // A displacement that ends at its reference posture is listed twice in succession, so its derivatives are summed.
     if (!shared.measurements.empty() && shared.measurements.back() == measurement) {
       shared.slopes.back() += slopes;
       continue;
@@ -152,8 +152,8 @@ std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm, const s
 
 namespace {
 
-/// The groups of shared noise placed earlier that affect certain measurements, in order, and all measurements that
-/// these groups mix.
+/// Earlier groups of shared noise that affect certain measurements, in order, and all measurements that these groups
+/// mix.
 struct Reach {
   std::vector<std::size_t> before;
   std::vector<int> mixed;
@@ -183,7 +183,7 @@ Reach reachOf(const std::vector<SharedNoise>& shared, const std::vector<int>& me
 }  // namespace
 
 void placeSharedNoise(MeasurementWeights& weights) {
-  constexpr double kSeen = 1e-9;  // eigenvalues of U U^T below this are negligible beside the unit variance
+  constexpr double kSeen = 1e-9;  // eigenvalues of U U^T below this are negligible compared with the unit variance
   // For each measurement, indices of the groups already placed that mix it.
   std::vector<std::vector<std::size_t>> placed(weights.whitener.size());
   for (std::size_t s = 0; s < weights.shared.size(); ++s) {

@@ -34,8 +34,8 @@ struct MeasurementWeights;
 
 /// Returns one SharedNoise for each posture whose encoder errors several measurements share, smallest groups first; its
 /// Q and shrink are still empty. `by_joints` holds each measurement's derivatives with respect to the joints
-/// (Prediction); columns that belong to shared noise are set to zero in it. Touches of an unknown point share noise
-/// only with touches of the same point.
+/// (Prediction); its columns that belong to shared noise are set to zero. Touches of an unknown point share noise only
+/// with touches of the same point.
 [[nodiscard]] std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm,
                                                            const std::vector<Measurement>& measurements,
                                                            std::vector<Eigen::MatrixXd>& by_joints);
@@ -52,8 +52,8 @@ void placeSharedNoise(MeasurementWeights& weights);
 /// `weights`.
 void decorrelate(const MeasurementWeights& weights, Eigen::Ref<Eigen::MatrixXd> columns);
 
-/// Acts like decorrelate(), but on a matrix that stacks only the rows of these measurements. Noise that they share with
-/// other measurements is not removed.
+/// Like decorrelate(), for a matrix that stacks only the rows of these measurements. Noise that they share with other
+/// measurements is not removed.
 void decorrelateWithin(const MeasurementWeights& weights, const std::vector<int>& measurements,
                        Eigen::Ref<Eigen::MatrixXd> rows);
 

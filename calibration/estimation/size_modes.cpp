@@ -17,12 +17,13 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// Largest number of measurements used in the search; more would hardly resolve an ambiguity that these leave.
+// Largest number of measurements used in the search. More would rarely resolve a remaining ambiguity.
 constexpr std::size_t kMostMeasurements = 400;
 // Sizes explain the measurements equally well if their chi-squares (with priors) differ by no more than this.
 constexpr double kAsGood = 4;
-constexpr double kPromising = 0.5;  // a start is fitted if its chi-square falls by this fraction of the best fall
-constexpr double kApart = 3;        // modes closer than this many standard deviations count as one
+// A start is fitted if its decrease of chi-square is at least this fraction of the largest decrease.
+constexpr double kPromising = 0.5;
+constexpr double kApart = 3;  // modes closer than this many standard deviations are merged
 // A measurement distinguishes two modes if its predictions differ by more than this many of its standard deviations.
 constexpr double kDecides = 4;
 constexpr int kIterations = 20;
@@ -210,7 +211,7 @@ class SizeSearch {
     return sum;
   }
 
-  /// Sets the limits of each size, by multiplying all sizes by a common factor as long as the measurements are still
+  /// Sets the limits of each size by scaling all sizes with a common factor, as far as the measurements remain
   /// explained.
   void findRange(SizeMode& mode) const {
     const double limit = disagreementOf(mode.state) + kAsGood;
@@ -249,8 +250,8 @@ class SizeSearch {
   MeasurementWeights weights_;
 };
 
-/// Returns the kinds of measurement of which one measurement, at a posture of `readings`, would distinguish the two
-/// states.
+/// Returns the kinds of measurement for which a single measurement, at a posture of `measurements`, would distinguish
+/// the two states.
 std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm& other,
                                            const std::vector<Measurement>& measurements) {
   std::vector<MeasurementKind> kinds;
@@ -264,8 +265,8 @@ std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm
       if (kind.names_hole && !asked.p_W) continue;
       const auto here = toolAt(one, asked), there = toolAt(other, asked);
       if (!here || !there) continue;
-      // The predicted value of a touch does not differ between the states. As for a measured position, the distance
-      // between the two predicted tips shows whether it decides.
+      // The predicted value of a touch is the same in both states. Instead, as for a measured position, compare the two
+      // predicted tips.
       kind.record(*here, 1, MeasuredValue::Zero(6), asked);
       const double apart = kind.is_touch ? (here->p_W - there->p_W).norm()
                                          : (predictedValue(asked, *there) - predictedValue(asked, *here)).norm();

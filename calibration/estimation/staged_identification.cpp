@@ -12,7 +12,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Unknowns found in the stages so far, with variables that are 0 at the present state, and their covariance.
+/// Unknowns found in the stages so far, with variables that are 0 at the current state, and their covariance.
 struct Found {
   std::vector<Unknown> unknowns;
   MatrixXd covariance;
@@ -26,7 +26,8 @@ std::vector<int> placesOf(const std::vector<Measurement>& all, const std::string
   return places;
 }
 
-/// Converts indices in a stage's result, which refer to the stage's own readings, to indices among all measurements.
+/// Converts indices in a stage's result, which refer to the stage's own measurements, to indices among all
+/// measurements.
 void countAmongAll(const std::vector<int>& places, Identification& stage) {
   const auto rename = [&](int& measurement) { measurement = places[static_cast<std::size_t>(measurement)]; };
   for (auto& outlier : stage.outliers) rename(outlier.measurement);
@@ -87,7 +88,7 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
   for (const auto& stage : stages) {
     IdentificationOptions now = options;
     now.free.names = stage.names;
-    now.uncertainty.reset();  // one stage's measurements cannot give the uncertainty after all measurements
+    now.uncertainty.reset();  // the measurements of one stage do not determine the uncertainty after all measurements
     const auto places = placesOf(measurements, stage.setup);
     PlacedArm from{state.arm, {}};
     for (const auto& base_pose : state.base_poses)

@@ -15,7 +15,7 @@ using Eigen::Index, Eigen::Isometry3d, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::
 
 namespace {
 
-constexpr double kFarthest = 8;  // bounds of the standard normal variables in a fit
+constexpr double kFarthest = 8;  // bound on the standard normal variables in a fit [standard deviations]
 constexpr int kModelErrorRounds = 24;
 
 /// Least-squares problem of fitting a base and the arm's uncertain parameters to touches. The variables x are the base
@@ -144,7 +144,7 @@ class TouchProblem {
 constexpr const char* kTooCompliant =
     "the model cannot be evaluated at the touches: the arm is too compliant for its load";
 
-/// Minimises twice, because the weights depend on x: the second time with the weights at the first minimum.
+/// Minimises twice, because the weights depend on x: the second pass uses the weights at the first minimum.
 bool minimize(TouchProblem& problem, double model_error, LeastSquaresMethod method, VectorXd& x, TouchFit& fit) {
   for (int round = 0; round < 2; ++round) {
     if (!problem.weigh(x, model_error)) {

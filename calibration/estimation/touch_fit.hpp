@@ -5,7 +5,7 @@
 //     sum_k |L_k^-1 (tip_k(s, z) - hole_k)|^2 + |z|^2,
 // where L_k L_k^T is the covariance of a touch: its own noise, encoder noise and the stated model error. In this way,
 // the covariance of the base includes the uncertainty of the arm's parameters, and a touch moves the base only by the
-// part of its error that these parameters do not explain. If they have their stated uncertainty, the minimum is
+// part of the touch error that these parameters do not explain. If they have their stated uncertainty, the minimum is
 // chi-square distributed with 3 n - 6 degrees of freedom, where n is the number of touches.
 #pragma once
 
@@ -22,8 +22,8 @@ struct TouchFitOptions {
   /// Standard deviation of the model error per coordinate known beforehand [m], in addition to noise and uncertain
   /// parameters.
   double model_error = 0;
-  /// True: if chi-square rejects the fit (p < 0.01), the model error is increased until chi-square equals its degrees
-  /// of freedom.
+  /// True to increase the model error, if chi-square rejects the fit (p < 0.01), until chi-square equals its degrees of
+  /// freedom.
   bool finds_model_error = true;
   LeastSquaresMethod method = LeastSquaresMethod::kHybrid;
 };
@@ -41,8 +41,8 @@ struct TouchedBase {
   deflection::Arm arm;           ///< arm with the fitted parameter values
   JointUncertainty uncertainty;  ///< joint uncertainty of base and parameters about X_WB and `arm`
   double model_error = 0;  ///< standard deviation of the model error per coordinate, included in `uncertainty` [m]
-  bool is_model_error_found = false;  ///< true: the model error known beforehand did not suffice and was increased
-  double chi2 = kNotKnown;            ///< chi-square of the fit with only the model error known beforehand
+  bool is_model_error_found = false;  ///< true if the model error known beforehand was too small and was increased
+  double chi2 = kNotKnown;            ///< chi-square of the fit with the model error known beforehand
   int degrees_of_freedom = 0;
   double p_value = kNotKnown;
 };

@@ -8,7 +8,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Holes closer than this count as the same one [m] (0.1 in); the holes of a tube sheet are farther apart.
+/// Holes closer than this are treated as the same hole [m] (0.1 in). The holes of a tube sheet are farther apart.
 constexpr double kSameHole = 2.5e-3;
 
 /// Returns the spread of the points perpendicular to their best-fit line, relative to their spread along the line; zero

@@ -12,7 +12,7 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr double kFarBetter = 0.25;  // another hole is proposed only if chi-square falls below this fraction
-// An odd touch is sought only among at least this many, so that three remain without it.
+// Smallest number of touches in which an odd touch is searched for, so that three others remain.
 constexpr std::size_t kLeastOthers = 4;
 constexpr double kFirstStep = 2e-3;        // first step of the search for the correction of a joint reading [rad or m]
 constexpr double kMostMisread = 0.2;       // largest correction of a joint reading that is considered [rad or m]

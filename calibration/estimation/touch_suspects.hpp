@@ -18,13 +18,13 @@ struct TouchesToExplain {
   const BaseCalibrationOptions& options;
 };
 
-/// For each neighbouring hole that makes the touches fit if it replaces the named hole, returns a sentence that says
-/// so, best fit first. The fits allow for the usual model error (`model_sigma`). `chi2` is that of a fit to the touches
-/// as stated, with the same model error.
+/// Returns one sentence for each neighbouring hole with which the touches would fit, if it replaced the named hole;
+/// best fit first. The fits allow for the usual model error (`model_sigma`). `chi2` is the chi-square of a fit to the
+/// touches as given, with the same model error.
 [[nodiscard]] std::vector<std::string> findMistakenHoles(const TouchesToExplain& asked, double chi2);
 
-/// The touch without which the others fit, if there is exactly one such touch among at least four (otherwise -1), and
-/// the rms error of the others without it [m].
+/// Single touch that does not fit the others: without it, the other touches fit. Its index is -1 unless there are at
+/// least four touches and exactly one such touch. Also the rms error of the others in that fit [m].
 struct OddTouch {
   int touch = -1;
   double rms_of_others = kNotKnown;

@@ -81,16 +81,16 @@ struct WhitenedResidual {
 /// measurement: removes the correlation due to shared encoder noise, and the components that unknown points absorb.
 void takeSharedOff(const MeasurementWeights& weights, Eigen::Ref<Eigen::MatrixXd> columns);
 
-/// Acts like takeSharedOff(), but on a matrix that stacks only the rows of these measurements; parts that they share
-/// with other measurements are not removed.
+/// Like takeSharedOff(), for a matrix that stacks only the rows of these measurements. Parts shared with other
+/// measurements are not removed.
 void takeOffWithin(const MeasurementWeights& weights, const std::vector<int>& measurements, Eigen::MatrixXd& rows);
 
 /// Returns the Euclidean norm of each measurement's error over its rows [m].
 [[nodiscard]] Eigen::VectorXd errorLengths(const std::vector<Measurement>& measurements,
                                            const MeasurementWeights& weights, const Eigen::VectorXd& error);
 
-/// Returns the square root of the mean number of rows per measurement: the rms of the measurements' error lengths if
-/// the error of every row is 1.
+/// Returns the square root of the mean number of rows per measurement: this is the rms of the measurements' error
+/// lengths if every row has an error of 1.
 [[nodiscard]] double lengthOfRows(const std::vector<Measurement>& measurements);
 
 /// Returns the expected rms of the measurements' error lengths [m] if noise is the only error, after touched points of

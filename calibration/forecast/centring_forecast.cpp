@@ -54,7 +54,7 @@ Uncertain uncertainOf(const Identification& fit, const CentringForecastOptions& 
   return uncertain;
 }
 
-/// Returns the value that the fraction `share` of the values does not exceed.
+/// Returns the `share` quantile of the values.
 double quantile(std::vector<double> values, double share) {
   const auto at = static_cast<std::ptrdiff_t>(std::lround(share * static_cast<double>(values.size() - 1)));
   std::nth_element(values.begin(), values.begin() + at, values.end());

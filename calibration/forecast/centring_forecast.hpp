@@ -17,12 +17,12 @@ struct CentringForecastOptions {
   double load = 0;   ///< load hung from the tip at the goals [N]
   int draws = 2000;  ///< number of draws of the fitted parameters from their covariance
   std::uint64_t seed = 1;
-  /// Covariance of a base that the fit took as known: shift [m], then rotation [rad], in world axes; empty: the base
-  /// counts as exact.
+  /// Covariance of a base that the fit treated as known: shift [m], then rotation [rad], in world axes. If empty, the
+  /// base is exact.
   std::optional<Eigen::Matrix<double, 6, 6>> base_covariance;
 };
 
-/// A statistic over the postures [m]: median over the draws, and 95 % interval.
+/// A statistic over the postures [m]: its median over the draws, and its 95 % interval.
 struct ForecastFigure {
   double value = std::numeric_limits<double>::quiet_NaN();
   double lower = std::numeric_limits<double>::quiet_NaN();
@@ -41,8 +41,8 @@ enum class CentringForecastStatus { kNotRun, kDone, kNothingUncertain };
 struct CentringForecast {
   CentringForecastStatus status = CentringForecastStatus::kNotRun;
   std::string reason;
-  ForecastFigure median, p95, worst;  ///< errors that 50 %, 95 % and all of the postures do not exceed
-  int worst_posture = -1;             ///< index of the posture with the largest root mean square error; -1: none
+  ForecastFigure median, p95, worst;  ///< median, 95th percentile and maximum of the error over the postures
+  int worst_posture = -1;             ///< index of the posture with the largest root mean square error; -1 if none
   EncoderShare encoders;
   int numbers = 0;  ///< number of uncertain parameters, including those of the base
 };

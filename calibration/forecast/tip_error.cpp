@@ -18,7 +18,8 @@ struct ModelVariance {
 };
 
 std::vector<ModelVariance> modelVariances(const std::optional<StatedModelError>& error) {
-  constexpr int kParts = 8;  // number of parts of equal probability, each represented by its median
+  // Number of equally probable parts into which the distribution is divided; each is represented by its median.
+  constexpr int kParts = 8;
   if (!error) return {{1, 0}};
   const double variance = error->sigma * error->sigma;
   const int freedom = error->degrees_of_freedom;

@@ -1,9 +1,9 @@
 // Lateral error of the true tip at the goals of a calibrated arm: due to the joint readings, the uncertainty of the
 // base and the arm's parameters, and the model error.
 //
-// Base and parameters are uncertain jointly: touches or a measurement campaign determine both, and errors that
-// compensate each other do not move the tip. With J the tip's Jacobian with respect to base and parameters and P their
-// covariance, the covariance of the tip is
+// The errors of base and parameters are correlated, because the same touches or measurements determine both. Errors
+// that compensate each other do not move the tip. With J the tip's Jacobian with respect to base and parameters and P
+// their covariance, the covariance of the tip is
 //     J P J^T + E + m^2 I,
 // where E is the covariance due to the joint readings and m the model error, independent in each posture. If m was
 // estimated with few degrees of freedom, m^2 has a scaled inverse chi-square distribution, and the distribution of the
@@ -20,7 +20,7 @@ namespace tubeplan::calibration {
 /// Stated model error: standard deviation of each coordinate of the tip, independent in each posture.
 struct StatedModelError {
   double sigma = 0;            ///< standard deviation of each coordinate [m]
-  int degrees_of_freedom = 0;  ///< degrees of freedom of the estimate of sigma; 0: sigma is known
+  int degrees_of_freedom = 0;  ///< degrees of freedom of the estimate of sigma; 0 means that sigma is known
 };
 
 /// Input of findTipError(): the placed arm and its uncertainty, and the postures of the goals.

@@ -1,4 +1,4 @@
-// Mistake: joint readings are in radians although their columns state degrees, or vice versa. Measurements of prismatic
+// Mistake: joint readings are in radians although their columns state degrees, or vice versa. Readings of prismatic
 // joints are not affected.
 #pragma once
 

@@ -29,8 +29,8 @@ inline std::optional<Eigen::Matrix3d> matrixOf(const std::string& value) {
   return to_world;
 }
 
-/// Returns true if at least one measurement has coordinates written in the file. Positions looked up by the name of a
-/// hole do not count: for them, sheet_mirrored.hpp tries a mirrored sheet.
+/// Returns true if at least one measurement has coordinates written in the file. Positions looked up by hole name are
+/// ignored here; sheet_mirrored.hpp handles them.
 inline bool areWritten(const CheckedMeasurements& checked) {
   return std::ranges::any_of(checked.measurements, [&](const Measurement& measurement) {
     return measurement.p_W && !isPlacedBySheet(checked, measurement);

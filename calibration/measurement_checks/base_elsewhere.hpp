@@ -38,8 +38,8 @@ inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::s
   return mend;
 }
 
-/// Returns one step form per set-up: a displacement of its base. If all measurements state a time, the step counts as
-/// an effect, since the catalogue of effects then describes it (`base-slip`).
+/// Returns one step form per set-up: a displacement of its base. If all measurements state a time, the step is
+/// classified as an effect, because the catalogue has an effect for it (`base-slip`).
 inline std::vector<StepForm> steps(const CheckedMeasurements& checked) {
   const bool are_timed =
       std::ranges::all_of(checked.measurements, [](const auto& m) { return m.conditions.states(Condition::kTime); });

@@ -15,14 +15,14 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kFewestTimes = 8;  // with fewer times, the rows do not show whether they are in time order
-// Rows are not considered to be in time order if more than this fraction of the measurements is earlier than the
-// measurement before.
+constexpr std::size_t kFewestTimes = 8;  // smallest number of times needed to decide whether the rows are in time order
+// The rows are not in time order if more than this fraction of the measurements is earlier than the previous
+// measurement.
 constexpr double kMostBack = 0.05;
-constexpr double kSlow = 3;        // gaps above this multiple of the usual gap are conspicuous
+constexpr double kSlow = 3;        // gaps above this multiple of the usual gap are suspicious
 constexpr double kHour = 3600;     // [s]
 constexpr double kMostHours = 14;  // largest shift of a clock by time zones and daylight-saving time [h]
-constexpr double kNearHour = 120;  // jumps this close to whole hours [s], and closer than the usual gap, count as whole
+constexpr double kNearHour = 120;  // jumps are whole hours if they are this close [s], and closer than the usual gap
 constexpr double kDay = 24 * kHour, kMonth = 30 * kDay;
 
 double timeOf(const Measurement& measurement) { return measurement.conditions[deflection::Condition::kTime]; }
@@ -91,14 +91,16 @@ class Clock {
   }
 
   /// Returns the index of the only gap that is far longer than usual, if its excess is a whole number of hours or the
-  /// gap exceeds a month; nullopt otherwise, and if there are several long gaps, since some of them are pauses.
+  /// gap exceeds a month. Returns nullopt otherwise, and if there are several long gaps, because some of them are then
+  /// pauses.
   [[nodiscard]] std::optional<std::size_t> forward() const {
     std::vector<std::size_t> longest;
     for (std::size_t k = 1; k < timed_.size(); ++k)
       if (gap(k) > std::max(kSlow * usual_, kHour)) longest.push_back(k);
     if (longest.size() != 1) return std::nullopt;
     const std::size_t k = longest.front();
-    const bool is_of_next = k + 1 < timed_.size() && gap(k + 1) < 0;  // then only measurement k has a wrong time
+    // In this case, only measurement k has a wrong time.
+    const bool is_of_next = k + 1 < timed_.size() && gap(k + 1) < 0;
     const bool is_set = jumpAt(k) != gap(k) - usual_ || gap(k) > kMonth;
     return is_set && !is_of_next ? std::optional(k) : std::nullopt;
   }
@@ -117,12 +119,13 @@ class Clock {
         fmt::format("clock={:.6g}@{}", -jumpAt(k), timed_[k]->id));
   }
 
-  /// Returns true if the times step back by one day, as those of a clock without a date do at midnight.
+  /// Returns true if the times step back by one day, as on a clock without a date at midnight.
   [[nodiscard]] bool isMidnight(std::size_t k) const {
     return std::abs(gap(k) - usual_ + kDay) < std::min(usual_, kNearHour);
   }
 
-  /// Returns the mistake of a clock without a date. A step back by one day has no other usual cause.
+  /// Returns the finding that the clock passed midnight and has no date, which is the usual cause of a step back by one
+  /// day.
   [[nodiscard]] MeasurementCheck midnightBefore(std::size_t k) const {
     MeasurementCheck check = from(k, "back", "the clock passed midnight there and its times have no date");
     check.severity = CheckSeverity::kMistake;
@@ -135,7 +138,7 @@ class Clock {
   }
 
   std::vector<const Measurement*> timed_;
-  std::vector<std::size_t> back_;  ///< indices of measurements whose time is before that of the preceding measurement
+  std::vector<std::size_t> back_;  ///< indices of measurements that have an earlier time than the preceding measurement
   double usual_ = 0;               ///< usual (median) gap between measurements [s]
 };
 

@@ -1,5 +1,5 @@
-// Mistake: a clock was reset or misread during the measurements. Times jump back, or forward by whole hours or by more
-// than a month. Effects that depend on time (drift, slip) would then be fitted to wrong times.
+// Mistake: a clock was reset or misread during the measurements. Signs are times that jump back, or forward by whole
+// hours or by more than a month. Effects that depend on time (drift, slip) would then be fitted to wrong times.
 #pragma once
 
 #include "calibration/measurement_checks/measurement_checks.hpp"

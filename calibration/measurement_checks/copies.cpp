@@ -12,7 +12,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Returns the values of a measurement that must all be equal for it to count as a copy of another measurement.
+/// Returns the values that are all equal in a measurement and its copy.
 auto contentOf(const Measurement& m) {
   const Eigen::Vector3d p = m.p_W.value_or(Eigen::Vector3d::Zero());
   const Eigen::Vector3d tool = m.p_TQ.value_or(Eigen::Vector3d::Zero());
@@ -57,8 +57,8 @@ std::vector<Copy> copiesIn(const std::vector<Measurement>& measurements) {
   return copies;
 }
 
-/// Returns the resolution of the written coordinates [m]: the largest power of ten of their unit of which all
-/// coordinates are whole multiples.
+/// Returns the resolution of the written coordinates [m]: the largest power of ten in their unit that divides all
+/// coordinates.
 double stepOfCoordinates(const CheckedMeasurements& checked) {
   constexpr double kCoarsest = 1, kFinest = 1e-7;
   for (double step = kCoarsest; step > kFinest; step /= 10) {
@@ -95,8 +95,8 @@ std::optional<MeasurementCheck> duplicates(const CheckedMeasurements& checked) {
 }
 
 std::optional<MeasurementCheck> takeCopiesOut(CheckedMeasurements& checked) {
-  // Equal coordinates indicate a copy only if their resolution is finer than this fraction of sigma: two separate
-  // measurements then agree in all three coordinates in fewer than one of 10^4 cases.
+  // Equal coordinates indicate a copy only if their resolution is finer than this fraction of sigma: the chance that
+  // two separate measurements agree in all three coordinates is then below 1e-4.
   constexpr double kFine = 0.1;
   const double step = stepOfCoordinates(checked);
   auto copies = copiesIn(checked.measurements);

@@ -7,7 +7,7 @@
 
 namespace tubeplan::calibration {
 
-/// Returns a remark that lists the measurements whose values all equal those of an earlier measurement; nullopt if
+/// Returns a remark that lists the measurements with exactly the same values as an earlier measurement; nullopt if
 /// there are none.
 [[nodiscard]] std::optional<MeasurementCheck> duplicates(const CheckedMeasurements& checked);
 

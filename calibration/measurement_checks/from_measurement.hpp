@@ -13,8 +13,8 @@
 
 namespace tubeplan::calibration {
 
-/// Splits "VALUE@READING" into the value and the id of the first measurement to which it applies; nullopt instead of
-/// the id if the value applies to all measurements.
+/// Splits "VALUE@READING" into the value and the id of the first measurement that it applies to. The id is nullopt if
+/// the value applies to all measurements.
 [[nodiscard]] std::pair<std::string, std::optional<std::string>> partedAtMeasurement(const std::string& value);
 
 /// Returns `id` and the ids of all later measurements; empty if there is no such measurement.

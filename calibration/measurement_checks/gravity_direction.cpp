@@ -16,10 +16,10 @@ using Eigen::Vector3d;
 
 constexpr double kFallByGravity = 5;    // smallest factor by which another direction must reduce the error
 constexpr double kAboveNoise = 5;       // smallest ratio of error to noise at which a search starts
-constexpr double kSameDirection = 0.9;  // cosine above which two directions count as equal
+constexpr double kSameDirection = 0.9;  // cosine above which two directions are treated as equal
 // The search continues if the best of the first directions reduces the error by more than this factor.
 constexpr double kPromisingFall = 1.3;
-// Smallest factor by which the errors in directions at the angle kAway from the best one must exceed its error.
+// Smallest ratio of the errors at the angle kAway from the best direction to the error in the best direction.
 constexpr double kClear = 2;
 // The nearest world axis is chosen if its error is smaller than this multiple of the best error.
 constexpr double kNearAxis = 1.5;

@@ -10,8 +10,8 @@ namespace tubeplan::calibration {
 
 /// Returns a mistake if the model fits the measurements only with a direction of gravity other than the stated one.
 /// This direction is found to within a few tenths of a degree. Returns nullopt if no direction fits, or if several fit
-/// equally well, as for an arm without compliance. A tilt below 26 deg is left to the diagnosis (`gravity-tilt`). The
-/// correction has to be made in the cell's file.
+/// equally well, as for an arm without compliance. A tilt below 26 deg is left to the diagnosis (effect
+/// `gravity-tilt`). The user must correct the cell's file.
 [[nodiscard]] std::optional<FoundMistake> gravityElsewhere(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

@@ -22,14 +22,14 @@ inline std::vector<std::string> values(const CheckedMeasurements& checked) {
 using OtherHole = std::function<const tubesheets::Tube*(const tubesheets::RowAndColumn& named)>;
 
 /// Returns true if every hole that `other` returns exists on the sheet. A single missing hole refutes the hypothesis,
-/// since a tip cannot have touched it.
+/// because a tip cannot have touched it.
 inline bool areAllThere(const CheckedMeasurements& checked, const OtherHole& other) {
   return std::ranges::all_of(checked.measurements, [&](const Measurement& measurement) {
     return !isPlacedBySheet(checked, measurement) || other(*tubesheets::parseTubeName(measurement.point)) != nullptr;
   });
 }
 
-/// In every measurement whose position is that of the hole it names, replaces the hole by the one that `other` returns.
+/// In every measurement that takes its position from a hole, replaces the hole by the one that `other` returns.
 inline void rename(const CheckedMeasurements& checked, const OtherHole& other, std::vector<Measurement>& measurements) {
   for (Measurement& measurement : measurements) {
     if (!isPlacedBySheet(checked, measurement)) continue;

@@ -45,7 +45,8 @@ struct TriedQuickly {
 struct Likely {
   const TriedQuickly *first = nullptr, *then = nullptr;
   double score = 0;
-  /// The same corrections with the zeros that bring the measurements closest to the drawing; empty: zeros not refined.
+  /// The same corrections with refined zeros, which bring the measurements closest to the drawing; empty if the zeros
+  /// were not refined.
   JoinedMends settled = {};
 
   [[nodiscard]] JoinedMends mends() const {
@@ -83,7 +84,7 @@ class JoinedSearch {
     for (const auto& measurement : pool.measurements)
       if (statesPlace(measurement) && pool.counted_quickly.contains(measurement.id) && ids_.size() < kLooked)
         ids_.insert(measurement.id);
-    // The neighbours of the compared measurements are kept until the first correction is applied, since it may move
+    // The neighbours of the compared measurements are kept until the first correction is applied, because it may move
     // measured values between rows.
     for (std::size_t k = 0; k < pool.measurements.size(); ++k) {
       const auto is_looked = [&](std::size_t near) {
@@ -165,7 +166,7 @@ class JoinedSearch {
   }
 
   /// Tries all permutations of the columns of joints of the same type. An exchange of only two columns is excluded,
-  /// since it is a single mistake.
+  /// because it is a single mistake.
   void lookAtOrders() {
     const CheckedMeasurements& checked = trials_.checked();
     const auto& arm = checked.start.arm;
@@ -229,7 +230,7 @@ class JoinedSearch {
   }
 
   /// Refines the zeros of the most promising hypotheses to the values that bring the measurements closest to the
-  /// drawing, since tried zeros are widely spaced.
+  /// drawing, because tried zeros are widely spaced.
   void settleZeros() {
     std::ranges::stable_sort(found_, {}, &Likely::score);
     std::set<std::string> keys;

@@ -24,7 +24,7 @@ NamedUnit columnUnitOf(const CheckedMeasurements& checked, int joint) {
   return checked.start.arm.joint(joint).type == deflection::JointType::kRevolute ? units.angles : units.coordinates;
 }
 
-/// Returns how far a measurement lies beyond the nearer limit [rad or m]; negative within both limits.
+/// Returns how far a joint reading lies beyond the nearer limit [rad or m]; negative within the limits.
 double pastLimit(const deflection::Joint<double>& joint, double q) {
   return std::max(joint.lower - q, q - joint.upper);
 }
@@ -49,7 +49,7 @@ std::vector<std::size_t> measurementsToUnwind(const CheckedMeasurements& checked
 }  // namespace
 
 bool isPastLimit(const deflection::Joint<double>& joint, double q) {
-  constexpr double kHair = 1e-3;  // fraction of the joint's range
+  constexpr double kHair = 1e-3;  // tolerance as a fraction of the joint's range
   const double range = joint.upper - joint.lower;
   return !(pastLimit(joint, q) <= std::max(usualNoiseOf(joint), std::isfinite(range) ? kHair * range : 0));
 }

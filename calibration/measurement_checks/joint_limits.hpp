@@ -9,12 +9,12 @@
 
 namespace tubeplan::calibration {
 
-/// Returns true if a joint's reading `q` [rad or m] is beyond a limit by more than both its noise and a thousandth
-/// of the joint's range. Limits are rounded, and a joint at its stop may read slightly more.
+/// Returns true if a joint's reading `q` [rad or m] is beyond a limit by more than both its noise and a thousandth of
+/// the joint's range. The margin is needed because limits are rounded, and a joint at its stop may read slightly more.
 [[nodiscard]] bool isPastLimit(const deflection::Joint<double>& joint, double q);
 
-/// Returns the measurement [rad] moved by one whole turn, if it is then within both limits; nullopt otherwise, and for
-/// a prismatic joint.
+/// Returns the joint reading [rad] shifted by one whole turn, if it is then within both limits; nullopt otherwise, and
+/// for a prismatic joint.
 [[nodiscard]] std::optional<double> oneTurnBack(const deflection::Joint<double>& joint, double q);
 
 /// Returns a remark on measurements that are beyond a limit by more than their noise, but not by enough for

@@ -1,6 +1,5 @@
-// Mistake: two joint columns are exchanged, or several are permuted cyclically. In the latter case, the column of each
-// joint of the cycle contains the measurements of the next joint; the last column contains the measurements of the
-// first joint.
+// Mistake: two joint columns are exchanged, or several are permuted cyclically. In a cycle, the column of each joint
+// contains the readings of the next joint, and the last column the readings of the first joint.
 #pragma once
 
 #include <algorithm>
@@ -59,7 +58,7 @@ inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::s
   return mend;
 }
 
-/// Returns one correction for each cycle of the permutation in which column `k` contains the measurements of joint
+/// Returns one correction for each cycle of the permutation in which column `k` contains the readings of joint
 /// `order[k]`.
 inline std::vector<Mend> ringsOf(const CheckedMeasurements& checked, const std::vector<int>& order) {
   std::vector<Mend> rings;

@@ -34,10 +34,10 @@ inline std::optional<Pair> pairOf(const deflection::Arm& arm, const std::string&
   return is_pair && std::abs(pair.shares.determinant()) > 1e-9 ? std::optional(pair) : std::nullopt;
 }
 
-/// Returns values for all pairs of neighbouring revolute joints, of which one turns by the sum and the other by the
-/// difference of the motor angles. Either joint may be the sum, and either motor may come first in the difference.
-/// `sizes` are the tried magnitudes of the coefficients: 0.5 if the motors turn by the sum and the difference of the
-/// joint angles, 1 if they turn by half of these.
+/// Returns values for all pairs of neighbouring revolute joints. One joint of a pair turns by the sum of the motor
+/// angles, the other by their difference. Either joint may be the sum, and either motor may come first in the
+/// difference. `sizes` are the tried magnitudes of the coefficients: 0.5 if the motors turn by the sum and the
+/// difference of the joint angles, 1 if they turn by half of these.
 inline std::vector<std::string> valuesOf(const CheckedMeasurements& checked, const std::vector<double>& sizes) {
   static constexpr std::array<std::array<int, 4>, 4> kSigns{
       {{1, 1, 1, -1}, {1, 1, -1, 1}, {1, -1, 1, 1}, {-1, 1, 1, 1}}};

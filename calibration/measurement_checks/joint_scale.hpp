@@ -21,7 +21,7 @@ struct JointRange {
 };
 [[nodiscard]] JointRange rangeOf(const CheckedMeasurements& checked, int joint);
 
-/// Comparison of at most `most` measurements with the rigid arm as drawn, with the measurements of each of `joints`
+/// Comparison of at most `most` measurements with the rigid arm as drawn, with the readings of each of `joints`
 /// multiplied by a trial factor.
 class ScaledMeasurements {
  public:

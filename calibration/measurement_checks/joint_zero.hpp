@@ -14,8 +14,8 @@
 
 namespace tubeplan::calibration::mistakes::joint_zero {
 
-/// Smallest error of a zero that counts as a mistake and not as a misadjustment [rad]: five times the prior sigma of a
-/// joint's offset.
+/// Smallest error of a zero that is a mistake instead of a misadjustment [rad]: five times the prior sigma of a joint's
+/// offset.
 inline constexpr double kLeast = 0.1;
 
 inline std::string textOf(const CheckedMeasurements& checked, int joint, double offset) {
@@ -46,7 +46,7 @@ inline std::vector<std::string> valuesBeside(const CheckedMeasurements& checked)
   return texts;
 }
 
-/// Returns a measurement [rad] wrapped by whole turns into its joint's limits; unchanged if it is within them already
+/// Returns a joint reading [rad] wrapped by whole turns into its joint's limits; unchanged if it is within them already
 /// or if no number of turns brings it there.
 inline double wound(const deflection::Joint<double>& joint, double q) {
   if (!isPastLimit(joint, q)) return q;

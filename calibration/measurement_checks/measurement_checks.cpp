@@ -50,7 +50,7 @@ void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& chec
   // Chi-square per degree of freedom below which the measurements agree more than five times better than their stated
   // noise allows.
   constexpr double kFarBelow = 1. / 30;
-  // Chi-square per degree of freedom may differ from 1 by this factor, since stated sigmas are usually rough.
+  // Chi-square per degree of freedom may differ from 1 by this factor, because stated sigmas are usually rough.
   constexpr double kAgrees = 5;
   // Smallest credible sigma relative to the arm's reach: interferometers measure a machine to 0.5 um in a metre.
   constexpr double kFinest = 2e-7;
@@ -78,18 +78,18 @@ void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& chec
   checks.push_back(std::move(check));
 }
 
-/// Returns true if the fitted base is farther from its nominal place than any mounting error explains. Returns false
-/// for a cell without a tube sheet, where the nominal place is only a start value.
+/// Returns true if the fitted base is too far from its nominal pose for any mounting error. Returns false for a cell
+/// without a tube sheet, where the nominal place is only a start value.
 bool isElsewhere(const MistakeTrials& trials) {
-  constexpr double kTurned = 0.8;  // rotation [rad] of a base that is turned, not just misaligned
+  constexpr double kTurned = 0.8;  // smallest rotation of a base that is turned instead of merely misaligned [rad]
   const Trial& as_is = trials.asIs();
   return trials.checked().sheet && trials.hasPlaces() &&
          (as_is.base_shift > trials.reach() ||
           (as_is.base_turn > kTurned && as_is.base_shift > kFarShift * trials.reach()));
 }
 
-/// Adds a remark on the base's distance from its nominal place, if this distance is large or if a miscounted row or
-/// column of holes explains it.
+/// Adds a remark if the base is far from its nominal place, or if a miscounted row or column of holes explains its
+/// displacement.
 void checkBase(const MistakeTrials& trials, std::vector<MeasurementCheck>& checks) {
   const CheckedMeasurements& checked = trials.checked();
   const Trial& as_is = trials.asIs();
@@ -127,9 +127,9 @@ bool leavesNothing(const MistakeTrials& trials, const FoundMistake& mistake) {
   return mistake.drawn.error < kAboveNoise * trials.noise({}) && !trials.isBaseFar(mistake.drawn);
 }
 
-/// Returns the mistake or the gravity direction, whichever fits the measurements better. Both may fit: exchanged axes
-/// rotate an unknown base, and gravity with it in the base frame. In this case, returns the finding whose base is near
-/// its nominal place, and mentions the other finding in its sentence.
+/// Returns the finding that fits the measurements better: the mistake or the gravity direction. Both may fit, because
+/// exchanged axes rotate an unknown base and, with it, the direction of gravity in the base frame. In this case,
+/// returns the finding whose base is closer to nominal, and mentions the other one in its sentence.
 MeasurementCheck likelier(const MistakeTrials& trials, FoundMistake mistake, FoundMistake gravity) {
   constexpr double kClearly = 2;
   if (mistake.drawn.error > kClearly * gravity.drawn.error) return std::move(gravity.check);

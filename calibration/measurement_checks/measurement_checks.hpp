@@ -12,9 +12,9 @@
 //   that high because mistakes are rare and about a hundred hypotheses are tried. An error that the priors allow (5 mm,
 //   20 mrad, softer or stiffer members) is therefore not a mistake.
 //
-// A mistake is also reported if the fitted base is far from its nominal place (20 deg, a quarter of the reach) and the
-// mistake brings the base back without a larger error. This report is a remark: the measurements' errors do not require
-// it.
+// A mistake is also reported if the fitted base is far from its nominal pose (20 deg, a quarter of the reach), and
+// correcting the mistake moves the base back without increasing the error. This is only a remark, because the errors
+// alone do not justify it.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ namespace tubeplan::calibration {
 inline constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 
 enum class CheckSeverity {
-  kMistake,  ///< explains the lack of fit; must be corrected before the model is judged
+  kMistake,  ///< explains the lack of fit, and must be corrected before the model is judged
   kRemark,
 };
 
@@ -39,10 +39,11 @@ struct MeasurementCheck {
   std::string name;
   CheckSeverity severity = CheckSeverity::kRemark;
   std::string sentence;
-  double error_as_is = kNoFigure;  ///< error of the measurements as stated [m]; NaN: the check does not concern errors
+  /// Error of the measurements as stated [m]; NaN means that the check does not concern errors.
+  double error_as_is = kNoFigure;
   double error_if_mended =
-      kNoFigure;       ///< error of the corrected measurements [m]; NaN: the check does not concern errors
-  std::string assume;  ///< value of `--assume` that corrects the mistake; empty: none
+      kNoFigure;       ///< error of the corrected measurements [m]; NaN means that the check does not concern errors
+  std::string assume;  ///< value of `--assume` that corrects the mistake; empty if none
   std::vector<std::string> equally;  ///< further values of `--assume` that explain the measurements equally well
 };
 
@@ -59,7 +60,7 @@ struct MissingColumn {
 struct MeasurementChecks {
   std::vector<MeasurementCheck> checks;  ///< findings, mistakes before remarks
   std::vector<MissingColumn> missing;
-  bool is_overruled = false;  ///< true: the user has stated that all measurements count as they are
+  bool is_overruled = false;  ///< true if the user has declared all measurements to be correct
   /// Shift [m] and rotation [rad] of the fitted base relative to its nominal pose; largest values over all set-ups.
   double base_shift = 0, base_turn = 0;
 };

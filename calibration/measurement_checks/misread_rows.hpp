@@ -9,8 +9,8 @@
 namespace tubeplan::calibration {
 
 /// Returns a mistake if the errors are large with the arm's rows as stated, but small if the rows are read in the
-/// standard convention. Returns nullopt otherwise, or if the rows are in the standard convention already. The
-/// correction has to be made in the arm's file.
+/// standard convention. Returns nullopt otherwise, or if the rows are in the standard convention already. The user must
+/// correct the arm's file.
 [[nodiscard]] std::optional<MeasurementCheck> standardRows(const MistakeTrials& trials);
 
 /// Returns a mistake if the measurements fit when the sign of one row's twist, or of every row's twist, is reversed. If

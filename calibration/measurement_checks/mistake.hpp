@@ -37,7 +37,7 @@ struct CheckedMeasurements {
   std::vector<Measurement> measurements;
   FreeChoice free;
   MeasurementUnits units;
-  const tubesheets::Sheet* sheet = nullptr;  ///< null: no sheet; must outlive this struct
+  const tubesheets::Sheet* sheet = nullptr;  ///< null without a sheet; must outlive this struct
 };
 
 struct Prediction;
@@ -49,14 +49,14 @@ struct NewSetup {
 
 /// Correction of the measurements for one mistake.
 struct Mend {
-  std::string mistake, value;  ///< the two parts of `--assume MISTAKE=VALUE`
+  std::string mistake, value;  ///< parts of the option `--assume MISTAKE=VALUE`
   std::string sentence;  ///< description, such as "the unit of the coordinates is mm, not in as their columns say"
   std::function<void(std::vector<Measurement>&)> change = [](std::vector<Measurement>&) {};
   /// Corrects the stated sigmas if they are in the same wrong unit; empty if there are no such sigmas.
   std::function<void(std::vector<Measurement>&)> change_sigma = {};
-  bool frees_base = false;         ///< true: the base counts as unknown
-  bool parts_setups = false;       ///< true: every set-up is fitted separately, with a separate tip
-  bool is_of_part = false;         ///< true: applies to some of the measurements only
+  bool frees_base = false;         ///< true if the base is treated as unknown
+  bool parts_setups = false;       ///< true if every set-up is fitted separately, with a separate tip
+  bool is_of_part = false;         ///< true if the correction applies only to some of the measurements
   std::vector<int> zeros_of = {};  ///< joints whose zeros are fitted, starting from the tried values
   int numbers_fitted = 0;          ///< number of parameters of the correction that are fitted, such as zeros
   std::optional<NewSetup> new_setup = {};
@@ -86,11 +86,11 @@ struct StepForm {
   /// passed to it has derivatives with respect to the tip's x, y, z, to the joints and to the base.
   std::function<Eigen::MatrixXd(const Prediction&)> slopes;
   std::function<std::string(const Eigen::VectorXd& size, const std::string& from)> value;
-  std::optional<std::string> setup = {};  ///< set-up to which the mistake is limited; nullopt: not limited
+  std::optional<std::string> setup = {};  ///< set-up to which the mistake is limited; nullopt if it is not limited
   /// True if an effect of the catalogue describes this step. It is then left to the diagnosis, and a step of another
   /// form is proposed only if it explains the measurements clearly better.
   bool is_effect = false;
-  bool is_of_tip = false;  ///< true: a step of the tip, such as a tool that was mounted again for a set-up
+  bool is_of_tip = false;  ///< true for a step of the tip, for example because the tool was remounted for a set-up
 };
 
 struct MistakeKind {
@@ -100,13 +100,14 @@ struct MistakeKind {
   std::vector<std::string> (*values)(const CheckedMeasurements&);  ///< values worth trying
   /// Returns the correction for a value; nullopt if there is no such value.
   std::optional<Mend> (*mend)(const CheckedMeasurements&, const std::string& value);
-  bool settles_sigma = false;  ///< true: its correction sets the noise, which other corrections then do not change
-  bool joins_itself = false;   ///< true: the mistake may occur several times, each for another joint or column
-  /// Values worth trying together with another mistake; null: the same as `values`.
+  bool settles_sigma = false;  ///< true if its correction sets the noise, which other corrections then do not change
+  bool joins_itself = false;   ///< true if the mistake may occur several times, each for another joint or column
+  /// Values worth trying together with another mistake; if null, `values` is used.
   std::vector<std::string> (*values_beside)(const CheckedMeasurements&) = nullptr;
-  /// Step forms of the mistake that may begin at any measurement; null: none.
+  /// Step forms of the mistake that may begin at any measurement; null if none.
   std::vector<StepForm> (*steps)(const CheckedMeasurements&) = nullptr;
-  bool is_of_turns = false;  ///< true: concerns rotations of a measured frame, which positions do not show
+  /// True if the mistake concerns rotations of a measured frame, which do not affect positions.
+  bool is_of_turns = false;
 };
 
 /// Returns the table of mistakes. If there are several mistakes, their corrections are applied in this order.
@@ -121,8 +122,8 @@ const std::vector<MistakeKind>& mistakeKinds();
 
 [[nodiscard]] const MistakeKind* findMistakeKind(const std::string& name);
 
-/// Returns true if the measurement's position is that of the hole it names; its coordinates then count as taken from
-/// the sheet, not from the file.
+/// Returns true if the measurement takes its coordinates from the hole that it names (on the sheet) instead of from the
+/// file.
 [[nodiscard]] bool isPlacedBySheet(const CheckedMeasurements& checked, const Measurement& measurement);
 
 /// Returns the index of the joint with this name; -1 if there is none.
@@ -140,7 +141,7 @@ const std::vector<MistakeKind>& mistakeKinds();
 /// Parses `count` finite numbers separated by colons, such as "0:0.5:0"; nullopt if the string has another form.
 [[nodiscard]] std::optional<std::vector<double>> numbersAtColons(const std::string& text, std::size_t count);
 
-/// Returns no values: for mistakes that are searched for elsewhere, or that are not tried together with others.
+/// Returns an empty list, for mistakes that are searched for elsewhere or that are not combined with others.
 [[nodiscard]] inline std::vector<std::string> noValues(const CheckedMeasurements&) { return {}; }
 
 }  // namespace tubeplan::calibration

@@ -52,7 +52,7 @@ class MistakeSearch {
     return suspects;
   }
 
-  /// Adds to `suspects` those of `several` that explain the error and need each of their mistakes to do so.
+  /// Adds the hypotheses of `several` to `suspects` that explain the error and need each of their mistakes for it.
   void addExplaining(std::vector<Suspect> several, std::vector<Suspect>& suspects) const {
     for (Suspect& suspect : several)
       if (judgement_.explainsError(suspect) && judgement_.isAllNeeded(suspect)) suspects.push_back(std::move(suspect));
@@ -98,8 +98,8 @@ class MistakeSearch {
     return {std::move(check), std::move(best.drawn)};
   }
 
-  /// Decides whether the sigmas are corrected together with the coordinates if both columns state the same unit. They
-  /// are not if the errors agree better with the sigmas as stated, whose column may state the right unit.
+  /// Decides whether the sigmas are corrected together with the coordinates if both columns state the same unit. The
+  /// sigmas are kept if the errors agree better with the stated ones.
   void settleSigma(Suspect& best, MeasurementCheck& check) const {
     if (!best.mend.change_sigma) return;
     Mend apart = best.mend;
@@ -124,8 +124,8 @@ class MistakeSearch {
     }));
   }
 
-  /// Returns true if nearly all corrected measurements are within the joint limits, or if the correction involves no
-  /// joint's zero and moves no further measurements beyond the limits.
+  /// Returns true if nearly all corrected measurements are within the joint limits. Also returns true if the correction
+  /// does not concern a joint's zero and does not move further measurements beyond the limits.
   [[nodiscard]] bool isWithinLimits(const Mend& mend) const {
     auto measurements = trials_.pool().measurements;
     mend.apply(measurements);
@@ -188,9 +188,9 @@ class MistakeSearch {
 
   /// States in `check` the errors before and after the correction, at the depth of fit where they differ most: relative
   /// to the drawing, with the tip as drawn, or with all open parameters free. If only some measurements are corrected,
-  /// the error over all measurements is considered as well, since the nine tenths with the smallest errors may exclude
-  /// the corrected measurements. A fit with as many parameters as measured values yields no error, and no error is
-  /// stated below the noise.
+  /// the error over all measurements is considered as well, because the nine tenths with the smallest errors may
+  /// exclude the corrected measurements. A fit with as many parameters as measured values has no meaningful error, and
+  /// errors below the noise are not stated.
   void stateErrors(const Suspect& best, MeasurementCheck& check) const {
     struct Fall {
       TrialDepth depth;

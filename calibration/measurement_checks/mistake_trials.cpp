@@ -122,9 +122,9 @@ MistakeTrials::MistakeTrials(const CheckedMeasurements& checked, const CheckOpti
   as_is_.error = drawn.error;
   const Trial held = tried({}, TrialDepth::kHeld);
   as_is_.held_error = held.error;
-  // In a fit with all open parameters free, these absorb part of the base's displacement; with few measurements, so
-  // does the tip. With the tip as drawn, in turn, a wrong tip displaces the base. The smaller of the two displacements
-  // relative to the drawing is therefore used.
+  // Neither displacement of the base is reliable alone. If all open parameters are free, they absorb part of it; with
+  // few measurements, a free tip does too. With the nominal tip, on the other hand, a wrong tip displaces the base.
+  // Therefore use the smaller of the two displacements.
   const Trial& nearer = held.ok && (!drawn.ok || held.base_shift < drawn.base_shift) ? held : drawn;
   as_is_.base_shift = nearer.base_shift;
   as_is_.base_turn = nearer.base_turn;

@@ -12,15 +12,15 @@
 
 namespace tubeplan::calibration {
 
-/// A base that is rotated by more than this relative to its nominal pose counts as far from it [rad].
+/// A base rotated by more than this from its nominal pose is considered far from nominal [rad].
 inline constexpr double kFarTurn = 0.35;
-/// A base that is shifted by more than this from its nominal place, relative to the arm's reach, counts as far from it.
+/// A base shifted by more than this fraction of the arm's reach is considered far from nominal.
 inline constexpr double kFarShift = 0.25;
 
 /// Fit of the measurements, as stated or as corrected for one mistake. The lack of fit includes the base's prior. For
-/// the measurements as stated, `error` is that of the arm as drawn, with base and tip free.
+/// the measurements as stated, `error` is computed with the arm as drawn, and base and tip free.
 struct Trial : RobustFit {
-  double held_error = std::numeric_limits<double>::infinity();  // error with base free, tip as drawn [m]
+  double held_error = std::numeric_limits<double>::infinity();  // error with the base free and the nominal tip [m]
   double open_error = std::numeric_limits<double>::infinity();  // error with all open parameters free [m]
   double base_shift = 0, base_turn = 0;  // largest displacement of the base from its nominal place [m, rad]
   double extent = 0;  // root-mean-square spread of the predicted tips that touched unknown points [m]
@@ -51,8 +51,8 @@ class MistakeTrials {
   [[nodiscard]] Trial tried(const Mend& mend, TrialDepth depth) const;
   /// Fits the corrected measurements to the arm as drawn, with the joint offsets named in `zeros` free as well.
   [[nodiscard]] RobustFit fitZeros(const Mend& mend, PlacedArm start, const std::vector<std::string>& zeros) const;
-  /// Returns the cell's arm; its base poses count as unknown if the mistake frees the base, and a new set-up is added
-  /// if the mistake begins one.
+  /// Returns the cell's arm; its base poses are treated as unknown if the mistake frees the base, and a new set-up is
+  /// added if the mistake begins one.
   [[nodiscard]] PlacedArm startOf(const Mend& mend) const;
   /// Returns the measurements that are included in the fit, with the given mistake corrected. At depths other than
   /// kOpen, only the subset for quick fits is returned.

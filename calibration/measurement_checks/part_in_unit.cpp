@@ -13,7 +13,7 @@ namespace tubeplan::calibration::mistakes::part_in_unit {
 namespace {
 
 constexpr std::size_t kMostLooked = 2000;
-constexpr std::size_t kShortest = 2;  // in rows; a single wrong measurement may have any cause
+constexpr std::size_t kShortest = 2;  // shortest run [rows]; a single wrong measurement may have any cause
 
 /// Returns the run of rows with the largest sum of RowComparison::at() (Kadane's algorithm), searched at a fixed stride
 /// and then extended row by row at both ends; nullopt if no run is significant.

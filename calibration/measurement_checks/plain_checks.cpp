@@ -21,7 +21,8 @@ namespace tubeplan::calibration {
 namespace {
 
 /// Returns a remark if all joint readings are as small as angles in radians, and would be within the joint limits if
-/// they were in radians. Touches of unknown points fit in either unit, so their errors do not reveal this mistake.
+/// they were in radians. Touches of unknown points fit equally well in either unit, so their errors do not reveal this
+/// mistake.
 std::optional<MeasurementCheck> smallAngles(const CheckedMeasurements& checked) {
   constexpr double kTurn = 2 * std::numbers::pi;
   constexpr std::size_t kFew = 4;
@@ -211,7 +212,7 @@ std::vector<MeasurementCheck> mistakenHoles(const CheckedMeasurements& checked, 
          "hole=" + measurement.id + ":" + name,
          {}});
   }
-  // If many touches lie at other holes, the cause is not the name in a single measurement.
+  // If many touches lie at other holes, a wrong name in one measurement is not the cause.
   return mistaken.size() * 3 > tried ? std::vector<MeasurementCheck>{} : mistaken;
 }
 

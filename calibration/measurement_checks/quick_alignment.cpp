@@ -12,7 +12,7 @@ using Eigen::Matrix3d, Eigen::Matrix4d, Eigen::Vector3d;
 
 namespace {
 
-constexpr double kBlindShare = 0.01;  // usual error of a rigid drawing, relative to the reach
+constexpr double kBlindShare = 0.01;  // typical error of the nominal rigid arm, as a fraction of the reach
 constexpr double kRows = 3;           // number of measured coordinates of a measurement
 // Usual displacement of a base: rotation [rad], and shift relative to the reach.
 constexpr double kUsualTurnOfBase = 0.05, kUsualShiftOfBase = 0.05;
@@ -52,8 +52,8 @@ double largestEigenvalue(const Matrix4d& K, const Matrix3d& H, double bound) {
   return value;
 }
 
-/// Returns the rotation that best maps vectors a to vectors b, where H is the sum of a b^T. The method is that of Horn
-/// 1987 with unit quaternions; the eigenvector is computed as in Theobald 2005 and in Liu, Agrafiotis and Theobald
+/// Returns the rotation that best maps vectors a to vectors b, where H is the sum of a b^T. The method is due to Horn
+/// 1987, with unit quaternions; the eigenvector is computed as in Theobald 2005 and in Liu, Agrafiotis and Theobald
 /// 2010. `bound` is half the sum of the squared lengths of all a and b.
 Matrix3d turnBetween(const Matrix3d& H, double bound) {
   Matrix4d K;
@@ -100,8 +100,8 @@ Placing aligned(const Cloud& cloud, const std::vector<double>& weights) {
   return {R, place - R * tip};
 }
 
-/// Returns the log of the prior odds against a base at this distance from its nominal place (the same formula as in
-/// mistake_trials.cpp).
+/// Returns the log prior odds against a base at this distance from its nominal pose, by the same formula as in
+/// mistake_trials.cpp.
 double oddsAgainst(const Placing& X, const Eigen::Isometry3d& nominal, double reach) {
   const double shift = (X.p - nominal.translation()).norm() / (kUsualShiftOfBase * reach);
   const double turn = Eigen::AngleAxisd(X.R * nominal.linear().transpose()).angle() / kUsualTurnOfBase;

@@ -12,7 +12,7 @@ namespace tubeplan::calibration {
 
 struct QuickAlignmentOptions {
   bool frees_base = false;
-  double share = 1;  ///< error that counts as zero, relative to a hundredth of the reach
+  double share = 1;  ///< scale b of the errors in score(), relative to a hundredth of the reach
   /// The alignment of the base is refined only if the score is below this value.
   double promising = std::numeric_limits<double>::infinity();
 };
@@ -27,10 +27,10 @@ class QuickAlignment {
   /// position.
   [[nodiscard]] std::vector<Eigen::Vector3d> tips(const std::vector<Measurement>& measurements);
 
-  /// Returns the mean over all measurements of log(1 + e^2 / b^2) / 2, where e is the error and b the error that counts
-  /// as zero. Infinite if too few measurements state a position. An unknown base is placed in closed form; if the score
-  /// is then below `promising`, the placement is repeated with weights that decrease with the error. The score of an
-  /// unknown base includes a penalty for its distance from its nominal place.
+  /// Returns the mean over all measurements of log(1 + e^2 / b^2) / 2, where e is the error and b the scale below which
+  /// errors are negligible. Infinite if too few measurements state a position. An unknown base is placed in closed
+  /// form; if the score is then below `promising`, the placement is repeated with weights that decrease with the error.
+  /// The score of an unknown base includes a penalty for its distance from its nominal place.
   [[nodiscard]] double score(const std::vector<Measurement>& measurements, const std::vector<Eigen::Vector3d>& tips,
                              const QuickAlignmentOptions& options = {}) const;
 

@@ -17,12 +17,12 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kBest =
-    0.9;  // RobustFit::error covers this fraction of the measurements, those with the smallest errors
+constexpr double kBest = 0.9;  // fraction of the measurements, with the smallest errors, that RobustFit::error includes
 constexpr int kScaleSteps = 40;
-constexpr double kTellingFreedom = 12;  // with fewer degrees of freedom, chi-square says little about the noise
+constexpr double kTellingFreedom = 12;  // smallest number of degrees of freedom for a meaningful chi-square
 constexpr double kConverged = 0.05;     // the fit ends if a step decreases the lack of fit by less than this
-constexpr int kMostTrials = 6;          // maximum number of attempts at a step, each shorter than the one before
+// Maximum number of attempts at a step; each one is shorter than the previous one.
+constexpr int kMostTrials = 6;
 
 /// Returns the sum of the smallest values, up to the fraction `share` of all values, and the number of summed values.
 std::pair<double, std::size_t> sumOfLeast(std::vector<double> values, double share) {
@@ -75,7 +75,7 @@ class StudentLoss {
   }
 
   /// Returns chi-square of the measurements with the smallest errors, divided by its expectation. `degrees_of_freedom`
-  /// are those of all measurements.
+  /// is for all measurements.
   [[nodiscard]] double chi2PerFreedom(double degrees_of_freedom) const {
     // If noise is normal, the worst tenth of measurements with three rows contributes a quarter of the chi-square.
     constexpr double kShareOfBest = 0.74;

@@ -1,7 +1,7 @@
 // Fit of a model within its priors that is robust against gross errors of single measurements and takes milliseconds.
-// Errors have Student's t distribution with four degrees of freedom about an unknown scale, which is at least that of
-// the noise (Lange, Little and Taylor 1989, "Robust statistical modeling using the t distribution"). The maximum is
-// found by weighted Gauss-Newton steps.
+// Errors have Student's t distribution with four degrees of freedom and an unknown scale, at least as large as the
+// noise (Lange, Little and Taylor 1989, "Robust statistical modeling using the t distribution"). The maximum is found
+// by weighted Gauss-Newton steps.
 #pragma once
 
 #include <limits>
@@ -29,7 +29,7 @@ struct RobustFit {
 struct RobustFitOptions {
   FreeChoice free;
   int most_steps = 8;
-  bool judges_noise = false;  ///< true: chi2_per_freedom is computed
+  bool judges_noise = false;  ///< true if chi2_per_freedom is computed
   StopQuestion stop = {};
 };
 

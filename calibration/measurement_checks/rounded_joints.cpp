@@ -19,11 +19,11 @@ constexpr double kDisplayRadians[] = {0.1, 0.05, 0.01, 0.005, 0.001, 0.0005};  /
 // Largest deviation of a reading from a multiple of the step, relative to the step, if it is written with few digits.
 constexpr double kNearStep = 0.02;
 constexpr std::size_t kLeastMeasurements = 8, kLeastStops = 4;
-// The errors, and those that rounding causes, may differ by at most the reciprocal of this factor.
+// The actual errors and those caused by rounding may differ at most by the reciprocal of this factor.
 constexpr double kShareOfError = 1. / 3;
 
 struct DisplayStep {
-  double size = 0;  ///< resolution [rad]; 0: not rounded
+  double size = 0;  ///< resolution [rad]; 0 if the readings are not rounded
   std::string text;
 };
 
@@ -36,8 +36,8 @@ std::vector<DisplayStep> displaySteps() {
   return steps;
 }
 
-/// Returns true if a joint's readings are whole multiples of a step and take several different values, since a
-/// joint that hardly moves may have a round value by chance.
+/// Returns true if a joint's readings are whole multiples of a step and have several different values. A joint that
+/// hardly moves may have a round value by chance.
 bool areMultiples(const std::vector<Measurement>& measurements, int joint, double step) {
   std::set<double> places;
   for (const auto& measurement : measurements) {
@@ -48,8 +48,8 @@ bool areMultiples(const std::vector<Measurement>& measurements, int joint, doubl
   return places.size() >= kLeastStops;
 }
 
-/// For each joint, returns the coarsest display resolution of which all its measurements are multiples; size 0 if there
-/// is none that is coarser than the encoder.
+/// For each joint, returns the coarsest display resolution that divides all its readings; size 0 if none is coarser
+/// than the encoder.
 std::vector<DisplayStep> stepsOf(const CheckedMeasurements& checked) {
   const auto& arm = checked.start.arm;
   const auto steps = displaySteps();
@@ -89,8 +89,8 @@ double shareLeft(const MistakeTrials& trials) {
   return std::clamp(trials.freedom({}, TrialDepth::kOpen) / std::max(1., rows), 0., 1.);
 }
 
-/// Returns a phrase such as "all joint readings are multiples of 0.1 deg", or "the measurements of q1 and q2 are
-/// multiples of 0.1 deg, of q3 of 0.001 rad".
+/// Returns a phrase such as "all joint readings are multiples of 0.1 deg", or "the readings of q1 and q2 are multiples
+/// of 0.1 deg, of q3 of 0.001 rad".
 std::string stepsText(const CheckedMeasurements& checked, const std::vector<DisplayStep>& steps) {
   const auto is_alike = [&](const DisplayStep& step) { return step.text == steps.front().text; };
   if (std::ranges::all_of(steps, is_alike)) return "all joint readings are multiples of " + steps.front().text;

@@ -7,9 +7,9 @@
 
 namespace tubeplan::calibration {
 
-/// Returns a remark if the measurements of revolute joints are whole multiples of a round angle, which may differ
-/// between joints, and if such rounding moves the tip by more than the noise and by about as much as the errors.
-/// Returns nullopt otherwise, since exact measurements may happen to be round.
+/// Returns a remark if the readings of revolute joints are whole multiples of a round angle, which may differ between
+/// joints, and if such rounding explains the errors: it must move the tip by more than the noise and by about as much
+/// as the errors. Returns nullopt otherwise, because exact readings may be round by chance.
 [[nodiscard]] std::optional<MeasurementCheck> roundedJoints(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

@@ -9,7 +9,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kBlind = 0.01;   // errors below this, relative to the reach, count as zero
+constexpr double kBlind = 0.01;   // errors below this, relative to the reach, are treated as zero
 constexpr double kMostOfRow = 3;  // largest evidence from one row: log of the ratio of its errors
 constexpr std::size_t kEndRows = 20;
 

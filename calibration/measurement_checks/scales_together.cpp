@@ -16,11 +16,11 @@ namespace {
 
 // Tried ratios of a joint's largest reading to its limit.
 constexpr double kSharesOfLimit[] = {0.95, 0.7, 0.5, 0.36};
-constexpr double kHalfTurn = 3.2;          // replaces limits of joints that are farther than this from zero [rad]
+constexpr double kHalfTurn = 3.2;          // limits that are farther than this from zero are replaced by it [rad]
 constexpr double kPastByScale = 0.05;      // largest accepted excess over a limit [rad]
 constexpr std::size_t kMostTried = 5000;   // maximum number of combinations that are tried
 constexpr std::size_t kMostLookedAt = 20;  // maximum number of measurements in the comparison
-// Number of combinations that are improved, and number of those that are finally proposed.
+// Numbers of combinations that are refined, and that are finally proposed.
 constexpr std::size_t kBettered = 16, kProposed = 2;
 constexpr int kScaleTurns = 3, kSectionSteps = 8, kFitRepeats = 3;
 
@@ -45,8 +45,8 @@ class ScalesTogether {
   }
 
  private:
-  /// Returns the scales to be tried for a joint: those of either sign with which its readings stay within its
-  /// limits and cover much of its range.
+  /// Returns the scales to be tried for a joint, of either sign. With them, the readings stay within the limits and
+  /// cover much of the range.
   [[nodiscard]] std::vector<double> worthTrying(int j) const {
     const auto& joint = checked_.start.arm.joint(j);
     const auto [lowest, highest] = mistakes::joint_scale::rangeOf(checked_, j);

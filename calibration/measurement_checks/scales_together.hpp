@@ -1,9 +1,9 @@
 // Search for the scales of several joints that are read in encoder pulses, from the measured positions.
 //
-// Scales cannot be found joint by joint: as long as one scale is wrong, correct scales of the other joints look wrong,
-// too. A campaign moves its joints over much of their range, so a few scales of either sign for each joint are tried in
-// all combinations. The best combinations are improved joint by joint, and finally by a fit of the scales to the
-// flexible arm.
+// Scales cannot be found joint by joint: as long as one scale is wrong, the correct scales of the other joints do not
+// fit either. A campaign moves its joints over much of their range, so a few scales of either sign for each joint are
+// tried in all combinations. The best combinations are improved joint by joint, and finally by a fit of the scales to
+// the flexible arm.
 #pragma once
 
 #include <vector>

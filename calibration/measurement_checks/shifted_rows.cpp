@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMostRowsLooked = 2000;
 constexpr std::size_t kFewest = 3;  // smallest number of rows before and after a lost point
 constexpr int kTried[] = {-1, 1};   // tried shifts [rows] that begin within the table
-constexpr double kFits = 0.03;      // a row with a smaller error, relative to the reach, counts as not shifted
+constexpr double kFits = 0.03;      // a row with a smaller error, relative to the reach, is not shifted
 
 /// Copies the measured values of a measurement, but not its joints and loads.
 void takeMeasured(const Measurement& from, Measurement& to) {
@@ -34,8 +34,8 @@ void takeMeasured(const Measurement& from, Measurement& to) {
   to.turn_sigma = from.turn_sigma;
 }
 
-/// Parsed value such as "-1" or "-1@P37": by how many rows values are shifted, and from which measurement on; nullopt:
-/// in the whole table.
+/// Parsed value such as "-1" or "-1@P37": the number of rows by which values are shifted, and the first shifted
+/// measurement (nullopt for the whole table).
 struct Shift {
   int by = 0;
   std::optional<std::string> from;
@@ -63,9 +63,9 @@ std::vector<Measurement> inPlace(int by, const std::vector<Measurement>& measure
   return moved;
 }
 
-/// Returns the first row of a shift that extends to the end of the table: the row from which the evidence for the
-/// corrected rows has the largest sum, moved to the nearest row at which errors above `fits` [m] begin. Returns nullopt
-/// if there is none.
+/// Returns the first row of a shift that extends to the end of the table: the start that maximises the total evidence
+/// for the corrected rows, moved to the nearest row at which errors above `fits` [m] begin. Returns nullopt if there is
+/// none.
 std::optional<std::size_t> startOf(RowComparison& comparison, RowErrors& as_is, std::size_t count, double fits) {
   const std::size_t stride = (count + kMostRowsLooked - 1) / kMostRowsLooked;
   double sum = 0, best = 0;

@@ -6,8 +6,8 @@
 
 namespace tubeplan::calibration::mistakes::shifted_rows {
 
-/// Assigns to every reading the measured values from `by` rows further down; removes measurements without such a row
-/// in their set-up.
+/// Assigns to every measurement the measured values from `by` rows further down; removes measurements without such a
+/// row in their set-up.
 void shift(int by, std::vector<Measurement>& measurements);
 
 [[nodiscard]] MistakeKind kind();

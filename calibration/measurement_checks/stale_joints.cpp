@@ -19,16 +19,16 @@ namespace tubeplan::calibration {
 
 namespace {
 
-// Smallest ratio of a gross error to the usual error and to the noise; no physical law leaves a single measurement so
-// far off.
+// Smallest ratio of a gross error to the usual error and to the noise; no physical effect gives a single measurement
+// such an error.
 constexpr double kGross = 10;
-constexpr std::size_t kLeast = 6;  // with fewer errors, the usual error is not determined
+constexpr std::size_t kLeast = 6;  // smallest number of errors that determines the usual error
 // If more than this fraction of the measurements is stale, copied joints are not the cause, unless the measurements are
 // consecutive.
 constexpr double kMostOfThem = 0.2;
 constexpr double kMostOfRun = 0.4;  // largest accepted fraction of stale measurements if these are consecutive
 
-/// Values of a measurement that are compared with those of another one, and the set-up.
+/// Values of a measurement that are compared with another measurement, and the set-up.
 using Station = std::pair<std::vector<double>, std::string>;
 
 /// Returns the joint values and the load, which together determine the posture.
@@ -39,7 +39,7 @@ std::optional<Station> jointsOf(const Measurement& measurement) {
   return Station{std::move(numbers), measurement.setup};
 }
 
-/// Returns the position that an instrument measured; nullopt for touches, since a point may be touched repeatedly.
+/// Returns the position that an instrument measured; nullopt for touches, because a point may be touched repeatedly.
 std::optional<Station> placeMeasured(const Measurement& measurement) {
   const auto& kind = kindOf(measurement);
   if (!measurement.p_W || !kind.is_place || kind.is_touch || kind.has_anchor) return std::nullopt;

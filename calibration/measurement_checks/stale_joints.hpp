@@ -9,9 +9,9 @@
 
 namespace tubeplan::calibration {
 
-/// Returns mistakes for measurements whose joints, or whose measured position, are exactly those of another
-/// measurement, if the prediction of `found`, the model of a robust fit, is far from this measurement but close to the
-/// other one.
+/// Returns a mistake for each measurement with exactly the same joint readings, or the same measured position, as
+/// another one. `found` is the model of a robust fit: its prediction must be far from the measurement itself, but close
+/// to the other one.
 [[nodiscard]] std::vector<MeasurementCheck> staleMeasurements(const CheckedMeasurements& checked,
                                                               const PlacedArm& found);
 

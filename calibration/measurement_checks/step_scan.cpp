@@ -16,8 +16,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Weights under Student's t distribution, whose scale is that of the majority of the measurements but at least that of
-/// the noise; `roots` are the square roots of the weights, one per row.
+/// Weights under Student's t distribution. Its scale fits the majority of the measurements, but is at least the noise;
+/// `roots` are the square roots of the weights, one per row.
 struct RowWeights {
   VectorXd roots;
   double variance = 1;
@@ -83,7 +83,7 @@ bool StepScan::linearize(PlacedArm fitted, const FreeChoice& open) {
   const PredictionRequest request = slopesOfSteps(fitted.arm);
   for (const StepForm& form : forms_) by_step_.emplace_back(MatrixXd::Zero(residual_.size(), form.numbers));
   for (std::size_t k = 0; k < measurements_.size(); ++k) {
-    if (hasUnknownPlace(measurements_[k])) continue;  // the unknown place absorbs any step
+    if (hasUnknownPlace(measurements_[k])) continue;  // an unknown place absorbs any step
     const auto& X_WB = basePoseAt(fitted, measurements_[k]);
     const Prediction predicted = predictor.predict(X_WB, measurements_[k], request);
     if (!predicted.ok) return false;
@@ -185,8 +185,8 @@ MatrixXd StepScan::creeping(std::size_t form, const std::vector<VectorXd>& along
   return columns;
 }
 
-/// Returns the functions of conditions (such as time), load, joints and row that a creep may follow, each with one
-/// column per parameter.
+/// Returns candidate functions for a creep, each with one column per parameter. They depend on conditions (such as
+/// time), load, joints or row number.
 std::vector<std::vector<VectorXd>> StepScan::courses(const StepForm& form) const {
   const auto count = static_cast<Index>(measurements_.size());
   const auto by = [&](auto number) {

@@ -12,9 +12,9 @@ namespace tubeplan::calibration {
 
 inline constexpr std::size_t kFewestOfStep = 4;  ///< smallest number of measurements before and after a step
 
-/// Best step of one form: the measurement at which it begins, and its size, one number per parameter.
+/// Best step of one form, with the measurement at which it begins and the size of each of its parameters.
 struct FoundStep {
-  std::size_t form = 0, measurement = 0;  ///< `reading` is the first measurement after the step
+  std::size_t form = 0, measurement = 0;  ///< indices of the form and of the first measurement after the step
   double merit = 0;                       ///< log odds gained, minus the penalty of the step
   Eigen::VectorXd size;
 };
@@ -24,8 +24,8 @@ struct FoundStep {
 
 class StepScan {
  public:
-  /// Linearises the model at the state of a fit. `readings` and `forms` must outlive the object. ok() is false if the
-  /// model cannot be evaluated or there are too few measurements.
+  /// Linearises the model at the state of a fit. `measurements` and `forms` must outlive the object. ok() is false if
+  /// the model cannot be evaluated or there are too few measurements.
   StepScan(PlacedArm fitted, const FreeChoice& open, const std::vector<Measurement>& measurements,
            const std::vector<StepForm>& forms);
 
@@ -55,7 +55,7 @@ class StepScan {
   [[nodiscard]] bool isOf(const StepForm& form, std::size_t measurement) const;
   [[nodiscard]] std::optional<FoundStep> bestStep(std::size_t form) const;
   /// Returns the log odds gained if half of chi-square decreases by `fall`. The scale of the errors is unknown, but at
-  /// least that of the noise.
+  /// least as large as the noise.
   [[nodiscard]] double gainOf(double fall) const;
 
   const std::vector<Measurement>& measurements_;
@@ -63,8 +63,8 @@ class StepScan {
   bool ok_ = false;
   std::vector<int> first_row_;
   Eigen::VectorXd residual_, residual_by_fit_;
-  /// Transformed Jacobian of the fit (parameters x rows), such that the squared length of its product with a residual
-  /// is the decrease of chi-square due to the fit.
+  /// Transformed Jacobian of the fit (parameters x rows). The squared length of its product with a residual is the
+  /// decrease of chi-square due to the fit.
   Eigen::MatrixXd by_fit_;
   std::vector<Eigen::MatrixXd> by_step_;  ///< derivatives with respect to each form's parameters (rows x parameters)
 };

@@ -89,7 +89,7 @@ class StepSearch {
     return mend;
   }
 
-  /// Returns by how much the step's size changes in a linear fit of the size together with all open parameters.
+  /// Returns the change of the step's size in a linear fit of the size and all open parameters.
   [[nodiscard]] VectorXd change(std::size_t form, const VectorXd& size, const PlacedArm& placed,
                                 const std::vector<Measurement>& measurements, const std::string& from) const {
     const auto ids = idsFrom(all_, from);

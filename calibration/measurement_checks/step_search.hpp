@@ -1,12 +1,12 @@
 // Mistakes that begin at one of the measurements: a lost zero, a changed tool, a displaced base.
 //
-// The errors of a fit are linear in the size of a step, and the sums over the measurements that a step affects follow
-// recursively from those of a step that begins one measurement later. A single pass over the measurements therefore
-// yields, for a step at each measurement, its gain and its best size, given all parameters that the drawing leaves open
-// (as in Andrews 1993, "Tests for parameter instability and structural change with unknown change point"). The best
-// step of each form is then refined: a fit of its size alternates with a search for the measurement at which it begins.
-// The choice of the measurement has a penalty: half the logarithm of the number of measured values for each parameter
-// of the step (Schwarz 1978), and the logarithm of the number of measurements.
+// The errors of a fit are linear in the size of a step. The sums over the measurements that a step affects follow
+// recursively from the sums for a step that begins one measurement later. A single pass over the measurements therefore
+// gives the gain and the best size of a step at every measurement, with all open parameters of the drawing refitted (as
+// in Andrews 1993, "Tests for parameter instability and structural change with unknown change point"). The best step of
+// each form is then refined: a fit of its size alternates with a search for the measurement at which it begins. The
+// choice of the measurement has a penalty: half the logarithm of the number of measured values for each parameter of
+// the step (Schwarz 1978), and the logarithm of the number of measurements.
 //
 // Errors that change gradually (creep) with time, temperature, load, joints or row are not a step: if a function of one
 // of these variables explains nearly as much, no step is proposed.

@@ -11,19 +11,19 @@ namespace {
 
 constexpr double kLeastFall = 3;  // smallest factor by which a mistake must reduce the error relative to the drawing
 constexpr double kOdds = 14;      // required log odds: log of a million
-// A reduction of the error by this factor is more than a fit of the drawing's open parameters plausibly achieves.
+// Factor of error reduction that a fit of the drawing's open parameters cannot plausibly achieve.
 constexpr double kDrastic = 8;
 constexpr double kAsGood = 3;  // log odds within which another mistake explains the measurements equally well
 constexpr double kAsGoodError =
     1.5;  // ratio of errors within which another mistake explains the measurements equally well
 constexpr double kNoisePerRow = 0.6;  // lack of fit per row due to noise alone
-constexpr double kFits = 0.05;        // measurements with a larger error, relative to the reach, contain a mistake
+constexpr double kFits = 0.05;        // largest error of measurements without a mistake, relative to the reach
 // Error, relative to the reach, above which several mistakes are tried after one is corrected.
 constexpr double kLeftOver = 0.001;
-constexpr double kBent = 0.005;     // error with the tip as drawn that exceeds any sag, relative to the reach
+constexpr double kBent = 0.005;     // error with the nominal tip that no sag explains, relative to the reach
 constexpr double kMostAtNoise = 2;  // largest chi-square per degree of freedom due to noise alone
 
-/// Returns true if a correction has fitted parameters, to which part of the error's reduction may be due.
+/// Returns true if a correction has fitted parameters. Part of the smaller error may then be due to the fit.
 bool hasNumbers(const Mend& mend) { return mend.frees_base || mend.parts_setups || mend.numbers_fitted > 0; }
 
 }  // namespace

@@ -16,7 +16,8 @@ struct Suspect {
   Trial drawn, open;
 };
 
-/// Judges suspects by comparing their fits with those of the measurements as stated. `trials` must outlive the object.
+/// Judges suspects by comparing their fits with the fits of the measurements as stated. `trials` must outlive the
+/// object.
 class SuspectJudgement {
  public:
   explicit SuspectJudgement(const MistakeTrials& trials) : trials_(trials) {}
@@ -26,7 +27,7 @@ class SuspectJudgement {
   [[nodiscard]] bool asksForMistakes() const;
   /// Returns true if there is an error that a step of a few sigmas could cause.
   [[nodiscard]] bool asksForSteps() const;
-  /// Returns true if, whichever suspect is corrected, the remaining error exceeds the usual error of a model.
+  /// Returns true if the remaining error exceeds the usual error of a model, for every suspect that could be corrected.
   [[nodiscard]] bool isLeftOver(const std::vector<Suspect>& suspects) const;
 
   /// Returns true if several mistakes are worth trying together: an error remains, or every suspect leaves the base far

@@ -1,6 +1,6 @@
-// Mistake: the rotations are those of a frame other than the tool frame of the arm's file. Value "yzx": another
-// convention of the flange, whose x, y and z are the tool's y, z and x. Value "90:0:35": a tracked body that is mounted
-// on the tool with this roll, pitch and yaw.
+// Mistake: the rotations are of another frame than the tool frame of the arm's file. Value "yzx": another convention of
+// the flange, whose x, y and z are the tool's y, z and x. Value "90:0:35": a tracked body that is mounted on the tool
+// with this roll, pitch and yaw.
 #pragma once
 
 #include <fmt/format.h>
@@ -47,7 +47,7 @@ inline std::optional<Eigen::Matrix3d> meanTurn(const CheckedMeasurements& checke
   for (const Measurement& measurement : places)
     if (const auto tool = toolAt(fit.placed, measurement))
       sum += tool->R_WT.transpose() * deflection::rotationFromFixedAngles<double>(measurement.own);
-  if (!(sum.determinant() > 0)) return std::nullopt;  // rotations in all directions have no mean
+  if (!(sum.determinant() > 0)) return std::nullopt;  // widely scattered rotations have no mean
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return Eigen::Matrix3d(svd.matrixU() * svd.matrixV().transpose());
 }

@@ -23,8 +23,8 @@ std::vector<Measurement> placesOfPoses(const std::vector<Measurement>& measureme
   return places;
 }
 
-/// Parses a string such as "joint-sign=q1,joint-sign=q4" into corrections, omitting those of the sigmas; empty if one
-/// of them does not apply to these measurements.
+/// Parses a string such as "joint-sign=q1,joint-sign=q4" into corrections, without corrections of the sigmas; empty if
+/// one of them does not apply to these measurements.
 JoinedMends mendsOf(const CheckedMeasurements& checked, const std::string& assume) {
   JoinedMends mends;
   for (const std::string& text : partedAssumptions(assume)) {

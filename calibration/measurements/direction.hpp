@@ -1,7 +1,7 @@
 // Kind `direction`: the direction of the x axis of the tool frame or of a row's frame, in the world frame. It is stated
 // as azimuth from x towards y and altitude above the xy plane (an altazimuth mount's line of sight, a beam on a tool).
 // The error is the angle from the measured to the predicted direction, resolved along the circle of equal altitude and
-// upwards. Both components are angles on the sphere, so the azimuth loses weight towards the zenith.
+// upwards. Both components are angles on the sphere, so the azimuth has less weight near the zenith.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -35,7 +35,7 @@ inline Deviation deviationOf(const Eigen::Vector3d& direction_M) {
   const Eigen::Vector2d aside = direction_M.head<2>();
   const double sine = aside.norm(), angle = std::atan2(sine, direction_M.z());
   Deviation deviation{aside, Eigen::Matrix<double, 2, 3>::Zero()};
-  if (sine < 1e-8) {  // here the angle equals its sine
+  if (sine < 1e-8) {  // for small angles, the angle equals its sine
     deviation.slope.leftCols<2>().setIdentity();
     return deviation;
   }

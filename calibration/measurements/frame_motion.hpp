@@ -19,13 +19,13 @@ struct FrameMotion {
   void takeOff(const FrameMotion& from, Eigen::Index own_joints);
 };
 
-/// Returns the variables with respect to which a request needs derivatives: its parameters; three rotations of gravity
-/// if derivatives with respect to the base are requested; the joints if requested.
+/// Returns the variables of the derivatives that a request needs: its parameters; three rotations of gravity if
+/// derivatives with respect to the base are requested; the joints if requested.
 [[nodiscard]] std::vector<deflection::Variable> variablesOf(const PredictionRequest& request,
                                                             const deflection::Arm& arm);
 
-/// Returns the number of joint columns that a displacement keeps separate from those of its reference; 0 if the two
-/// share their joint readings.
+/// Returns the number of joint columns that a displacement keeps in addition to the columns of its reference; 0 if the
+/// two share their joint readings.
 [[nodiscard]] Eigen::Index ownJointsOf(const Measurement& measurement, const PredictionRequest& request,
                                        const deflection::Arm& arm);
 

@@ -53,7 +53,7 @@ struct KnownPlaces {
   Eigen::Vector3d up_W = Eigen::Vector3d::UnitZ();  ///< direction against gravity
 };
 
-/// What a measurement lacks, as a sentence, and advice to the user.
+/// Missing part of a measurement: a sentence that states it, and advice to the user.
 struct MeasurementLack {
   std::string what, advice;
 };
@@ -78,39 +78,40 @@ struct MeasurementKindRow {
       nullptr;                                   ///< number of rows, if it differs between measurements; else null
   std::span<const MeasuredColumn> columns = {};  ///< columns of the values in Measurement::own, up to three
 
-  bool has_coordinates = false;  ///< true: the first three rows are x, y, z in the world frame
-  bool is_touch = false;         ///< true: the tip rests centred at `point`, whose position may be unknown
-  bool is_place = false;         ///< true: p_W is the position of the tip
-  /// True: a displacement from the tip at another measurement, stated by p_W or else by Measurement::own.
+  bool has_coordinates = false;  ///< true if the first three rows are x, y, z in the world frame
+  bool is_touch = false;         ///< true if the tip rests centred at `point`, whose position may be unknown
+  bool is_place = false;         ///< true if p_W is the position of the tip
+  /// True if the values are a displacement from the tip at another measurement, given by p_W or Measurement::own.
   bool is_from_measurement = false;
-  bool names_hole = false;      ///< true: `point` may name a hole, whose centre is p_W
-  bool is_centring = false;     ///< true: the arm brings the tool under the point p_W as accurately as it can
-  bool has_anchor = false;      ///< true: p_W is a fixed point from which the measurement is measured
-  bool is_from_origin = false;  ///< true: p_W is the world's origin unless stated
-  bool has_direction = false;   ///< true: direction_W is the direction along which the measurement is measured
-  bool is_to_gravity = false;   ///< true: direction_W points up, against gravity
-  bool counts_steps = false;  ///< true: own is (number of steps that entered, lower bound, upper bound); see steps.hpp
-  bool is_by_scale = true;    ///< true: lengths are multiplied by the measuring system's scale, which may be in error
-  bool sees_turn = false;     ///< true: the values depend on the tool's rotation
-  /// True: the instrument may be fixed to a row of the arm (Measurement::row) instead of the tool.
+  bool names_hole = false;      ///< true if `point` may name a hole, whose centre is p_W
+  bool is_centring = false;     ///< true if the arm brings the tool under the point p_W as accurately as it can
+  bool has_anchor = false;      ///< true if p_W is the fixed point from which the instrument measures
+  bool is_from_origin = false;  ///< true if p_W is the world's origin unless stated
+  bool has_direction = false;   ///< true if the instrument measures along direction_W
+  bool is_to_gravity = false;   ///< true if direction_W points up, against gravity
+  /// True if own is (number of steps that entered, lower bound, upper bound); see steps.hpp.
+  bool counts_steps = false;
+  bool is_by_scale = true;  ///< true if lengths are multiplied by the measuring system's scale, which may be in error
+  bool sees_turn = false;   ///< true if the values depend on the tool's rotation
+  /// True if the instrument may be fixed to a row of the arm (Measurement::row) instead of the tool.
   bool may_be_of_row = false;
 
   MeasuredValue (*value)(const Measurement& measurement, const ToolPose& tool);
   MeasuredSlope (*slope)(const Measurement& measurement, const ToolPose& tool);
   /// Returns the measured values; zero for a touch of an unknown point, whose position the fit eliminates.
   MeasuredValue (*measured)(const Measurement& measurement);
-  /// Writes into `reading` the values measured of a tool at this pose, with lengths multiplied by `scale` and with
+  /// Writes the measured values of a tool at this pose into `measurement`, with lengths multiplied by `scale` and with
   /// `noise` [m] added.
   void (*record)(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& measurement);
 
-  /// Returns what a measurement lacks besides its measured values; `kind` is the kind's name. Null for kinds whose
-  /// values depend on the arm alone.
+  /// Returns what a measurement lacks in addition to its measured values; `kind` is the kind's name. Null for kinds
+  /// whose values depend on the arm alone.
   std::optional<MeasurementLack> (*lack)(const Measurement& measurement, const std::string& kind) = lackOfPlace;
   double usual_sigma = kPositionSigma;
 
   /// Returns the columns that hold measured values; the kind's other columns describe the target of the measurement.
   ValueColumns (*value_columns)(std::span<const MeasuredColumn> own) = allOfOwn;
-  /// Returns true if the values that a measurement states are possible. Null if all values are.
+  /// Returns true if the values of a measurement are possible. Null if all values are possible.
   bool (*is_possible)(const Measurement& measurement) = nullptr;
 
   /// Copies the target position or direction from `places` into a simulated measurement. Null for kinds without a

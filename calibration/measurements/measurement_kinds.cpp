@@ -150,7 +150,7 @@ bool isPossibleCorrelation(const Eigen::Vector3d& correlation) {
 }
 
 MeasuredCovariance statedCovariance(const Measurement& measurement) {
-  constexpr double kNotStated = 1e-6, kLeast = 1e-8;  // both in m; kLeast is far below the noise of any instrument
+  constexpr double kNotStated = 1e-6, kLeast = 1e-8;  // [m]; kLeast is far below the noise of any instrument
   MeasuredValue sigmas = rowSigmas(measurement);
   for (double& sigma : sigmas) sigma = std::isfinite(sigma) ? std::max(sigma, kLeast) : kNotStated;
   MeasuredCovariance covariance = sigmas.array().square().matrix().asDiagonal();

@@ -79,7 +79,7 @@ namespace tubeplan::calibration {
 /// Returns true if a measurement states as many values as its kind requires, and the values are possible.
 [[nodiscard]] bool statesEnough(const Measurement& measurement);
 
-/// Returns the reference of a displacement, which points into `reading`; empty for other measurements.
+/// Returns the reference of a displacement, which points into `measurement`; empty for other measurements.
 [[nodiscard]] inline std::optional<Departure> departureOf(const Measurement& measurement) {
   const auto departure = kindOf(measurement).departure;
   return departure ? std::optional(departure(measurement)) : std::nullopt;
@@ -97,8 +97,8 @@ namespace tubeplan::calibration {
   return from && !from->is_unloaded ? from->measurement : nullptr;
 }
 
-/// Sets the reference of every measurement to a copy of the referenced measurement as it now is in `readings`.
-/// References to measurements that `readings` no longer contains stay unchanged.
+/// Sets the reference of every measurement to a copy of the referenced measurement as it now is in `measurements`.
+/// References to measurements that are no longer in `measurements` stay unchanged.
 void linkReferences(std::vector<Measurement>& measurements);
 
 /// Returns the length of the rotational part [rad] of a measurement's error, whose rows are in m; NaN if the
@@ -120,8 +120,8 @@ void linkReferences(std::vector<Measurement>& measurements);
 /// positive definite beyond rounding.
 [[nodiscard]] bool isPossibleCorrelation(const Eigen::Vector3d& correlation);
 
-/// Returns the stated covariance of a measurement's rows [m^2]; rows without a sigma count as exact to a micrometre.
-/// All weights of measurements derive from this covariance and the encoder noise that readingCovariance() adds.
+/// Returns the stated covariance of a measurement's rows [m^2]; rows without a sigma get a sigma of one micrometre. All
+/// weights of measurements derive from this covariance and the encoder noise that measurementCovariance() adds.
 [[nodiscard]] MeasuredCovariance statedCovariance(const Measurement& measurement);
 
 [[nodiscard]] inline bool isTouch(const Measurement& measurement) { return kindOf(measurement).is_touch; }
@@ -150,8 +150,8 @@ void linkReferences(std::vector<Measurement>& measurements);
 /// place with all its measurements.
 [[nodiscard]] std::vector<std::vector<int>> groupsByPlace(const std::vector<Measurement>& measurements);
 
-/// Returns the smallest number of measurements of an unknown place that give information on the arm: one more than are
-/// needed to determine the place.
+/// Returns the smallest number of measurements of an unknown place that gives information on the arm: one more than the
+/// number needed to determine the place.
 [[nodiscard]] inline int leastOfPlace(const Measurement& measurement) {
   return placeNumbers(measurement) / rowsOf(measurement) + 1;
 }
@@ -166,7 +166,7 @@ void linkReferences(std::vector<Measurement>& measurements);
   return kindOf(measurement).is_place && measurement.p_W;
 }
 
-/// Returns the position of the tip [m] that the measurement states in whatever form; empty if it states none.
+/// Returns the position of the tip [m] that the measurement states, in any form; empty if it states none.
 [[nodiscard]] inline std::optional<Eigen::Vector3d> statedPlace(const Measurement& measurement) {
   if (kindOf(measurement).place) return kindOf(measurement).place(measurement);
   return statesPlace(measurement) ? measurement.p_W : std::nullopt;

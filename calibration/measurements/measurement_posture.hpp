@@ -34,8 +34,8 @@ namespace tubeplan::calibration {
   return measurement;
 }
 
-/// Returns the reference posture of a displacement: the same posture without load, or that of another measurement.
-/// Empty if the measurement is not a displacement.
+/// Returns the reference posture of a displacement: the same posture without load, or the posture of another
+/// measurement. Empty if the measurement is not a displacement.
 [[nodiscard]] inline std::optional<deflection::Posture> referencePostureOf(const Measurement& measurement,
                                                                            const deflection::Arm& arm,
                                                                            const Eigen::Isometry3d& X_WB) {

@@ -27,7 +27,7 @@ struct PredictionRequest {
 
 /// Predicted values of a measurement, as its kind defines them (measurements/): up to 6 rows [m].
 struct Prediction {
-  bool ok = false;  ///< true: the deflected shape converged; false: the other members are invalid
+  bool ok = false;  ///< true if the deflected shape converged; false if the other members are invalid
   Eigen::VectorXd value;
   /// Derivatives with respect to the requested parameters (rows x parameters), to a small displacement of the base
   /// (rows x 6), and to the joints (rows x joints, followed by the joints of a displacement's reference).

@@ -30,8 +30,8 @@ std::optional<int> loneMeasurement(const std::vector<Measurement>& measurements)
   return std::nullopt;
 }
 
-/// Reports that a surface was touched too few times: unless it has more measurements than parameters, it gives no
-/// information on the arm.
+/// Reports that a surface was touched too few times. Without more measurements than parameters, it gives no information
+/// on the arm.
 MeasurementProblem fewOfSurface(int place, const std::vector<Measurement>& measurements) {
   const Measurement& first = measurements[static_cast<std::size_t>(place)];
   const auto count = std::count_if(measurements.begin(), measurements.end(),

@@ -1,4 +1,4 @@
-// Faults of a set of measurements that make any identification impossible.
+// Problems of a set of measurements that make identification impossible.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,15 @@ namespace tubeplan::calibration {
 
 /// Reason why a set of measurements cannot determine the free parameters.
 struct MeasurementProblem {
-  int measurement = -1;  ///< index of the measurement at fault; -1 if no single measurement is
-  std::string what;      ///< the fault, as a sentence
+  int measurement = -1;  ///< index of the measurement with the problem; -1 if it concerns several measurements
+  std::string what;      ///< description of the problem, as a sentence
   std::string advice;
 };
 
 /// Returns the number of measured values minus the number of parameters of unknown places.
 [[nodiscard]] int numbersMeasured(const std::vector<Measurement>& measurements);
 
-/// Returns the first fault that makes the measurements useless: no measurement at all, a point touched once or a
+/// Returns the first problem that makes the measurements useless: no measurement at all, a point touched once or a
 /// surface touched too few times while its position is unknown, all measurements at one posture, or fewer measured
 /// values than free parameters.
 [[nodiscard]] std::optional<MeasurementProblem> findMeasurementProblem(const std::vector<Measurement>& measurements,

@@ -1,6 +1,6 @@
 // Kind `plane`: the tip touches a plane of unknown position, such as a face of a datum block or a granite table. The
 // joints are read. The error is the tip's distance from the best-fit plane of all measurements of the same plane. The
-// radius of a ball at the tip only shifts the plane, as long as one side is touched.
+// radius of a ball at the tip only shifts the plane, if all touches are on the same side.
 #pragma once
 
 #include <Eigen/Eigenvalues>
@@ -10,7 +10,7 @@
 
 namespace tubeplan::calibration::plane {
 
-inline constexpr int kNumbers = 3;  // two angles of the normal, and the distance
+inline constexpr int kNumbers = 3;  // number of parameters of a plane: two angles of the normal and the distance
 
 inline int numbersOf(const Measurement&) { return kNumbers; }
 
@@ -37,7 +37,8 @@ inline PlaceColumns byPlaceNumbers(const Measurement& measurement, const ToolPos
 
 /// Fits the plane. The normal is the direction in which the points are spread least, oriented like the previous normal.
 inline bool settle(const Eigen::Matrix3Xd& points_W, const Measurement&, Surface& surface) {
-  constexpr double kLine = 1e-6;  // spread relative to the largest one, below which the points form a line
+  // Points form a line if their second-largest spread, relative to the largest, is below this value.
+  constexpr double kLine = 1e-6;
   if (points_W.cols() < kNumbers) return false;
   const Eigen::Vector3d mean = points_W.rowwise().mean();
   const Eigen::Matrix3Xd from = points_W.colwise() - mean;

@@ -1,7 +1,7 @@
-// Kind `polar`: the raw measurements of a tracker or a total station: the slope distance to the tip, the horizontal
-// angle from the world's x towards y, and the vertical angle above the xy plane. The station is at x, y, z (the world's
-// origin if left out), and its axes are the world's. Distances and angles have separate noise, so near and far
-// measurements get appropriate weights.
+// Kind `polar`: the raw readings of a tracker or a total station: the slope distance to the tip, the horizontal angle
+// from the world's x towards y, and the vertical angle above the xy plane. The station is at x, y, z (by default the
+// world's origin), and its axes are the world's. Distances and angles have separate noise, so near and far measurements
+// get appropriate weights.
 #pragma once
 
 #include <array>

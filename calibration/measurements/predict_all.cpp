@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kMeasurementsOfCore = 128;  // measurements per block for one core, solved side by side
 constexpr std::size_t kMeasurementsInTurn =
-    16;  // measurements per block for one core, solved singly with one prepared arm
+    16;  // measurements per block for one core, solved one at a time with one prepared arm
 
 /// Arguments of predictAll(): the measurements to predict, and what to compute for each.
 struct AskedMeasurements {

@@ -19,8 +19,8 @@ namespace tubeplan::calibration {
 
 /// Calls `each(k, prediction)` for every measurement, in any order and on any thread; measurement k is made at base
 /// pose `base_pose_of[k]`. Returns false if a shape does not converge or `stop` requests a stop; some measurements are
-/// then left out. `prepared`, if not null, must belong to the arm; it saves time when few measurements are predicted
-/// for many base poses.
+/// then not predicted. `prepared`, if not null, must belong to the arm; passing it saves time if few measurements are
+/// predicted for many base poses.
 [[nodiscard]] bool predictAll(const PlacedArm& placed, const std::vector<Measurement>& measurements,
                               const std::vector<int>& base_pose_of, const PredictionRequest& request,
                               const StopQuestion& stop,

@@ -59,7 +59,7 @@ std::optional<Measurement> expectedMeasurement(const PlacedArm& placed, const Pr
     if (!rest) return std::nullopt;
     tool->p_W -= rest->p_W;
   }
-  // Left without measured values, the measurement counts as one in which all steps entered, as is expected of a centred
+  // Without measured values, the measurement means that all steps entered, which is the expected result for a centred
   // tool.
   if (kind.counts_steps) return measurement;
   if (proposed.is_length_alone)

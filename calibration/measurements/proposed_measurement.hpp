@@ -1,4 +1,4 @@
-// Measurement that has been proposed but not yet made. It has a type of its own because it has no measured values.
+// Measurement that is proposed but not yet made. It is a separate type because it has no measured values.
 #pragma once
 
 #include <limits>
@@ -25,7 +25,7 @@ struct ProposedMeasurement {
   std::optional<Eigen::Vector3d> known_W;
   std::optional<Eigen::Vector3d> direction_W;
   std::shared_ptr<const Measurement> reference;  ///< earlier measurement that is the reference of a displacement
-  bool is_length_alone = false;    ///< true: only the length of the displacement is measured, not its coordinates
+  bool is_length_alone = false;    ///< true if only the length of the displacement is measured, not its coordinates
   std::optional<int> row;          ///< row of the arm whose frame is measured, as in Measurement
   std::optional<Surface> surface;  ///< assumed surface named `point`, for kinds that touch a surface
   /// Value stated in the kind's own column, such as a ball's radius [m].

@@ -1,6 +1,6 @@
 // Kind `relative`: the displacement of the tip from its position at another measurement, `reference`, as x, y, z in the
-// world frame or as its length alone. It makes use of a known distance at an unknown position: two sockets of a jig,
-// two holes one pitch apart, the travel that the scale of a linear stage shows.
+// world frame or as its length alone. It makes use of a known distance at an unknown position, such as two sockets of a
+// jig, two holes one pitch apart, or the travel of a linear stage.
 #pragma once
 
 #include "calibration/measurements/coordinates.hpp"

@@ -74,7 +74,7 @@ inline Surface algebraic(const Eigen::Matrix3Xd& points_W) {
 /// Fits the sphere with Gauss-Newton steps, each halved until the sum of squares decreases.
 inline Surface nearestSphere(Surface surface, const Eigen::Matrix3Xd& points_W, int numbers) {
   constexpr int kMostSteps = 50, kMostHalvings = 12;
-  constexpr double kStill = 1e-14;  // length of a step at which the fit ends [m]
+  constexpr double kStill = 1e-14;  // step length below which the fit has converged [m]
   Distances at = distancesFrom(surface, points_W, numbers);
   for (int steps = 0; steps < kMostSteps; ++steps) {
     Eigen::VectorXd step = -at.columns.completeOrthogonalDecomposition().solve(at.error);

@@ -1,7 +1,7 @@
 // Kind `steps`: the number of steps of the calibration tool that entered the hole. The centring error lies between two
-// tolerances, `own[1]` and `own[2]` [m]. If all steps entered, the tip lies anywhere in a disc. Otherwise its distance
-// from the hole's axis lies anywhere between the two tolerances. (A uniform disc of radius r has a standard deviation
-// of r / 2 per coordinate; a length uniform between a and b has one of (b - a) / sqrt(12).)
+// tolerances, `own[1]` and `own[2]` [m]. If all steps entered, the tip is uniformly distributed in a disc. Otherwise,
+// its distance from the hole's axis is uniformly distributed between the two tolerances. (A uniform disc of radius r
+// has a standard deviation of r / 2 per coordinate; a length uniform between a and b has one of (b - a) / sqrt(12).)
 #pragma once
 
 #include <array>

@@ -13,8 +13,8 @@ namespace tubeplan::calibration {
 [[nodiscard]] bool touchSurfaces(const std::vector<Measurement>& measurements);
 
 /// Fits every surface to the tips that touched it, as predicted with `placed`, and stores the surface in its
-/// measurements. Measurements keep their surface if the tips do not determine a new one. Returns false if a deflected
-/// shape does not converge.
+/// measurements. If the tips do not determine a surface, its measurements keep the previous one. Returns false if a
+/// deflected shape does not converge.
 bool settleSurfaces(const PlacedArm& placed, std::vector<Measurement>& measurements);
 
 /// Fitted surface, with the residual of the measurements that touch it.

@@ -12,7 +12,7 @@ namespace tubeplan::calibration::tilt {
 inline constexpr std::array<MeasuredColumn, 3> kColumns{{{"tilt_x", deflection::Quantity::kAngle},
                                                          {"tilt_y", deflection::Quantity::kAngle},
                                                          {"tilt_z", deflection::Quantity::kAngle}}};
-inline constexpr double kUpright = 1 - 1e-9;  // sines are limited to this value, so that the derivative stays finite
+inline constexpr double kUpright = 1 - 1e-9;  // upper limit for sines, which keeps the derivative finite
 
 /// Returns the sines of the three axes' angles above the horizontal; `direction_W` points up.
 inline Eigen::Vector3d sines(const Measurement& measurement, const ToolPose& tool) {

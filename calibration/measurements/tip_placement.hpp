@@ -21,8 +21,8 @@ struct TipPlacement {
 };
 
 /// Moves the tip to `p_BT` [m] by Broyden's method on the tip's three coordinates, with the smallest joint motion from
-/// the joint readings of `start`. The first Jacobian treats the deflected shape as rigid, which is right within a few
-/// per cent and far quicker than exact derivatives. Joint limits are ignored. The status is kStretched if the tip can
+/// the joint readings of `start`. The first Jacobian treats the deflected shape as rigid, which is accurate to a few
+/// per cent and much faster than exact derivatives. Joint limits are ignored. The status is kStretched if the tip can
 /// hardly move in some direction at the posture reached.
 [[nodiscard]] TipPlacement placeTip(const deflection::Arm& arm, const deflection::Posture& start,
                                     const Eigen::Vector3d& p_BT, const TipPlacementOptions& options = {});

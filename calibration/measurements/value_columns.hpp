@@ -21,9 +21,10 @@ inline constexpr std::array<MeasuredColumn, 3> kPlaceColumns{
 
 /// Values that must be filled in for a measurement of one kind.
 struct ValueColumns {
-  bool has_joints = false;              ///< true: the joint readings, for kinds whose tip rests at a point
-  bool has_place = false;               ///< true: x, y, z; otherwise x, y, z is the point from which the kind measures
-  std::vector<MeasuredColumn> numbers;  ///< x, y, z if measured, then the kind's own columns
+  bool has_joints = false;  ///< true if the joint readings are measured values, for kinds whose tip rests at a point
+  /// True if x, y, z are measured values; otherwise they are the point from which the kind measures.
+  bool has_place = false;
+  std::vector<MeasuredColumn> numbers;  ///< measured columns: x, y, z if measured, then the kind's own columns
   int least = 0;                        ///< smallest number of `numbers` that a measurement must state
 };
 

@@ -16,7 +16,8 @@ struct ComparisonOptions {
   IdentificationOptions refit;   ///< options of the refit, which is skipped if no parameter is free
   double level = kPatternLevel;  ///< significance level of each test: probability that the test rejects a correct model
   WorkHooks hooks;               ///< hooks of the comparison, also used by the refit
-  const Identification* refitted = nullptr;  ///< result of the refit, if it exists already; null: the refit is made
+  /// Existing result of the refit; if null, compare() does the refit.
+  const Identification* refitted = nullptr;
 };
 
 enum class ComparisonStatus { kNotRun, kDone, kRefused, kNotConverged, kStopped };
@@ -46,12 +47,12 @@ struct ModelLackOfFit {
 
 /// Comparison of one measurement with the model before and after the refit.
 struct ComparedMeasurement {
-  bool is_held_out = false;  ///< true: not used in the fit
+  bool is_held_out = false;  ///< true if the measurement was not used in the fit
   /// Predicted tip in the world frame [m], before and after the refit.
   Eigen::Vector3d tip_before = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   Eigen::Vector3d tip_after = tip_before;
-  /// Measured minus predicted, in the world frame [m]: for a distance, along its line; for an unknown point, relative
-  /// to the point's estimate.
+  /// Measured minus predicted value, in the world frame [m]. The error of a distance is along its line, the error at an
+  /// unknown point relative to the point's estimate.
   Eigen::Vector3d error_before = tip_before, error_after = tip_before;
   /// Length of the whitened error, in standard deviations.
   double sigmas_before = std::numeric_limits<double>::quiet_NaN();
@@ -76,11 +77,12 @@ struct Comparison {
   std::vector<int> used;                 ///< indices of the measurements that are not held out
   Adequacy verdict = Adequacy::kNotRun;  ///< verdict after the refit
   std::vector<std::string> grounds;      ///< reasons for any verdict other than kAdequate, one clause each
-  bool noise_disagrees = false;          ///< true: the scatter of repeats contradicts the stated noise and replaces it
+  /// True if the scatter of repeats contradicts the stated noise and replaces it.
+  bool noise_disagrees = false;
 };
 
-/// Returns the lack of fit of an identified model to its own readings, judged as by compare(). Adequacy::kNotRun if the
-/// model cannot be evaluated there.
+/// Returns the lack of fit of an identified model to its own measurements, as judged by compare(). The adequacy is
+/// kNotRun if the model cannot be evaluated.
 [[nodiscard]] ModelLackOfFit lackOfFitOf(const Identification& fit, const std::vector<Measurement>& measurements,
                                          double level = kPatternLevel);
 

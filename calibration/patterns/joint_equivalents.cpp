@@ -12,8 +12,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// An error along a direction is converted to joint angles only if the joints' squared lever arm in this direction
-// exceeds this fraction of the largest one.
+// Smallest squared lever arm of the joints along a direction, as a fraction of the largest one, for which an error
+// along the direction is converted to joint angles.
 constexpr double kLeastLever = 1e-4;
 
 struct Turned {

@@ -14,7 +14,7 @@ namespace tubeplan::calibration {
 
 /// Corrections of joint readings [rad, m for a prismatic joint], with joints in the order of the arm's active rows.
 struct JointEquivalents {
-  bool ok = false;               ///< false: the model could not be evaluated
+  bool ok = false;               ///< false if the model could not be evaluated
   Eigen::MatrixXd corrections;   ///< corrections to be added to the joint readings, joints x measurements
   Eigen::VectorXd mean, spread;  ///< mean and standard deviation of each joint's corrections over the measurements
   Eigen::VectorXd sigma;         ///< stated standard deviation of each encoder; 0 if not stated
@@ -24,8 +24,8 @@ struct JointEquivalents {
   double p_value = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Computes the corrections. `error` is predicted minus measured [m], with the rows of all measurements stacked.
-/// Encoders without a stated sigma count as exact if others have one; if none has, all joints have equal weight.
+/// Computes the corrections. `error` is predicted minus measured [m], with the rows of all measurements stacked. If
+/// only some encoders have a stated sigma, the others are treated as exact; if none has, all joints have equal weight.
 [[nodiscard]] JointEquivalents equivalentJoints(const PlacedArm& placed, const std::vector<Measurement>& measurements,
                                                 const Eigen::VectorXd& error);
 

@@ -11,7 +11,8 @@
 
 namespace tubeplan::calibration::patterns::moment {
 
-inline constexpr double kSameCourse = 1e-6;  // largest 1 - |correlation| of two moments that count as proportional
+// Two moments are treated as proportional if 1 - |correlation| is at most this.
+inline constexpr double kSameCourse = 1e-6;
 // A moment is tested only if it varies by more than this fraction of the arm's largest moment.
 inline constexpr double kLeastShare = 1e-3;
 // The sign of a moment is tested only if each sign occurs in at least this fraction of the measurements.

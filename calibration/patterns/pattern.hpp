@@ -1,5 +1,5 @@
 // Kinds of variables on which a residual may depend, as an extensible table. Each kind is one file in this folder and
-// one row of the table in patterns.cpp; nothing else names it.
+// one row of the table in patterns.cpp; no other code refers to it.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ namespace tubeplan::calibration {
 
 /// Measurements with the model's predictions for them, except the residual.
 struct MeasurementScene {
-  bool ok = false;  ///< false: a deflected shape did not converge, and the other members are invalid
+  bool ok = false;  ///< false if a deflected shape did not converge, and the other members are invalid
   PlacedArm placed;
   std::vector<Measurement> measurements;
   Eigen::Matrix3Xd tips;               ///< predicted tip positions in the world frame [m]
@@ -51,7 +51,7 @@ struct Variable {
 /// A kind of pattern, which finds variables of one kind in the measurements: one row of the table.
 struct PatternKind {
   const char* name;
-  std::string needs;  ///< what the test requires of the measurements
+  std::string needs;  ///< requirements of the test on the measurements
   /// Function that returns the variables of the measurements; empty if the measurements have none.
   std::function<std::vector<Variable>(const MeasurementScene&)> variables;
 };

@@ -16,7 +16,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kAbsorbed = 1e-6;  // squared fraction of a column's norm below which the column counts as absorbed
+constexpr double kAbsorbed = 1e-6;  // squared fraction of a column's norm below which the column is considered absorbed
 constexpr int kTrendSteps = 5;
 constexpr Index kFewGroups = 40;
 constexpr PatternFrame kFrames[] = {PatternFrame::kWorld, PatternFrame::kRadial, PatternFrame::kTool};
@@ -93,8 +93,8 @@ std::vector<std::vector<int>> lotsOf(const Variable& variable) {
   return lots;
 }
 
-/// Returns, for each measurement, the component of its error that follows the pattern beyond what the fit absorbs, in
-/// the axes of the frame [m].
+/// Returns, for each measurement, the part of its error that the pattern explains and the fit does not absorb, in the
+/// axes of the frame [m].
 Eigen::Matrix3Xd followedErrors(const SearchedScene& search, PatternFrame frame, const VectorXd& followed) {
   const auto& scene = search.scene;
   Eigen::Matrix3Xd errors(3, static_cast<Index>(scene.measurements.size()));

@@ -39,12 +39,12 @@ struct PatternTest {
   double p_corrected = 1;  ///< p-value after Holm's correction over all tests
   double share = 0;        ///< fraction of chi-square that the pattern explains
   bool is_finding = false;
-  std::string goes_with;  ///< stronger finding that also explains this pattern; empty if this pattern is independent
+  std::string goes_with;         ///< stronger finding that also explains this pattern; empty if there is none
   std::vector<TrendStep> trend;  ///< mean errors, in ascending order of the variable's value
   std::vector<std::string>
       groups;          ///< names of the groups, if the variable divides measurements into groups; else empty
-  int component = -1;  ///< index of the frame's axis along which the trend is largest; -1: none
-  /// Indices of the trend steps with the smallest and the largest error along the frame's axis `component`; -1: none.
+  int component = -1;  ///< index of the frame's axis along which the trend is largest; -1 if none
+  /// Indices of the trend steps with the smallest and the largest error along the frame's axis `component`; -1 if none.
   int low = -1, high = -1;
   /// Difference between the errors of the trend steps `high` and `low` [m]; for a constant, the root mean square error.
   double size = std::numeric_limits<double>::quiet_NaN();

@@ -40,7 +40,7 @@ Matrix3d radialAxes(const Vector3d& from_base, const Vector3d& gravity) {
   return axes;
 }
 
-/// Returns the smallest and the largest stated value; values that are NaN count as not stated.
+/// Returns the smallest and the largest stated value; NaN means not stated.
 std::pair<double, double> rangeOf(const VectorXd& value) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const double v : value)

@@ -12,7 +12,7 @@ namespace {
 
 // A joint without limits in a side chain ranges over this much on either side of zero [rad or m].
 constexpr double kWidest = deflection::kFullTurn / 2;
-constexpr double kNoMotion = 1e-9;  // motion below which a joint counts as not moved [rad or m]
+constexpr double kNoMotion = 1e-9;  // largest motion of a joint that is treated as no motion [rad or m]
 
 bool swings(const deflection::ConditionKind& kind) { return kind.swing.amplitude > 0 || kind.swing.flutter > 0; }
 

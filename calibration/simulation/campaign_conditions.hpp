@@ -22,7 +22,7 @@ struct MeasurementConditions {
   deflection::ConditionValues stated;  ///< stated conditions; time counts from the start of the campaign
   /// Arrival of each joint: +1 if the joint stops at its goal, -1 if it passes the goal and returns.
   std::vector<int> turns;
-  std::vector<int> rests;  ///< direction that is stated for each joint's last motion if the joint does not have to move
+  std::vector<int> rests;  ///< stated direction of each joint's last motion if the joint does not move
   Eigen::Vector3d coordinate_noise = Eigen::Vector3d::Zero();  ///< noise of the coordinates [m]
   Eigen::Vector3d turn_noise = Eigen::Vector3d::Zero();        ///< noise of the angles [rad]
   Eigen::VectorXd encoder_noise;                               ///< noise of the joint readings [rad or m]

@@ -24,7 +24,7 @@ struct CampaignOptions {
   /// Smallest distance of the tip from the base's origin if the design has no region, as a fraction of the arm's reach.
   double least_reach = 0.2;
   int max_draws = 2000;        ///< largest number of postures tried for one point
-  CampaignClearance is_clear;  ///< collision check; empty: there are no obstacles
+  CampaignClearance is_clear;  ///< collision check; empty means that there are no obstacles
 };
 
 }  // namespace tubeplan::calibration

@@ -1,5 +1,5 @@
-// The random numbers of a simulated campaign: one stream per purpose, so that more noise, for instance, does not change
-// the postures.
+// The random numbers of a simulated campaign: one stream per purpose, so that changing the noise, for example, does not
+// change the postures.
 #pragma once
 
 #include <boost/random/seed_seq.hpp>

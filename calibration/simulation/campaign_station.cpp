@@ -34,7 +34,7 @@ MeasuredValue noiseOf(const MeasurementKindRow& kind, const MeasurementCondition
   return noise;
 }
 
-/// Records the values that `reading` measures with the tool at the pose `tool`.
+/// Records the values of `measurement` for a tool at the pose `tool`.
 PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, const MeasurementConditions& conditions,
                        ToolPose tool, const std::optional<Surface>& surface, Measurement& measurement) {
   const MeasurementKindRow& kind = kindOf(measurement);
@@ -50,7 +50,7 @@ PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, con
   }
   measurement.surface = surface;
   kind.record(tool, deflection::measurementScale(arm), noiseOf(kind, conditions), measurement);
-  measurement.surface.reset();  // a measurement does not state where the surface is
+  measurement.surface.reset();  // the position of the surface is unknown to the measurement
   return isPossible(measurement) ? PostureRefusal::kNone : PostureRefusal::kOutsideRegion;
 }
 
@@ -185,8 +185,8 @@ PostureRefusal CampaignStation::take(const CampaignSite& site, const Measurement
   return measure(arm_, site, conditions, trial.tool, taken.surface, measurement);
 }
 
-/// Brings the tip to a goal. Effects may depend on the directions from which joints arrive, and these directions depend
-/// on the joint values at the goal, so both are iterated.
+/// Brings the tip to a goal. Effects may depend on the joints' directions of arrival, which depend on the joint values
+/// at the goal. Both are therefore found by iteration.
 PostureRefusal CampaignStation::bringTip(const CampaignSite& site, const MeasurementConditions& conditions,
                                          const Vector3d& goal_W, const VectorXd& here, Measurement& measurement) const {
   constexpr int kMostPasses = 4;

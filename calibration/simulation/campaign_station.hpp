@@ -29,8 +29,8 @@ struct TipTrial {
   ToolPose tool;
 };
 
-/// The true arm, which takes measurements. Its last posture is kept, because it decides from which direction joints
-/// arrive at the next one. The constructor's arguments must outlive this object.
+/// Simulated measurements with the true arm. The last posture is stored, because it determines from which direction the
+/// joints arrive at the next one. The constructor's arguments must outlive this object.
 class CampaignStation {
  public:
   CampaignStation(const deflection::Arm& arm, const CampaignDesign& design, const CampaignOptions& options);

@@ -22,7 +22,7 @@ struct CampaignTruth {
 };
 
 struct TruthOptions {
-  std::vector<deflection::Parameter> parameters;  ///< parameters of the arm, of which only the stiffnesses are varied
+  std::vector<deflection::Parameter> parameters;  ///< parameters of the arm; only its stiffnesses are varied
   double spread = 0;            ///< standard deviation of the logarithm of each stiffness: 0.1 is about 10 %
   double base_shift_sigma = 0;  ///< standard deviation of the base's position about the stated base, per coordinate [m]
   double base_turn_sigma = 0;   ///< standard deviation of the base's rotation about the stated base, per axis [rad]

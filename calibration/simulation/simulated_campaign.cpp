@@ -151,8 +151,8 @@ class CampaignMaker {
     linkReferences(measurements);
   }
 
-  /// Holds out whole points or postures, because measurements of the same point or posture do not test one another
-  /// independently.
+  /// Holds out whole points or postures, because measurements of the same point or posture are not independent tests of
+  /// each other.
   void holdOut() {
     if (design_.held_out == 0 || names_.size() < 2) return;
     std::vector<std::string> names(names_.begin(), names_.end());

@@ -28,9 +28,9 @@ struct SimulatedCampaign {
 
 /// Simulates the measurements of the true arm according to design and options. Each point or posture is drawn again
 /// until the arm reaches it under every load, within joint limits, with the tip within the region and clear of the
-/// scene. Then noise of coordinates and encoders is added. The arm and the base of each set-up are those of the truth.
-/// Refuses designs with problems (findDesignProblem()), designs at holes if the options list no holes, and designs
-/// whose number of set-ups differs from the truth's.
+/// scene. Then noise of coordinates and encoders is added. The arm and the base of each set-up are taken from the
+/// truth. Refuses designs with problems (findDesignProblem()), designs at holes if the options list no holes, and
+/// designs whose number of set-ups differs from the truth's.
 [[nodiscard]] SimulatedCampaign simulateCampaign(const CampaignTruth& truth, const CampaignDesign& design,
                                                  const CampaignOptions& options, const CampaignHooks& hooks = {});
 

@@ -15,11 +15,11 @@ namespace {
 
 constexpr int kKneeLevels = 7;   // number of moments that are tried for the knee of a stiffness
 constexpr int kTimeLevels = 64;  // number of times that are tried for a step
-// Prior odds that one of the stiffnesses that the fit does not change is wrong, since drawings seldom state them well.
-// The zeros of joints that follow other joints have the same prior odds, because no measurement states them.
+// Prior odds that a fixed stiffness is wrong; drawings rarely give accurate stiffnesses. The zeros of joints that
+// follow other joints have the same odds, because their readings are not measured.
 constexpr double kFreedOdds = 2;
 constexpr double kGeometryOdds = 2;  // prior odds of an error in the drawing's geometry as a whole
-// Fraction of the odds of a kind of effect that goes to this effect at all joints together.
+// Fraction of an effect's prior odds that is assigned to the same effect at all joints.
 constexpr double kAlikeShare = 0.3;
 
 bool hasWeights(const deflection::Arm& arm) {
@@ -115,8 +115,8 @@ bool mayActAlike(const EffectKind& kind) {
          kind.parameters.size() == 1;
 }
 
-/// Adds one cause for each place of an effect kind, and one for all joints together. The kind's odds are divided among
-/// these causes.
+/// Adds one cause for each location of an effect kind, and one for all joints together. The prior odds of the kind are
+/// divided among these causes.
 void addKind(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& measurements,
              CauseList& list) {
   std::vector<Cause> at_places;
@@ -199,7 +199,7 @@ std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, c
   std::vector<deflection::Effect> effects;
   for (const EffectKind& kind : deflection::effectKinds()) {
     if (kind.name != effect || !mayActAlike(kind)) continue;
-    // If an effect of this kind can act about several axes of a row, only the rotation axis of its joint counts.
+    // If an effect of this kind can act about several axes of a row, only the joint's rotation axis is used.
     for (const std::string& at : deflection::placeTexts(arm, kind)) {
       const auto made = deflection::makeEffect(arm, kind.name, at);
       const auto& place = made.effect.place;
@@ -238,7 +238,7 @@ Unknown numberUnknown(const deflection::Arm& arm, int effect, int value) {
   unknown.lower = number.lower - unknown.start;
   unknown.upper = number.upper - unknown.start;
   takeSizePrior(parameter, unknown);
-  // A scanned parameter has no neutral value that could be its prior mean.
+  // A scanned parameter has no neutral value to use as prior mean.
   if (parameter.is_shape) unknown.prior_mean = 0;
   return unknown;
 }

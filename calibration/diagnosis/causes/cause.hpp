@@ -1,5 +1,5 @@
-// Possible causes of a lack of fit: an effect of the catalogue, at one place or at every joint, or parameters of the
-// arm's file that the fit leaves at the drawing's values.
+// Possible causes of a lack of fit: a catalogued effect at one location or at every joint, or nominal parameters of the
+// arm that should be fitted.
 #pragma once
 
 #include <string>
@@ -34,7 +34,7 @@ struct Cause {
   /// Effects at neutral values; several effects of one kind if the cause acts at every joint.
   std::vector<deflection::Effect> effects;
   std::vector<std::string> frees;  ///< dotted names of the freed parameters of the arm's file
-  int shape = -1;                  ///< index of the effect's parameter whose value is scanned; -1: none
+  int shape = -1;                  ///< index of the effect's parameter whose value is scanned; -1 if none
   std::vector<double> levels{0};   ///< scanned values of parameter `shape` [internal units]
   double prior = 0;  ///< prior probability of this cause, given that exactly one cause is missing from the model
 };
@@ -59,12 +59,13 @@ struct Cause {
 /// present value. Its typical size is the largest usual value of the parameter.
 [[nodiscard]] Unknown numberUnknown(const deflection::Arm& arm, int effect, int value);
 
-/// Returns the unknown for a scanned parameter on which the residuals depend smoothly, such as the knee of a stiffness,
-/// for a fit that starts at the parameter's value `level`. `effect` is the index of the cause's effect in the arm.
+/// Returns the unknown for a scanned parameter, for a fit that starts at the value `level`. The residuals must depend
+/// smoothly on the parameter, such as on the knee of a stiffness. `effect` is the index of the cause's effect in the
+/// arm.
 [[nodiscard]] Unknown shapeUnknown(const deflection::Arm& arm, const Cause& cause, int effect, double level);
 
 /// Returns the midpoints [s] between consecutive times of the measurements, ascending. One step time per interval
-/// suffices, because a step has the same effect on the measurements wherever it lies between two of them.
+/// suffices, because the measurements do not depend on where in the interval the step occurs.
 [[nodiscard]] std::vector<double> timesBetween(const std::vector<Measurement>& measurements);
 
 struct CauseList {

@@ -11,21 +11,20 @@ namespace tubeplan::calibration {
 
 struct ConfoundedCause {
   std::string effect, at;
-  /// Fraction of the confounded signature's squared length that this cause can reproduce, in the direction that it
-  /// reproduces worst.
+  /// Fraction of the confounded signature's squared length that this cause can reproduce, in the worst direction.
   double share = 0;
 };
 
 struct Confounding {
   std::string effect, at;
-  /// Fraction of the signature's length that remains after the fitted parameters absorb what they can.
+  /// Fraction of the signature's length that the fitted parameters do not absorb.
   double kept = 0;
   /// Confounded causes, largest shared fraction first; empty if the fitted parameters absorb almost the whole
   /// signature.
   std::vector<ConfoundedCause> confounded;
 };
 
-/// Smallest shared fraction at which a cause counts as confounded with another.
+/// Smallest shared fraction at which one cause is reported as confounded with another.
 inline constexpr double kConfoundedShare = 0.98;
 inline constexpr double kHardlyKept = 1e-3;
 

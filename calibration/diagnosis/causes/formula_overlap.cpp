@@ -13,7 +13,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr double kLeastOverlap = 0.05;
-// The component of a signature that the fit cannot absorb counts as zero below this fraction of the signature's length.
+// If the fit leaves less than this fraction of a signature's length, the rest is treated as zero.
 constexpr double kLeastKept = 1e-4;
 
 std::vector<Unknown> numbersOf(const PlacedArm& placed, int effect) {
@@ -30,7 +30,7 @@ std::vector<Unknown> numbersOf(const PlacedArm& placed, int effect) {
   return unknowns;
 }
 
-/// Returns the signature of a formula in the measurements: one column for the present values of its parameters, or one
+/// Returns the signature of a formula in the measurements: one column for the current values of its parameters, or one
 /// column per parameter if all values are zero.
 MatrixXd signatureOf(const deflection::Effect& effect, const MatrixXd& columns) {
   const auto& parameters = deflection::numbersOf(effect);

@@ -34,8 +34,8 @@ int Signatures::addColumn(const Unknown& unknown) {
   return static_cast<int>(columns_.size()) - 1;
 }
 
-/// Distributes the causes over layers with few causes each. The cost of a derivative grows with the number of causes in
-/// the arm, and a layer's causes are all in the arm at once.
+/// Distributes the causes over layers with few causes each. All causes of a layer are in the arm at once, and the cost
+/// of a derivative grows with their number.
 void Signatures::addLayers(const PlacedArm& fitted, const std::vector<Cause>& causes) {
   std::size_t most_levels = 0;
   for (const Cause& cause : causes)
@@ -67,7 +67,7 @@ void Signatures::addStep(const PlacedArm& fitted, const Cause& cause, std::size_
   layers_.push_back(std::move(layer));
 }
 
-/// Lets each cause that acts at every joint use the columns of the same effect at the single joints.
+/// Reuses the columns of the effects at single joints for causes that act at every joint.
 void Signatures::shareColumns(const std::vector<Cause>& causes) {
   for (std::size_t c = 0; c < causes.size(); ++c) {
     if (!actsAlike(causes[c])) continue;

@@ -43,8 +43,9 @@ class Signatures {
   struct Layer {
     PlacedArm placed;
     std::vector<Unknown> unknowns;
-    std::vector<int> columns;   ///< index of the column of each unknown
-    std::vector<double> times;  ///< times at which a step is tried [s], each with a block of columns; empty: no step
+    std::vector<int> columns;  ///< index of the column of each unknown
+    /// Times at which a step is tried [s], each with a block of columns; empty if there is no step.
+    std::vector<double> times;
   };
 
   int addColumn(const Unknown& unknown);

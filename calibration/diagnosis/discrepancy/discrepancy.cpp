@@ -24,10 +24,11 @@ constexpr int kSlowWaves = 4;
 // them has the error.
 constexpr int kManyJoints = 5;
 constexpr std::size_t kMeasurementsForScale =
-    300;  // number of measurements that suffice for the root mean square of a term
-// Amplitudes relative to that of a joint's first wave; rougher functions have smaller amplitudes.
+    300;  // number of measurements used to compute the root mean square of a term
+// Amplitudes relative to the first wave of a joint; rougher functions have smaller amplitudes.
 constexpr double kBump = 0.5, kProduct = 0.5, kShift = 0.7, kTurn = 0.5, kMinor = 0.5;
-constexpr std::size_t kWeighingJoints = 3;  // number of joints, from the base, that move most of the arm's weight
+// Number of joints, counted from the base, that move most of the arm's weight.
+constexpr std::size_t kWeighingJoints = 3;
 
 /// Function of a measurement, with the name of the variable that the function depends on.
 struct Feature {
@@ -55,8 +56,8 @@ Function product(const Function& a, const Function& b) {
   return [a, b](const Measurement& m) { return a(m) * b(m); };
 }
 
-/// Functions of one joint's position. The first wave of a revolute joint has a period of one turn, that of a prismatic
-/// joint twice the travelled range.
+/// Functions of one joint's position. The period of the first wave is one turn for a revolute joint, and twice the
+/// travelled range for a prismatic joint.
 class JointFeatures {
  public:
   JointFeatures(const deflection::Joint<double>& joint, Index index, const std::vector<Measurement>& measurements)
@@ -260,8 +261,8 @@ VectorXd columnOf(const std::vector<Motion>& motions, const DiscrepancyTerm& ter
   return column;
 }
 
-/// Scales the terms so that the whole process has a root-mean-square error of 1 m, of which each term has the fraction
-/// given by its amplitude. Removes terms that change no measurement.
+/// Scales the terms so that the whole process has a root-mean-square error of 1 m, split among the terms by their
+/// amplitudes. Removes terms that change no measurement.
 void scaleTerms(const PlacedArm& placed, const std::vector<Measurement>& measurements,
                 std::vector<DiscrepancyTerm>& terms) {
   std::vector<double> squares(terms.size());

@@ -2,12 +2,12 @@
 // stated conditions, modelled as a Gaussian process (Kennedy and O'Hagan 2001, "Bayesian calibration of computer
 // models").
 //
-// The process is a sum of functions with independent normal weights. Each function is an error of one joint's
-// reading, a shift of the tip in the tool's frame, or a shift or rotation of the base, multiplied by a smooth
-// function of quantities stated by the measurements. These smooth functions are waves and local bumps in a joint's
-// position, products of waves for two joints, and functions of load, direction of motion and conditions. The process
-// competes with named causes and never names one. A measurement that measures a displacement, from another measurement
-// or from the unloaded tip, has the difference between the errors at the two postures.
+// The process is a sum of functions with independent normal weights. Each function is an error of one joint's reading,
+// a shift of the tip in the tool's frame, or a shift or rotation of the base, multiplied by a smooth function of
+// quantities stated by the measurements. These smooth functions are waves and local bumps in a joint's position,
+// products of waves for two joints, and functions of load, direction of motion and conditions. The process competes
+// with the named causes, but does not identify a cause itself. A measurement that measures a displacement, from another
+// measurement or from the unloaded tip, has the difference between the errors at the two postures.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,7 +27,7 @@ struct DiscrepancyTerm {
   int channel = 0;
   int source = 0;  ///< index of the source of error; terms with the same place and variable share a source
   std::function<double(const Measurement&)> function;
-  double scale = 1;  ///< factor of the function that makes the root-mean-square error of the whole process 1 m
+  double scale = 1;  ///< normalisation factor: the root-mean-square error of the whole process is 1 m
   double share = 0;  ///< fraction of the process's variance due to this term
 };
 

@@ -22,7 +22,7 @@ MatrixXd rigidDisplacements(const MeasuredSlope& slope, const ToolPose& tool, co
 }
 
 /// Returns the motions at the two postures of a displacement: its own posture, and its reference posture with the
-/// opposite sign. They are kept apart because the function of a term has different values at the two postures.
+/// opposite sign. They are separate because the function of a term has different values at the two postures.
 std::vector<Motion> motionsOfDisplacement(MeasurementPredictor& predictor, const PlacedArm& placed,
                                           const Eigen::Isometry3d& X_WB, const Measurement& measurement,
                                           const Departure& from) {

@@ -8,8 +8,8 @@
 
 namespace tubeplan::calibration {
 
-/// Derivatives of a measurement's rows [m] with respect to each channel at one posture: errors of the joints'
-/// measurements [rad, m], shifts along the tool's axes [m], shifts of the base [m], rotations of the base [rad].
+/// Derivatives of a measurement's rows [m] with respect to each channel at one posture: errors of the joint readings
+/// [rad, m], shifts along the tool's axes [m], shifts of the base [m], rotations of the base [rad].
 struct Motion {
   Measurement at;                 ///< the measurement itself, or its reference measurement
   Eigen::MatrixXd displacements;  ///< rows of the measurement x (joints + 9) channels

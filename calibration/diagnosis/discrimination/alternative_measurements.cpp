@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::size_t kMostCandidates = 24;
 constexpr double kTilt = 20 * std::numbers::pi / 180;  // tilt of the base in another set-up [rad]
-constexpr double kUnknownLoad = 0.25;                  // load relative to the arm's weight, if no load was measured yet
+// Assumed load, relative to the arm's weight, if no measurement has a load yet.
+constexpr double kUnknownLoad = 0.25;
 constexpr double kSigmaStep = 1e-3;  // step of a difference quotient, relative to the unknown's standard deviation
 
 std::vector<MeasurementCandidate> thinnedOut(const std::vector<MeasurementCandidate>& candidates) {
@@ -45,7 +46,7 @@ std::vector<MeasurementCandidate> changed(std::vector<MeasurementCandidate> cand
   return candidates;
 }
 
-/// Returns the rivals with an additional, tilted base pose, which adds six unknowns.
+/// Returns the rivals with an additional tilted base pose and its six unknowns.
 std::vector<RivalModel> placedAgain(std::vector<RivalModel> rivals) {
   for (RivalModel& rival : rivals) {
     auto& base_poses = rival.model.placed.base_poses;

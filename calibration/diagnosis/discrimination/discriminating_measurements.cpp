@@ -52,8 +52,8 @@ std::vector<DiscriminatedPair> pairsOf(const RivalForecast& forecast, int times,
   return pairs;
 }
 
-/// Returns the probability that only the true explanation is named, averaged over the explanations with their present
-/// probabilities as weights.
+/// Returns the probability that only the true explanation is named, averaged over the explanations and weighted by
+/// their current probabilities.
 double chanceOfNaming(const std::vector<double>& probability, const std::vector<DiscriminatedPair>& pairs) {
   double named = 0;
   for (std::size_t a = 0; a < probability.size(); ++a) {
@@ -69,7 +69,7 @@ bool isSame(const DiscriminatedPair& a, const DiscriminatedPair& b) {
   return std::minmax(a.truth, a.other) == std::minmax(b.truth, b.other);
 }
 
-/// Returns the pairs, each listed once, that are more likely to remain undecided than to be decided.
+/// Returns the pairs that will probably remain undecided, each listed once.
 std::vector<DiscriminatedPair> unlikelyPairs(const std::vector<double>& probability,
                                              const std::vector<DiscriminatedPair>& pairs) {
   std::vector<DiscriminatedPair> unlikely;
@@ -112,7 +112,7 @@ std::vector<int> leftTogether(const DiscriminatingMeasurements& result) {
   return {some.begin(), some.end()};
 }
 
-/// Returns advice on what to record with further measurements, so that effects which were left out can be tried.
+/// Returns advice on quantities to record with further measurements, for effects that could not be tried.
 std::vector<std::string> columnsMissing(const Diagnosis& diagnosis) {
   std::vector<std::string> approach_directions, columns;
   deflection::OfEachCondition<std::vector<std::string>> of_condition;

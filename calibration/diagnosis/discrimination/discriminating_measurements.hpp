@@ -18,27 +18,27 @@
 namespace tubeplan::calibration {
 
 struct DiscriminationOptions {
-  int count =
-      6;  ///< number of measurements to propose; a set of touches of one unknown point counts as one measurement
-  /// An explanation counts as decided if its probability reaches this value, against one rival and against all rivals.
+  int count = 6;  ///< number of measurements to propose; all touches of one unknown point together are one measurement
+  /// A decision between explanations requires this probability, both against each rival and against all rivals
+  /// together.
   double sure = 0.98;
   /// Measurements are repeated until each pair of explanations is decided correctly with at least this probability.
   double assured = 0.9;
-  /// Maximum number of times that each chosen measurement is measured; pairs that are undecided even then count as
+  /// Maximum number of times that each chosen measurement is measured; pairs that would need more are treated as
   /// inseparable.
   int most_repeats = 4;
   int most_explanations = 8;  ///< maximum number of explanations that are compared; the most probable are kept
   WorkHooks hooks;
 };
 
-/// Returns how much lower -2 log of the posterior must be for one of two explanations to have the probability `sure`.
+/// Returns the difference in -2 log posterior at which the better one of two explanations has the probability `sure`.
 [[nodiscard]] double separationNeeded(double sure);
 
 /// Expected outcome for an ordered pair of explanations, given that the first is true.
 struct DiscriminatedPair {
   int truth = -1, other = -1;  ///< indices into `explanations`
   double now =
-      kNotKnown;  ///< criterion of the other explanation minus that of the true one, before further measurements
+      kNotKnown;  ///< criterion of the other explanation minus criterion of the true one, before further measurements
   double expected = kNotKnown;     ///< expected value of the criterion difference `now` after the measurements
   double probability = kNotKnown;  ///< probability that the measurements decide for the true explanation
 };
@@ -54,7 +54,8 @@ struct DiscriminatingMeasurement {
 /// explanations.
 struct AlternativeMeasurements {
   std::string what;
-  double least_expected = kNotKnown;  ///< smallest expected criterion difference among the pairs; NaN: not computed
+  /// Smallest expected criterion difference among the pairs; NaN means that it was not computed.
+  double least_expected = kNotKnown;
 };
 
 enum class DiscriminationStatus { kNotRun, kNothingToDiscriminate, kNoCandidates, kDone, kStopped };
@@ -68,12 +69,13 @@ struct DiscriminatingMeasurements {
   std::vector<DiscriminatedPair> pairs;
   double least_expected = kNotKnown;  ///< smallest expected criterion difference among the pairs
   double probability = kNotKnown;     ///< probability of naming the true explanation, averaged over the explanations
-  /// Number of times to measure the chosen measurements until every separable pair is decided; 0: no pair is separable.
+  /// Number of times to repeat the chosen measurements until every separable pair is decided; 0 if no pair is
+  /// separable.
   int times = 0;
   /// Pairs that even `most_repeats` repeats would probably not separate; each pair is listed once.
   std::vector<DiscriminatedPair> never;
   std::vector<AlternativeMeasurements> alternative_measurements;  ///< measurements for the pairs in `never`, best first
-  /// Advice on quantities to record in addition, for effects that could not be tried without them.
+  /// Advice on further quantities to record, so that more effects can be tried.
   std::vector<std::string> columns;
 };
 
@@ -86,7 +88,7 @@ struct DiscriminatingMeasurements {
 [[nodiscard]] std::string nameOf(const Explanation& explanation);
 
 /// Proposes measurements that discriminate between the open explanations of `diagnosis`, which was made from
-/// `readings`. Candidates are measured in the last set-up; each is chosen at most once.
+/// `measurements`. Candidates are measured in the last set-up; each is chosen at most once.
 [[nodiscard]] DiscriminatingMeasurements proposeDiscriminatingMeasurements(
     const Diagnosis& diagnosis, const std::vector<Measurement>& measurements,
     const std::vector<MeasurementCandidate>& candidates, const DiscriminationOptions& options = {});

@@ -24,8 +24,8 @@ MatrixXd covarianceOf(const FittedBasis& basis, const ExplanationModel& model) {
 }
 
 /// Returns the expected measurements of a candidate in the last set-up; empty if the arm's shape does not converge.
-/// Touches of an unknown point get a separate point name for each candidate. Which rival's arm is used matters little,
-/// since only differences between predictions count.
+/// Touches of an unknown point get a separate point name for each candidate. Any rival's arm can be used, because only
+/// differences between predictions matter.
 std::vector<Measurement> measurementsOf(const MeasurementCandidate& candidate, std::size_t index,
                                         const PlacedArm& placed) {
   std::vector<Measurement> measurements;
@@ -95,7 +95,7 @@ class Race {
   }
 
   /// Returns the expected odds of the wrong rivals after this candidate is measured, estimated from their expected log
-  /// odds. Averages over the rivals, each taken as true with its probability; smaller is better.
+  /// odds. Averages over which rival is true, weighted by probability; a smaller score is better.
   [[nodiscard]] double scoreWith(std::size_t candidate) const {
     double score = 0;
     forPairs(candidate, [&](std::size_t a, std::size_t b, double rise) {
@@ -109,7 +109,7 @@ class Race {
     step.candidate = static_cast<int>(candidate);
     double most = -1;
     forPairs(candidate, [&](std::size_t a, std::size_t b, double rise) {
-      // Either rival may be true, so the smaller of the two rises decides how well the pair is separated.
+      // Either rival may be true, so the smaller rise measures how well the pair is separated.
       const double both = std::min(rise, riseOf(candidate, b, a));
       if (both <= most) return;
       most = both;
@@ -198,7 +198,7 @@ std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& riva
     Index rows = 0;
     for (const auto& measurement : each[k]) rows += rowsOf(measurement);
     // Displacements from the same reference measurement share its encoder noise. They are predicted separately, because
-    // joint whitening would mix the candidates.
+    // whitening them jointly would mix the candidates.
     const bool is_alone = together.value.empty() || referenceOf(each[k].front());
     predictions[k] = is_alone ? predictByAll(rivals, each[k], stop) : someRows(together, first, rows);
     first += rows;

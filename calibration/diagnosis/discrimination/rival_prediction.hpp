@@ -52,7 +52,7 @@ struct ExpectedRise {
                                         const std::vector<DiscriminatingMeasurement>& steps, int a, int b, int times);
 
 /// Returns the smallest expected criterion difference over all ordered pairs, after the measurements in `steps`:
-/// criterion of the other rival minus that of the true rival.
+/// criterion of the other rival minus criterion of the true one.
 [[nodiscard]] double leastExpected(const std::vector<RivalModel>& rivals,
                                    const std::vector<RivalPrediction>& predictions,
                                    const std::vector<DiscriminatingMeasurement>& steps);

@@ -18,9 +18,9 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr Index kMostAxes = 120;     // maximum number of axes of the discrepancy; the largest are kept
-constexpr double kLeastAxis = 1e-5;  // fraction of the discrepancy's variance that may be left out
-// A column counts as absorbed by the fitted parameters if at most this fraction of its squared length remains, because
-// that is only rounding error.
+constexpr double kLeastAxis = 1e-5;  // fraction of the discrepancy's variance that may be neglected
+// A column is absorbed by the fitted parameters if at most this fraction of its squared length remains; such a
+// remainder is rounding error.
 constexpr double kLeastLeft = 1e-8;
 constexpr Index kPanel = 64;         // number of columns that are multiplied at once
 constexpr Index kRowsAtOnce = 4096;  // number of rows that are copied for one multiplication

@@ -1,7 +1,7 @@
 // Evidence of hypotheses that are linearised about one model: the probability of the measurements with every parameter
 // integrated over its prior.
 //
-// About a fitted model, a hypothesis states y = J d + S p + s Z g + e. Here y is the whitened residual of the model, d
+// Near a fitted model, a hypothesis predicts y = J d + S p + s Z g + e. Here y is the whitened residual of the model, d
 // the change of the fitted parameters, p the coefficients of the causes' columns, g the weights of the discrepancy
 // (discrepancy.hpp), all normally distributed with the prior covariances P, V and I. The scalar s is the size of the
 // discrepancy, e is the noise. With C = I + J P J^T + S V S^T + s^2 Z Z^T the evidence is the normal density N(y; 0,
@@ -34,24 +34,25 @@ struct EvidenceOptions {
   std::vector<double> discrepancies;  ///< root-mean-square errors to try for a discrepancy [m], excluding zero
   double discrepancy_prior = 0.1;     ///< prior probability of a discrepancy that has all terms
   double source_prior = 0;            ///< prior probability of a discrepancy with only one source (single_source.hpp)
-  std::vector<double> noise_scales;   ///< noise scale factors to try, equally probable; empty: only 1
+  std::vector<double> noise_scales;   ///< noise scale factors to try, equally probable; empty means only 1
   double noise_rows = 0;              ///< degrees of freedom to which the noise scale factor applies
 };
 
 struct Evidence {
   double log = -std::numeric_limits<double>::infinity();
   double discrepancy_probability = 0;  ///< posterior probability of a discrepancy, given the hypothesis
-  double discrepancy = 0;              ///< most probable root-mean-square size of the discrepancy [m]; 0: none
-  std::size_t level = 0;               ///< index of `discrepancy` among the sizes that were tried; 0: no discrepancy
-  double noise_scale = 1;              ///< most probable noise scale factor
-  double log_none = log;  ///< log evidence of the case without a discrepancy, including the prior of this case
-  double none_scale = 1;  ///< most probable noise scale factor without a discrepancy
+  double discrepancy = 0;              ///< most probable root-mean-square size of the discrepancy [m]; 0 if none
+  /// Index of `discrepancy` among the sizes that were tried; 0 if there is no discrepancy.
+  std::size_t level = 0;
+  double noise_scale = 1;  ///< most probable noise scale factor
+  double log_none = log;   ///< log evidence of the case without a discrepancy, including the prior of this case
+  double none_scale = 1;   ///< most probable noise scale factor without a discrepancy
   /// Most probable coefficients of the causes' columns and their standard deviations, for the most probable discrepancy
   /// and noise scale factor.
   Eigen::VectorXd sizes, sigma;
 };
 
-/// Fit with the largest tried discrepancy, which follows the measurements as closely as any unknown function can.
+/// Fit with the largest tried discrepancy, which fits the measurements as closely as any unknown function could.
 struct RichestFit {
   double chi2 = 0;
   double numbers = 0;  ///< effective number of parameters
@@ -61,7 +62,7 @@ struct RichestFit {
 struct PriorSize {
   int column = -1;
   double sigma = 1;
-  int sign = 0;  ///< 1: zero or more; -1: zero or less; 0: any sign
+  int sign = 0;  ///< 1 for non-negative values, -1 for non-positive values, 0 for any sign
 };
 
 /// Returns the sign to which these bounds restrict a parameter: 1 or -1 if one bound is zero, otherwise 0.
@@ -107,7 +108,7 @@ class LinearEvidence {
     Eigen::MatrixXd along;  ///< [S y] along the axes, times the square root of `taken`
   };
   struct Solution {
-    double log_det = 0, square = 0;  ///< log determinant due to the causes; y^T C^-1 y
+    double log_det = 0, square = 0;  ///< log determinant due to the causes, and y^T C^-1 y
     double log_signs = 0;            ///< log probability that all signs are as required, relative to the prior
     Eigen::VectorXd sizes, sigma;
   };

@@ -28,7 +28,7 @@ SourceView SingleSources::viewOf(const MatrixXd& W_y) const {
   return {columns_.transpose() * W_y, W_y.transpose() * W_y};
 }
 
-/// Integrates the parameters of W out. For a source's columns Z, A = Z^T Z - Z^T W M^-1 W^T Z with
+/// Integrates out the parameters of W. For a source's columns Z, A = Z^T Z - Z^T W M^-1 W^T Z with
 /// M = W^T W + information, and b = Z^T y - Z^T W M^-1 W^T y. A size s then multiplies the evidence by
 /// det(I + s^2 A)^-1/2 exp(s^2 b^T (I + s^2 A)^-1 b / 2).
 SourceEvidence SingleSources::beside(const SourceView& view, const VectorXd& scale, const VectorXd& information,

@@ -1,9 +1,9 @@
-// Unknown error from a single source: an error of one joint's reading, of the tip or of the base, as a function of
-// one quantity that the measurements state. Most errors of machines, known or unknown, are of this form.
+// Unknown error from a single source: an error of one joint's reading, of the tip or of the base, as a function of one
+// quantity that the measurements state. Most errors of machines, known or unknown, are of this form.
 //
-// Each source is a subset of the terms of the discrepancy process (discrepancy.hpp), and has a size of its own. A
-// source has much less freedom than the whole process. Therefore, far fewer measurements suffice to distinguish a
-// source from noise and from a similar named cause.
+// Each source is a subset of the terms of the discrepancy process (discrepancy.hpp), and has its own size. Because a
+// source has much less freedom than the whole process, far fewer measurements distinguish it from noise and from a
+// similar named cause.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ namespace tubeplan::calibration {
 struct SourceEvidence {
   /// Log ratio of the evidence with a source to the evidence without one.
   double log_factor = -std::numeric_limits<double>::infinity();
-  int source = -1;          ///< most probable source; -1: none
+  int source = -1;          ///< most probable source; -1 if none
   double size = 0;          ///< most probable root-mean-square size of the source [m]
   Eigen::VectorXd weights;  ///< weights of the source's terms, in the order of termsOf(source)
 };

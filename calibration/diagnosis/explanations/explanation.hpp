@@ -14,7 +14,7 @@ struct FoundNumber {
   deflection::Quantity quantity = deflection::Quantity::kNone;
   double value = 0;
   double sigma = kNotKnown;  ///< standard deviation of `value`; NaN for a scanned parameter
-  /// True: exceeds the largest value found on real machines by more than the uncertainty.
+  /// True if the value exceeds the largest value found on real machines by more than its uncertainty.
   bool is_beyond_usual = false;
   /// Range of the values that explain the measurements equally well; NaN if there is only one such value.
   double lower = kNotKnown, upper = kNotKnown;
@@ -25,12 +25,12 @@ struct FoundEffect {
   deflection::Effect fitted;       ///< effect at its fitted values; kind -1 for freed parameters
   std::vector<std::string> frees;  ///< parameters of the arm's file that are freed instead of an effect
   std::vector<FoundNumber> numbers;
-  /// Effect and place of each other cause that no measurement could distinguish from this effect.
+  /// Other causes (effect and location) that no measurement could distinguish from this one.
   std::vector<std::pair<std::string, std::string>> also;
   /// Sets of values of the effect's parameters that explain the measurements equally well, the fitted set first; empty
   /// if there is only one set.
   std::vector<std::vector<double>> modes;
-  std::vector<MeasurementKind> decided_by;  ///< kinds of measurement, any of which would decide between the modes
+  std::vector<MeasurementKind> decided_by;  ///< kinds of measurement; any one of them would decide between the modes
 };
 
 /// Model with added causes, fitted together with all free parameters.

@@ -17,7 +17,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr int kPostures = 48;
-// Two explanations can hardly be distinguished if all virtual measurements together raise chi-square by less than this.
+// Two explanations are indistinguishable if all virtual measurements together raise chi-square by less than this.
 constexpr double kHardly = 9;
 
 double medianSigma(const std::vector<Measurement>& measurements) {

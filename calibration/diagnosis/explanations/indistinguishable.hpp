@@ -1,5 +1,5 @@
-// Causes that no measurement could distinguish: their predictions agree over the whole range of the arm, so they count
-// as one cause with several names.
+// Causes that no measurement could distinguish: their predictions agree over the whole range of the arm, so they are
+// treated as one cause with several names.
 #pragma once
 
 #include <cstdint>

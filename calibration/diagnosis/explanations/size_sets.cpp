@@ -13,7 +13,7 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double kWider = 1.2;  // a range is stated if it is wider than 4 sigmas times this factor
+constexpr double kWider = 1.2;  // a range is reported if it is wider than 4 sigmas times this factor
 
 /// Returns the model of an explanation with all parameters of one of its effects free, except scanned ones. These free
 /// parameters are the last of the unknowns.
@@ -26,8 +26,8 @@ ExplanationModel withEverySize(const FittedBasis& basis, const Explanation& expl
   return model;
 }
 
-/// Sets one parameter of an effect from the modes. The value is that of the first mode. The range over all modes is set
-/// if there are several, or if it is wider than the standard deviation suggests.
+/// Sets one parameter of an effect to its value in the first mode. The range over all modes is set if there are
+/// several, or if it is wider than the standard deviation suggests.
 void takeSize(const std::vector<SizeMode>& modes, Index k, FoundNumber& number) {
   double lower = std::numeric_limits<double>::infinity(), upper = -lower;
   for (const SizeMode& mode : modes) {

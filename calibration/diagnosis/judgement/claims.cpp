@@ -8,8 +8,8 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Returns the median decrease of log evidence from the linearisation to the fit, over the fitted models with causes; 0
-/// if the evidence increases.
+/// Returns the median decrease of log evidence between linearisation and fit, over the fitted models with causes; 0 if
+/// the evidence increases.
 double lossByFit(const DiagnosisWork& work) {
   std::vector<double> losses;
   for (const CompetingModel& model : work.models)

@@ -5,8 +5,8 @@
 
 namespace tubeplan::calibration {
 
-/// Causes that are missing according to one model. If a term of the model may only resemble an unknown effect, another
-/// claim leaves this term out.
+/// Set of missing causes according to one model. If a term of the model may only resemble an unknown effect, a second
+/// claim omits this term.
 struct Claim {
   std::vector<int> causes;
   double probability = 0;

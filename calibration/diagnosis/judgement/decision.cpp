@@ -24,7 +24,7 @@ std::vector<ModelClass> withoutUnsureAdditions(const Posterior& posterior) {
       if (one.model) kept.push_back(one);
       continue;
     }
-    // For the class without the additional cause, the effect of this cause remains unexplained.
+    // The class without the additional cause leaves its effect unexplained.
     Claim further = one;
     further.remainder_probability = 1;
     further.scatter_probability = 0;

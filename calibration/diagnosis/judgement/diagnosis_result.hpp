@@ -31,7 +31,7 @@ struct DetectableEffect {
   std::string effect, at, number;
   deflection::Quantity quantity = deflection::Quantity::kNone;
   double size = 0;
-  /// True: exceeds the size on any real machine, so these measurements cannot reveal the effect.
+  /// True if this size exceeds that on any real machine, so that these measurements cannot reveal the effect.
   bool is_beyond_plausible = false;
 };
 
@@ -47,7 +47,7 @@ struct Remainder {
 struct Diagnosis {
   Verdict verdict = Verdict::kNotRun;
   std::string reason;                     ///< reason why there is no verdict, and the data needed for one
-  Identification baseline;                ///< fit of the present model with its free parameters
+  Identification baseline;                ///< fit of the current model with its free parameters
   std::vector<Explanation> alternatives;  ///< explanations that the verdict names, most probable first
   /// If ambiguous: the causes that are certain, unless all causes of the first alternative are.
   std::optional<Explanation> agreed;
@@ -57,8 +57,8 @@ struct Diagnosis {
   std::vector<std::string> not_tried;
   std::vector<int> set_aside;  ///< indices of the measurements excluded as outliers
   Remainder remainder;
-  /// Analysis of repeated measurements; set only if nothing but scatter above the stated noise remains, which then
-  /// counts as noise.
+  /// Analysis of repeated measurements; set only if the sole remaining error is scatter above the stated noise, which
+  /// is then treated as noise.
   Repeats repeats;
   ErrorSize before, after, heldout_before, heldout_after, farthest_before;
   double noise_floor = kNotKnown;  ///< root mean square of the stated noise [m]

@@ -74,9 +74,8 @@ VectorXd signatureOf(const FittedBasis& basis, const FoundEffect& found, const P
   return residual.ok ? VectorXd(residual.r - basis.residual.r) : VectorXd();
 }
 
-/// Returns true if measurement `k` is kept when only the fraction `share` of all measurements is kept. The kept
-/// measurements are spread evenly by a golden-ratio step, which does not coincide with periodic patterns in the
-/// measurements.
+/// Returns true if measurement `k` is in an evenly spread subset with the fraction `share` of all measurements. A
+/// golden-ratio step avoids aliasing with periodic patterns in the measurements.
 bool isKept(std::size_t k, double share) {
   constexpr double kGolden = 0.6180339887498949;
   const double turn = kGolden * static_cast<double>(k);
@@ -85,7 +84,7 @@ bool isKept(std::size_t k, double share) {
 
 std::vector<AddedVariablePoint> addedPointsOf(const FittedBasis& basis, const std::vector<int>& given,
                                               const VectorXd& signature, const VectorXd& left, int most_points) {
-  // The number of kept measurements is only approximate, so the limit is undercut by one percent.
+  // The number of kept measurements is approximate, so aim one percent below the limit.
   const bool is_thinned = signature.size() > most_points;
   const double share = is_thinned ? 0.99 * most_points / static_cast<double>(signature.size()) : 1;
   std::vector<AddedVariablePoint> points;

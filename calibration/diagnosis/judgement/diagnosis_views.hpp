@@ -45,15 +45,15 @@ struct AddedVariable {
 };
 
 struct DiagnosisViews {
-  std::vector<MeasurementView> measurements;  ///< one for each fitted measurement
+  std::vector<MeasurementView> measurements;  ///< one entry for each fitted measurement
   std::vector<AddedVariable> added;
 };
 
-/// Returns at most four explanations to show, best first: those that the verdict names, or the closest models if it
-/// names none.
+/// Returns at most four explanations to show, best first: the explanations that the verdict names, or the closest
+/// models if it names none.
 [[nodiscard]] std::vector<Explanation> explanationsShown(const Diagnosis& result);
 
-/// Computes the plot data of a diagnosis with a verdict. `readings` are all given measurements; `basis` holds the
+/// Computes the plot data of a diagnosis with a verdict. `measurements` are all given measurements; `basis` holds the
 /// fitted ones.
 [[nodiscard]] DiagnosisViews viewsOf(const FittedBasis& basis, const Diagnosis& result,
                                      const std::vector<Measurement>& measurements, int most_points = 2000);

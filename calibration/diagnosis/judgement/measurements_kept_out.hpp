@@ -1,4 +1,4 @@
-// Errors of explanations on measurements to which they were not fitted.
+// Errors of explanations on measurements that were excluded from their fits.
 #pragma once
 
 #include "calibration/diagnosis/judgement/diagnosis_result.hpp"

@@ -15,8 +15,7 @@ namespace {
 
 constexpr std::size_t kMostCompared = 12;  // maximum number of classes that are compared for equal predictions
 
-/// Returns the two causes that each belong to only one of the sets, if the sets differ in just one cause each;
-/// otherwise nullopt.
+/// If the sets differ in exactly one cause each, returns these two causes; otherwise nullopt.
 std::optional<std::pair<int, int>> difference(const std::vector<int>& a, const std::vector<int>& b) {
   std::vector<int> only_a, only_b;
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(only_a));

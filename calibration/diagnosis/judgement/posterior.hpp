@@ -7,7 +7,7 @@
 namespace tubeplan::calibration {
 
 /// Class of the models with the same causes, and their total probability; the models may differ in noise and
-/// discrepancy. Causes that no measurement could distinguish count as the same.
+/// discrepancy. Indistinguishable causes are treated as the same.
 struct ModelClass : Claim {
   Explanation explanation;  ///< explanation of the class's most probable model
 };
@@ -21,9 +21,9 @@ struct Posterior {
   double unknown = 0;
   /// Probability that the model lacks an unknown effect that depends on no quantity stated by the measurements.
   double scatter = 0;
-  std::vector<ModelClass> classes;  ///< fitted classes with causes, most probable first
+  std::vector<ModelClass> classes;  ///< classes with a fitted model and at least one cause, most probable first
   std::vector<ModelClass> others;   ///< classes without a fitted model
-  ModelClass sure;                  ///< causes that are certain, whatever else is missing; empty: none
+  ModelClass sure;                  ///< causes that are certain regardless of what else is missing; empty if none
   CompetingModel sure_model;        ///< model with the causes of `sure`
 };
 

@@ -16,16 +16,16 @@ namespace {
 
 constexpr double kNeverSeen = 1e-6;  // smallest visibility of a cause at its largest usual size [noise sigmas]
 
-/// Returns the gain of log evidence that makes a cause certain (odds of 19 to 1) in spite of its prior and its Occam
-/// factor.
+/// Returns the gain in log evidence needed to make a cause certain (odds of 19 to 1), given its prior and its Occam
+/// factor. The prior probabilities of zero causes and of one cause are 0.5 and 0.35.
 double logLeastGain(const Cause& cause, double visibility) {
   const double occam = std::log(std::max(1., 0.5 * visibility));
   const double odds = std::log(0.5 / 0.35) - std::log(std::max(1e-12, cause.prior)) + std::log(19.);
   return std::max(0., odds + occam + std::log(static_cast<double>(cause.levels.size())));
 }
 
-/// Returns the effects of a term with the parameter values `sizes`, in units of Unknown::typical. The effects follow
-/// the first `before` effects of the arm.
+/// Returns the effects of a term with the parameter values `sizes`, in units of Unknown::typical. In the arm, they come
+/// after the first `before` effects.
 std::vector<deflection::Effect> effectsAt(const PlacedArm& placed, const ModelTerm& term,
                                           const std::vector<Unknown>& numbers, const VectorXd& sizes,
                                           std::size_t before) {

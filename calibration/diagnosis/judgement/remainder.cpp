@@ -17,7 +17,7 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-/// Errors that remain with a model, with their Jacobian with respect to all fitted parameters.
+/// Remaining errors of a model, and their Jacobian with respect to all fitted parameters.
 struct Left {
   PlacedArm placed;
   WhitenedResidual residual;
@@ -53,7 +53,7 @@ std::vector<std::pair<std::string, double>> patternsLeftBy(const DiagnosisWork& 
 }
 
 /// If the first two variables account for less than half of the remainder, replaces the variables by the results of a
-/// pattern search, because many small terms do not single out a variable.
+/// pattern search, because the remainder then consists of many small terms.
 void preferPatterns(const DiagnosisWork& work, const CompetingModel& model, Remainder& remainder) {
   double first_two = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(2, remainder.follows.size()); ++k)
@@ -84,7 +84,7 @@ Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model) {
   remainder.probability = model.discrepancy_probability + model.scatter_probability;
   const double noise_floor = noiseFloor(work.basis.measurements, work.basis.weights);
   const double scatter = lengthOfRows(work.basis.measurements) * model.model_error;
-  if (model.remainder.size() == 0) {  // the errors follow no variable of the discrepancy
+  if (model.remainder.size() == 0) {  // the errors do not depend on any variable of the discrepancy
     remainder.floor = noise_floor;
     if (scatter > 0) remainder.size = scatter;
     if (const SamePosture same = samePostureBy(work, model); same.isSure())

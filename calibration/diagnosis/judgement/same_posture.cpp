@@ -13,8 +13,8 @@ using Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-/// Returns the measurement without load, wrench, approach directions and point, so that it differs from other
-/// measurements only by its posture.
+/// Returns a copy of the measurement without load, wrench, approach directions and point. Copies at the same posture
+/// are then equal.
 Measurement byPostureAlone(Measurement measurement) {
   measurement.load = 0;
   measurement.wrench = {};

@@ -11,7 +11,7 @@ namespace tubeplan::calibration {
 struct SamePosture {
   int postures = 0;  ///< number of postures with two or more measurements
   double share = 0;  ///< fraction of the errors' variance that is common to all measurements of a posture
-  /// Probability of so large a fraction by chance; NaN if fewer than two postures were repeated.
+  /// Probability that chance alone gives a fraction this large; NaN if fewer than two postures were repeated.
   double p_value = kNotKnown;
 
   /// Returns true if chance cannot explain the common fraction (p < 1e-4).

@@ -32,20 +32,21 @@ struct Likeness {
 };
 
 struct CompetingModel {
-  std::vector<ModelTerm> terms;  ///< causes of the model; empty: no known cause is missing
+  std::vector<ModelTerm> terms;  ///< causes of the model; empty means that no known cause is missing
   double log_share = 0;          ///< log of the fraction of the causes' prior probability that goes to these terms
   double log_prior = 0;
   double log_evidence = 0;             ///< log evidence, summed over noise assumptions and discrepancies
   double discrepancy_probability = 0;  ///< probability that an unknown effect is missing as well
-  double discrepancy = 0;              ///< most probable root-mean-square size of the discrepancy [m]; 0: none
+  double discrepancy = 0;              ///< most probable root-mean-square size of the discrepancy [m]; 0 if none
   std::size_t level = 0;               ///< index of `discrepancy` among the tried sizes
   double model_error = 0;              ///< most probable error of each coordinate beyond the stated noise [m]
   double more_noise_probability = 0;   ///< probability that the noise is larger than stated
   double scatter_probability = 0;      ///< probability that the noise is larger than stated and there is no discrepancy
   /// Values of the terms' parameters, concatenated, and their standard deviations, in units of Unknown::typical.
   Eigen::VectorXd sizes, sigma;
-  SourceEvidence source;      ///< source of the discrepancy if a single source is most probable
-  Eigen::VectorXd remainder;  ///< most probable whitened errors due to the discrepancy, for a fitted model; empty: none
+  SourceEvidence source;  ///< source of the discrepancy if a single source is most probable
+  /// Most probable whitened errors due to the discrepancy, for a fitted model; empty if none.
+  Eigen::VectorXd remainder;
   Eigen::VectorXd remainder_left;   ///< component of `remainder` that the fitted parameters do not absorb
   Eigen::VectorXd remainder_terms;  ///< weights of the process's terms in `remainder`
   /// For a fit with a discrepancy: for each term, the hypothesis that it only resembles an unknown effect.
@@ -67,7 +68,7 @@ struct CompetingModel {
 
 /// Noise assumption, with all data needed for evidence under this assumption.
 struct NoiseHypothesis {
-  double model_error = 0;  ///< error of each coordinate beyond the stated noise [m]; 0: the stated noise
+  double model_error = 0;  ///< error of each coordinate beyond the stated noise [m]; 0 means the stated noise
   double log_prior = 0;
   MeasurementWeights weights;
   Eigen::MatrixXd principal_terms;  ///< principal terms of the discrepancy (terms x principal terms)

@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::size_t kFitsAtOnce = 6;  // number of models that are fitted in parallel
 constexpr int kManyRows = 20000;        // number of rows above which fewer leading models are fitted
-// Models whose log weight is lower than the best one's by less than this are fitted.
+// Models are fitted if their log weight is within this distance of the best.
 constexpr double kLeaderWindow = 8;
-// As kLeaderWindow, as a fraction of the best model's gain in log weight over the model with nothing missing, because
-// the error of linear evidence grows with this gain.
+// Additional window, as a fraction of the best model's gain in log weight over the model with nothing missing. The
+// error of linear evidence grows with this gain.
 constexpr double kLeaderShare = 0.075;
 
 /// Returns the terms that have at least one significant parameter in the fit.
@@ -51,8 +51,8 @@ std::vector<ModelTerm> bestTerms(const DiagnosisWork& work, const std::vector<in
   return terms;
 }
 
-/// Returns the values of the terms' parameters in these effects, in units of Unknown::typical; empty if all values are
-/// neutral.
+/// Returns the parameter values of the terms, read from these effects, in units of Unknown::typical; empty if all
+/// values are neutral.
 VectorXd sizesIn(const DiagnosisWork& work, const std::vector<ModelTerm>& terms,
                  const std::vector<deflection::Effect>& effects) {
   std::vector<double> sizes;
@@ -73,8 +73,8 @@ VectorXd sizesIn(const DiagnosisWork& work, const std::vector<ModelTerm>& terms,
 }
 
 /// Returns an unfitted variant of the best fitted model, or null. One variant omits the causes without a significant
-/// parameter, since linear evidence adds a cause to make up for a coarse time or knee of another one. The other variant
-/// has all parameters of its causes, since linear evidence omits a parameter that a larger error masks.
+/// parameter: linear evidence may add a cause to compensate for a coarse time or knee of another one. The other variant
+/// has all parameters of its causes: linear evidence may omit a parameter that a larger error masks.
 CompetingModel* unfittedVariant(DiagnosisWork& work) {
   const CompetingModel& best = work.models.front();
   if (best.terms.empty() || !best.hasFit()) return nullptr;
@@ -98,8 +98,8 @@ void fitNearest(DiagnosisWork& work) {
       *std::ranges::find_if(models, [](const CompetingModel& model) { return model.terms.empty(); });
   const double nothing = of_nothing.logWeight();
   fitModel(work, of_nothing);
-  // With very many measurements fewer fits suffice, since models differ by far more than the error of linear evidence;
-  // each fit takes seconds.
+  // With very many measurements, each fit takes seconds, but fewer fits suffice, because models differ by far more than
+  // the error of linear evidence.
   const bool are_many = work.noise.front().weights.rows > kManyRows;
   const auto limit = static_cast<std::size_t>(are_many ? work.options.most_leaders / 3 : work.options.most_leaders);
   const std::size_t most = are_many ? limit : 2 * limit;

@@ -14,8 +14,8 @@ void fitLeaders(DiagnosisWork& work);
 /// has no fit if one of the effects is not among the causes.
 [[nodiscard]] CompetingModel fittedModelOf(const DiagnosisWork& work, const std::vector<deflection::Effect>& effects);
 
-/// Returns by how much a model's log weight may fall short of the best model's for the model to be fitted: linear
-/// evidence may be wrong by this much. `best` and `nothing` are the log weights of the best model and of the model with
+/// Returns the largest difference in log weight from the best model at which a model is still fitted. It allows for the
+/// error of linearised evidence. `best` and `nothing` are the log weights of the best model and of the model with
 /// nothing missing.
 [[nodiscard]] double leaderWindow(double best, double nothing);
 

@@ -13,9 +13,8 @@ namespace {
 
 // Prior of an effect's size, as a mixture of normal distributions. Each pair is a standard deviation, in units of the
 // largest usual size, and its weight. The mixture covers all orders of magnitude up to the sizes found on real
-// machines, and gives larger sizes little weight.
-constexpr std::array<std::array<double, 2>, 5> kSizes{
-    {{0.5, 0.3}, {0.15, 0.25}, {0.05, 0.2}, {0.012, 0.15}, {4, 0.1}}};
+// machines; larger sizes have little weight.
+constexpr std::array<std::array<double, 2>, 5> kSizes{{{0.5, 0.3}, {0.15, 0.25}, {0.05, 0.2}, {0.012, 0.15}, {4, 0.1}}};
 
 double logPriorOf(const DiagnosisWork& work, const std::vector<ModelTerm>& terms) {
   double log = logPriorOfCount(terms.size());

@@ -8,7 +8,7 @@
 
 namespace tubeplan::calibration {
 
-/// Evidence that includes discrepancies with all terms and discrepancies with a single source.
+/// Evidence of a model, summed over discrepancies with all terms and with a single source.
 struct WeighedDiscrepancy : Evidence {
   /// Most probable single source; its index `source` is -1 if all terms or no discrepancy are more probable.
   SourceEvidence source;

@@ -25,11 +25,11 @@ constexpr int kIterations = 20;
 constexpr double kSmallFall = 0.03;  // decrease of chi-square in one step below which the fit ends
 // Prior standard deviation of an effect's size during the fit, in units of the largest usual size.
 constexpr double kFarSize = 4;
-// Bound of an effect's size, in units of the largest usual size. No machine exceeds it. The bound keeps the fit from
-// shrinking the arm to a point.
+// Bound of an effect's size, in units of the largest usual size. No real machine exceeds it. Without the bound, a fit
+// might shrink the arm to a point.
 constexpr double kMostSize = 10;
-// Typical length of the part of an unknown effect that the most similar known effect reproduces, relative to the length
-// of the part that stays unexplained; both lengths are in noise sigmas.
+// The most similar known effect reproduces a part of an unknown effect. Typical length of this part, relative to the
+// length of the unexplained part (both in noise sigmas).
 constexpr double kLikeness = 0.7;
 // Logarithm of 100: the size of an independent cause may lie anywhere within two orders of magnitude.
 constexpr double kOrders = 4.6;
@@ -76,7 +76,7 @@ LeastSquaresResult minimize(const DiagnosisWork& work, std::size_t by, const Pla
                           solver);
 }
 
-/// Returns true if an effect's fitted size exceeds that of any machine.
+/// Returns true if the fitted size of an effect is larger than on any real machine.
 bool isImpossible(const PlacedModel& placed, const VectorXd& x, std::size_t fitted) {
   for (std::size_t k = 0; k < placed.sizes.size(); ++k) {
     const Unknown& size = placed.sizes[k];
@@ -199,7 +199,7 @@ double lengthOf(const LinearEvidence& evidence, std::size_t first, std::size_t c
   return std::sqrt(std::max(0., fall));
 }
 
-/// Returns the log ratio of the densities of a term's length if the term only resembles an unknown effect and if it is
+/// Returns the log ratio of two densities of a term's length: for a term that only resembles an unknown effect, and for
 /// an independent cause. In the first case the density is normal about zero with the scale of the unexplained length
 /// `left`. In the second case it spans two orders of magnitude.
 double logOddsOfLikeness(double length, double left) {
@@ -210,7 +210,7 @@ double logOddsOfLikeness(double length, double left) {
 
 /// Weighs, for each term of a model with a discrepancy, the hypothesis that the term only resembles an unknown effect.
 /// In this case, the search has found the known effect that is most similar, with a discrepancy for the rest. The
-/// length of such a term is of the order of the discrepancy, whereas that of an independent cause may be of any order.
+/// length of such a term is of the order of the discrepancy, whereas an independent cause may have any length.
 void weighLikenesses(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<AtOptimum>& at,
                      CompetingModel& model) {
   const double remains = model.discrepancy_probability + kUnknownScatter * model.scatter_probability;
@@ -296,8 +296,8 @@ void fitModel(const DiagnosisWork& work, CompetingModel& model) {
   VectorXd x = startOfFit(work, model, placed, unknowns);
   std::vector<AtOptimum> at(work.noise.size());
   const auto giveUp = [&] { model.log_evidence = -std::numeric_limits<double>::infinity(); };
-  // An error that counted as noise before the fit may be explained after it, so the model is fitted again if another
-  // noise assumption has become more probable.
+  // The fit may explain an error that was treated as noise before it, so the model is refitted if another noise
+  // assumption becomes more probable.
   constexpr int kPasses = 2;
   for (int pass = 0; pass < kPasses; ++pass) {
     const std::size_t by = likelyNoise(work, model);

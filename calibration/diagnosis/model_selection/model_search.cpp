@@ -17,16 +17,16 @@ namespace tubeplan::calibration {
 
 namespace {
 
-// The search ends if the best model with one cause has a log weight that is lower by more than this than that of the
-// model with nothing missing.
+// The search ends if the best model with one cause has a log weight lower by more than this than the model without
+// causes.
 constexpr double kHopeless = 5;
 // Maximum number of models that another cause is added to, counted separately for single and for collective causes.
 constexpr std::size_t kMostSeeds = 20;
 // Maximum number of extended models that are kept after the quick estimate, counted in the same way.
 constexpr std::size_t kMostLooked = 40;
 
-/// Returns quick estimates of each seed extended by the best term of every cause: for each seed in turn, one estimate
-/// per cause.
+/// Returns quick estimates of each seed extended by the best term of every cause: grouped by seed, one estimate per
+/// cause.
 std::vector<Looked> lookBeside(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
   const std::size_t causes = work.causes.causes.size();
   std::vector<Looked> looked(seeds.size() * causes);
@@ -115,8 +115,8 @@ void compareModels(DiagnosisWork& work) {
   const CompetingModel nothing = weigh(work, {}, 0);
   work.models = {nothing};
   std::vector<CompetingModel> level{nothing};
-  // Best log weights without and with collective causes. A further cause adds little to a collective cause, but several
-  // single causes may still become better, so the search ends only when neither improves.
+  // Best log weights without and with collective causes. The search ends only when neither improves: a further cause
+  // adds little to a collective cause, but several single causes may still become better.
   std::array<double, 2> best{nothing.logWeight(), nothing.logWeight()};
   for (int depth = 1; depth <= work.options.most_causes; ++depth) {
     reportProgress(work.options.hooks, "causes", static_cast<std::size_t>(depth),

@@ -12,7 +12,7 @@ namespace tubeplan::calibration {
 /// WorkStopped on a request to stop.
 void compareModels(DiagnosisWork& work);
 
-/// Model extended by one cause, with its estimated weight.
+/// Candidate model: a model extended by one cause, with its estimated weight.
 struct Looked {
   std::vector<ModelTerm> terms;
   double log_share = 0, log_weight = -std::numeric_limits<double>::infinity();

@@ -17,8 +17,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// Prior probabilities of a discrepancy that has all terms, of one that has only one source, and of a larger noise than
-// stated.
+// Prior probabilities of a discrepancy with all terms, of a discrepancy with only one source, and of a larger noise
+// than stated.
 constexpr double kDiscrepancy = 0.05;
 constexpr double kSingleSource = 0.05;
 constexpr double kMoreNoise = 0.1;
@@ -164,8 +164,8 @@ double errorBeyondNoise(const DiagnosisWork& work, double chi2, double freedom) 
 }
 
 /// Returns scale factors to try for the noise with this model error, from below 1 to beyond the error of the model
-/// without a discrepancy. With few measurements an unknown function absorbs much of any noise, so a model error that
-/// was estimated with such a function is too small.
+/// without a discrepancy. With few measurements, an unknown function absorbs much of the noise, so the model error
+/// estimated with it is too small.
 std::vector<double> noiseScales(const DiagnosisWork& work, double model_error) {
   constexpr double kLeast = 0.7, kMost = 1.5, kFarthest = 6, kStep = 1.08;
   const double per_coordinate = noiseOfCoordinate(work);

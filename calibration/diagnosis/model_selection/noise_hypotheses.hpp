@@ -14,8 +14,8 @@ namespace tubeplan::calibration {
 /// cannot be evaluated. Throws WorkStopped on a request to stop.
 bool linearize(DiagnosisWork& work);
 
-/// Returns the error of a coordinate [m] in excess of the stated noise that the best fitted model leaves; 0 if the
-/// stated noise explains the residuals. With few measurements an unknown discrepancy can absorb any noise, so the
+/// Returns the error of a coordinate [m] that remains with the best fitted model, in excess of the stated noise; 0 if
+/// the stated noise explains the residuals. With few measurements an unknown discrepancy can absorb any noise, so the
 /// evidence must decide between a discrepancy and a larger noise.
 [[nodiscard]] double errorBeyondBest(const DiagnosisWork& work);
 

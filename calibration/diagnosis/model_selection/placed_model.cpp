@@ -40,9 +40,9 @@ std::size_t bestTime(const DiagnosisWork& work, Cause cause, const ModelTerm& te
   return best;
 }
 
-/// Returns the time of a step as precisely as the measurements' times allow: any time between two consecutive
-/// measurements has the same effect. Tries the gaps near the time of the term's level. If there are very many gaps, a
-/// subset is tried first, then all gaps between the neighbours of the best.
+/// Returns the time of a step to the resolution of the measurements' times: all times between two consecutive
+/// measurements are equivalent. Tries the gaps near the time of the term's level. If there are many gaps, a subset is
+/// tried first, then all gaps around the best.
 double refinedTime(const DiagnosisWork& work, const CompetingModel& model, std::size_t index) {
   const ModelTerm& term = model.terms[index];
   const Cause& cause = work.cause(term.cause);
