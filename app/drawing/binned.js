@@ -1,5 +1,5 @@
-// Residuals binned along a variable: bin means with standard errors, and the law of a cause as the mean and standard
-// deviation of the cause's contribution in each bin.
+// Residuals binned along a variable: bin means with standard errors, and, for the law of a cause, the mean and standard
+// deviation of its contribution in each bin.
 import {groupsOf, knownPairs} from "./groups.js";
 
 /** `error`: standard error of the mean; `spread`: standard deviation of the values in the bin.

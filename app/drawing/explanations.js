@@ -105,8 +105,8 @@ function stiffnessOf(compliance, sigma) {
 }
 
 /**
- * Returns the stiffness, which drawings and data sheets state instead of the compliance, as text to append. Empty if the
- * parameter is no compliance or has a sigma above 30 %.
+ * Returns the stiffness, which drawings and data sheets state instead of the compliance, as text to append. Empty if
+ * the parameter is not a compliance or has a sigma above 30 %.
  * @param {NamedNumber} number
  */
 function stiffnessText({name, value, sigma, unit}) {
@@ -114,7 +114,10 @@ function stiffnessText({name, value, sigma, unit}) {
   return isKnown && unit ? `, stiffness ${stiffnessOf(value, sigma)} ${inverseUnit(unit)}` : "";
 }
 
-/** Returns text on the fraction of an effect that the readings can show; empty if unknown. @param {unknown} fraction */
+/**
+ * Returns text on the fraction of an effect that is visible in the readings; empty if unknown. @param {unknown}
+ * fraction
+ */
 export function keptText(fraction) {
   if (!isNumber(fraction)) return "";
   if (fraction > 0.98) return "all of it is observable";
@@ -126,7 +129,10 @@ export function isEnough(explanation) {
   return explanation.enough !== false;
 }
 
-/** Returns what the explanation's effects are, or that they do not suffice. @param {BareExplanation} explanation */
+/**
+ * Returns a description of the explanation's effects, or a statement that they do not suffice. @param {BareExplanation}
+ * explanation
+ */
 export function explanationWords(explanation) {
   if (!isEnough(explanation)) return "the closest of the known effects, but not enough";
   const words = new Set(explanation.effects.map((effect) => effect.words ?? ""));

@@ -24,7 +24,7 @@ import {besideLevel, findVariable} from "./variables.js";
 /** @type {readonly ColumnName[]} */
 export const MULTIPLE_COLUMNS = ["angle", "direction", "moment", "load"];
 
-/** p-value below which a pattern counts as found, as in the program's pattern search. */
+/** p-value below which a pattern is significant, as in the program's pattern search. */
 const FOUND = 0.01;
 
 /** @param {MultiplesSource} source @returns {Multiple[]} */
@@ -112,7 +112,7 @@ export function panelPlaces({variable, part}, errors, most, width, height) {
       const x = xs[i],
         value = column[i];
       if (!isNumber(x) || !isNumber(value) || !isInShare(i, column.length, MOST_POINTS)) continue;
-      // Points at a discrete level are spread slightly, so that they do not cover one another.
+      // Spread points at a discrete level slightly, so that they do not overlap.
       const beside = variable.kind === "sense" ? besideLevel(i) * 0.2 * inner : 0;
       places.push([across(x) + (x > (low + high) / 2 ? -Math.abs(beside) : Math.abs(beside)), up(value)]);
     }

@@ -45,7 +45,10 @@ export function verdictMark(name) {
   return Object.hasOwn(VERDICTS, name) ? VERDICTS[name] : {shape: "diamond", colour: "muted"};
 }
 
-/** Mark of errors before a change; its shape differs from that of AFTER even without colour. @type {Mark} */
+/**
+ * Mark of errors before a change. It has another shape than AFTER, so that the marks differ even without colour. @type
+ * {Mark}
+ */
 export const BEFORE = {shape: "triangle", colour: "case0"};
 /** Mark of errors after a change. @type {Mark} */
 export const AFTER = {shape: "disc", colour: "accent"};

@@ -19,7 +19,7 @@ export function modelNames(names) {
   return new Set(brief).size === new Set(names).size ? brief : [...names];
 }
 
-/** Factor: the first model's bar is cut off if its error exceeds the largest other error by more than this. */
+/** The first model's bar is truncated if its error exceeds the largest other error by more than this factor. */
 const MOST_TIMES = 12;
 
 /**
@@ -44,7 +44,7 @@ export function floorText(floor, unit) {
 }
 
 /**
- * Returns a bar's length as a fraction of the axis, and whether the bar is cut off at the end of the axis.
+ * Returns a bar's length as a fraction of the axis, and a flag for bars truncated at the end of the axis.
  * @param {number} value @param {number} end
  */
 export function barOf(value, end) {

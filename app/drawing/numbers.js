@@ -128,7 +128,7 @@ export function inverseUnit(unit) {
   return plainUnit(`${under}${over === "1" ? "" : `/${over}`}`);
 }
 
-/** Additional decimals of a length in each unit, relative to inches. @type {Record<string, number>} */
+/** Number of additional decimals for lengths in each unit, relative to inches. @type {Record<string, number>} */
 const DECIMALS = {in: 0, mm: -1, cm: 0, m: 2, ft: 1};
 
 /**

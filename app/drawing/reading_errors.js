@@ -26,10 +26,10 @@ import {besideLevel, findVariable} from "./variables.js";
  */
 
 /**
- * Returns the errors of a diagnosis: those of the model refitted without the explanation `index`, and with it.
+ * Returns the errors of the model refitted without and with the explanation `index` of a diagnosis.
  * @template {VariedReading & {before: Vector3, explained: (Vector3 | null)[], position: Vector3 | null}} R
  * @param {{readings: R[], joints: {name: string}[],
- *    explanations: {effects: Cause[], enough?: boolean}[]}} document
+ *   explanations: {effects: Cause[], enough?: boolean}[]}} document
  * @param {number} index @returns {ErrorPair<R>}
  */
 export function errorsOfExplanation({readings, joints, explanations}, index) {
@@ -59,10 +59,11 @@ export function errorsOfExplanation({readings, joints, explanations}, index) {
 }
 
 /**
- * Returns the errors (measured minus predicted) of a comparison: those of the model as given, and after the refit.
+ * Returns the errors (measured minus predicted) of a comparison, before and after the refit.
  * @template {VariedReading} R
  * @param {R[]} readings @param {(Vector3 | null)[]} places @param {string[]} joints
- * @param {(Vector3 | null)[]} before @param {(Vector3 | null)[]} after @param {string} when suffix of both series' names
+ * @param {(Vector3 | null)[]} before @param {(Vector3 | null)[]} after @param {string} when suffix of both series'
+ * names
  * @returns {ErrorPair<R>}
  */
 export function errorsOfRefit(readings, places, joints, before, after, when = "") {
@@ -104,7 +105,7 @@ export function viewOfPair(pair, variables, parts) {
 }
 
 /**
- * Returns the component of the judged errors of which a variable explains the largest fraction.
+ * Returns the component of the judged errors that a variable explains best (by fraction of variance).
  * @param {Variable} variable @param {ErrorPair} pair @param {readonly Part[]} parts
  */
 export function partFollowing(variable, pair, parts) {

@@ -1,5 +1,5 @@
-// Choice of the readings to draw out of thousands, whose marks would hide one another. The choice depends on the index
-// only, so that the plots before and after a change show the same readings. Every n-th reading is no suitable choice,
+// Subset of readings to draw, because the marks of thousands would hide one another. The choice depends only on the
+// index, so that plots before and after a change show the same readings. Choosing every n-th reading is unsuitable,
 // because all of these may have the same load.
 import {whole} from "./numbers.js";
 

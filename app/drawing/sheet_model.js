@@ -108,7 +108,7 @@ export function spacedTicks(ticks, scale) {
 
 /**
  * Returns a function that finds the index of the hole nearest to a point, or -1 if none is within `reach` (at most two
- * pitches). Holes are stored in a grid of cells two pitches wide, nine of which are searched.
+ * pitches). Holes are stored in a grid of cells two pitches wide; nine cells are searched.
  * @param {Float64Array} u @param {Float64Array} v @param {number} pitch @param {Extent} extent
  */
 function finderOf(u, v, pitch, extent) {
@@ -148,7 +148,7 @@ function namesOf({row, column}) {
   return (/** @type {number} */ r, /** @type {number} */ c) => byName.get(r * 4096 + c) ?? -1;
 }
 
-/** Returns a tube's name in technicians' notation, such as "R12 C7". @param {unknown} row @param {unknown} column */
+/** Returns a tube's name for display, such as "R12 C7". @param {unknown} row @param {unknown} column */
 export function tubeTitle(row, column) {
   return `R${row}\u00a0C${column}`;
 }

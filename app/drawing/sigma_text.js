@@ -43,11 +43,14 @@ function pairOf(value, sigma) {
   };
 }
 
-/** Number of sigmas above which the error of a touch is marked; for readings, which may be thousands, it is higher. */
+/**
+ * Number of sigmas above which the error of a touch is marked. The limit for readings is higher, because there may be
+ * thousands.
+ */
 export const TOUCH_SIGMAS = 3;
 export const READING_SIGMAS = 5;
 
-/** Sign before a marked number, because not every reader sees the colour. */
+/** Sign before a marked number, for readers who cannot see the colour. */
 export const MARKED = "\u25b2 ";
 
 /**

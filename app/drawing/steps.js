@@ -1,14 +1,14 @@
-// Steps of a document's stepped tool: their number, and the name and mark of each number of inserted steps. The
-// document states the number of steps, which the tool's cell file defines.
+// Steps of a document's stepped tool: their number, and the name and mark of each number of inserted steps. The number
+// of steps comes from the document and is defined in the tool's cell file.
 import {plural} from "./numbers.js";
 
 /** @typedef {import("./kinds.js").Mark} Mark */
 /** @typedef {{name: string, mark: Mark}} StepKind Name and mark of a number of inserted steps. */
 /**
- * Document that states the number of steps through the steps' names, the tool, the counts of tubes per number of steps,
- * or the probabilities of a tube.
+ * Document from which the number of steps is derived: from the steps' names, the tool, the counts of tubes per number
+ * of steps, or the probabilities of a tube.
  * @typedef {{step_words?: unknown, steps?: unknown, counts?: unknown, tubes?: unknown,
- *    base?: unknown}} SteppedDocument
+ *   base?: unknown}} SteppedDocument
  */
 
 /**
@@ -34,7 +34,7 @@ const PLACED = {
 /** @param {import("./shapes.js").Shape} shape @returns {Mark} */
 const nominal = (shape) => ({shape, colour: "accent"});
 
-/** Marks of steps inserted if the base stands exactly at its nominal pose. @type {StepMarks} */
+/** Marks of steps inserted from a nominal base, which is assumed to be exact. @type {StepMarks} */
 const NOMINAL = {
   none: nominal("plus"),
   all: nominal("crossed-ring"),
@@ -50,8 +50,8 @@ const NOMINAL = {
 };
 
 /**
- * Returns the mark of a number of inserted steps of a tool with `count` steps, which differs between a calibrated and a
- * nominal base (placed: false).
+ * Returns the mark of a number of inserted steps of a tool with `count` steps. The marks for a nominal base (placed:
+ * false) differ from those for a calibrated one.
  * @param {number} inserted @param {number} count @param {{placed?: unknown} | null} [base]
  */
 export function stepMark(inserted, count, base) {

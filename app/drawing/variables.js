@@ -21,7 +21,7 @@ import {rangeOf} from "./scales.js";
 /** Moments about the axes of the arm's rows, keyed by reading id, one value per entry of `names`.
  *  @typedef {{unit: string, names: string[], readings: Record<string, number[]>}} Moments */
 
-/** Smallest range of a moment that counts, as a fraction of the largest range; a smaller range is rounding error. */
+/** Smallest relevant range of a moment, as a fraction of the largest range. Smaller ranges are rounding errors. */
 const LEAST_MOMENT = 1e-6;
 
 /**

@@ -43,7 +43,7 @@ export const pictureReach = signal(1);
 
 /** Reach of the picture without a sheet, relative to the total length of the arm's members. */
 const BESIDE_ARM = 0.6;
-/** Relative change of the arm's length beyond which the picture is framed anew, as for another arm. */
+/** Relative change of the arm's length beyond which the view is reset, as for another arm. */
 const SAME_ARM = 0.3;
 
 function empty(group: Group): void {
@@ -208,7 +208,8 @@ export class ArmStage {
       front: [0.05, -2.7, -0.2],
     } as const;
     const way = new Vector3(...directions[from]);
-    if (!this.cell?.sheet && from !== "below") way.z *= -1; // without a sheet, nothing hides the arm from above
+    // Without a sheet, nothing hides the arm when seen from above.
+    if (!this.cell?.sheet && from !== "below") way.z *= -1;
     this.controls.target.copy(this.focus);
     this.camera.position
       .copy(this.focus)

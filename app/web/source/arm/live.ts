@@ -3,7 +3,7 @@ import {effect, signal} from "@preact/signals";
 import {liveNews} from "../server/workbench";
 import {bringArm} from "./pose_link";
 
-/** Time without data after which the running arm counts as disconnected or at rest [ms]. */
+/** Time without data after which the running arm is assumed to be disconnected or at rest [ms]. */
 const SILENCE = 3000;
 
 export const isFollowing = signal(true);

@@ -1,5 +1,5 @@
-// The arm's posture in this browser, and the program's answer to it. Only one request is under way at a time, and the
-// last posture is always requested, so that a slider never waits for a queue.
+// The arm's posture in this browser, and the program's answer to it. Only one request is pending at a time, and the
+// latest posture is always requested, so that sliders never wait for a queue.
 import {batch, computed, effect, signal} from "@preact/signals";
 import type {Mark} from "../drawing/marks";
 import type {InverseDocument, PoseDocument, Vector3} from "../server/documents";

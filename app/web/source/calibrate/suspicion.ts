@@ -3,9 +3,7 @@ import {short} from "../../../drawing/numbers.js";
 import type {CalibrateDocument, SuspectReading} from "../server/documents";
 
 export interface Suspicion {
-  /**
-   * True if the other touches fit without this touch; false if an error of a joint reading would explain the misfit.
-   */
+  /** True if the other touches fit without this one; false if a wrong joint reading would explain the misfit. */
   isOdd: boolean;
   words: string;
 }

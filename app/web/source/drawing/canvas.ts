@@ -3,7 +3,7 @@
 /** Font family of the page, in the notation of canvases and plots. */
 export const TYPEFACE = "'IBM Plex Sans Variable', system-ui, sans-serif";
 
-/** Returns the canvas pixels per page pixel: at most two, because more take long to draw and are hardly visible. */
+/** Returns the number of canvas pixels per page pixel, at most two: more are slow to draw and hardly visible. */
 export function pixelRatio(): number {
   return Math.min(2, devicePixelRatio || 1);
 }

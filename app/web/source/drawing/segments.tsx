@@ -7,8 +7,8 @@ export interface Choice<T> {
 }
 
 /**
- * Returns a key handler that moves the focus between the buttons of an element and chooses each focused button.
- * `isRound`: the focus wraps around at the ends.
+ * Returns a key handler that moves the focus between the buttons of an element and chooses each focused button. With
+ * `isRound`, the focus wraps around at the ends.
  */
 export function roving(keys: Record<string, 1 | -1>, isRound = true) {
   return (event: KeyboardEvent) => {

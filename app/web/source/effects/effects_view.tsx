@@ -1,4 +1,4 @@
-// The possible effects on this arm: laws, parameters with their usual values, places, and effects that the present
+// The possible effects on this arm: laws, parameters with their usual values, places, and effects that the current
 // readings could hardly distinguish.
 import {computed, signal} from "@preact/signals";
 import {TextInput} from "../drawing/fields";

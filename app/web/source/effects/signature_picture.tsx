@@ -12,7 +12,7 @@ const WIDTH = 420,
   BOTTOM = 34;
 
 export function SignaturePicture({effect, at}: {effect: string; at: string}) {
-  // A problem of this request is not shown: the laws are useful even without the picture.
+  // Errors of this request are not shown, because the laws are useful even without the picture.
   const shown = useAnswer<SignatureDocument>(
     `/api/signature?effect=${encodeURIComponent(effect)}&at=${encodeURIComponent(at)}`,
   ).document;

@@ -1,4 +1,4 @@
-// Conclusion on the present model: the newest verdict, or the effect of the last model change on the error.
+// Conclusion on the current model: the newest verdict, or the effect of the last model change on the error.
 import {computed} from "@preact/signals";
 import {verdictMark} from "../../../drawing/kinds.js";
 import {short} from "../../../drawing/numbers.js";
@@ -19,7 +19,7 @@ function answerOf({verdict, verdict_words}: {verdict: string; verdict_words?: st
   return {words: verdict_words ?? verdict, mark: verdictMark(verdict), items: items.map(pageWords)};
 }
 
-/** Verdict and sentences at the top of the view, from the newest document about the present model. */
+/** Verdict and sentences at the top of the view, from the newest document about the current model. */
 export const answer = computed<Answer | null>(() => {
   const diagnosed = currentDiagnosis.value,
     compared = currentComparison.value;

@@ -53,7 +53,7 @@ export function EffectRanking({document}: {document: DiagnoseDocument}) {
   );
 }
 
-/** Returns true if the present model has this effect. */
+/** Returns true if the current model has this effect. */
 function hasEffect(effect: EffectAt): boolean {
   return currentModel.value?.effects.some((own) => own.effect === effect.effect && own.at === effect.at) ?? false;
 }

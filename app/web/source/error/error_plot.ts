@@ -35,7 +35,7 @@ interface MadePlot {
 
 /**
  * Style of the plot: `most` is the upper end of an error scale shared with another plot; `isBrief` shortens the axis
- * title of plots side by side.
+ * title, for plots side by side.
  */
 interface PlotLook {
   colours: Palette;

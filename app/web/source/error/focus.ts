@@ -1,5 +1,5 @@
 // Initial view of the error plot: the variable of the chosen cause, else the variable that the unexplained residual
-// follows, else the finding of the pattern search. A manual choice holds until other errors are shown.
+// follows, else the finding of the pattern search. A manual choice is kept until other errors are shown.
 import {computed, effect, signal} from "@preact/signals";
 import {cell, units} from "../server/workbench";
 import {leverage} from "./leverage";

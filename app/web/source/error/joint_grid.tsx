@@ -21,8 +21,8 @@ interface JointGridProps {
   errors: ErrorPair;
   multiples: readonly Multiple[];
   /**
-   * Returns true for the panel that is shown large; `onChoose` is called when a panel is clicked. Without them the
-   * plots are passive.
+   * Returns true for the panel that is shown large; `onChoose` is called when a panel is clicked. Without them, the
+   * plots do not react to clicks.
    */
   isShown?: (multiple: Multiple) => boolean;
   onChoose?: (multiple: Multiple) => void;

@@ -1,4 +1,4 @@
-// The errors of the present readings joint by joint; a click on a panel shows it in the large plot.
+// The errors of the current readings joint by joint; a click on a panel shows it in the large plot.
 import {useMemo} from "preact/hooks";
 import {multiplesOf} from "../../../drawing/joint_multiples.js";
 import {cell, sceneDocument} from "../server/workbench";

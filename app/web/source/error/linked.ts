@@ -2,7 +2,7 @@
 import {effect, signal} from "@preact/signals";
 import {readingErrors} from "./residuals";
 
-/** Selects readings. `isMore` (Shift): adds them to the present selection instead of replacing it. */
+/** Selects readings. `isMore` (Shift): adds them to the current selection instead of replacing it. */
 export function selectReadings(ids: Iterable<string>, isMore: boolean): void {
   selectedReadings.value = new Set(isMore ? [...selectedReadings.peek(), ...ids] : ids);
 }
@@ -11,7 +11,7 @@ export function selectReadings(ids: Iterable<string>, isMore: boolean): void {
 export const pointed = signal("");
 export const selectedReadings = signal<ReadonlySet<string>>(new Set());
 
-// When the errors change, the pointed reading is reset; readings that still exist stay selected.
+// A change of the errors resets the pointed reading. Selected readings that still exist stay selected.
 effect(() => {
   const here = new Set((readingErrors.value?.readings ?? []).map(({id}) => id));
   const picked = selectedReadings.peek(),

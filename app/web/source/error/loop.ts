@@ -17,7 +17,7 @@ export const diagnose = result<DiagnoseDocument>("diagnose");
 export const identify = result<IdentifyDocument>("identify");
 export const ladder = result<LadderDocument>("ladder");
 
-/** Diagnosis of the present model. Diagnoses of other models are kept but not shown. */
+/** Diagnosis of the current model. Diagnoses of other models are kept but not shown. */
 export const currentDiagnosis = computed(() => {
   const document = diagnose.value.document;
   return document && document.model === state.value?.model ? document : null;
@@ -27,7 +27,7 @@ export const currentComparison = computed(() => {
   return document && document.model === state.value?.model ? document : null;
 });
 
-/** Starts a comparison, including the ladder if the ladder does not end at the present model yet. */
+/** Starts a comparison, including the ladder if the ladder does not end at the current model yet. */
 export async function startCompare(): Promise<void> {
   const hasLadder = state.value?.results.ladder?.model === state.value?.model;
   await runJob("Compare", "/api/compare", {ladder: !hasLadder});
@@ -67,7 +67,7 @@ export async function changeReadings(title: string, change: () => Promise<Workbe
 /** Kinds of jobs whose results depend on the readings. */
 export const WORK_ON_READINGS = ["compare", "ladder", "diagnose", "identify", "add", "remove"];
 
-/** Stops jobs that work on the former readings after the readings have changed. */
+/** Stops jobs that work on the previous readings after the readings have changed. */
 export function stopWorkOnReadings(): Promise<void> {
   return stopJobs(...WORK_ON_READINGS);
 }

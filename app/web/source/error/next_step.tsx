@@ -26,7 +26,7 @@ export function NextStep({isBusy}: {isBusy: boolean}) {
   const diagnosis = currentDiagnosis.value;
   const {words, act, title, isOff, isQuiet} =
     stepOfMistake() ?? (diagnosis ? stepAfter(diagnosis, isBusy) : null) ?? stepOfLoop(isBusy);
-  // A disabled button loses the focus. The button regains it with the next step, for keyboard users.
+  // A disabled button loses the focus. For keyboard users, restore the focus with the next step.
   const button = useRef<HTMLButtonElement>(null);
   const hadFocus = useRef(false);
   useEffect(() => {

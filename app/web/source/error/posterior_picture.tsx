@@ -1,4 +1,4 @@
-// The posterior plotted against the number of readings: a line for each explanation, with its name and present value at
+// The posterior plotted against the number of readings: a line for each explanation, with its name and current value at
 // the end.
 import {MISSING, probability} from "../../../drawing/numbers.js";
 import {posteriorHistory} from "./posterior_history";

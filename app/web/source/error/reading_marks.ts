@@ -67,7 +67,7 @@ export async function undoMarking(): Promise<void> {
     change = nextChange();
   if (!last || !(await send({...last, isOn: !last.isOn}))) return;
   const earlier = steps.peek().slice(0, -1);
-  // The readings are now as after the marking before, which therefore gets the new change number.
+  // The readings are now in the state after the previous marking, which therefore gets the new change number.
   steps.value = earlier.map((step, k) =>
     k === earlier.length - 1 && step.change === last.change - 1 ? {...step, change} : step,
   );

@@ -35,7 +35,7 @@ export function PlaneChoice() {
   );
 }
 
-/** Maximum distance from the pointer to a reading's position that counts as pointing at it [pixels]. */
+/** Maximum distance from the pointer to a reading at which the reading is selected [pixels]. */
 const NEAR = 12;
 
 export function ResidualArrows() {

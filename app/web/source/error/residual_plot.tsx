@@ -1,5 +1,5 @@
-// The errors plotted against any variable of the readings, before as hollow and after as full marks on a common scale,
-// with the law of the cause as a line and bin means with error bars.
+// The errors plotted against any variable of the readings, with hollow marks before and filled marks after on a common
+// scale, with the law of the cause as a line and bin means with error bars.
 import {useMemo, useRef} from "preact/hooks";
 import {palette} from "../drawing/colours";
 import {explanationTitle} from "../../../drawing/explanations.js";
@@ -82,7 +82,7 @@ function BesideChoice() {
 interface ErrorPlotProps {
   errors: ReadingErrors | null;
   view: View | null;
-  /** Upper end of the error scale that this plot shares with the plot next to it; null for an own scale. */
+  /** Upper end of the error scale that this plot shares with the plot next to it; null for a separate scale. */
   most: number | null;
   /** Index of the explanation in this plot if two explanations are side by side; -1 for a single plot. */
   index: number;

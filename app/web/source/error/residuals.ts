@@ -1,5 +1,5 @@
 // The errors of the readings (measured minus predicted) before and after: the diagnosis with the chosen explanation,
-// else the former model and the present model, else the model as given and refitted.
+// else the previous model and the current model, else the model as given and refitted.
 import {computed, effect, signal} from "@preact/signals";
 import {AFTER, BEFORE} from "../../../drawing/kinds.js";
 import {errorsOfExplanation, errorsOfRefit, type ErrorPair} from "../../../drawing/reading_errors.js";
@@ -34,10 +34,10 @@ effect(() => {
   chosenExplanation.value = 0;
 });
 
-// ---- comparison of the former model
+// ---- comparison of the previous model
 
 /**
- * The newest compared model below the present model on the stack; null if there is none or the present model was not
+ * The newest compared model below the current model on the stack; null if there is none or the current model was not
  * compared.
  */
 const modelBefore = computed<Model | null>(() => {
@@ -90,8 +90,8 @@ function sizeExplained(reading: DiagnosedReading, index: number): number | null 
 }
 
 /**
- * Returns the error in sigmas, multiplied by the ratio of sizes `to` / `from`: sigma depends little on the error's
- * direction. Undefined if unknown.
+ * Returns the error in sigmas, scaled by the ratio of sizes `to` / `from`. This is accurate enough because sigma
+ * depends little on the error's direction. Undefined if unknown.
  */
 function scaledSigmas(sigmas: number | undefined, from: number | null, to: number | null): number | undefined {
   return sigmas === undefined || to === null || !(from! > 0) ? undefined : (sigmas * to) / from!;
@@ -166,7 +166,7 @@ export const drawnExplanation = computed(() =>
   currentDiagnosis.value ? Math.max(0, drawnIndex(currentDiagnosis.value)) : 0,
 );
 
-/** Index of the explanation chosen by hand: -1 for none; null to follow the verdict. */
+/** Index of the explanation chosen manually: -1 for none; null to follow the verdict. */
 const besideByHand = signal<number | null>(null);
 effect(() => {
   void currentDiagnosis.value?.revision;

@@ -57,12 +57,12 @@ effect(() => {
   });
 });
 
-/** Ids of the present readings for which errors are drawn. */
+/** Ids of the current readings for which errors are drawn. */
 export const takenIds = computed(() => new Set((readingErrors.value?.readings ?? []).map(({id}) => id)));
 
 /**
  * Returns the ids of all readings in the program, including readings without errors yet. Returns an empty set if the
- * program does not answer, because the next request would fail too.
+ * program does not answer, because the next request would also fail.
  */
 export async function idsHere(): Promise<Set<string>> {
   if (!state.peek()?.measurements) return new Set();
@@ -76,7 +76,7 @@ export async function idsHere(): Promise<Set<string>> {
 
 // ---- return of readings
 
-/** Adds new readings to the present readings, compares, and diagnoses if there was a diagnosis. */
+/** Adds new readings to the current readings, compares, and diagnoses if there was a diagnosis. */
 export function joinReadings(text: string): Promise<boolean> {
   return attempt("Readings to join", () => postText("/api/live/readings", text));
 }
@@ -92,7 +92,7 @@ export function isFilledSheet(text: string): boolean {
 
 /**
  * Returns the rows of a returned sheet that are filled in, completely ("whole") or at least partly ("begun"), and whose
- * ids are not in `here`; without a stored sheet, all rows count as filled in.
+ * ids are not in `here`; without a stored sheet, all rows are treated as filled in.
  */
 export function freshRows(text: string, here: ReadonlySet<string>, asFarAs: "whole" | "begun"): string {
   const sheet = runSheet.peek();

@@ -1,4 +1,4 @@
-// The choice between explanations: readings, and other means, that would distinguish them.
+// Means to decide between explanations: readings that would distinguish them, and others.
 import {PAIR_HEADS, pairCells} from "../../../drawing/conditions.js";
 import {Table} from "../drawing/table";
 import {PosteriorPicture} from "./posterior_picture";
@@ -6,8 +6,8 @@ import {RunSheetPanel} from "./run_sheet_panel";
 import type {DiagnoseDocument} from "../server/documents";
 
 /**
- * Proposals of a diagnosis to distinguish explanations, the run sheet in progress, and how the probabilities have
- * changed with the readings taken since.
+ * Proposals of a diagnosis for distinguishing explanations, the current run sheet, and the change of the probabilities
+ * with the readings taken since.
  */
 export function Splitting({document}: {document: DiagnoseDocument | null}) {
   return (

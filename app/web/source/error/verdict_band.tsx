@@ -81,7 +81,7 @@ function usedText(measurements: ReadingsInfo | null | undefined, judged: JudgedD
   return used === readings ? whole(readings) : `${whole(used)} of ${whole(readings)}`;
 }
 
-/** Squared ratio of errors to the stated noise from which errors are marked, by a sign as well as by colour. */
+/** Squared ratio of errors to the stated noise above which errors are marked, by a sign and by colour. */
 const TWICE = 4;
 
 function Misfit({chi2}: {chi2: number | null | undefined}) {

@@ -1,4 +1,4 @@
-// The tour over the sheet: its path, a mark for each hole, holes out of reach, and the present position on the tour.
+// The tour over the sheet: its path, a mark for each hole, holes out of reach, and the current position on the tour.
 import {toPixel, type Camera, type Size} from "../../../drawing/frames.js";
 import {UNREACHABLE} from "../../../drawing/kinds.js";
 import {drawRings, strokeLine} from "../drawing/canvas";
@@ -19,7 +19,7 @@ interface Tour {
   colouring: Colouring;
   /** Indices of the holes in the order of visiting; -1 for a hole that the sheet does not have. */
   holes: readonly number[];
-  /** Index of the present visit; -1 for none. */
+  /** Index of the current visit; -1 for none. */
   at: number;
   unreachable: readonly {row: number; column: number}[];
 }

@@ -42,7 +42,7 @@ export async function seemsToBeList(table: TableText): Promise<boolean> {
     const {states} = await post<ListColumnsDocument>(COLUMNS, {tables: [table]});
     return states === "tubes" || (states === "neither" && view.value === "plan");
   } catch {
-    return false; // not a table; reading it as readings will report the reason
+    return false; // not a table; the reason is reported when it is opened as readings
   }
 }
 

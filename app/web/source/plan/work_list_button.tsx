@@ -1,4 +1,4 @@
-// Button that opens a work list from a file, and the number of selected tubes with a dwell time of their own.
+// Button that opens a work list from a file, and the number of selected tubes with an individual dwell time.
 import {plural} from "../../../drawing/numbers.js";
 import {openList} from "./work_list";
 import {staysOfSelection} from "../shell/page_state";
@@ -15,7 +15,7 @@ export function WorkListButton() {
           const input = event.currentTarget,
             file = input.files?.[0];
           if (file) await openList({name: file.name, text: await file.text()});
-          input.value = ""; // allows opening the same file again
+          input.value = ""; // reset, so that the same file can be opened again
         }}
       />
     </label>

@@ -13,12 +13,12 @@ const NOTHING: Loaded<never> = {document: null, problem: null};
 
 interface Question {
   /**
-   * Key of the document's inputs; a new key requests the document again. "": there is no document; null: the view is
-   * closed, and the known document is kept.
+   * Key of the document's inputs; a new key requests the document again. An empty key means that there is no document;
+   * null means that the view is closed, and the known document is kept.
    */
   key: () => string | null;
   path: () => string;
-  /** True if the former document is shown until the new one arrives. */
+  /** True if the old document is shown until the new one arrives. */
   keeps?: boolean;
   onProblem?: (error: unknown) => void;
 }

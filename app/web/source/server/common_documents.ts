@@ -13,7 +13,7 @@ export interface Units {
   conditions?: {name: string; unit: string}[];
 }
 
-/** How the base was placed; `words` continue a sentence that begins with "proved" or "steps". */
+/** Origin of the base pose; `words` continue a sentence that begins with "proved" or "steps". */
 export interface BaseStanding {
   status: string;
   words: string;

@@ -134,7 +134,7 @@ export interface FillIn {
   columns: string[];
   /** Minimum number of columns that must be filled in for a valid reading. */
   least: number;
-  /** Columns of conditions, such as those stated by the present readings, which may stay empty. */
+  /** Columns of conditions, such as those stated by the current readings, which may stay empty. */
   optional: string[];
 }
 

@@ -1,5 +1,5 @@
 // Merging of jobs received in events, in states and in answers over different connections: the newest status of each
-// job is kept, in whichever order they arrive.
+// job is kept, regardless of the order of arrival.
 import type {Job, WorkbenchState} from "./documents";
 
 type Jobs = ReadonlyMap<string, Job>;

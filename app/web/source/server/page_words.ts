@@ -41,7 +41,7 @@ export function pageAdvice(text: string): string {
     .join("; ");
 }
 
-/** Returns the problem worded for the page; `expected` is empty unless the problem is a wrong value. */
+/** Returns the problem with its texts adapted to the page; `expected` is empty unless the problem is a wrong value. */
 export function pageProblem({where = "", found = "", expected = "", advice = "", message}: Problem): Required<Problem> {
   const [at, had, wanted, said] = [where, found, expected, message].map(pageWords);
   return {where: at, found: had, expected: wanted, message: said, advice: pageAdvice(advice)};

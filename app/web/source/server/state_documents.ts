@@ -29,7 +29,9 @@ export interface EffectAt {
   at: string;
   /** Description for a reader who does not know the effect's name. */
   words?: string;
-  /** Kinds of variables on which the effect's law may depend, simplest first; empty: on any variable. */
+  /**
+   * Kinds of variables on which the effect's law may depend, simplest first; if empty, it may depend on any variable.
+   */
   varies_with?: string[];
   /** Text that requests the addition of the effect, with the sizes found. */
   add?: string;
@@ -123,8 +125,8 @@ export interface LiveNews {
 export interface WorkbenchState {
   revision: number;
   /**
-   * Number of this state; of two states or job messages, the one with the greater number is newer, in whichever order
-   * they arrive.
+   * Number of this state; of two states or job messages, the one with the greater number is newer, regardless of the
+   * order of arrival.
    */
   moment: number;
   version: string;

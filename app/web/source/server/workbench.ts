@@ -21,7 +21,7 @@ export const currentModel = computed<Model | null>(
   () => state.value?.models.find((model) => model.id === state.value?.model) ?? null,
 );
 
-/** Returns the label of the model for which a result was computed, if it is not the present model; otherwise "". */
+/** Returns the label of the model for which a result was computed, if it is not the current model; otherwise "". */
 export function otherModelOf(name: string): string {
   const id = state.value?.results[name]?.model;
   if (id === undefined || id === state.value?.model) return "";
@@ -42,7 +42,7 @@ function noteJob(job: Job): void {
 /** True until the first state after a new connection, because a restarted program counts changes from the beginning. */
 let isNewConnection = true;
 
-/** Time without data after which the server counts as not answering [ms]; it sends data at least every 10 s. */
+/** Time without data after which the server is treated as not responding [ms]. It sends data at least every 10 s. */
 const LONGEST_SILENCE = 25_000;
 let heard = 0;
 
@@ -135,7 +135,7 @@ let nextNotice = 1;
 
 export function report(title: string, error: unknown): void {
   const problem = error instanceof Error ? asProblem(error) : (error as Problem);
-  notices.value = [...notices.peek().slice(-2), {id: nextNotice++, title, problem}]; // peek() adds no dependency
+  notices.value = [...notices.peek().slice(-2), {id: nextNotice++, title, problem}]; // peek() does not add a dependency
 }
 
 export function dismiss(id: number): void {

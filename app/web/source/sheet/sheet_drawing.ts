@@ -83,7 +83,9 @@ export class SheetDrawing {
     this.move(zoomed(this.camera, this.size, x, y, factor, this.limits()));
   }
 
-  /** Requests drawing of layers at the next frame. The layer over the holes is always drawn, because it is cheap. */
+  /**
+   * Requests that layers are drawn at the next frame. The layer over the holes is always drawn, because it is cheap.
+   */
   ask(parts: {ground?: boolean; holes?: boolean} = {ground: true, holes: true}): void {
     this.parts = {ground: this.parts.ground || !!parts.ground, holes: this.parts.holes || !!parts.holes, over: true};
     if (this.isAsked) return;
@@ -112,7 +114,7 @@ export class SheetDrawing {
     }
     this.drawOver(colours);
     this.parts = {ground: false, holes: false, over: false};
-    performance.clearMeasures("sheet"); // observers have received it, so the last measure need not be stored
+    performance.clearMeasures("sheet"); // observers have received the measure, so it need not be stored
     performance.measure("sheet", {start});
   }
 

@@ -49,7 +49,7 @@ export function guessed(document: ColumnsDocument): ColumnChoice[][] {
   return choices;
 }
 
-/** Returns phrases for what the choices lack or have twice; empty if the tables can be accepted. */
+/** Returns phrases on missing and duplicate choices; empty if the tables can be accepted. */
 export function missingOf(document: ColumnsDocument, choices: ColumnChoice[][]): string[] {
   const chosen = choices.flat().filter((choice) => choice.quantity !== "");
   const words: string[] = [];

@@ -15,8 +15,7 @@ export function Dialog({name, title, children}: DialogProps) {
   const isOpen = dialog.value === name,
     onClose = () => closeDialog(name);
   const element = useRef<HTMLDialogElement>(null);
-  // The browser reports a closing only later, when the dialog may be open again. Reports of closings by the page itself
-  // are therefore ignored.
+  // Close events arrive late, when the dialog may be open again, so close events caused by the page itself are ignored.
   const ownClosings = useRef(0);
   useLayoutEffect(() => {
     const own = element.current;

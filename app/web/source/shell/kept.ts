@@ -13,6 +13,6 @@ export function keep<T>(key: string, object: Record<string, T>): void {
   try {
     localStorage.setItem(key, JSON.stringify(object));
   } catch {
-    // Without storage, the page asks again each time.
+    // Without storage, the page asks again every time.
   }
 }

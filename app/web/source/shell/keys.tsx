@@ -25,7 +25,7 @@ const LIST: Record<string, Record<string, string>> = {
     Enter: "pick the hole",
     "Shift arrows, drag": "move the sheet",
     "+  −  wheel, pinch": "larger, smaller",
-    // The blank prevents this entry from sorting first, as an integer key would.
+    // The blank keeps the entry in place: integer keys are sorted first.
     "0 ": "whole sheet",
     "L, Shift drag": "lasso (with Ctrl: add to the selection)",
   },

@@ -67,9 +67,7 @@ export async function openOffered(): Promise<void> {
   await attempt(`${name} cannot be read`, () => openTables(name, texts));
 }
 
-/**
- * Replaces the readings by those of the first table and adds those of the others. Throws if the first table is refused.
- */
+/** Replaces the readings by the first table and appends the other tables. Throws if the first table is refused. */
 async function openTables(name: string, [first, ...others]: string[]): Promise<void> {
   takeState(await postText<WorkbenchState>(`/api/measurements?name=${encodeURIComponent(name)}`, first));
   if (others.length === 0) return afterReadings();

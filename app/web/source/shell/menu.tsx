@@ -33,7 +33,7 @@ export function Menu({kind = "", buttonKind, title, button, children}: MenuProps
         event.stopPropagation();
       }}
       onFocusOut={(event) => {
-        // A click on an element that takes no focus is handled by the pointer's handler.
+        // Clicks on elements that cannot take the focus are handled by the pointer handler.
         if (event.relatedTarget) closeUnlessAt(event.relatedTarget);
       }}
     >

@@ -1,4 +1,4 @@
-// The models as steps with names and errors, each of which can be restored; and switches for the effects and free
+// The models as steps with names and errors; each step can be restored. Also switches for the effects and free
 // parameters of the current model.
 import {computed} from "@preact/signals";
 import {Icon} from "../drawing/icons";

@@ -26,7 +26,7 @@ async function saveAs(file: string, overwrite: boolean): Promise<Problem | null>
   }
 }
 
-/** Saves under the present name; asks for a name if there is none. */
+/** Saves under the current name; asks for a name if there is none. */
 export async function save(): Promise<void> {
   const file = project.value?.file;
   if (!file) {

@@ -32,7 +32,7 @@ export interface Estimate {
 interface EstimatesProps {
   label: string;
   rows: readonly Estimate[];
-  /** Upper end of the axis, which begins at zero, and the quantity on the axis. */
+  /** Upper end of the axis (which begins at zero), and title of the axis. */
   to: number;
   title: string;
   write: (value: unknown) => string;

@@ -12,7 +12,7 @@ import {type Lines, Pointed} from "../pointed";
 import type {Report} from "../values";
 import {conditionsText, readingName} from "./pairs";
 
-/** Maximum distance from the pointer to a point that counts as pointing at it [pixels]. */
+/** Maximum distance from the pointer to a point at which the point is selected [pixels]. */
 const NEAR = 12;
 
 /** Plot with text about the point under the pointer; `tell` returns the lines of the text for a row of the data. */
@@ -42,7 +42,7 @@ interface ErrorPlotBoxProps {
   report: Report;
   errors: ErrorPair;
   view: View;
-  /** Upper end of an error scale shared by several plots; null for an own scale. */
+  /** Upper end of an error scale shared by several plots; null for a separate scale. */
   most?: number | null;
   isSmall?: boolean;
 }

@@ -53,7 +53,7 @@ function rankingLead(report: Report): string {
 // ---- explanations side by side
 
 const MOST_DIFFERING = 6;
-/** Fraction of the noise below which the predictions of two explanations count as equal. */
+/** Fraction of the noise below which the predictions of two explanations are treated as equal. */
 const SAME_SHARE = 0.01;
 
 export function AlternativesSection({report}: OfReport) {
@@ -122,7 +122,7 @@ function Differences({report, index}: {index: number} & OfReport) {
   );
 }
 
-// ---- undetected effects, effects not tried, and readings left out
+// ---- undetected effects, effects not tried, and excluded readings
 
 export function HiddenSection({report}: OfReport) {
   const detectable = list(report.detectable),

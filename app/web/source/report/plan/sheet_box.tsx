@@ -1,4 +1,4 @@
-// The sheet in a report: the workbench's sheet picture within the text, with what a section paints over the holes.
+// The sheet in a report: the workbench's sheet picture, over whose holes a section paints its own content.
 import {useCallback, useMemo} from "preact/hooks";
 import {drawArrow} from "../../../../drawing/arrows.js";
 import {distance, toPixel, type Camera, type Size} from "../../../../drawing/frames.js";
@@ -117,7 +117,7 @@ export function SheetBox({report, sheet, label, tell, paint, isFaint = false}: S
 const FAINT: Mark = {shape: "ring", colour: "faint"};
 const FONT = `11px ${TYPEFACE}`;
 
-/** Draws the x and y axes in a corner that the round sheet leaves free. */
+/** Draws the x and y axes in a corner outside the round sheet. */
 function drawAxes(context: CanvasRenderingContext2D, sign: number, size: Size, colours: Palette): void {
   const x = size.width - 24 - (sign > 0 ? 26 : 0),
     y = size.height - 24;

@@ -104,7 +104,7 @@ function paintTriangle({context, at, colours}: Painter, places: readonly [number
   context.setLineDash([]);
 }
 
-/** Quality of the fit in words: its chi-square, and the program's verdict. */
+/** Quality of the fit as text: its chi-square and the program's verdict. */
 function FitWords({report, calibration}: {calibration: Report} & OfReport) {
   const {rms, chi2, degrees_of_freedom: freedom, p_value, verdict, verdict_words: words} = calibration;
   return (

@@ -1,4 +1,4 @@
-// The results of all visited tubes, and the work list: the tubes in visiting order as a sheet of paper to tick off at
+// The results of all visited tubes, and the work list: the tubes in visiting order as a printable sheet to tick off at
 // the arm. Both are rendered only on request.
 import {useSignal} from "@preact/signals";
 import {useRef} from "preact/hooks";
@@ -67,7 +67,7 @@ export function WorkListSection({report}: OfReport) {
     place = useRef<HTMLDivElement>(null);
   const count = list(report.tubes).length;
   if (count === 0) return <Missing what="The work list" />;
-  // Renders synchronously, because the printer prints the present content.
+  // Renders synchronously, because the printer prints the current content.
   const show = () => render(<WorkList report={report} />, place.current!);
   const prepare = () => {
     show();
