@@ -55,7 +55,7 @@ void keepFreedMemory() {
 int main(int argc, char** argv) {
   keepFreedMemory();
   std::set_terminate(endInWords);
-  std::signal(SIGPIPE, SIG_IGN);  // a write to a closed pipe then returns an error instead of ending the program
+  std::signal(SIGPIPE, SIG_IGN);  // report a closed pipe as a write error instead of ending the program
   try {
     const int exit_code = tubeplan::app::runCommandLine(std::vector<std::string>(argv + 1, argv + argc));
     return std::fflush(stdout) == 0 ? exit_code : reportLostOutput(errno);

@@ -10,7 +10,7 @@ class App;
 
 namespace tubeplan::app {
 
-/// Exit codes of the program; scripts rely on them, so the codes never change.
+/// Exit codes of the program. Scripts rely on them, so they must not change.
 enum ExitCode { kDone = 0, kNegativeAnswer = 1, kBadInput = 2, kInternalError = 3 };
 
 /// Description of all exit codes for the help text, including kStoppedExitCode.

@@ -11,7 +11,7 @@ namespace tubeplan::app {
 class Progress {
  public:
   Progress(std::string label, std::size_t total);
-  ~Progress();  ///< clears the progress line
+  ~Progress();  ///< Clears the progress line.
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 

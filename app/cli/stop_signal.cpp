@@ -6,7 +6,7 @@ namespace tubeplan::app {
 
 namespace {
 
-// Set by the signal handler, which may safely do little more than set such a flag.
+// Set by the signal handler. Setting such a flag is one of the few safe operations in a handler.
 volatile std::sig_atomic_t stop_noted = 0;
 
 void noteSignal(int signal_number) {

@@ -66,7 +66,7 @@ ShownArm readAnyArm(const std::string& path, const std::string& tip) {
 }
 
 void tell(const char* kind, const std::vector<std::string>& sentences) {
-  constexpr std::size_t kLongest = 500;  // maximum length of a printed sentence [bytes]; names from a file may be long
+  constexpr std::size_t kLongest = 500;  // maximum length of a printed sentence [bytes]; names in files may be long
   for (const auto& what : sentences) fmt::print(stderr, "{}: {}\n", kind, printable(what, kLongest));
 }
 
@@ -161,8 +161,8 @@ int exportRows(const ArmOptions& options) {
   return kDone;
 }
 
-/// Exports an arm to a copy of the URDF file from which the arm was imported. Prints the changes, and what URDF cannot
-/// express.
+/// Exports an arm to a copy of the URDF file from which the arm was imported. Prints the changes, and the properties
+/// that URDF cannot express.
 int exportIntoUrdf(const ArmOptions& options) {
   const deflection::Arm arm = readAnyArm(options.file, options.tip).arm;
   const UrdfEdit edit = withArmInUrdf(readTextBytes(options.into), options.into, options.tip, arm);

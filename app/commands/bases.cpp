@@ -1,4 +1,5 @@
-// `tubeplan bases`: chooses base positions, the few from which most tubes are reached and the fewest that reach all.
+// `tubeplan bases`: chooses the base positions from which most tubes are reached, and the fewest positions that reach
+// all.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -32,7 +32,7 @@ struct CalibrateOptions {
 
 int run(const CalibrateOptions& options) {
   Cell cell = readCell(options.cell);
-  cell.base_known = false;  // even a base that the cell states as known is determined anew
+  cell.base_known = false;  // determine the base even if the cell states it as known
   const auto [measurements, checks] =
       readAndCheck({options.measurement_file}, cell, {options.sigma, {}, options.assume});
   const auto touches = touchesOf(measurements, cell, options.measurement_file, options.setup);

@@ -36,7 +36,7 @@ const CampaignKind& campaignKindOf(const std::string& name) {
   return entryNamed(campaignKinds(), name, "--kind");
 }
 
-/// Checkpoint and output of a campaign, which only the first rank handles.
+/// Checkpoint and output of a campaign. Only the first rank uses it.
 class CampaignDesk {
  public:
   CampaignDesk(const CampaignOptions& options, const Campaign& campaign)
@@ -46,7 +46,7 @@ class CampaignDesk {
       throw InputError::saying("--resume", "the folder to continue in is missing",
                                "add --out with the folder of the stopped campaign");
     RunSet done;
-    noteStopSignals();  // before the first folder is created, so that a stop removes the folder
+    noteStopSignals();  // installed before the first folder is created, so that a stop removes the folder
     if (!options.out.empty()) {
       folder_.emplace(options.out, "--out");
       folder_->requireOwn({kTallyFile, "campaign.json"}, {"holes.csv", "outcomes.csv", "report.html"});
@@ -146,7 +146,7 @@ int runRanked(const CampaignOptions& options, Ranks& ranks) {
     for (const auto& [name, value] : campaign->question) question += name + ": " + value + "\n";
   const bool is_same = ranks.fromFirst(question) == question;
   if (!ranks.holdsEverywhere(is_same && !wrong)) {
-    // mpirun stops all ranks at the first nonzero exit code, which must come from the rank that reports the error.
+    // mpirun stops all ranks at the first nonzero exit code, so only the rank that reports the error may return one.
     if (ranks.rank() > 0) return kDone;
     if (wrong) throw *wrong;
     throw InputError::saying("campaign",
@@ -154,7 +154,7 @@ int runRanked(const CampaignOptions& options, Ranks& ranks) {
                              "copy the same program and files to every machine, and give the same options");
   }
   if (desk) return desk->run(workersOf(options), &ranks);
-  noteStopSignals();  // a signal must not end this rank: only the first rank decides when to stop
+  noteStopSignals();  // signals must not end this rank, because the first rank decides when to stop
   serveRuns(*campaign->experiment, workersOf(options), ranks);
   return kDone;
 }

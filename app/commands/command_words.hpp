@@ -7,8 +7,8 @@
 namespace tubeplan::app {
 
 struct OptionWords {
-  std::vector<std::string> names;  ///< "--json", "-o"; for a positional argument only its name
-  std::string value;               ///< name of the value, in capitals; empty for a flag
+  std::vector<std::string> names;  ///< names such as "--json" and "-o"; for a positional argument, only its name
+  std::string value;               ///< placeholder of the value, in capitals; empty for a flag
   std::string description;
   std::string initial;  ///< default value; empty if there is none
   bool is_positional = false;

@@ -16,7 +16,7 @@ namespace {
 
 struct OutputFormat {
   std::string_view name;
-  /// Function that formats the results; null: the command prints its own text.
+  /// Function that formats the results; null if the command prints its own text.
   std::string (*write)(const nlohmann::json& figures);
 };
 
@@ -25,7 +25,7 @@ std::string jsonText(const nlohmann::json& figures) { return figures.dump(2) + "
 constexpr OutputFormat kFormats[] = {
     {"text", nullptr}, {"json", jsonText}, {"csv", figuresCsv}, {"markdown", figuresMarkdown}};
 
-/// Returns the format of standard output; `--json -` means the same as `--format json`.
+/// Returns the format of standard output; `--json -` is equivalent to `--format json`.
 const OutputFormat& formatOf(const FiguresTarget& target) {
   const std::string name = target.json == "-" ? "json" : target.format;
   return *std::ranges::find(kFormats, name, &OutputFormat::name);

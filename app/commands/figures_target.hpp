@@ -9,7 +9,7 @@
 namespace tubeplan::app {
 
 struct FiguresTarget {
-  std::string json;             ///< file name; "-": standard output; empty: not written
+  std::string json;             ///< file name, or "-" for standard output; if empty, no JSON is written
   std::string format = "text";  ///< format of standard output, one of figureFormats()
 };
 

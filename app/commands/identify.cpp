@@ -45,7 +45,7 @@ void printIteration(std::FILE* out, const calibration::LeastSquaresIteration& no
   std::fflush(out);
 }
 
-/// Prints why the result is withheld, in the form in which `diagnose` does.
+/// Prints the reason why there is no result, in the same form as `diagnose`.
 void printWithheld(const IdentifyOptions& options, const IdentificationOutcome& outcome) {
   fmt::print("{}\n{}\n{}{}", nameOf(calibration::Verdict::kInconclusive), noVerdictSentence(outcome.fit.reason),
              options.out.empty() ? "" : "nothing was written\n", warningsText(outcome.warnings));

@@ -40,7 +40,7 @@ std::string withoutText(std::size_t count) {
   return fmt::format(", without {} {}", count, count == 1 ? "reading" : "readings");
 }
 
-/// Writes and prints each model as soon as it is found, so that a stop loses no completed step.
+/// Writes and prints each model as soon as it is found, so that completed steps survive a stop.
 class Keeper {
  public:
   Keeper(const CellMeasurements& input, const ImproveOptions& options) : input_(input), options_(options) {}
@@ -49,7 +49,7 @@ class Keeper {
     const auto used = calibration::withoutMeasurements(input_.measurements, model.set_aside);
     const auto files = improvedCell(input_.cell, model.cell, model.fit, used, options_.out);
     step_ = model.step;
-    // The first fit is written only at the end, because the measurements may allow no verdict on it.
+    // Write the first fit only at the end, because the measurements may allow no verdict on it.
     if (step_ > 0)
       write(files);
     else

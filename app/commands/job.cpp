@@ -155,8 +155,8 @@ int plan(const JobOptions& options) {
   return kDone;
 }
 
-/// One action of the command: its name, its words for --help, the options it has beside --json and --format, and the
-/// function that runs it.
+/// One action of the command: its name, its text for --help, its options in addition to --json and --format, and its
+/// function.
 struct JobAction {
   const char* name;
   const char* words;

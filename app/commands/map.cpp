@@ -68,7 +68,7 @@ constexpr TextLine kMapWords[] = {
     {"", "fingerprint {fingerprint}\n"},
     {"warnings", "warning: {}\n"}};
 
-// Returns the length unit of the exported map: that of the cell if it is in, mm or m, otherwise inches.
+// Returns the length unit of the exported map: the cell's unit if it is in, mm or m, otherwise inches.
 const tubesheets::LengthUnit& csvUnit(const Cell& cell) {
   const auto* unit = tubesheets::findLengthUnit(cell.units.length().name);
   return unit ? *unit : tubesheets::kInch;

@@ -18,8 +18,8 @@ void addFigures(CLI::App& cli, FiguresTarget& target);         ///< --json and -
 /// Adds --seed; `of` is its help text, which states what is random.
 void addSeed(CLI::App& cli, std::uint64_t& seed, const std::string& of);
 
-/// Adds --sigma (above zero): the standard deviation of a coordinate in the cell's length unit. `when` is the end of
-/// its help text, which states when the option applies.
+/// Adds --sigma (above zero): the standard deviation of a coordinate in the cell's length unit. The help text ends with
+/// `when`, which states when the option applies.
 void addSigma(CLI::App& cli, double& sigma, const std::string& when);
 
 /// Adds --sigma, --prior and --assume, for commands that fit a model to measurements.
@@ -34,7 +34,7 @@ CLI::Option* addListColumns(CLI::App& cli, std::vector<std::string>& columns);
 
 /// Destination of the results page: --report FILE, and --open to show it in a browser.
 struct ReportTarget {
-  std::string file;  ///< file name; empty: no page
+  std::string file;  ///< file name; empty if there is no page
   bool open = false;
 
   [[nodiscard]] bool isWanted() const { return !file.empty(); }

@@ -86,18 +86,17 @@ int run(const PlanOptions& options) {
   requireOtherNames(options);
   if (options.trajectory) requireAccelerations(readCell(options.request.cell).arm);
   checkFigures(options.figures);
-  noteStopSignals();  // before the first folder is created, so that a stop removes the folder
+  noteStopSignals();  // installed before the first folder is created, so that a stop removes the folder
   OutputFolder folder(options.out, "--out");
   std::vector<std::string> names(std::begin(kPlanFiles), std::end(kPlanFiles));
-  // Without touches this plan writes no touches.csv, so one that the user keeps there is no reason to refuse the
-  // folder.
+  // Without touches, no touches.csv is written, so an existing touches.csv of the user is not overwritten.
   if (options.request.touches.empty()) std::erase(names, "touches.csv");
   folder.requireOwn({"plan.json", kProgressFile}, names);
   PlanCheckpoint checkpoint(folder.path(), options.resume, options.from);
   const PlanOutcome outcome = runPlanJob(options.request, terminalHooks(), checkpoint);
   if (outcome.plan.status == planner::VisitPlanStatus::kStopped) return explainStop(checkpoint, folder);
   if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) {
-    // If the touches were refused, nothing was planned, and the checkpoint of an earlier run is kept.
+    // If the touches were refused, nothing was planned; keep the checkpoint of an earlier run.
     if (outcome.plan.status != planner::VisitPlanStatus::kNotRun) checkpoint.discard();
     return explain(outcome);
   }

@@ -36,7 +36,7 @@ void checkPath(const PlanFiles& files, std::vector<std::string>& problems) {
   std::size_t found = 0;
   for (std::size_t k = 0; k < files.path_echoes.size() && found < kMostRows; ++k) {
     // A visit has three path segments: the travel to the tube, approach and retreat. The first visit has no travel
-    // segment if the plan has no start posture. A final travel to the end posture is counted with the last visit.
+    // segment if the plan has no start posture. A final travel to the end posture belongs to the last visit.
     const auto segment = static_cast<std::size_t>(std::max(files.plan.path[k].segment, 0));
     const std::size_t leading = files.plan.start ? 0 : 1;
     if (files.plan.tubes.empty()) continue;

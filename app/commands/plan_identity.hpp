@@ -9,9 +9,9 @@
 
 namespace tubeplan::app {
 
-/// Returns one sentence for each fault: the plan was made for another sheet (or for the mirror image of this sheet),
-/// another leg or another viewing side; a tube entry or path row names another leg or tube than the visit does; or
-/// path.csv is not the path of plan.json. At most twenty path rows are reported.
+/// Returns one sentence for each mismatch: a plan for another sheet (or the mirror image of this sheet), leg or viewing
+/// side; a tube entry or path row that names another leg or tube than the visit; a path.csv that does not belong to
+/// plan.json. At most twenty path rows are reported.
 [[nodiscard]] std::vector<std::string> findIdentityProblems(const PlanFiles& files, const tubesheets::Sheet& sheet);
 
 /// Returns the sheet mirrored at the divider plate, with hot and cold leg exchanged.

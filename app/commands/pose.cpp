@@ -30,7 +30,7 @@ struct PoseOptions {
   bool all = false;
 };
 
-/// Returns the intermediate results that Appendix A of the thesis lists for every link: frames, loads and the
+/// Returns the intermediate results that Appendix A of Calkins 1994 lists for every link: frames, loads and the
 /// deflection of each component.
 nlohmann::json intermediatesJson(const deflection::Arm& arm, const deflection::FlexibleKinematics& shape,
                                  const Units& units) {

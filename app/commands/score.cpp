@@ -38,12 +38,12 @@ struct ScoreOptions : ScoredRunsOptions {
   std::vector<std::string> columns;
 };
 
-/// Default numbers of tubes, spread over the sheet: without --runs, and with --runs.
+/// Default numbers of tubes spread over the sheet, without and with --runs.
 constexpr std::size_t kTubes = 60, kTubesOfRuns = 80;
 
 struct ScoredTube {
   int tube;
-  std::string reason;  ///< why the tube was not scored; empty for a scored tube
+  std::string reason;  ///< reason why the tube was not scored; empty for a scored tube
   ModeScores scores;
   Eigen::VectorXd q = {};  ///< posture of the model on its calibrated base; empty if the tube is unreachable
 };
@@ -170,7 +170,7 @@ std::string scoredText(const nlohmann::json& figures, const Scored& scored, cons
 
 int run(const ScoreOptions& options) {
   Cell cell = readCell(options.cell);
-  forgetTouches(cell);  // the true arm makes new touches
+  forgetTouches(cell);  // discard the stored touches, because the true arm makes new ones
   const Cell true_cell = readCell(options.truth);
   const auto model = workcellOf(cell, "score positioning"), truth = workcellOf(true_cell, "score against it");
   if (model.sheet.fingerprint() != truth.sheet.fingerprint())

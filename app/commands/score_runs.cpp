@@ -22,15 +22,15 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Numbers of holes in the experiment of the thesis (Calkins 1994, section 5.5, table 5.7). The touched holes are the
-/// first of the visited holes.
+/// Numbers of holes in the experiment of Calkins 1994 (section 5.5, table 5.7). The touched holes are the first of the
+/// visited holes.
 constexpr int kTouchedHoles = 3, kVisitedHoles = 10;
 /// Number of touched holes, and number of repetitions, from which meanTouchError() is computed.
 constexpr int kFittedHoles = 14;
 constexpr std::uint64_t kBaseFits = 20;
 
 struct ScoredRuns {
-  std::vector<std::vector<ModeScores>> scores;  ///< [run][hole], for the scored runs
+  std::vector<std::vector<ModeScores>> scores;  ///< scores of the completed runs, indexed [run][hole]
   std::vector<std::string> refused;             ///< reason for each run that could not be calibrated
   std::uint64_t misfits = 0;                    ///< number of scored runs whose touches do not fit
   bool is_stopped = false;
@@ -47,7 +47,7 @@ ScoredRuns scoredBy(const CentringTrials& trials, int runs, const planner::PlanH
       scored.refused.emplace_back(nameOf(trial.failure));
       continue;
     }
-    // At the hole itself, goal-point and via-point compensation have the same posture.
+    // Goal-point and via-point compensation have the same posture at the hole itself.
     auto& scores = scored.scores.emplace_back();
     for (const auto& [hole, centring] : trial.visits) scores.push_back({centring[0], centring[1], centring[1]});
     scored.misfits += trial.is_misfit ? 1 : 0;

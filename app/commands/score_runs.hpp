@@ -1,5 +1,5 @@
-// `tubeplan score --runs`: repeats the experiment of the thesis with true arms whose base pose and stiffnesses are
-// drawn at random about those of the given arm.
+// `tubeplan score --runs`: repeats the experiment of Calkins 1994 with true arms whose base pose and stiffnesses
+// deviate randomly from the given arm.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,10 @@ namespace tubeplan::app {
 struct ScoredRunsOptions {
   FiguresTarget figures;
   int runs = 0;
-  double unmodelled = -1;  ///< standard deviation per coordinate, in the cell's length unit; negative: default
-  double stiffness = -1;   ///< relative standard deviation of the true arm's stiffnesses; negative: default
+  /// Standard deviation of the unmodelled tip error per coordinate, in the cell's length unit; negative selects the
+  /// default.
+  double unmodelled = -1;
+  double stiffness = -1;  ///< relative standard deviation of the true arm's stiffnesses; negative selects the default
   std::uint64_t seed = 1;
 };
 

@@ -123,7 +123,7 @@ int run(const SensitivityOptions& options) {
   else
     task.work = clearPostures(armAndScene(cell), {task.load}, options.postures, options.seed);
   report.work = static_cast<int>(task.work.size());
-  // Why there is no result. Touches are not needed if the cell has no sheet and a known base.
+  // Reason why there is no result. Touches are not needed if the cell has no sheet and a known base.
   std::string reason;
   if (!task.work.empty() && (report.has_sheet || !cell.base_known))
     reason = chooseBaseTouches(cell, options.seed + 1, report, task);

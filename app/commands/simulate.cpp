@@ -36,7 +36,7 @@ int run(const SimulateOptions& options) {
   const auto& request = options.request;
   const Cell cell = readCell(options.cell);
   const SimulationTask task = prepareSimulation(cell, request);
-  noteStopSignals();  // before the first folder is created, so that a stop removes the folder
+  noteStopSignals();  // installed before the first folder is created, so that a stop removes the folder
   OutputFolder folder(options.out, "--out");
   folder.requireOwn({"truth.yaml"}, {"measurements.csv"});
   const auto campaign = measure(cell, task, request.seed);

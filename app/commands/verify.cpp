@@ -103,9 +103,9 @@ constexpr TextLine kPlanCheckWords[] = {
     {"findings", "  {}\n"}};
 
 /// Returns a sentence on the difference between the plan's base and the cell's base, which may have been calibrated
-/// since; empty if both agree.
+/// after planning; empty if both agree.
 std::string baseDifference(const Cell& cell, const Cell& planned) {
-  constexpr double kSamePlace = 1e-6, kSameTurn = 1e-6;  // tolerances [m], [rad]
+  constexpr double kSamePlace = 1e-6, kSameTurn = 1e-6;  // tolerances of position [m] and rotation [rad]
   if (!cell.base_known) return "";
   const double place = (cell.X_WB.translation() - planned.X_WB.translation()).norm();
   const double turn =
@@ -150,8 +150,8 @@ int run(const VerifyOptions& options) {
   planner::PlanCheckOptions checks;
   checks.padding = files.padding_sigmas;
   checks.via_points = files.compensation == "via-point";
-  // Without compensation the deflected tip misses the holes by design. Centring and tilt are then not limited, and only
-  // the values stated in the files are compared with the model.
+  // Without compensation, the deflected tip is expected to miss the holes. Centring and tilt are then not limited, and
+  // only the values stated in the files are compared with the model.
   if (files.compensation == "none") {
     checks.centring_tolerance = 1;
     checks.limits_tilt = false;

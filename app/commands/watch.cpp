@@ -1,4 +1,4 @@
-// `tubeplan watch`: watches the measurements of a calibrated arm at work for a change.
+// `tubeplan watch`: detects changes of a calibrated arm from measurements taken during operation.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

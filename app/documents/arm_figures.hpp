@@ -1,4 +1,4 @@
-// Rows, joints, compliances and weights of an arm, as text and JSON, by which users can check an arm file.
+// Summary of an arm, as text and JSON, with which users can check an arm file: rows, joints, compliances and weights.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

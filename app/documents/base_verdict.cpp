@@ -21,8 +21,8 @@ using calibration::BaseCalibration;
 // Largest plausible deviation of the base from nominal, in standard deviations of its prior.
 constexpr double kMostSigmas = 3;
 constexpr double kMostPitches = 10;  // largest plausible miscount of rows or columns, in pitches
-// A miscount of holes is suspected only if the base's shift differs from a vector between two holes by less than this,
-// in pitches. Only a shift that leads off the sheet differs by more.
+// Largest difference, in pitches, between the shift of the base and a vector between two holes at which a miscount of
+// holes is suspected. Larger differences occur only for shifts off the sheet.
 constexpr double kOnLattice = 0.75;
 // Touches that fit so well that the probability of such a fit is below this value cause a warning.
 constexpr double kTooGood = 1e-6;

@@ -14,8 +14,8 @@
 namespace tubeplan::app {
 
 struct BaseVerdict {
-  bool fit_is_off = false;      ///< true: the chi-square test rejects the fit, given the stated noise
-  bool is_implausible = false;  ///< true: the base is farther from nominal than its prior allows
+  bool fit_is_off = false;      ///< true if the chi-square test rejects the fit, given the stated noise
+  bool is_implausible = false;  ///< true if the base is farther from nominal than its prior allows
   /// Distance of the base origin from nominal [m]; NaN if the calibration was refused.
   double distance = std::numeric_limits<double>::quiet_NaN();
   /// Rotation angle of the base from nominal [rad]; NaN if the calibration was refused.

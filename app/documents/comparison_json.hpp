@@ -17,8 +17,8 @@ inline constexpr const char* kErrorsAre = "measured less predicted";
 /// Returns the result of a comparison in one sentence.
 [[nodiscard]] std::string comparisonSentence(const calibration::Comparison& result, const Units& units);
 
-/// Returns the JSON of a comparison. `readings` are the compared measurements; `set_aside` is the number of excluded
-/// measurements.
+/// Returns the JSON of a comparison. `measurements` are the compared measurements; `set_aside` is the number of
+/// excluded measurements.
 [[nodiscard]] nlohmann::json comparisonJson(const calibration::Comparison& result,
                                             const std::vector<calibration::Measurement>& measurements,
                                             std::size_t set_aside, const Units& units);

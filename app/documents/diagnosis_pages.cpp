@@ -19,8 +19,8 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Adds the joints, and copies the tip position after the refit and the errors before and after it to the keys from
-/// which the page draws.
+/// Adds the joints, and copies the tip position after the refit and the errors before and after it to the keys that the
+/// page reads.
 void addPictures(const Cell& cell, nlohmann::json& json) {
   json["joints"] = jointsJson(cell.arm, cell.units);
   for (auto& measurement : json["readings"]) {

@@ -48,7 +48,7 @@ std::string foundText(const FoundEffect& effect, const Units& units) {
   return numbers.empty() ? name : fmt::format("{} ({})", name, fmt::join(numbers, ", "));
 }
 
-/// Returns a string that lists the effects of an explanation, with their parameter values if it is then short enough
+/// Returns a string that lists the effects of an explanation, with their parameter values if the result is short enough
 /// for a sentence.
 std::string shortText(const Explanation& explanation, const Units& units) {
   constexpr std::size_t kShort = 90;
@@ -122,10 +122,10 @@ std::string modesSentence(const Explanation& explanation) {
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-/// Returns a sentence on the decrease of the error. An error far below the noise floor, which occurs for measurements
-/// that only bound an error, is stated only as less than the noise floor.
+/// Returns a sentence on the decrease of the error. An error far below the noise floor is only stated as "less than the
+/// noise floor"; it occurs for measurements that only bound an error.
 std::string fallSentence(const Diagnosis& result, const Units& units) {
-  constexpr double kNothing = 0.5;  // fraction of the noise floor below which an error is not stated
+  constexpr double kNothing = 0.5;  // fraction of the noise floor below which the value of an error is not given
   if (result.heldout_after.rms < kNothing * result.noise_floor)
     return fmt::format("With it the held-out error falls from {} to less than the noise floor of {}.",
                        errorText(result.heldout_before.rms, result, units),

@@ -25,7 +25,7 @@ void addOwnNumbers(const calibration::Measurement& measurement, const Units& uni
 /// that users see. The held-out error is null for a model that was not fitted.
 [[nodiscard]] nlohmann::json modelComparisonJson(const calibration::Diagnosis& result, const Units& units);
 
-/// Adds to the JSON of a diagnosis: `joints`; `ladder`; `readings`, each as in readingJson() with position: [3],
+/// Adds to the JSON of a diagnosis: `joints`; `ladder`; `readings`, each as in measurementJson() with position: [3],
 /// before: [3], after: [3] (error with the leading explanation) and explained: [[3], ...] (error with each explanation
 /// shown); and `added_variable`: [{explanation, effect, at, slope, length, kept_fraction, points: [[measurement,
 /// signature, left], ...]}]. Errors are measured minus predicted. In `points`, `reading` is an index in `readings`, and

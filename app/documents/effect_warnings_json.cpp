@@ -69,7 +69,7 @@ std::string beyondText(const EffectWarning& warning, const Units& units) {
 
 using WarningGroup = std::vector<const EffectWarning*>;
 
-/// Returns true if one sentence can state both warnings. A warning that the same effect fits better with other
+/// Returns true if both warnings fit into one sentence. A warning that the same effect fits better with other
 /// parameters or at another place is stated separately.
 bool isSaidTogether(const EffectWarning& a, const EffectWarning& b) {
   if (a.kind != b.kind || a.is_within_noise != b.is_within_noise) return false;
@@ -106,8 +106,8 @@ std::string warningRange(const WarningGroup& group, int digits, ValueOf&& valueO
   return from == to ? from : from + " to " + to;
 }
 
-/// Returns the warning that effects are not needed. Each effect was tested by removing it alone. Without it, another
-/// effect may have explained its part of the error, so only one may be removed at a time.
+/// Returns the warning that effects are not needed. Each effect was tested by removing it alone. Another effect may
+/// then have explained its part of the error, so only one effect may be removed at a time.
 std::string notNeededText(const WarningGroup& group, const Units& units) {
   const EffectWarning& first = *group.front();
   std::string grounds = "p = " + warningRange(group, 2, [](const EffectWarning& w) { return w.p_value; });

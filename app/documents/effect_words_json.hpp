@@ -1,4 +1,4 @@
-// Descriptions of effects, added to documents next to the effects' names, so that pages need not contain them.
+// Adds descriptions of effects to documents, so that pages do not need their own texts.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -47,7 +47,7 @@ bool hasReal(const json& value) {
 }
 
 /// Returns the name that distinguishes an entry from the other entries of its list; if it has no name, its number,
-/// counted from 1.
+/// starting from 1.
 std::string entryName(const json& entry, std::size_t place) {
   if (entry.contains("effect") && entry.contains("at"))
     return fmt::format("{} at {}", cellText(entry["effect"], 1), cellText(entry["at"], 1));

@@ -9,19 +9,20 @@
 namespace tubeplan::app {
 
 struct Figure {
-  std::string list;         ///< path of the outermost list that contains the value, such as "parameters"; empty if none
+  /// Path of the outermost list that contains the value, such as "parameters"; empty outside lists.
+  std::string list;
   std::string row;          ///< index in `list`
-  std::string column;       ///< path within the list's entry, such as "prior/sigma"; full path if in no list
-  std::string description;  ///< such as "tool.tip.x: value"
-  nlohmann::json value;     ///< plain value, or a list of plain values
-  std::string unit;         ///< empty for strings, counts and dimensionless numbers
+  std::string column;       ///< path within the list's entry, such as "prior/sigma"; full path outside lists
+  std::string description;  ///< description, such as "tool.tip.x: value"
+  nlohmann::json value;     ///< scalar, or a list of scalars
+  std::string unit;         ///< unit; empty for strings, counts and dimensionless numbers
   std::string note;
 
   /// Returns the path in the notation of jq and JSON pointers, such as "parameters/0/prior/sigma".
   [[nodiscard]] std::string key() const;
 };
 
-/// Returns the values of a document: first its conclusions, then all others in document order.
+/// Returns the values of a document: conclusions first, then all other values in document order.
 [[nodiscard]] std::vector<Figure> figuresOf(const nlohmann::json& document);
 
 /// Returns a value as the text of a table cell, with `digits` significant digits; empty if the value is unknown.

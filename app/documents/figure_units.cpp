@@ -11,9 +11,9 @@ namespace {
 
 using nlohmann::json;
 
-/// Row that assigns a unit to JSON keys. A key matches the end of a value's path; with a slash at its end it matches
-/// any part of the path. The first matching row applies. `units` lists paths at which the document states the unit's
-/// name; the first one found, searched from the value outwards, applies. Text after "=" is itself the unit's name.
+/// Row that assigns a unit to JSON keys. A key matches the end of a value's path or, with a trailing slash, any part of
+/// the path. The first matching row applies. `units` lists paths at which the document states the unit's name; the
+/// first one found, searched from the value outwards, applies. Text after "=" is itself the unit's name.
 struct UnitRow {
   std::string_view units, keys;
 };

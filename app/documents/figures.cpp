@@ -22,7 +22,8 @@ nlohmann::json placeJson(const Eigen::Vector3d& metres, const Units& units) {
 }
 
 std::string significantText(double value, int digits) {
-  const bool is_whole = std::abs(value) >= std::pow(10, digits) && std::abs(value) < 1e7;  // prints 1331, not 1.33e+03
+  // Prints 1331 instead of 1.33e+03.
+  const bool is_whole = std::abs(value) >= std::pow(10, digits) && std::abs(value) < 1e7;
   return is_whole ? fmt::format("{:.0f}", value) : fmt::format("{:.{}g}", value, digits);
 }
 

@@ -32,11 +32,11 @@ namespace tubeplan::app {
 /// Returns a p-value as text, such as "p = 0.012".
 [[nodiscard]] std::string chanceText(double p);
 
-/// Returns the number of decimals with which table columns show lengths in this unit, so that 1e-4 in is visible.
+/// Returns the number of decimals for lengths in this unit in tables, such that 1e-4 in is visible.
 [[nodiscard]] int lengthDecimals(const Unit& length);
 
-/// Returns the name of the status of a calibration, identification or comparison, whose three enumerations list their
-/// values in the same order.
+/// Returns the name of the status of a calibration, identification or comparison. The three enumerations have the same
+/// order.
 template <class Status>
 [[nodiscard]] std::string_view statusName(Status status) {
   static constexpr std::array<std::string_view, 5> kNames{"not-run", "done", "refused", "not-converged", "stopped"};

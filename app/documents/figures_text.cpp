@@ -162,7 +162,7 @@ bool isNothing(const json& value) {
          (value.is_number_integer() && value == 0) || (value.is_number() && !std::isfinite(value.get<double>()));
 }
 
-/// Returns the position after the innermost object or list of the scopes; a plain value inside it is thus excluded.
+/// Returns the position after the innermost object or list of the scopes; a scalar inside it is excluded.
 Scopes::const_iterator innermostObject(const Scopes& scopes) {
   return std::find_if(scopes.rbegin(), scopes.rend(), [](const json* scope) { return scope->is_structured(); }).base();
 }

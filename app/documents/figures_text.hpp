@@ -1,5 +1,5 @@
 // Text made from a JSON document by a table of lines whose placeholders are replaced by values of the document. The
-// document states the meaning and unit of each value; the lines state wording, digits and order.
+// document provides values and units; the lines define wording, digits and order.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,10 +9,10 @@
 
 namespace tubeplan::app {
 
-/// Table row that prints one line for each entry of the list at the path `of`, such as "bases" or "rms/after", or one
-/// line for the value or object there. No line is printed for a value that is missing, null, false, empty or a zero
-/// count. "+rms" and "-rms" print only positive and only negative numbers. "!rms" and "!+rms" print a line if "rms" and
-/// "+rms" would print none; "" always prints one line.
+/// Row of a table of text lines. Prints one line for each entry of the list at the path `of`, such as "bases", or one
+/// line for the value or object at a path such as "rms/after". No line is printed for a value that is missing, null,
+/// false, empty or a zero count. "+rms" and "-rms" print only positive and only negative numbers. "!rms" and "!+rms"
+/// print a line if "rms" and "+rms" would print none; "" always prints one line.
 ///
 /// `{PATH:FORMAT UNIT}` in `words` is replaced by the value at PATH, searched in the entry, then in its enclosing
 /// objects, then in the document. UNIT is the path of the name of the unit. `{}` is the entry itself, `{#PATH}` the
@@ -23,7 +23,7 @@ namespace tubeplan::app {
 /// written as "4 open, 2 plugged", and null or a number that is not finite as "none".
 struct TextLine {
   std::string_view of, words;
-  std::span<const TextLine> inner = {};  ///< lines that follow, about the same entry
+  std::span<const TextLine> inner = {};  ///< further lines about the same entry
   std::string_view name = {};
   std::size_t most = 1000000;  ///< maximum number of entries shown
 };

@@ -10,7 +10,7 @@
 
 namespace tubeplan::app {
 
-/// Returns the JSON of an identification. `readings` are all measurements that were passed to the identification;
+/// Returns the JSON of an identification. `measurements` are all measurements that were passed to the identification;
 /// `set_aside` is the number of measurements that were excluded beforehand.
 [[nodiscard]] nlohmann::json identificationJson(const calibration::Identification& result,
                                                 const std::vector<calibration::Measurement>& measurements,

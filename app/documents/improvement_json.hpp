@@ -10,7 +10,7 @@
 
 namespace tubeplan::app {
 
-/// Returns the name by which documents state the end of the loop: "adequate", "nothing-sure", ...
+/// Returns the name, in documents, of the reason for ending the loop: "adequate", "nothing-sure", ...
 [[nodiscard]] const char* nameOf(ImprovementEnd end);
 
 /// Returns, as a clause, the reason why a step added a cause or ended the loop.

@@ -22,8 +22,8 @@ void addChecks(const calibration::MeasurementChecks& checks, const Units& units,
 /// Returns one line for each check; empty if there are none.
 [[nodiscard]] std::string checksText(const calibration::MeasurementChecks& checks, const Units& units);
 
-/// Returns the checkText() of a mistake so large that the measurements cannot be used to judge or fit a model; empty if
-/// there is none. Used wherever measurements are judged or fitted.
+/// Returns the checkText() of a mistake that makes the measurements unusable for judging or fitting a model; empty if
+/// there is none.
 [[nodiscard]] std::string mistakeText(const calibration::MeasurementChecks& checks, const Units& units);
 
 /// Value of the key `verdict_words` if the measurements contain a mistake, that is, if mistakeText() is not empty.

@@ -39,7 +39,7 @@ ErrorUnit errorUnitOf(const std::vector<ModelComparisonRow>& comparison, const U
   return errorUnitOf(!comparison.empty() && comparison.front().fitted.are_angles, units);
 }
 
-/// Returns the error budget of the comparison: the first model's error, of which the last model explains a part.
+/// Returns the error budget of the comparison: the error of the first model, and the part that the last model explains.
 calibration::ErrorBudget budgetOf(const std::vector<ModelComparisonRow>& comparison) {
   if (comparison.empty()) return {};
   const auto &first = comparison.front(), &last = comparison.back();

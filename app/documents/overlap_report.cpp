@@ -11,7 +11,7 @@ namespace tubeplan::app {
 namespace {
 
 constexpr std::size_t kMostNamed = 3;
-constexpr double kWorthSaying = 0.2;  // smallest share for which the text names an effect
+constexpr double kWorthSaying = 0.2;  // smallest fraction for which the text names an effect
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// One sentence about a plan: how many tubes are visited, how many tool steps enter, and for which base the path is
+// One-sentence summary of a plan: number of visited tubes, steps expected to enter, and the base for which the path is
 // proved.
 #pragma once
 

@@ -52,8 +52,7 @@ json modesJson(const ModeScores& scores, const Units& units) {
   return modes;
 }
 
-/// Returns the compensation modes that are scored, in the order in which the thesis compares them: [{name, words,
-/// brief}, ...].
+/// Returns the compensation modes that are scored, in the order of Calkins 1994: [{name, words, brief}, ...].
 json modeWordsJson() {
   json modes = json::array();
   for (std::size_t mode = 0; mode < kModeKeys.size(); ++mode) {
@@ -247,7 +246,7 @@ void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFol
   if (!outcome.touches.empty())
     folder.write("touches.csv", touchesCsv(outcome.touches, outcome.cell));
   else if (std::filesystem::exists(folder.path() / "plan.json"))
-    folder.remove("touches.csv");  // left from an earlier plan
+    folder.remove("touches.csv");  // remove the file of an earlier plan
   folder.write(kWorkListFile, workListCsv(outcome));
   folder.write("report.html", renderPlanReport(reportJson(request, outcome)));
   folder.commit();

@@ -17,7 +17,7 @@ namespace tubeplan::app {
 /// probabilities, the number that enters with the predicted centring error.
 [[nodiscard]] int expectedSteps(const PlanOutcome& outcome, std::size_t k);
 
-/// Returns planJson() with the fingerprint of the path's numbers added, by which `verify` recognizes the path file.
+/// Returns planJson() with the fingerprint of the path's numbers added, with which `verify` recognises the path file.
 [[nodiscard]] nlohmann::json planFileJson(const PlanRequest& request, const PlanOutcome& outcome);
 [[nodiscard]] std::string planFileText(const PlanRequest& request, const PlanOutcome& outcome);
 

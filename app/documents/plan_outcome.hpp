@@ -21,18 +21,19 @@ namespace tubeplan::app {
 struct PlanRequest {
   std::string cell;           ///< file name
   std::string tubes = "all";  ///< selection, or name of a CSV file
-  std::string
-      touches;  ///< file name; `auto`: the true arm touches holes that the program chooses; empty: base as in the cell
-  std::string truth;  ///< file name of the true cell; empty: no scores
+  /// Measurement file of touches; `auto` simulates touches of the true arm; empty keeps the cell's base.
+  std::string touches;
+  std::string truth;  ///< file name of the true cell; empty if no scores are computed
   std::string compensation = "via-point";
   std::string travel = "joints";  ///< `joints` or `line`, see planner::TravelKind
   double load = 0;                ///< in the cell's force unit
   ConditionsRequest conditions;
   /// Dwell time at each tube [s], keyed by tube index; a work list file states its own dwell times.
   std::map<int, double> stays = {};
-  double padding = 0;               ///< additional clearance, in standard deviations of the base pose
-  std::optional<double> standoff;   ///< distance below a hole at which the approach starts, in the cell's length unit
-  bool has_least_standoff = false;  ///< true: at each hole the least standoff that is clear, up to `standoff`
+  double padding = 0;              ///< additional clearance, in standard deviations of the base pose
+  std::optional<double> standoff;  ///< distance below a hole at which the approach starts, in the cell's length unit
+  /// True if each hole is approached from the shortest clear distance, up to `standoff`.
+  bool has_least_standoff = false;
   double insertion = 0;  ///< distance past a hole's face at which the approach ends, in the cell's length unit
   std::uint64_t seed = 1;
 };
@@ -57,7 +58,7 @@ struct PlanOutcome {
   StepChances chances;       ///< probabilities of 0, 1, ... steps at each visit
   std::vector<ModeScores> scores;  ///< centring of the true arm at each visit; empty without a truth
 
-  /// Returns the calibration that determined the base of this plan; null if the base is that of the cell.
+  /// Returns the calibration that determined the base of this plan; null if the plan uses the cell's base.
   [[nodiscard]] const calibration::BaseCalibration* placedBy() const {
     return calibration ? &calibration->flexible : nullptr;
   }

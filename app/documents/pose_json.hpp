@@ -26,7 +26,7 @@ struct PoseFigures {
 /// Returns {position: [3], fixed_angles: [3]} in file units.
 [[nodiscard]] nlohmann::json figuresJson(const PoseFigures& figures, const Units& units);
 
-/// Returns {rigid, flexible, change, deflection, iterations}; the poses are those of the tip in the arm's base frame.
+/// Returns {rigid, flexible, change, deflection, iterations}; the poses of the tip are in the arm's base frame.
 [[nodiscard]] nlohmann::json poseFiguresJson(const deflection::FlexibleKinematics& shape, const Units& units);
 
 /// Returns {tip_error, needed, warning} for a posture. `tip_error` is the error of the tip caused by too few beam
@@ -50,8 +50,8 @@ struct PoseFigures {
 [[nodiscard]] nlohmann::json placedBaseJson(const Eigen::Isometry3d& X_WB, const BaseStanding& standing,
                                             const Units& units);
 
-/// Returns joint values in file units at full precision: rounded values would move the tip by more than the accuracy
-/// that a plan states.
+/// Returns joint values in file units at full precision: rounding would move the tip by more than the stated accuracy
+/// of a plan.
 [[nodiscard]] nlohmann::json jointValuesJson(const Eigen::VectorXd& q, const Cell& cell);
 
 }  // namespace tubeplan::app

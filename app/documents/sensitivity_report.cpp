@@ -18,7 +18,7 @@ using calibration::NumberKind, calibration::NumberSensitivity;
 
 struct KindWords {
   NumberKind kind;
-  const char *name, *more, *less;  ///< `more` and `less` are adjectives, as in "1 % stiffer ..."
+  const char *name, *more, *less;  ///< `more` and `less` are comparatives, such as "stiffer" and "softer"
 };
 constexpr KindWords kKindWords[] = {{NumberKind::kStiffness, "stiffness", "stiffer", "softer"},
                                     {NumberKind::kWeight, "weight", "heavier", "lighter"},
@@ -30,7 +30,7 @@ const KindWords* wordsOf(NumberKind kind) {
   return nullptr;
 }
 
-/// Returns true if a change of the parameter by one per cent is meaningful to a designer.
+/// Returns true if a designer can change the parameter by one per cent.
 bool isDesignable(const NumberSensitivity& number) {
   return wordsOf(number.kind) != nullptr && number.parameter.value != 0;
 }
@@ -46,7 +46,7 @@ double sigmaOf(const SensitivityReport& report, std::size_t index) {
 std::string designSentence(const NumberSensitivity& number, const Units& units) {
   const double sag = perCent(number, number.deflection) / units.factor(dimension::kLength);
   const auto& words = *wordsOf(number.kind);
-  // A negative coordinate becomes longer as its value falls, which reverses the direction of change.
+  // A negative coordinate becomes longer as its value decreases, which reverses the direction of change.
   const bool is_more = (sag < 0) == (number.parameter.value > 0);
   return fmt::format("1 % {} {}: {:.3g} {} less deflection on average", is_more ? words.more : words.less,
                      number.parameter.name, std::abs(sag), units.length().name);
@@ -154,7 +154,7 @@ nlohmann::json sensitivityJson(const SensitivityReport& report, const Cell& cell
 }
 
 std::string sensitivityText(nlohmann::json figures) {
-  for (auto& number : figures["design"]) {  // for the direction of change that reduces the deflection
+  for (auto& number : figures["design"]) {  // `helps_by`: for the change that reduces the deflection
     const nlohmann::json &sag = number["deflection_per_percent"], &centring = number["uncompensated_per_percent"];
     number["helps_by"] = centring.is_null() || sag <= 0 ? centring : nlohmann::json(-centring.get<double>());
   }

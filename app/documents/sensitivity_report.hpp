@@ -15,8 +15,8 @@ namespace tubeplan::app {
 struct SensitivityReport {
   calibration::Sensitivity figures;
   int work = 0, work_lost = 0;  ///< number of work postures, and of listed tubes out of reach
-  bool has_sheet = false;       ///< true: errors are in the plane of the sheet; false: in all directions
-  /// Holes, or names of postures, whose touches determine the base; empty: the base is known.
+  bool has_sheet = false;       ///< true if errors are measured in the plane of the sheet; false if in all directions
+  /// Holes, or names of postures, whose touches determine the base; empty means that the base is known.
   std::vector<std::string> touches;
   /// Standard deviation of each parameter, in internal units; NaN if no measurement determines it; empty without
   /// measurements.

@@ -14,20 +14,22 @@
 namespace tubeplan::app {
 
 struct TouchRequest {
-  std::string cell, measurements;   ///< file names; `readings` is empty if there are none
+  std::string cell, measurements;   ///< file names; `measurements` is empty if there are none
   std::vector<std::string> assume;  ///< assumptions about the measurements, see MeasurementOptions
-  std::vector<std::string> free;    ///< names of the parameters to free; empty: the cell's `identify`
-  std::string goal;                 ///< base, parameters or both; empty: everything that the cell allows
-  std::string tubes;                ///< selection or work list; empty: spread:60
-  std::string kind;                 ///< touch or position; empty: touch for a cell with a sheet, else position
+  /// Names of the parameters to free; if empty, the parameters under the cell's `identify`.
+  std::vector<std::string> free;
+  std::string goal;   ///< base, parameters or both; if empty, everything that the cell allows
+  std::string tubes;  ///< selection or work list; the default is spread:60
+  std::string kind;   ///< touch or position; by default touch for a cell with a sheet, otherwise position
   /// Criterion for choosing measurements for the parameters.
   calibration::Optimality optimality = calibration::Optimality::kDeterminant;
-  int count =
-      0;  ///< number of measurements for each goal; 0: 3 touches for the base, 10 measurements for the parameters
-  int candidates = 0;  ///< number of holes or postures to choose from; 0: 60 holes, 600 postures
-  /// In the cell's force unit; empty: the loads of the measurements, or zero load without measurements.
+  /// Number of measurements for each goal; by default 3 touches for the base, 10 measurements for the parameters.
+  int count = 0;
+  int candidates = 0;  ///< number of holes or postures to choose from; by default 60 holes or 600 postures
+  /// Loads in the cell's force unit; by default the loads of the measurements, or no load without measurements.
   std::vector<double> loads;
-  double sigma = 0;  ///< noise of a coordinate, in the cell's length unit; 0: derived from the measurements or the tool
+  /// Noise of a coordinate, in the cell's length unit; if 0, it is derived from the measurements or the tool.
+  double sigma = 0;
   std::uint64_t seed = 1;
   std::vector<std::string> columns = {};  ///< meanings of the work list's columns
 };

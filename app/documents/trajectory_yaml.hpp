@@ -10,7 +10,7 @@ namespace tubeplan::app {
 inline constexpr const char* kTrajectoryFile = "trajectory.yaml";
 
 /// Throws InputError for an arm with a joint of unlimited acceleration: the joint's speed would jump, and a controller
-/// that interpolates cubically between points with speeds would leave the planned lines.
+/// with cubic interpolation would leave the planned lines.
 void requireAccelerations(const deflection::Arm& arm);
 
 /// Returns a trajectory_msgs/JointTrajectory of ROS 2 as YAML: joint_names, and points with positions, velocities,

@@ -53,7 +53,7 @@ bool statesJoints(const std::string& text, const std::string& file, const deflec
     for (std::size_t k = 0; k < targets.size(); ++k)
       if (targets[k].is_joint && guesses[k]) return true;
   } catch (const InputError&) {
-    return false;  // the text is not a table of measurements
+    return false;  // not a table of measurements
   }
   return false;
 }

@@ -21,7 +21,7 @@ using tubesheets::TubeColumn;
 struct TubeOutcome {
   int tube = 0;
   std::string visit;    ///< position in the visiting order, from 1; empty for a tube without a visit
-  std::string outcome;  ///< why the tube is not visited; empty for a visited tube
+  std::string outcome;  ///< reason why the tube is not visited; empty for a visited tube
   std::string dwell;    ///< dwell time [s]; empty for excluded tubes
 };
 

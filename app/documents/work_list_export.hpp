@@ -1,4 +1,4 @@
-// Plan as a work list: a table of the tubes, to be printed and ticked off, which `plan --tubes` also accepts.
+// Plan as a work list: a table of the tubes to print and tick off. `plan --tubes` accepts it as input.
 #pragma once
 
 #include <string>

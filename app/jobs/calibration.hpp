@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 struct CalibrationOutcome {
   calibration::BaseCalibration calibration;
-  /// Model error: estimated from touches that do not fit, or else that of the cell; empty if there is neither.
+  /// Model error, estimated from touches that do not fit or taken from the cell; empty if there is neither.
   std::optional<ModelError> model_error;
   std::vector<calibration::Measurement> touches;
   nlohmann::json figures;  ///< output of `tubeplan calibrate --json`

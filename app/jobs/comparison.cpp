@@ -39,7 +39,7 @@ bool isAnythingFree(const calibration::PlacedArm& start, const calibration::Iden
   return has_base || !options.free.names.empty();
 }
 
-/// Sets every verdict to inconclusive, however good the fit, because the measurements contain a mistake.
+/// Sets every verdict to inconclusive, regardless of the fit, because the measurements contain a mistake.
 void withholdVerdict(const std::string& mistake, calibration::Comparison& comparison) {
   comparison.grounds = {mistake};
   for (auto* verdict : {&comparison.verdict, &comparison.as_it_stands.adequacy, &comparison.after_refit.adequacy})

@@ -32,7 +32,7 @@ struct ComparisonOutcome {
 [[nodiscard]] RefitOfMeasurements refitMeasurements(const CellMeasurements& input, const ComparisonRequest& request,
                                                     const WorkHooks& hooks = {});
 
-/// Compares the model with the measurements. `made` is the refit, or null to compute it here. Throws InputError if
+/// Compares the model with the measurements. `made` is an existing refit, or null to compute one. Throws InputError if
 /// `identify` lists a name that is not a parameter, or if the measurements determine no parameter. Throws JobStopped if
 /// a stop is requested.
 [[nodiscard]] ComparisonOutcome compareModel(const CellMeasurements& input, const ComparisonRequest& request,

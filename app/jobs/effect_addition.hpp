@@ -28,7 +28,7 @@ struct Addition : AddedCauses {
 [[nodiscard]] Addition addToCell(const Cell& cell, const AdditionRequest& request);
 
 /// Returns the cell without the given causes. `EFFECT@AT` removes an effect and its parameters from `identify`.
-/// `free@NAME` removes a name from `identify`, so that the parameter is held at its present value. Throws InputError
+/// `free@NAME` removes a name from `identify`, so that the parameter is held at its current value. Throws InputError
 /// for a cause that the cell does not have.
 [[nodiscard]] Cell withoutCauses(const Cell& cell, const std::vector<std::string>& causes);
 

@@ -148,8 +148,8 @@ void fitMeasurements(const CellMeasurements& input, const IdentificationRequest&
   outcome.set_aside = std::move(refit.set_aside);
 }
 
-/// Returns a clause on residuals that exceed the noise; empty if there are none. Residuals beyond the stated noise, but
-/// not beyond the scatter of repeated measurements, are reported too, although they do not make the fit inadequate.
+/// Returns a clause on residuals that exceed the noise; empty if there are none. The clause also reports residuals that
+/// exceed the stated noise but not the scatter of repeated measurements. Such residuals do not make the fit inadequate.
 std::string refutation(const calibration::ModelLackOfFit& lack) {
   const bool is_off = lack.p_value < calibration::kPatternLevel;
   if (lack.adequacy == calibration::Adequacy::kInadequate)
@@ -166,8 +166,8 @@ std::string refutation(const calibration::ModelLackOfFit& lack) {
 }
 
 /// Records whether the residuals exceed the noise, by the criterion of `compare`, for every kind of fit and even if it
-/// did not converge. The base of a robust fit is not refused, because such a fit keeps the outliers, which alone may
-/// cause the excess.
+/// did not converge. The base of a robust fit is not refused, because its residuals include outliers, which may cause
+/// the excess.
 void judgeByNoise(const IdentificationRequest& request, IdentificationOutcome& outcome) {
   const auto& fit = outcome.fit;
   const auto lack = calibration::lackOfFitOf(fit, outcome.measurements);
@@ -192,7 +192,7 @@ void judgeByNoise(const IdentificationRequest& request, IdentificationOutcome& o
 IdentificationOutcome identifyModel(const CellMeasurements& input, const IdentificationRequest& request,
                                     const WorkHooks& hooks) {
   const auto& cell = input.cell;
-  (void)identificationOptions(request, cell, hooks);  // throws for bad options before any work
+  (void)identificationOptions(request, cell, hooks);  // validates the options before any work
   if (const auto mistake = mistakeText(input.checks, cell.units); !mistake.empty()) return unidentified(input, mistake);
   beginStep(hooks, "fit");
   IdentificationOutcome outcome;

@@ -22,9 +22,9 @@ inline constexpr int kMostFolds = 100;
 
 struct IdentificationRequest {
   std::string method = "in-turn", robust = "none";
-  /// Names of the parameters to free, instead of the cell's `identify`; empty: `identify`.
+  /// Names of the parameters to free; if empty, the parameters under the cell's `identify`.
   std::vector<std::string> free;
-  std::vector<std::string> stages;  ///< stages of the fit, each "NAMES[:SETUP]"; empty: a single fit
+  std::vector<std::string> stages;  ///< stages of the fit, each "NAMES[:SETUP]"; if empty, there is a single fit
   double drop = 0;
   int starts = 1, folds = 5;
   std::uint64_t seed = 1;
@@ -34,7 +34,7 @@ struct IdentificationRequest {
 };
 
 struct IdentificationOutcome {
-  /// The fit; if the measurements contain a mistake, it is not run and its `reason` names the mistake.
+  /// The fit. If the measurements contain a mistake, the fit is not run, and its `reason` names the mistake.
   calibration::Identification fit;
   std::vector<calibration::Measurement> measurements;  ///< measurements fitted: all except the outliers in `set_aside`
   std::vector<std::string> set_aside;                  ///< ids of the measurements excluded as outliers
@@ -42,7 +42,7 @@ struct IdentificationOutcome {
   /// Verdict on the residuals relative to the noise, by the criterion of `compare`; inconclusive if the measurements
   /// contain a mistake.
   calibration::Adequacy adequacy = calibration::Adequacy::kNotRun;
-  bool is_base_refused = false;  ///< true: only the base was fitted, and the measurements reject the fit
+  bool is_base_refused = false;  ///< true if only the base was fitted, and the measurements reject the fit
   std::vector<calibration::FormulaOverlap> overlaps;
   PredictedCentring centring;
   std::vector<calibration::EffectWarning> of_effects;

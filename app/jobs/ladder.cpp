@@ -23,7 +23,7 @@ std::vector<calibration::Measurement> without(const CellMeasurements& input, con
 }
 
 /// Returns the cell that provides the sheet and the tool: the cell named in the request, else the cell of the first
-/// model that has both. No value if there is none.
+/// model that has both. std::nullopt if there is none.
 std::optional<Cell> sheetCell(const LadderRequest& request, const std::vector<LadderModel>& models) {
   for (const auto& path : {request.sheet, request.truth})
     if (!path.empty()) return readCell(path);
@@ -42,7 +42,7 @@ void requireOneSheet(const Cell& cell, const tubesheets::Sheet& sheet) {
 }
 
 /// Returns the real arm for the step tables: the arm of the truth, or of the best model if no truth is named. The sheet
-/// and the tool are those of `with_sheet`.
+/// and the tool are taken from `with_sheet`.
 RealArm realArmOf(const LadderRequest& request, const Cell& with_sheet, const ModelComparisonRow* best) {
   RealArm real;
   real.cell = workcellOf(with_sheet, "count the steps that go in");
@@ -55,7 +55,7 @@ RealArm realArmOf(const LadderRequest& request, const Cell& with_sheet, const Mo
     real.cell.X_WB = truth.X_WB;
     real.name = request.truth;
   }
-  real.cell.arm.tool_axis_L = with_sheet.arm.tool_axis_L;  // the truth's cell need not state a tool axis
+  real.cell.arm.tool_axis_L = with_sheet.arm.tool_axis_L;  // the true arm's cell may lack a tool axis
   return real;
 }
 

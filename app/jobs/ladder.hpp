@@ -14,15 +14,16 @@ namespace tubeplan::app {
 struct LadderModel {
   std::string name;
   CellMeasurements input;
-  const calibration::Identification* fit = nullptr;  ///< result of fitForLadder(); null: not computed yet
+  /// Result of fitForLadder(); null if not computed yet.
+  const calibration::Identification* fit = nullptr;
 };
 
 struct LadderRequest {
-  std::string truth;  ///< cell file of the true arm; empty: the best model with an unmodelled error
-  std::string sheet;  ///< cell file with the sheet and the tool; empty: `truth`, else the first cell with both
+  std::string truth;  ///< cell file of the true arm; if empty, the best model with an unmodelled error
+  std::string sheet;  ///< cell file with the sheet and the tool; if empty, `truth` or the first cell with both
   int holes = 1000;   ///< number of holes in a step table
   /// Ids of measurements already identified as outliers. If the last model is already fitted, these are all
-  /// measurements left out of its fit.
+  /// measurements that its fit excluded.
   std::vector<std::string> set_aside = {};
   std::uint64_t seed = 1;
 };

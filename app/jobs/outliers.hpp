@@ -11,7 +11,7 @@
 namespace tubeplan::app {
 
 /// Returns the indices of measurements whose errors exceed the noise. Returns none if the measurements contain a
-/// mistake, which must be corrected first, or if the user accepts all measurements as they are. `fit` is the fit of all
+/// mistake, which must be corrected first, or if the user accepts all measurements unchanged. `fit` is the fit of all
 /// measurements with `options`, or has status "not run" if no parameter is free.
 [[nodiscard]] std::vector<int> outliersOf(const CellMeasurements& input, const calibration::Identification& fit,
                                           const calibration::IdentificationOptions& options);
@@ -24,11 +24,11 @@ namespace tubeplan::app {
 struct RefitOfMeasurements {
   std::vector<calibration::Measurement> measurements;  ///< measurements fitted: all except the outliers in `set_aside`
   std::vector<std::string> set_aside;                  ///< ids of the measurements excluded as outliers
-  calibration::Identification fit;  ///< fit of `readings`; has status "not run" if no parameter is free
+  calibration::Identification fit;  ///< fit of `measurements`; has status "not run" if no parameter is free
 };
 
-/// Fits all measurements with the function `fitted`. Returns this fit if it is refused; otherwise fits again without
-/// the measurements whose indices `outliers` returns, if any.
+/// Fits all measurements with the function `fitted`. If the fit is not refused, repeats it without the measurements
+/// whose indices `outliers` returns, if there are any.
 [[nodiscard]] RefitOfMeasurements fitWithoutOutliers(
     const std::vector<calibration::Measurement>& measurements,
     const std::function<calibration::Identification(const std::vector<calibration::Measurement>&)>& fitted,

@@ -11,8 +11,8 @@ namespace tubeplan::app {
 /// Kind of report page, such as the page of a plan or of a diagnosis.
 struct PageKind {
   std::string_view name;     ///< `page` in the JSON document; selects the sections that the script shows
-  std::string_view title;    ///< shown until the script sets the title of the document
-  std::string_view figures;  ///< phrase naming where readers without scripts find the same results
+  std::string_view title;    ///< title of the document until the script sets it
+  std::string_view figures;  ///< phrase that tells readers without scripts where to find the same results
 };
 
 /// Returns the page with the JSON document embedded so that no text in the document can end the page's script block. A

@@ -13,7 +13,7 @@ namespace tubeplan::app {
 [[nodiscard]] const std::vector<EmbeddedFile>& embeddedReport();
 
 struct PageSources {
-  std::string_view style, script;  ///< ASCII; contain no text that ends their `<style>` or `<script>` block
+  std::string_view style, script;  ///< ASCII text that cannot end its `<style>` or `<script>` block
 };
 
 /// Returns the script and the style, which are found among embeddedReport() by file name.

@@ -171,7 +171,7 @@ void OutputFolder::remove(const std::string& name) { stale_.push_back(path_ / na
 void OutputFolder::commit() {
   made_.sync(option_);
   staged_.putInPlace();
-  std::error_code ignored;  // an old file that cannot be removed does no further harm
+  std::error_code ignored;  // failure to remove an old file is harmless
   for (const fs::path& path : stale_) fs::remove(path, ignored);
 }
 

@@ -21,9 +21,9 @@ struct TextFile {
 /// long work.
 void checkWritableFile(const std::filesystem::path& path, const std::string& option);
 
-/// Writes a temporary file next to the path, flushes it to the disk and renames it, so that no reader sees a partial
-/// file, not even after a power failure. A device or pipe is written directly and never replaced. Creates missing
-/// folders. Throws InputError naming the option.
+/// Writes a temporary file next to the path, flushes it to the disk and renames it. No reader sees a partial file, not
+/// even after a power failure. A device or pipe is written directly and never replaced. Creates missing folders. Throws
+/// InputError naming the option.
 void writeFileAtomically(const std::filesystem::path& path, const std::string& content, const std::string& option);
 
 /// Writes files that belong together: all of them, or none if one of them cannot be written. Renames them in the given
@@ -33,12 +33,12 @@ void writeFilesTogether(const std::vector<TextFile>& files, const std::string& o
 /// Removes temporary files for `name` that killed programs left in the folder.
 void removeLeftovers(const std::filesystem::path& folder, const std::string& name);
 
-/// Folder for results. The constructor creates it and checks write access; all files appear together at commit().
-/// Without commit() nothing remains, not even folders that had to be created.
+/// Folder for results. The constructor creates the folder and checks write access. All files appear together at
+/// commit(); without commit(), nothing remains, not even created folders.
 class OutputFolder {
  public:
   /// Throws InputError, naming the option, if the folder cannot be created or written, or if another program is writing
-  /// to it: the files of two runs would be mixed.
+  /// to it, which would mix the files of two runs.
   OutputFolder(const std::filesystem::path& path, const std::string& option);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
@@ -47,7 +47,7 @@ class OutputFolder {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
   /// Throws InputError, naming the option, if the folder contains a file of `names` but no file of `marks`. Every run
-  /// of the same command leaves the marks, so these files are not from an earlier run.
+  /// of the same command writes the marks, so without them the files are not from an earlier run.
   void requireOwn(const std::vector<std::string>& marks, const std::vector<std::string>& names) const;
 
   /// Writes a file to be placed in the folder at commit(); `name` is a file name without folders.

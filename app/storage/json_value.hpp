@@ -25,8 +25,8 @@ class NotJson : public InputError {
 [[nodiscard]] nlohmann::json parseJson(std::string_view text, const std::string& where, const std::string& expected,
                                        const std::string& advice = "");
 
-/// Reference to a value of a JSON document, which must outlive it. Each measurement function throws InputError, which
-/// states the value's position, for a value of another type or a number out of bounds.
+/// Reference to a value of a JSON document, which must outlive it. Accessors throw InputError, with the value's
+/// position, for a value of another type or a number out of bounds.
 class JsonValue {
  public:
   /// Refers to the whole document, which messages call `name`; `advice` ends every message.

@@ -20,7 +20,7 @@ class InputRecord {
   InputRecord(const InputRecord&) = delete;
   InputRecord& operator=(const InputRecord&) = delete;
 
-  /// Returns the record of the calling thread; null if there is none, as in a thread that serves pages.
+  /// Returns the record of the calling thread; null if there is none, for example in a thread that serves pages.
   [[nodiscard]] static InputRecord* current();
 
   /// Records a file and its content; if the same path is read again, nothing is recorded. Called by file readers.
@@ -33,8 +33,8 @@ class InputRecord {
   /// Allows overwriting an input file, for example when an improved cell replaces the original.
   void allowReplacing(const std::string& path) { replaceable_.push_back(path); }
 
-  /// Returns [{name, bytes, sha256}] in the order of measurement. Names have no folder, so that results do not depend
-  /// on where the files are.
+  /// Returns [{name, bytes, sha256}] in the order in which the files were read. Names omit folders, so that results do
+  /// not depend on the location of the files.
   [[nodiscard]] const nlohmann::json& inputs() const { return inputs_; }
 
  private:

@@ -85,7 +85,7 @@ std::error_code writeToDisk(const fs::path& path, const std::string& content) {
 
 std::error_code syncFolder(const fs::path& folder) {
   const Descriptor list(folder, O_RDONLY | O_DIRECTORY);
-  // A folder without read permission cannot be opened, and thus not flushed; this is no error.
+  // A folder without read permission cannot be opened for flushing, which is not an error.
   return !list.isOpen() || list.sync() ? std::error_code() : lastError();
 }
 
@@ -135,7 +135,8 @@ void StagedFiles::takeBack() {
       fs::rename(file->aside, file->place, failure);
     else if (file->is_placed)
       fs::remove(file->place, failure);
-    if (file->has_old && failure) file->aside.clear();  // keeps the old file at `aside` for the user to find
+    // Leaves the old file at `aside`, so that the user can recover it.
+    if (file->has_old && failure) file->aside.clear();
   }
 }
 

@@ -1,4 +1,4 @@
-// Measurement of whole text files, with checks of size and encoding.
+// Reader of whole text files, with checks of size and encoding.
 #pragma once
 
 #include <string>
@@ -20,8 +20,8 @@ namespace tubeplan::app {
 /// Throws InputError as readTextFile() does.
 [[nodiscard]] std::string readKeptFile(const std::string& path);
 
-/// Throws InputError if the text is blank or not text, as defined for readTextFile(). Also for text that does not come
-/// from a file; `path` is its name in messages.
+/// Throws InputError if the text is blank or not text, as defined for readTextFile(). The text need not come from a
+/// file; `path` is its name in messages.
 void checkText(const std::string& path, std::string_view text);
 
 /// Throws InputError for a problem in the text of the file `path`, with the line of the problem.

@@ -17,7 +17,7 @@ namespace tubeplan::app {
 /// Returns true if the text is UTF-8 without control characters other than line ends (LF, CR LF) and tabs.
 [[nodiscard]] bool isPlainText(std::string_view text);
 
-/// Returns the index of the first byte that isPlainText() does not allow; nothing if there is none.
+/// Returns the index of the first byte that isPlainText() does not allow; std::nullopt if there is none.
 [[nodiscard]] std::optional<std::size_t> findNonText(std::string_view text);
 
 /// Returns the text as one printable line. Control characters (including line ends), marks that change the writing

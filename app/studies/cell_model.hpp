@@ -21,16 +21,16 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 /// Uncertainty of the base pose before calibration: standard deviation of each coordinate of the position and of the
 /// rotation about each axis.
 struct BasePrior {
-  double shift = 0.0127;  ///< per coordinate [m] (0.5 in)
-  double turn = 0.0087;   ///< per axis [rad] (0.5 deg)
+  double shift = 0.0127;  ///< standard deviation of the position per coordinate [m] (0.5 in)
+  double turn = 0.0087;   ///< standard deviation of the rotation per axis [rad] (0.5 deg)
 };
 
-/// Tip error that the arm's model does not predict, as the cell states it: a standard deviation for each coordinate,
-/// with independent errors in different postures.
+/// Tip error that the arm's model does not predict, as stated in the cell. Errors of different postures are
+/// independent.
 struct ModelError {
-  double sigma = 0;            ///< per coordinate of the tip [m]
-  int degrees_of_freedom = 0;  ///< degrees of freedom with which `sigma` was estimated; 0: `sigma` is exact
-  std::string from;            ///< source of `sigma`: "identify" or kByTouches; empty: written by hand
+  double sigma = 0;            ///< standard deviation per coordinate of the tip [m]
+  int degrees_of_freedom = 0;  ///< degrees of freedom with which `sigma` was estimated; 0 if `sigma` is exact
+  std::string from;            ///< source of `sigma`: "identify" or kByTouches; empty if it was written by hand
 };
 
 /// Value of ModelError::from for an error estimated from the touches of a base calibration.
@@ -45,27 +45,28 @@ struct PlacedByTouches {
 
 /// A cell in internal units (m, N, rad, s, K).
 struct CellModel {
-  deflection::Arm arm;  ///< the arm; its tool axis is that of the cell if the arm file states none
+  deflection::Arm arm;  ///< the arm; if its file states no tool axis, it has the cell's tool axis
   /// Base pose in the world, which is the frame of the tube sheet.
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   bool base_known = false;
-  /// True: the arm file or the scene states the tool axis; false: the axis is the default.
+  /// True if the arm file or the scene states the tool axis; false if the axis is the default.
   bool tool_axis_stated = false;
   /// Covariance of the base's translation [m] along and small rotation [rad] about the world's x, y, z axes.
   std::optional<Matrix6d> base_covariance;
   BasePrior base_prior;
-  /// Touches from which the base was calibrated; nothing if it was not calibrated or was written by hand.
+  /// Touches from which the base was calibrated; std::nullopt if it was not calibrated or was written by hand.
   std::optional<PlacedByTouches> placed_by;
   calibration::ArmUncertainty uncertainty;  ///< uncertainty of the arm parameters that are not fitted
   std::optional<ModelError> model_error;
   std::optional<tubesheets::Sheet> sheet;
   std::optional<tubesheets::SteppedTool> tool;
   std::optional<Eigen::VectorXd> park;  ///< joint values of the parking position [rad, m]
-  planner::Scene scene;               ///< the scene; has only the arm's links if the file has neither scene nor shapes
+  /// The scene; contains only the arm's links if the file has neither scene nor shapes.
+  planner::Scene scene;
   std::vector<std::string> identify;  ///< dotted names of the parameters to fit, or `geometry`
   calibration::Priors priors;         ///< priors of the parameters to fit
 
-  /// Returns the stated model error; nothing if there is none or if it was estimated from the touches of a base
+  /// Returns the stated model error; std::nullopt if there is none or if it was estimated from the touches of a base
   /// calibration.
   [[nodiscard]] std::optional<ModelError> knownModelError() const {
     return model_error && model_error->from != kByTouches ? model_error : std::nullopt;

@@ -14,7 +14,7 @@ using calibration::WorkHooks;
 /// Exception that aborts a computation when a stop is requested. Only the caller that would have used the result
 /// catches it.
 struct JobStopped {
-  std::string kept;  ///< phrase that names the results already written; empty: none
+  std::string kept;  ///< phrase that names the results already written; empty if none
 };
 
 inline void requireGoingOn(const WorkHooks& hooks) {

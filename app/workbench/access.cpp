@@ -33,7 +33,8 @@ bool hostAllowed(const AccessRules& rules, const std::string& header) {
   if ((has_port ? text.substr(colon + 1) : "80") != std::to_string(rules.port)) return false;
   if (name == "localhost" || name == "127.0.0.1" || name == "[::1]" || name == lowerCase(inBrackets(rules.host)))
     return true;
-  // A server that listens on all addresses accepts only numeric hosts, because anyone can point a name at this machine.
+  // A server that listens on all addresses accepts only numeric hosts, because anyone can register a name that points
+  // to this machine.
   return isAnyAddress(rules.host) && isNumericAddress(name);
 }
 

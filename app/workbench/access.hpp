@@ -9,7 +9,7 @@ namespace tubeplan::app {
 struct AccessRules {
   std::string host = "127.0.0.1";  ///< address at which the server listens
   int port = 0;
-  std::string token;  ///< secret that a request must show; empty: none is required
+  std::string token;  ///< secret that a request must present; if empty, none is required
 };
 
 /// Parts of a request that the rules check; a missing header is empty.

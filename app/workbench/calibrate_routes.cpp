@@ -152,7 +152,7 @@ std::vector<calibration::Measurement> touchesToUse(const Session& session, const
   return touchesOf(parseMeasurementText(touchesCsv(made, cell), "touches.csv", cell), cell, "touches.csv");
 }
 
-/// Calibrates the base from the touches. If the touches do not determine the base, the model stays unchanged and the
+/// Calibrates the base from the touches. If the touches do not determine the base, the model is unchanged and the
 /// result document gives the reason.
 Answer calibrate(Workbench& workbench, const Request& request) {
   (void)objectOf(request);

@@ -26,14 +26,15 @@ class Connection : public httplib::Stream {
   /// Takes over an open socket. `is_closing` returns true once the server is shutting down.
   Connection(int socket, const ConnectionLimits& limits, std::function<bool()> is_closing);
 
-  /// Waits for the next request. Returns false if none comes in time or the server is shutting down.
+  /// Waits for the next request. Returns false on a timeout or if the server is shutting down.
   [[nodiscard]] bool waitForRequest();
 
   [[nodiscard]] bool is_readable() const override;
   [[nodiscard]] bool is_writable() const override;
   ssize_t read(char* to, std::size_t size) override;
   ssize_t write(const char* from, std::size_t size) override;
-  void get_remote_ip_and_port(std::string&, int&) const override {}  // not provided: no rule and no log uses addresses
+  // Not provided, because no rule or log uses addresses.
+  void get_remote_ip_and_port(std::string&, int&) const override {}
   void get_local_ip_and_port(std::string&, int&) const override {}
   [[nodiscard]] int socket() const override { return socket_; }
 

@@ -1,5 +1,5 @@
 // Events sent to all browsers: changes of the state, progress of jobs, and the posture of a running arm. Each listener
-// asks for events newer than those that it has seen, so that a slow listener delays no other listener and no events are
+// asks for events newer than those that it has seen, so that slow listeners do not delay others, and no events are
 // queued.
 #pragma once
 

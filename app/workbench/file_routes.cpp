@@ -28,7 +28,7 @@ Answer files(Workbench& workbench, const Request&) {
                    {"recent", workbench.keeper().recent()}});
 }
 
-/// Replaces the session by that of another cell or project. Refuses to discard unsaved work without confirmation.
+/// Replaces the session by one for another cell or project. Refuses to discard unsaved work without confirmation.
 Answer openInstead(Workbench& workbench, const nlohmann::json& body, const std::filesystem::path& path) {
   if (isUnsaved(workbench.session()) && !booleanOf(body, "discard", false))
     return refusal(409, InputError::saying("cell", "the work is not saved as a project",

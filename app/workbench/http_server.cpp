@@ -27,8 +27,8 @@ constexpr auto kGlanceAtListener = std::chrono::seconds(1);  // interval at whic
 constexpr const char* kPolicy =
     "default-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'; object-src 'none'";
 
-/// True if the connection may serve another request: the whole body of the present request was read, so that no rest of
-/// it can be mistaken for the next request.
+/// True if the connection may serve another request: the body of the current request was read completely, so that its
+/// remainder cannot be mistaken for the next request.
 thread_local bool is_read_whole = false;
 
 bool hasBody(const httplib::Request& request) {
@@ -107,7 +107,7 @@ class HttpServer::Implementation : public httplib::Server {
       : workbench_(workbench), door_(std::move(access)), page_(page_folder) {
     new_task_queue = [] { return new httplib::ThreadPool(kConnectionsAtOnce); };
     set_payload_max_length(kLargestBody);
-    // SO_REUSEPORT is not set, so that no other program can listen on the same port.
+    // Do not set SO_REUSEPORT, so that no other program can listen on the same port.
     set_socket_options([](socket_t socket) {
       const int yes = 1;
       ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);

@@ -25,8 +25,7 @@ class HttpServer {
   /// Answers requests until stop().
   void run();
 
-  /// Ends run() and all connections. Must be called from a thread other than that of run(), possibly before run()
-  /// begins.
+  /// Ends run() and all connections. Must be called from another thread than run(); may be called before run() begins.
   void stop();
 
  private:

@@ -22,7 +22,7 @@
 
 namespace tubeplan::app {
 
-/// Interface through which the work of a job reports progress and asks whether to stop.
+/// Interface through which the work of a job reports progress and checks for stop requests.
 class JobContext {
  public:
   virtual ~JobContext() = default;
@@ -39,7 +39,7 @@ using JobWork = std::function<std::string(JobContext&)>;
 class Jobs {
  public:
   explicit Jobs(Events& events);
-  ~Jobs();  ///< asks the running job to stop and waits for it
+  ~Jobs();  ///< Requests the running job to stop and waits for it.
   Jobs(const Jobs&) = delete;
   Jobs& operator=(const Jobs&) = delete;
 

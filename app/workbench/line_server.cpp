@@ -134,7 +134,7 @@ class LineServer::Implementation {
     });
   }
 
-  /// Accepts again after a pause, because a failure such as a lack of file descriptors may last.
+  /// Accepts again after a pause, because a failure such as a lack of file descriptors may persist.
   void acceptLater() {
     pause_.expires_after(std::chrono::milliseconds(100));
     pause_.async_wait([this](Failure failure) {

@@ -20,7 +20,7 @@ nlohmann::json showEncoders(Workbench& workbench, const Eigen::VectorXd& q, doub
 /// Reports an error in received data to all browsers.
 void showLiveProblem(Workbench& workbench, const InputError& error, const std::string& source);
 
-/// Queues measurements, given as the text of a measurement file, until joinArrived() adds them. Returns the number of
+/// Queues measurements, given as the text of a measurement file, to be added by joinArrived(). Returns the number of
 /// queued measurements. Measurements with known ids are skipped if `passes_known`, otherwise refused. Throws InputError
 /// for refused ids and for a faulty file.
 std::size_t takeArrived(Workbench& workbench, const std::string& text, const std::string& name, bool passes_known);
@@ -29,7 +29,7 @@ std::size_t takeArrived(Workbench& workbench, const std::string& text, const std
 void joinArrived(Workbench& workbench);
 
 /// File that another program writes: a growing measurement table, or a table of encoder readings with one row per
-/// measurement and columns for the joints and, optionally, the load.
+/// posture and columns for the joints and, optionally, the load.
 class WatchedFile {
  public:
   explicit WatchedFile(std::filesystem::path file) : file_(std::move(file)) {}

@@ -112,7 +112,8 @@ void requireFitted(const IdentificationOutcome& outcome, const CellMeasurements&
 struct FitJob {
   std::string kind, label, name, origin;
   IdentificationRequest asked;
-  std::function<std::string(const Cell&)> changed = {};  ///< returns the text of the cell to fit; empty: same cell
+  /// Returns the text of the cell to fit; if empty, the current cell is fitted.
+  std::function<std::string(const Cell&)> changed = {};
 };
 
 /// Begins a fit that puts the fitted model on the stack, stores its results, and compares all models on the stack.
@@ -163,7 +164,8 @@ Answer add(Workbench& workbench, const Request& request) {
   const AdditionRequest asked = additionAsked(body);
   IdentificationRequest fit;
   fit.seed = seedOf(body);
-  const Addition first = addToCell(currentModel(workbench.session()).cell, asked);  // refuses bad input before the job
+  const Addition first =
+      addToCell(currentModel(workbench.session()).cell, asked);  // refuse bad input before the job begins
   const std::string label =
       fmt::format("+ {}", asked.formula.empty() ? fmt::format("{}", fmt::join(first.names, " + ")) : asked.formula);
   return beginFit(workbench,
@@ -178,7 +180,7 @@ Answer remove(Workbench& workbench, const Request& request) {
   const auto causes = textsOf(body, "causes");
   IdentificationRequest fit;
   fit.seed = seedOf(body);
-  (void)withoutCauses(currentModel(workbench.session()).cell, causes);  // refuses bad input before the job begins
+  (void)withoutCauses(currentModel(workbench.session()).cell, causes);  // refuse bad input before the job begins
   const std::string label = fmt::format("\u2212 {}", fmt::join(causes, ", "));
   return beginFit(workbench, {"remove", label, label, "without", fit, [causes](const Cell& cell) {
                                 const Cell without = withoutCauses(cell, causes);
@@ -242,7 +244,7 @@ std::shared_ptr<MeasurementSet> measurementsOf(const calibration::SimulatedCampa
 Answer simulate(Workbench& workbench, const Request& request) {
   const SimulationRequest asked = simulationAsked(objectOf(request));
   const Session now = workbench.session();
-  (void)prepareSimulation(now.models.front()->cell, asked);  // refuses bad input before the job
+  (void)prepareSimulation(now.models.front()->cell, asked);  // refuse bad input before the job begins
   return beginJob(workbench, "simulate", "simulated readings", [&workbench, asked](JobContext& context) {
     const Session began = workbench.session();
     const Cell& cell = began.models.front()->cell;

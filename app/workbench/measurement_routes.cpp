@@ -195,7 +195,7 @@ MeasurementSet withHeldOut(MeasurementSet set, const std::vector<std::string>& i
 }
 
 /// Marks measurements, for the request {"ids", and `word`: true or false}, and deletes the results obtained with the
-/// former marks.
+/// previous marks.
 Answer mark(Workbench& workbench, const Request& request, const char* word,
             MeasurementSet (*marked)(MeasurementSet, const std::vector<std::string>&, bool)) {
   const auto body = objectOf(request);

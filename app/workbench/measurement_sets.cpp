@@ -26,7 +26,7 @@ std::shared_ptr<MeasurementSet> lookedAtAgain(MeasurementSet set, Cell cell) {
     again->joined = std::move(set.joined);
     return again;
   } catch (const InputError&) {
-    set.source.reset();  // the source no longer contains the same measurements
+    set.source.reset();  // the source no longer matches the measurements
     return std::make_shared<MeasurementSet>(std::move(set));
   }
 }

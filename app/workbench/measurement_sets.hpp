@@ -22,9 +22,9 @@ namespace tubeplan::app {
 /// Copies the marks "set aside" and "held out" from `before` to the measurements of `again` with equal ids.
 void keepMarks(const MeasurementSet& before, MeasurementSet& again);
 
-/// Returns the measurements of `before` (null: none) and the arrived measurements, processed like one file: duplicates
-/// and mistakes are detected among all measurements and can be corrected. If processing fails, the measurements are
-/// merged unprocessed, and later requests report the reason.
+/// Returns the measurements of `before` (null if none) and the arrived measurements, processed like one file:
+/// duplicates and mistakes are detected among all measurements and can be corrected. If processing fails, the
+/// measurements are merged unprocessed, and later requests report the reason.
 [[nodiscard]] std::shared_ptr<MeasurementSet> joinedSet(const MeasurementSet* before,
                                                         const std::vector<calibration::Measurement>& arrived,
                                                         Cell cell);

@@ -1,5 +1,4 @@
-// Routes for the desk of a shift: totals, next tube, confirmation, marks and log of a job's record in the opened
-// folder.
+// Routes for outage work: totals, next tube, confirmation, marks and log of a job's record in the opened folder.
 #include <fmt/format.h>
 
 #include "app/outage/job_desk.hpp"

@@ -17,7 +17,7 @@ namespace tubeplan::app {
 
 struct PageFile {
   std::string content, content_type;
-  bool is_named_by_content = false;  ///< true if the name changes with the content: a browser may cache the file
+  bool is_named_by_content = false;  ///< true if the name changes with the content, so that browsers may cache the file
 };
 
 class PageFiles {

@@ -54,7 +54,7 @@ Answer field(Workbench& workbench, const Request& request) {
   requireField(of);
   (void)workcellOf(currentModel(workbench.session()).cell, "look at its holes");
   const int model = integerOf(body, "model", currentModel(workbench.session()).id, 0, std::numeric_limits<int>::max());
-  (void)atModel(workbench.session(), model);  // refuses an unknown model before the job begins
+  (void)atModel(workbench.session(), model);  // refuse an unknown model before the job begins
   return beginJob(workbench, "field", of + " over the sheet", [=, &workbench](JobContext& context) {
     const Session began = workbench.session();
     const auto document = fieldOf(atModel(began, model), of, context);

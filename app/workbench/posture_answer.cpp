@@ -59,7 +59,7 @@ std::optional<Vector3d> otherPoint(const planner::Scene& scene, const planner::C
   for (const auto& obstacle : scene.obstacles)
     if (obstacle.name == clearance.other) return nearestOn(*obstacle.shape, clearance.point_W);
   std::optional<Vector3d> nearest;
-  for (const auto& body : scene.bodies) {  // several bodies may have the same label
+  for (const auto& body : scene.bodies) {  // consider all bodies, because several may have the same label
     if (planner::bodyLabel(body) != clearance.other) continue;
     const Isometry3d X = placed.X_WL(body.frame_index, 0);
     const Vector3d point = X * nearestOn(*body.shape, X.inverse() * clearance.point_W);

@@ -13,7 +13,7 @@ namespace tubeplan::app {
 struct AskedPosture {
   Eigen::VectorXd q;
   double load = 0;
-  std::optional<int> hole;  ///< tube index in the sheet; nullopt: no hole
+  std::optional<int> hole;  ///< tube index in the sheet; std::nullopt without a hole
 };
 
 /// Returns the state of the model at a posture. Throws InputError if a formula of the cell has no value there, or if

@@ -94,7 +94,7 @@ json payloadOf(const Session& session) {
           {"saved_revision", session.saved_revision}};
 }
 
-// ---- measurement
+// ---- reading
 
 ModelPointer modelOf(const json& entry) {
   const std::string path = entry.at("path");
@@ -125,7 +125,7 @@ std::vector<TouchMade> touchesMade(const json& entry, const Cell& cell, const st
   return made;
 }
 
-/// Pairs of keys of result documents: the name in files of earlier versions, and the present name.
+/// Pairs of keys of result documents: the name in files of earlier versions, and the current name.
 constexpr std::pair<const char*, const char*> kRenamedKeys[] = {
     {"rungs", "models"}, {"told", "identifiable"}, {"probability_told", "probability_distinguished"}};
 

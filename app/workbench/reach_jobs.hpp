@@ -14,10 +14,10 @@ namespace tubeplan::app {
 [[nodiscard]] nlohmann::json reachOfAll(const Cell& cell, JobContext& context);
 
 /// Returns {of, meaning, unit, units, values: [number or null], steps?: [number, -1 if unknown]}, with one entry for
-/// each hole; `steps` only for `centring`. `of` selects the field. `sag`: distance between the tips of the deflected
-/// and the rigid arm. `centring`: lateral distance of the tip from the hole's centre, for the true arm if one is named,
-/// otherwise for this model at joint angles from rigid kinematics. `residual`: distance of the predicted tip from a
-/// touched hole. Throws InputError for an unknown field, and JobStopped if the job is cancelled.
+/// each hole; `steps` only for `centring`. `of` selects the field: `sag` is the distance between the tips of the
+/// deflected and the rigid arm; `centring` is the lateral distance of the tip from the hole's centre (for the true arm
+/// if one is named, otherwise for this model at joint angles from rigid kinematics); `residual` is the distance of the
+/// predicted tip from a touched hole. Throws InputError for an unknown field, and JobStopped if the job is cancelled.
 [[nodiscard]] nlohmann::json fieldOf(const Session& session, const std::string& of, JobContext& context);
 
 void requireField(const std::string& of);

@@ -27,7 +27,7 @@ struct Model {
   std::string label;
   std::string origin;  ///< given, effect, formula, fit, calibration, without or assumption
   Cell cell;
-  planner::Workcell posed;                             ///< only arm, base and scene, to evaluate postures
+  planner::Workcell posed;                             ///< workcell with only arm, base and scene, to evaluate postures
   std::shared_ptr<const planner::NearestPairs> pairs;  ///< search for the nearest objects; null without bodies
 };
 using ModelPointer = std::shared_ptr<const Model>;
@@ -38,7 +38,7 @@ using ModelPointer = std::shared_ptr<const Model>;
 struct MeasurementSource {
   std::vector<std::string> files;    ///< files that form one set; empty if the measurements were given as text
   std::string text;                  ///< text of a measurement file; empty if `files` are given
-  double sigma = 0;                  ///< see MeasurementOptions
+  double sigma = 0;                  ///< sigma of measurements that state none, as in MeasurementOptions
   std::vector<std::string> assumed;  ///< assumptions made so far, in the notation of takeAssumptions()
 };
 
@@ -48,7 +48,7 @@ struct MeasurementSet {
   std::vector<calibration::Measurement> measurements;  ///< measurements, each with its noise sigma
   calibration::MeasurementChecks checks = {};          ///< mistakes suspected when the measurements were opened
   std::set<std::string> set_aside = {};                ///< ids of measurements excluded from all fits
-  int change = 0;                                      ///< counts the changes of measurements or marks
+  int change = 0;                                      ///< number of changes of measurements or marks
   /// Files and assumptions from which the measurements were obtained; null if they are simulated or from a kept
   /// session.
   std::shared_ptr<const MeasurementSource> source = {};
@@ -79,9 +79,9 @@ struct Session {
   std::size_t current = 0;           ///< index of the current model; models above it are kept for redo
   int next_model = 1;
   std::shared_ptr<const MeasurementSet> measurements;           ///< loaded measurements; null if there are none
-  std::map<std::string, std::map<int, ResultPointer>> results;  ///< by result name and model id
-  std::string truth;                                            ///< cell file of the true arm; empty: none
-  std::string project;                                          ///< project file last saved; empty: none
+  std::map<std::string, std::map<int, ResultPointer>> results;  ///< results, keyed by result name and model id
+  std::string truth;                                            ///< cell file of the true arm; empty if none
+  std::string project;                                          ///< project file last saved; empty if none
   std::uint64_t saved_revision = 0;                             ///< revision of the session in that project file
   std::vector<TouchMade> touches;                               ///< touches in the order in which they were made
   int next_touch = 1;
@@ -109,7 +109,7 @@ int pushModel(Session& session, std::string label, std::string origin, Cell cell
 /// than the current one are deleted.
 void putResult(Session& session, const std::string& name, int model, nlohmann::json document);
 
-/// Replaces the measurements, with the next change number, and deletes the results for the former measurements.
+/// Replaces the measurements, with the next change number, and deletes the results for the previous measurements.
 void putMeasurements(Session& session, std::shared_ptr<MeasurementSet> set);
 
 }  // namespace tubeplan::app

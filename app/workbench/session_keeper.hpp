@@ -20,14 +20,14 @@ namespace tubeplan::app {
 
 class SessionKeeper {
  public:
-  /// Creates `folder`; with an empty path, no session is kept. Throws InputError if the folder cannot be created.
+  /// Creates `folder`. If the path is empty, no session is stored. Throws InputError if the folder cannot be created.
   explicit SessionKeeper(std::filesystem::path folder);
 
   /// Returns the session kept for a cell file, unless another program uses it, and stores to the same session file from
   /// now on. An unreadable session file is renamed, with a message on standard error.
   [[nodiscard]] std::optional<Session> begin(const std::string& cell);
 
-  /// Renames the session file found by begin(), so that it can still be opened by hand.
+  /// Renames the session file found by begin(), so that the user can still open it.
   void putAside();
 
   /// Writes the session to disk before returning, unless a later revision is already written. A failure is reported

@@ -34,8 +34,8 @@ Session openAsAsked(const WorkbenchOptions& options) {
   return session;
 }
 
-/// Returns true if the kept session has the present text of the cell file and the requested measurements; if no
-/// measurements are requested, those of the kept session are accepted.
+/// Returns true if the kept session has the current text of the cell file and the requested measurements; if no
+/// measurements are requested, any are accepted.
 bool goesOn(const Session& kept, const Session& asked) {
   Session inputs = asked;
   if (!inputs.measurements) inputs.measurements = kept.measurements;
@@ -79,7 +79,7 @@ bool Workbench::change(const std::function<bool(Session&)>& step) {
     ++changed.revision;
     session_ = changed;
   }
-  keeper_.keep(changed);  // stored before any browser receives the change
+  keeper_.keep(changed);  // store the change before any browser receives it
   events_.stateChanged();
   return true;
 }

@@ -18,10 +18,10 @@ namespace tubeplan::app {
 struct WorkbenchOptions {
   std::string cell;                            ///< cell file or project file
   std::vector<std::string> measurement_files;  ///< measurement files that form one set
-  std::string truth;                           ///< cell file of the true arm for simulated touches; empty: none
-  std::string folder;                          ///< opened folder; empty: the folder of the cell file
-  std::string state;                           ///< folder in which the session is kept; empty: it is not kept
-  bool fresh = false;                          ///< true: a kept session is renamed and not resumed
+  std::string truth;                           ///< cell file of the true arm for simulated touches; empty if none
+  std::string folder;                          ///< opened folder; if empty, the folder of the cell file
+  std::string state;                           ///< folder in which the session is stored; if empty, it is not stored
+  bool fresh = false;                          ///< true to rename a stored session instead of resuming it
   int most_listeners = 16;
 };
 
@@ -55,7 +55,7 @@ class Workbench {
   SessionKeeper keeper_;
   Events events_;
   Arrivals arrivals_;
-  Jobs jobs_;  ///< last member, so that the job thread ends before the data that it uses is destroyed
+  Jobs jobs_;  ///< must be the last member, so that the job thread ends before its data is destroyed
 };
 
 /// Returns the session of a newly opened cell or project. Throws InputError.

@@ -16,13 +16,13 @@
 
 namespace tubeplan::app {
 
-/// Request as given on the command line, in the cell's units. Each kind of campaign uses only some of the values.
+/// Request as given on the command line, in the cell's units. Each kind of campaign uses only some of the members.
 struct CampaignRequest {
   std::string cell, truth;
   std::uint64_t seed = 1;
 
-  // Values for campaigns of kind `centre`.
-  std::string tubes;                 ///< selection or work list; empty: spread:80
+  // Options of campaigns of kind `centre`.
+  std::string tubes;                 ///< selection or work list; the default is spread:80
   std::vector<std::string> columns;  ///< meanings of the work list's columns
   int holes = 10;
   std::vector<int> touches = {3};
@@ -30,14 +30,14 @@ struct CampaignRequest {
   std::vector<double> touch_sigmas;
   std::optional<double> base_shift, base_turn, stiffness, unmodelled, encoder_sigma;
 
-  // Values for campaigns of kind `diagnose`.
+  // Options of campaigns of kind `diagnose`.
   std::string design = "bench", hide = "any";
   int measurements = 120;
   double nothing = 0.5;
   int effects = 2;
 };
 
-/// Number of runs requested, and number completed so far.
+/// Progress of a campaign: number of runs requested, and number completed so far.
 struct CampaignProgress {
   std::uint64_t runs = 0, done = 0;
 };

@@ -58,8 +58,8 @@ json quantilesJson(const ErrorSketch& errors, const Units& units) {
   return quantiles;
 }
 
-/// Returns the cumulative distribution of the errors, thinned out: pairs of an error and the fraction of visits with at
-/// most this error.
+/// Returns a subset of the points of the cumulative error distribution, as pairs of an error and the fraction of visits
+/// with at most this error.
 json curveJson(const ErrorSketch& errors, const Units& units) {
   const auto points = errors.distribution();
   json curve = json::array();

@@ -9,7 +9,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMostMarks = 60'000;  // maximum over all maps, which limits the page to a few megabytes
+// Maximum number of marks in all maps together, which limits the page to a few megabytes.
+constexpr std::size_t kMostMarks = 60'000;
 
 json holeJson(const CentringResults& results, std::size_t index, const HoleTally& hole) {
   const auto& plan = results.task.holes.visited[index];

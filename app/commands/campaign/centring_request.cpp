@@ -21,8 +21,9 @@ namespace {
 constexpr int kTouchableHoles = 24;  // number of candidate holes for touches, as in `plan --touches auto`
 constexpr std::size_t kMostSettings = 100;
 constexpr int kMostTouchedHoles = 50;
-constexpr double kMostLength = 0.254;  // largest length accepted [m] (10 in); an arm with a larger error finds no hole
-constexpr double kMostAngle = 0.5;     // largest angle accepted [rad]
+// Largest accepted length [m] (10 in); an arm with a larger error does not find any hole.
+constexpr double kMostLength = 0.254;
+constexpr double kMostAngle = 0.5;  // largest angle accepted [rad]
 
 void requireWithin(const std::string& option, double value, double most, const std::string& what) {
   if (!(value >= 0 && value <= most))

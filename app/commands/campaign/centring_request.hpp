@@ -1,4 +1,4 @@
-// Checked request for a centring campaign, in internal units.
+// Validated request for a centring campaign, in internal units.
 #pragma once
 
 #include "app/commands/campaign/campaign.hpp"

@@ -44,7 +44,8 @@ class DiagnosisTally {
     return reader.isWhole();
   }
 
-  /// Returns the outcome counts for one hidden effect (-1: no hidden effect), for one magnitude class or for all (-1).
+  /// Returns the outcome counts for one hidden effect (-1 if there is no hidden effect), for one magnitude class or for
+  /// all (-1).
   [[nodiscard]] OutcomeCounts of(int effect, int size_class = -1) const {
     OutcomeCounts sum{};
     const auto& classes = counts_[static_cast<std::size_t>(effect + 1)];
@@ -299,7 +300,7 @@ Campaign makeDiagnosisCampaign(const CampaignRequest& request) {
   const DiagnosisExperiment& made = *experiment;
   Campaign campaign;
   campaign.question = diagnosisQuestion(*task, request);
-  campaign.largest_chunk = 1;  // a run takes seconds
+  campaign.largest_chunk = 1;  // single runs, because a run takes seconds
   campaign.figures = [task, request, &made](const CampaignProgress& progress) {
     return diagnosisFigures(*task, request, made.tally(), progress);
   };

@@ -44,7 +44,7 @@ Hidden drawEffect(const deflection::Arm& arm, const std::vector<int>& kinds, Tri
 }
 
 std::size_t sizeClassOf(double share) {
-  const double order = 1 - std::log(share) / std::log(kLeastShare);  // 0: smallest magnitude, 1: largest
+  const double order = 1 - std::log(share) / std::log(kLeastShare);  // 0 for the smallest magnitude, 1 for the largest
   return std::min(kSizeClasses - 1, static_cast<std::size_t>(std::max(0., order) * kSizeClasses));
 }
 

@@ -14,13 +14,13 @@ namespace tubeplan::app {
 
 /// Outcome of a diagnosis, compared with the truth.
 enum class DiagnosisOutcomeKind {
-  kNotMade,       ///< the measurements could not be simulated or could not be fitted
+  kNotMade,       ///< the measurements could not be simulated or fitted
   kAdequate,      ///< verdict that the model lacks no effect
   kInconclusive,  ///< verdict that the measurements leave the cause undecided
-  kNamed,         ///< the true effect alone was named
-  kAmong,         ///< several effects were named, among them the true effect
-  kOther,         ///< one or several effects were named, but not the true effect
-  kUnexplained,   ///< verdict that the model lacks something that no known effect explains
+  kNamed,         ///< only the true effect was named
+  kAmong,         ///< several effects were named, including the true effect
+  kOther,         ///< effects were named, but not the true one
+  kUnexplained,   ///< verdict that something is missing that no known effect explains
 };
 inline constexpr std::array<std::string_view, 7> kDiagnosisOutcomes{"not-made", "adequate", "inconclusive", "named",
                                                                     "among",    "other",    "unexplained"};
@@ -32,14 +32,14 @@ inline constexpr std::array<std::string_view, 7> kOutcomeWords{"not made",
                                                                "another named",
                                                                "refused as unexplained"};
 
-/// Smallest magnitude of a hidden effect, as a fraction of the largest magnitude usual on a machine. The fraction is
-/// drawn between this value and 1, uniformly in its logarithm.
+/// Smallest magnitude of a hidden effect, as a fraction of the largest magnitude usual on a machine. Magnitudes are
+/// log-uniform between this fraction and 1.
 inline constexpr double kLeastShare = 0.02;
 inline constexpr std::size_t kSizeClasses = 4;
 
 struct DiagnosisTrial {
-  int effect = -1;             ///< index in effectKinds(); -1: no hidden effect
-  std::size_t size_class = 0;  ///< quarter of the logarithmic range of magnitudes; 0: smallest
+  int effect = -1;             ///< index in effectKinds(); -1 if there is no hidden effect
+  std::size_t size_class = 0;  ///< quarter of the logarithmic range of magnitudes; 0 for the smallest
   DiagnosisOutcomeKind outcome = DiagnosisOutcomeKind::kNotMade;
 };
 
@@ -56,7 +56,7 @@ class DiagnosisTrials {
   /// for measurements that cannot be simulated.
   DiagnosisTrials(const Cell& cell, std::vector<int> kinds, const DiagnosisTrialOptions& options);
 
-  /// Performs the trial with this index, and returns its result; no value if `stop` has returned true. Thread-safe.
+  /// Performs the trial with this index, and returns its result; std::nullopt if `stop` has returned true. Thread-safe.
   [[nodiscard]] std::optional<DiagnosisTrial> run(std::uint64_t index, const calibration::StopQuestion& stop) const;
 
  private:

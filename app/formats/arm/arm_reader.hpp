@@ -13,7 +13,7 @@ namespace tubeplan::app {
 struct ArmSource {
   deflection::Arm arm;
   Units units;
-  bool names_tool_axis = false;  ///< false: the tool axis is the default one, which a cell may replace
+  bool names_tool_axis = false;  ///< false if the tool axis is the default, which a cell may override
   std::string pair;  ///< identifier shared with the cell that was written together with this arm; empty if none
 };
 
@@ -21,7 +21,7 @@ struct ArmSource {
 /// the file, for unknown, missing or ill-typed values, and for problems found by deflection::findProblems.
 [[nodiscard]] ArmSource readArm(const YamlNode& node);
 
-/// Returns the key under which an arm file states the reference value of a condition, at which the arm has its drawn
+/// Returns the key under which an arm file states the reference value of a condition, at which the arm has its nominal
 /// shape: `reference_temperature`.
 [[nodiscard]] std::string referenceKey(const deflection::ConditionKind& kind);
 

@@ -48,7 +48,7 @@ class FlowMap {
 };
 
 /// Adds those parameters of a row that belong to its map `name`, such as "beam" or "dh". If `usual` is given,
-/// parameters with that value are left out.
+/// parameters with that value are omitted.
 void addNumbers(std::string_view name, const ArmRow& row, const std::optional<double>& usual, FlowMap& map) {
   deflection::visitNumbers(
       [&](const deflection::RowNumber& about, const double& number) {

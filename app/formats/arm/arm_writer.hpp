@@ -8,11 +8,11 @@
 
 namespace tubeplan::app {
 
-/// Choice of whether armYaml() writes the tool axis. It is left out if the arm's own file states none, so that the cell can state
-/// it.
+/// Choice of whether armYaml() writes the tool axis. It is omitted if the arm's original file has none, so that the
+/// cell can define it.
 enum class ToolAxis { kStated, kLeftOut };
 
-/// Returns the text of an arm file that readArm() can read. It has no effects, because they belong to the cell.
+/// Returns the text of an arm file that readArm() can read. Effects are not written, because they belong to the cell.
 [[nodiscard]] std::string armYaml(const deflection::Arm& arm, const Units& units,
                                   ToolAxis tool_axis = ToolAxis::kStated);
 

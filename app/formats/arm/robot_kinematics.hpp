@@ -2,8 +2,8 @@
 // numbers, and ur_description reads the file as kinematics_config (Universal_Robots_ROS2_Driver).
 //
 // `kinematics` has one origin {x, y, z, roll, pitch, yaw} [m, rad] for each of six joints, as in the robot's URDF, and
-// a hash of the controller's numbers. All origins are close to the nominal values: unlike the controller's numbers, the
-// origins contain no large lengths that cancel.
+// a hash of the controller's numbers. All origins are close to their nominal values, unlike the controller's numbers,
+// which contain large lengths that cancel.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct RobotKinematics {
 /// model.
 [[nodiscard]] std::string withRobotKinematics(const YamlFile& nominal, const RobotKinematics& kinematics);
 
-/// Returns the text of a kinematics file, with every number exact to the last bit.
+/// Returns the text of a kinematics file, with numbers at full precision.
 [[nodiscard]] std::string robotKinematicsText(const RobotKinematics& kinematics);
 
 /// Returns the origins of an arm's joints, each combined with the joint's offset, the row's tilt beta and the passive

@@ -11,7 +11,8 @@ namespace tubeplan::app {
 
 struct CampaignFile {
   calibration::CampaignDesign design;
-  std::optional<int> postures;  ///< number of postures, each measured under every load; nothing if the file states none
+  /// Number of postures, each measured under every load; std::nullopt if the file states none.
+  std::optional<int> postures;
 };
 
 /// Reads {kind: a name of measurementKinds(), at: anywhere | plane | holes, points: known | unknown, postures,

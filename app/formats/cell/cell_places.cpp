@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLookedThrough = 64 * 1024;  // number of bytes that are searched at the beginning of a file
 
 /// Returns true if the key `arm` begins a line or, in a file that is a flow map, follows a brace or a comma. Arm, scene
-/// and sheet files have no such key. A cell file with errors counts too, because only this key is examined.
+/// and sheet files have no such key. Cell files with errors are also recognised, because only this key is examined.
 bool isLikeACell(std::string_view text) {
   const auto isQuote = [&](std::size_t at) { return at < text.size() && (text[at] == '"' || text[at] == '\''); };
   const auto first = text.find_first_not_of(" \t\r\n");

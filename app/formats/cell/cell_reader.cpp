@@ -135,7 +135,7 @@ void readIdentify(const YamlNode& node, Cell& cell) {
 }
 
 /// Throws InputError if a cell and an arm that were written together have different pair identifiers, which means that
-/// one of the two files was replaced. Edits by hand keep the identifier.
+/// one of the two files was replaced. Manual edits do not change the identifier.
 void requireSamePair(const YamlNode& pair, const ArmSource& arm, const Cell& cell) {
   if (pair.text() == arm.pair) return;
   const std::string found = arm.pair.empty() ? "none" : "'" + arm.pair + "'";
@@ -163,7 +163,7 @@ ArmSource readCellArm(const YamlNode& node, const std::optional<std::string>& te
 }
 
 // Returns the tool axis in the frame of the last link, for an arm file that states none: the axis of a named capsule on
-// that link that an obstacle allows to enter it. Nothing if there is no such capsule.
+// that link that an obstacle allows to enter it. std::nullopt if there is no such capsule.
 std::optional<Eigen::Vector3d> findToolAxis(const planner::Scene& scene) {
   for (const auto& body : scene.bodies) {
     const auto solid = std::dynamic_pointer_cast<const planner::Solid>(body.shape);

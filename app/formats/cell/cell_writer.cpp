@@ -40,8 +40,8 @@ std::string covarianceText(const Matrix6d& covariance, const Units& units) {
   return fmt::format("[{}]", fmt::join(rows, ", "));
 }
 
-// Returns roll, pitch and yaw that reproduce R up to rounding even at a pitch of 90 deg, because roll is computed from
-// the rotation that remains after yaw is removed.
+// Returns roll, pitch and yaw that reproduce R up to rounding, even at a pitch of 90 deg: roll is computed from the
+// rotation that remains without yaw.
 Eigen::Vector3d rollPitchYaw(const Eigen::Matrix3d& R) {
   const double yaw = std::atan2(R(1, 0), R(0, 0));
   const Eigen::Matrix3d rest = deflection::rotationZ(-yaw) * R;
@@ -55,8 +55,8 @@ std::string withModelError(const std::string& text, const ModelError& error, con
   return withYamlValue(text, "model_error", "{" + map + "}");
 }
 
-/// Returns the model error found by a fit. If chi-square shows no lack of fit, the model error is the largest that this
-/// number of measurements would not reveal: the mean square of residuals has a relative uncertainty of sqrt(2 / degrees
+/// Returns the model error found by a fit. If chi-square shows no lack of fit, it is the largest model error that this
+/// number of measurements would not detect: the mean square of residuals has a relative uncertainty of sqrt(2 / degrees
 /// of freedom).
 std::optional<ModelError> modelErrorOf(const calibration::Identification& result) {
   if (result.degrees_of_freedom <= 0) return std::nullopt;
@@ -184,7 +184,7 @@ calibration::PlacedArm rereadBasePoses(const CellFiles& files, const calibration
 
 void requireReproduced(const CellFiles& files, const calibration::Identification& result,
                        const std::vector<calibration::Measurement>& measurements, const Units& units) {
-  constexpr double kAlike = 0.01, kLeast = 1e-9;  // tolerance relative to the error; minimum tolerance [m]
+  constexpr double kAlike = 0.01, kLeast = 1e-9;  // relative tolerance of the error, and minimum tolerance [m]
   std::vector<calibration::Measurement> used;
   for (const int k : result.used) used.push_back(measurements.at(static_cast<std::size_t>(k)));
   const double rms = calibration::judge(rereadBasePoses(files, result.fitted), used).rms;

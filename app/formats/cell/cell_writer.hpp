@@ -1,4 +1,4 @@
-// Writer of cells with results of a calibration or identification; everything else stays as the user wrote it.
+// Writer of cells with results of a calibration or identification; everything else in the file is unchanged.
 #pragma once
 
 #include <filesystem>
@@ -15,9 +15,10 @@ namespace tubeplan::app {
 /// New base pose of a cell, with the touches that determined it. Touches for an earlier base pose are removed.
 struct BaseChange {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  std::optional<Matrix6d> covariance;  ///< as Cell::base_covariance; nothing: the covariance in the file is kept
+  std::optional<Matrix6d> covariance;  ///< as Cell::base_covariance; std::nullopt keeps the covariance in the file
   bool known = true;
-  std::optional<ModelError> model_error = {};  ///< nothing: keeps the error in the file, unless earlier touches gave it
+  /// Std::nullopt keeps the error in the file, unless it came from earlier touches.
+  std::optional<ModelError> model_error = {};
   std::vector<calibration::Measurement> touches = {};
   const deflection::Arm* arm = nullptr;  ///< arm with the parameters fitted to the touches; null without touches
 };
@@ -28,7 +29,7 @@ struct BaseChange {
 
 /// Files of a cell that are to be written.
 struct CellFiles {
-  std::optional<TextFile> arm;      ///< arm's file; nothing for an inline arm
+  std::optional<TextFile> arm;      ///< arm's file; std::nullopt for an inline arm
   std::vector<TextFile> of_setups;  ///< one cell for each set-up with an identified base; empty for a single set-up
   TextFile cell;
 
@@ -45,7 +46,7 @@ struct CellFiles {
 /// file is written to the folder of `out`, with the name of `out` and "-arm". With one set-up, an unknown base pose is
 /// replaced. With several set-ups, each has its own cell, with the name of `out`, "-setup-" and the set-up's name, and
 /// the cell at `out` keeps its base pose. Throws InputError unless the files, when read back, reproduce the error of
-/// `readings` that the identification reports.
+/// `measurements` that the identification reports.
 [[nodiscard]] CellFiles identifiedCell(const Cell& cell, const calibration::Identification& result,
                                        const std::vector<calibration::Measurement>& measurements,
                                        const std::filesystem::path& out);

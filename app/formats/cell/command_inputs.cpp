@@ -36,7 +36,7 @@ double parseJoint(const std::string& text, const deflection::Joint<double>& join
   if (!value)
     throw InputError(option + " (" + joint.name + ")", inQuotes(text), "a finite number in " + units.nameOf(unit));
   const double q = units.toInternal(*value, unit);
-  constexpr double kSlack = 1e-12;  // tolerance for a measurement at a limit, to allow for rounding of the conversion
+  constexpr double kSlack = 1e-12;  // tolerance for a joint reading at a limit, to allow for rounding of the conversion
   if (q < joint.lower - kSlack || q > joint.upper + kSlack)
     throw InputError(
         option + " (" + joint.name + ")", fmt::format("{} {}", text, units.nameOf(unit)),

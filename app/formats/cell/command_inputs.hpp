@@ -12,13 +12,13 @@
 
 namespace tubeplan::app {
 
-/// Converts "A,B,C,D", one measurement for each active joint, from the cell's units of angle (or length, for prismatic
-/// joints) to internal units. Throws InputError for a wrong count, for anything but finite numbers, and for a
-/// measurement beyond its joint's limits; messages name the input as `option`.
+/// Converts "A,B,C,D", one reading for each active joint, from the cell's units of angle (or length, for prismatic
+/// joints) to internal units. Throws InputError for a wrong count, for anything but finite numbers, and for a reading
+/// beyond its joint's limits; messages name the input as `option`.
 [[nodiscard]] Eigen::VectorXd parseJoints(const std::string& text, const deflection::Arm& arm, const Units& units,
                                           const std::string& option);
 
-/// Converts measurements of any joints in the syntax of parseJoints(); `whose` describes the joints in messages.
+/// Converts readings of any joints in the syntax of parseJoints(); `whose` describes the joints in messages.
 [[nodiscard]] Eigen::VectorXd parseJointsOf(const std::string& text,
                                             const std::vector<const deflection::Joint<double>*>& joints,
                                             const Units& units, const std::string& option, const std::string& whose);
@@ -28,7 +28,7 @@ namespace tubeplan::app {
 [[nodiscard]] double parseLoad(double load, const Units& units, const std::string& option);
 
 /// Returns `request`, the text of --tubes. If the text is empty, returns a selection of `count` tubes spread over the
-/// sheet, or of all tubes that take a tool if they are fewer.
+/// sheet, or of all tubes that can take a tool if there are fewer.
 [[nodiscard]] std::string tubesOrSpread(const std::string& request, const tubesheets::Sheet& sheet, std::size_t count);
 
 /// Returns the tubes of a request, which is a selection in the language of tubesheets/work_list.hpp or the name of a

@@ -25,7 +25,7 @@ std::string withoutDigits(std::string text) {
 }
 
 /// Returns a question such as "did you mean 'theta1'?" if a parameter's name may be a misspelt symbol; otherwise empty.
-/// Names of one or two letters resemble every symbol, so such names count only if they differ from a symbol in digits
+/// Names of one or two letters resemble every symbol, so they are reported only if they differ from a symbol in digits
 /// alone.
 std::string misspeltSymbol(const std::string& name, const std::vector<std::string>& symbols) {
   const bool is_short = name.size() < 3;

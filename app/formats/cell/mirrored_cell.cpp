@@ -21,7 +21,8 @@ std::string negated(const YamlNode& number) {
   return text.front() == '-' ? text.substr(1) : "-" + (text.front() == '+' ? text.substr(1) : text);
 }
 
-/// Returns a list of three numbers as text, with the signs of the marked ones changed. The digits stay as written.
+/// Returns a list of three numbers as text. Changes the signs of the numbers marked in `changes`, and keeps the digits
+/// as written.
 std::string withSigns(const YamlNode& list, std::array<bool, 3> changes) {
   const auto& items = list.list(3, "three numbers");
   const auto item = [&](std::size_t k) { return changes[k] ? negated(items[k]) : items[k].scalar; };
@@ -34,7 +35,7 @@ std::string mirroredVector(const YamlNode& vector) { return withSigns(vector, {f
 /// Returns the fixed-axis angles of M R M, where R is the rotation by the given angles and M mirrors y.
 std::string mirroredAngles(const YamlNode& rpy) { return withSigns(rpy, {true, false, true}); }
 
-/// Collects changes of a cell's text; every change keeps the rest of the text as it is.
+/// Collects changes of a cell's text. Each change leaves the rest of the text untouched.
 class Mirror {
  public:
   explicit Mirror(const Cell& cell) : root_(cell.source.root), text_(cell.source.text) {}

@@ -8,9 +8,9 @@
 namespace tubeplan::app {
 
 /// Returns the text of the other leg's cell: sheet, manway, obstacles, gravity and nominal base pose are mirrored in
-/// the plane y = 0, and the arm stays as it is. Rows and columns keep their numbers. The text has no covariance of the
+/// the plane y = 0, and the arm is unchanged. Rows and columns keep their numbers. The text has no covariance of the
 /// base, no touches and no park posture, because those belong to the first leg. Throws InputError for a sheet without
-/// legs, a hole map and a mesh, none of which this function can mirror.
+/// legs, a hole map and a mesh, because this function cannot mirror them.
 [[nodiscard]] std::string mirroredCellText(const Cell& cell);
 
 /// Returns the other leg's cell; messages name it by the path of the given cell.

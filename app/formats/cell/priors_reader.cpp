@@ -31,7 +31,7 @@ std::vector<std::string> namesFor(const Cell& cell) {
   return names;
 }
 
-/// Converts a parameter's standard deviation to that of the variable that a fit uses. For a stiffness this is the
+/// Converts the standard deviation of a parameter to the fit's variable. For a stiffness, the variable is the
 /// compliance, so `sigma` is divided by the square of the stiffness.
 double asOfVariable(const deflection::Parameter& parameter, double sigma) {
   return deflection::isStiffness(parameter.quantity) && parameter.path.effect < 0

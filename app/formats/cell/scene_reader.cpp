@@ -113,7 +113,7 @@ void checkSize(const YamlNode& node, const planner::TriangleMesh& mesh, const Sc
                   measurement.units.length().name));
 }
 
-/// Returns the mesh [m] of a shape that names a mesh file, and records the file; nothing for other shapes.
+/// Returns the mesh [m] of a shape that names a mesh file, and records the file; std::nullopt for other shapes.
 std::optional<planner::TriangleMesh> readMesh(const NamedShape& shape, SceneMeasurement& measurement) {
   const planner::ShapeField* field = planner::findMeshField(*shape.row);
   if (!field) return std::nullopt;
@@ -238,7 +238,9 @@ namespace {
 /// Returns descriptions of the moving parts of the arm that no body covers; contacts with these parts are not checked.
 std::vector<std::string> bareMembers(const planner::Scene& scene, const deflection::Arm& written,
                                      const Eigen::Isometry3d& X_WB) {
-  constexpr double kLong = 0.08;  // fraction of the arm's reach; shorter members lie within their neighbours' shapes
+  // Shortest member that needs a body, as a fraction of the arm's reach; shorter members lie within their neighbours'
+  // bodies.
+  constexpr double kLong = 0.08;
   constexpr double kNear = 0.25;  // largest distance of a covering body from a member's middle, relative to its length
   std::vector<std::string> bare;
   const auto [arm, slid] = deflection::anchoredRows(written);

@@ -1,4 +1,4 @@
-// Simulated measurements of a cell: converts a request to measurements, and keeps the true arm that produced them.
+// Simulated measurements of a cell: converts a request to measurements, together with the true arm that produced them.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace tubeplan::app {
 
-/// Options of a simulation as typed, in the cell's units.
+/// Options of a simulation as given on the command line, in the cell's units.
 struct SimulationRequest {
   std::string design;  ///< name of a built-in design, or path of a design file
   std::optional<int> measurements;
@@ -41,7 +41,7 @@ struct SimulationTask {
 /// effects that cannot be hidden.
 [[nodiscard]] SimulationTask prepareSimulation(const Cell& cell, const SimulationRequest& request);
 
-/// Simulates the measurement campaign. At every reading the true arm is clear of the cell's scene.
+/// Simulates the measurement campaign. The true arm is clear of the cell's scene at every measurement.
 [[nodiscard]] calibration::SimulatedCampaign simulateMeasurements(const Cell& cell, const SimulationTask& task,
                                                                   std::uint64_t seed,
                                                                   const calibration::CampaignHooks& hooks);

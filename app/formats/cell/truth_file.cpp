@@ -65,7 +65,7 @@ std::string pointsText(const TruthFile& file) {
   return text;
 }
 
-/// Returns the effects that the true arm has in addition to those of the cell's arm.
+/// Returns the effects of the true arm that the cell's arm lacks.
 std::string hiddenText(const TruthFile& file) {
   deflection::Arm hidden = file.truth.arm;
   hidden.effects.erase(hidden.effects.begin(),

@@ -29,7 +29,7 @@ constexpr KindOfNumber kKinds[] = {
     {"zero", dimension::kAngle, &ArmUncertainty::zero},          {"axis", dimension::kAngle, &ArmUncertainty::axis},
     {"length", dimension::kLength, &ArmUncertainty::length},     {"tip", dimension::kLength, &ArmUncertainty::tip}};
 
-/// Returns the dimension of a parameter of the arm, or of one of baseStepNames(); nothing if the name is unknown.
+/// Returns the dimension of a parameter of the arm, or of one of baseStepNames(); std::nullopt if the name is unknown.
 std::optional<Dimension> dimensionOfNumber(const std::string& name, const deflection::Arm& arm) {
   const auto& steps = calibration::baseStepNames();
   if (const auto step = std::find(steps.begin(), steps.end(), name); step != steps.end())

@@ -11,7 +11,7 @@ namespace tubeplan::app {
 [[nodiscard]] planner::Workcell workcellOf(const Cell& cell, const std::string& purpose);
 
 /// Throws InputError for an arm with a joint that has neither a speed nor an acceleration limit, because its motions
-/// would take no time.
+/// would be instantaneous.
 void requireSpeeds(const Cell& cell);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// Conversion of a plan's cache to JSON and back [m, rad, s], with every number exact to the last bit.
+// Conversion of a plan's cache to JSON and back [m, rad, s], with numbers at full precision.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

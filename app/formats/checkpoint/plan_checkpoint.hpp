@@ -24,8 +24,8 @@ class PlanCheckpoint {
   [[nodiscard]] const std::string& fromFingerprint() const { return from_fingerprint_; }
 
   /// Loads the results for these inputs from a stopped plan in the folder, otherwise from the earlier plan. Reports on
-  /// standard error which results are used and which are not. Throws InputError for a stopped plan with other inputs if
-  /// the plan must be resumed, and for an earlier plan of another sheet.
+  /// standard error which results are used. Throws InputError if the plan must be resumed but the stopped plan has
+  /// other inputs, and for an earlier plan of another sheet.
   void begin(const PlanKey& question);
 
   [[nodiscard]] planner::PlanCache& cache() { return cache_; }

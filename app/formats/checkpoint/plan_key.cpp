@@ -49,7 +49,7 @@ std::string modelText(const Cell& cell) {
   const YamlNode& root = cell.source.root;
   for (std::size_t k = 0; k < root.items.size(); ++k) {
     if (std::find(kOtherKeys.begin(), kOtherKeys.end(), root.keys[k]) != kOtherKeys.end()) continue;
-    // An arm file is represented by its content, so that a copy in another folder counts as the same arm.
+    // An arm file is represented by its content, so that a copy in another folder is the same arm.
     text += root.keys[k] + "=";
     const bool is_arm_file = root.keys[k] == "arm" && !cell.arm_source.text.empty();
     append(is_arm_file ? cell.arm_source.root : root.items[k], cell.meshes, text);

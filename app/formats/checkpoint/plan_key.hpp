@@ -25,9 +25,10 @@ struct PlanKeyInputs {
   const planner::Workcell& model;  ///< model used for planning, with the calibrated base, the load and the insertion
   const planner::VisitConditions& conditions;
   std::string compensation;
-  double standoff = 0;              ///< depth below the sheet's face at which an approach begins [m]
-  bool has_least_standoff = false;  ///< true: at each hole the least standoff that is clear, up to `standoff`
-  double padding = 0;               ///< additional clearance [standard deviations of the base position]
+  double standoff = 0;  ///< depth below the sheet's face at which an approach begins [m]
+  /// True if each hole is approached from the shortest clear distance, up to `standoff`.
+  bool has_least_standoff = false;
+  double padding = 0;  ///< additional clearance [standard deviations of the base position]
   std::uint64_t seed = 1;
   std::string from;  ///< fingerprint of the earlier plan's memory.json; empty if there is no earlier plan
   planner::TravelKind travel = planner::TravelKind::kJoints;

@@ -17,7 +17,7 @@ inline constexpr const char* kTallyFile = "tally.json";
 inline constexpr CheckpointFormat kTallyFormat{"tubeplan campaign tally 2", "a file written by tubeplan campaign",
                                                "remove that file to start again"};
 
-/// Runs finished so far, and the sum of their results.
+/// Number of runs finished so far, and the sum of their results.
 struct TallySoFar {
   RunSet done;
   TallyWords total;
@@ -27,9 +27,9 @@ class TallyCheckpoint {
  public:
   TallyCheckpoint(std::filesystem::path folder, bool must_resume);
 
-  /// Returns the stored tally if it was made with these inputs and has at most `runs` runs; otherwise nothing. Reports
-  /// on standard error which results are used and which are not. Throws InputError for a damaged file and, if the
-  /// campaign must be resumed, for a missing tally or a tally with other inputs.
+  /// Returns the stored tally if it was made with these inputs and has at most `runs` runs; otherwise std::nullopt.
+  /// Reports on standard error which results are used. Throws InputError for a damaged file and, if the campaign must
+  /// be resumed, for a missing tally or a tally with other inputs.
   [[nodiscard]] std::optional<TallySoFar> begin(const PlanKey& question, std::uint64_t runs);
 
   /// Writes the tally if the last write was at least a second ago, or longer ago if writing is slow; always writes if
@@ -44,7 +44,8 @@ class TallyCheckpoint {
   std::filesystem::path folder_;
   bool must_resume_;
   PlanKey question_;
-  Clock::time_point saved_ = Clock::now() - std::chrono::seconds(1);  // so that the first results are saved at once
+  // Set in the past, so that the first results are saved at once.
+  Clock::time_point saved_ = Clock::now() - std::chrono::seconds(1);
   Clock::duration pause_ = std::chrono::seconds(1);
 };
 

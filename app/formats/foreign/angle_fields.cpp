@@ -31,8 +31,8 @@ struct NumberRange {
   double least = std::numeric_limits<double>::infinity(), most = -least;
 };
 
-/// Returns the range of the numbers in a column whose heading names an hour angle or a right ascension. Returns nothing
-/// for other columns, columns without numbers, and columns with fields that are not numbers.
+/// Returns the range of the numbers in a column whose heading names an hour angle or a right ascension. Returns
+/// std::nullopt for other columns, columns without numbers, and columns with fields that are not numbers.
 std::optional<NumberRange> rangeOfHourAngle(const ForeignTable& table, std::size_t column) {
   constexpr std::array<std::string_view, 5> kHourNames{"ha", "hourangle", "hourang", "ra", "rightascension"};
   const std::string name = parseHeading(table.columns[column]).name;

@@ -16,15 +16,15 @@ namespace {
 constexpr double kDay = 86400;  // length of a day [s]
 constexpr std::array kDateOrders{DateOrder::kDayFirst, DateOrder::kMonthFirst};
 
-/// Returns the separator in the date before a time, as in 2026-11-01, 3/5/2024 and 3.5.2024; nothing if there is no
-/// date.
+/// Returns the separator in the date before a time, as in 2026-11-01, 3/5/2024 and 3.5.2024; std::nullopt if there is
+/// no date.
 std::optional<char> dateMark(std::string_view text) {
   const std::size_t at = text.substr(0, text.find(':')).find_first_of("-/.");
   return at == std::string_view::npos ? std::nullopt : std::optional(text[at]);
 }
 
-/// Removes a number and the separator after the number from the start of the text; returns the number, or nothing if
-/// there is none.
+/// Removes a number and the separator after the number from the start of the text; returns the number, or std::nullopt
+/// if there is none.
 std::optional<int> takeNumber(std::string_view& text, std::string_view marks) {
   const std::size_t end = text.find_first_of(marks);
   if (end == std::string_view::npos || end == 0 || end > 4) return std::nullopt;
@@ -34,7 +34,7 @@ std::optional<int> takeNumber(std::string_view& text, std::string_view marks) {
 }
 
 /// Removes a date with a four-digit year from the start of the text; returns the date in days since 1970-01-01, or
-/// nothing if there is no valid date.
+/// std::nullopt if there is no valid date.
 std::optional<double> takeDays(std::string_view& text, char mark, DateOrder order) {
   constexpr int kLeastYear = 1000;
   const std::string_view marks(&mark, 1);
@@ -48,7 +48,7 @@ std::optional<double> takeDays(std::string_view& text, char mark, DateOrder orde
     day = is_day_first ? *first : *second;
   }
   constexpr int kMonths = 12,
-                kMostDays = 31;  // std::chrono::month and day keep only the lowest 8 bits of larger numbers
+                kMostDays = 31;  // limits for std::chrono::month and day, which truncate larger numbers to 8 bits
   if (month > kMonths || day > kMostDays) return std::nullopt;
   const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(static_cast<unsigned>(month)),
                                          std::chrono::day(static_cast<unsigned>(day))};
@@ -56,8 +56,8 @@ std::optional<double> takeDays(std::string_view& text, char mark, DateOrder orde
   return static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count());
 }
 
-/// Removes AM or PM from the end of the text; returns 0 or 12, the hours to add on a 12-hour clock, or nothing for a
-/// 24-hour clock.
+/// Removes AM or PM from the end of the text; returns 0 or 12, the hours to add on a 12-hour clock, or std::nullopt for
+/// a 24-hour clock.
 std::optional<int> takeHalf(std::string_view& text) {
   const std::string small = lowerCase(text);
   for (const auto& [word, hours] : {std::pair{"am", 0}, std::pair{"pm", 12}}) {
@@ -69,8 +69,8 @@ std::optional<int> takeHalf(std::string_view& text) {
   return std::nullopt;
 }
 
-/// Returns the hour of the day, 0 to 23; `half` is the result of takeHalf(). Nothing if a 12-hour or 24-hour clock
-/// never shows the stated hour.
+/// Returns the hour of the day, 0 to 23; `half` is the result of takeHalf(). std::nullopt if the hour is invalid on a
+/// 12-hour or 24-hour clock.
 std::optional<int> hoursOf(int stated, const std::optional<int>& half) {
   if (!half) return stated <= 23 ? std::optional(stated) : std::nullopt;
   return stated >= 1 && stated <= 12 ? std::optional(stated % 12 + *half) : std::nullopt;

@@ -15,8 +15,8 @@ enum class DateOrder { kDayFirst, kMonthFirst };
 [[nodiscard]] const char* nameOf(DateOrder order);
 
 /// Returns the seconds of "2026-11-01 10:00:00.123" (or with a T between date and time), of "3/5/2024 11:50:00 AM", or
-/// of "10:00:00" since midnight; nothing for any other text. In dates with points the day comes first. Only differences
-/// are meaningful: time zones and leap seconds are ignored.
+/// of "10:00:00" since midnight; std::nullopt for any other text. In dates with points the day comes first. Only
+/// differences are meaningful: time zones and leap seconds are ignored.
 [[nodiscard]] std::optional<double> clockSeconds(std::string_view text, DateOrder order = DateOrder::kMonthFirst);
 
 /// Returns true if the text is a clock time in at least one order of day and month.
@@ -28,8 +28,9 @@ enum class DateOrder { kDayFirst, kMonthFirst };
 
 /// Times of consecutive rows of a table.
 struct ClockTimes {
-  std::vector<std::optional<double>> seconds;  ///< time of each row [s], with days added after midnight; or nothing
-  std::vector<std::size_t> midnights;          ///< indices of the first rows after a midnight
+  /// Time of each row [s], with days added after midnight; std::nullopt for a row without a valid time.
+  std::vector<std::optional<double>> seconds;
+  std::vector<std::size_t> midnights;  ///< indices of the first rows after a midnight
 };
 
 /// Returns the times of rows. A time without a date that is earlier than the previous one by half a day or more is on

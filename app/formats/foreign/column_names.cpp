@@ -36,8 +36,8 @@ bool areCounts(const ForeignTable& table, std::size_t column) {
          });
 }
 
-/// Returns the last of the `texts` text columns whose fields all differ, otherwise the last text column; nothing if
-/// there are no text columns.
+/// Returns the last of the `texts` text columns whose fields all differ, otherwise the last text column; std::nullopt
+/// if there are no text columns.
 std::optional<std::size_t> pointAmong(const ForeignTable& table, std::size_t texts) {
   for (std::size_t c = texts; c-- > 0;)
     if (areDifferent(table, c)) return c;
@@ -122,7 +122,7 @@ void settleControllersNames(std::vector<std::vector<ForeignHeading>>& tables,
 }
 
 /// Assigns joints by their own names, which take precedence over numbers: `slide, A1, A2`. If there are as many numbers
-/// as remaining joints, the numbers count only these: `slide, J1, J2`.
+/// as remaining joints, the numbers refer only to these: `slide, J1, J2`.
 void settleNames(std::vector<std::vector<ForeignHeading>>& tables, const std::vector<ColumnTarget>& targets) {
   const auto called = [&](const std::string& name) {
     std::vector<ForeignHeading*> found;

@@ -13,7 +13,7 @@ namespace tubeplan::app {
 [[nodiscard]] bool fits(const ColumnTarget& target, const ForeignHeading& heading);
 
 /// Returns the unit of a column's numbers: from the heading, otherwise from a line above the table, otherwise from
-/// `usual` (--units); null if none of them states it. Throws InputError if the line and `usual` state different units.
+/// `usual` (--units); null if it is unknown. Throws InputError if the line and `usual` state different units.
 [[nodiscard]] const Unit* unitOf(const ForeignTable& table, const ForeignHeading& heading, UnitKind kind,
                                  const UsualUnits& usual);
 

@@ -84,7 +84,8 @@ std::vector<ColumnTarget> columnTargets(const deflection::Arm& arm) {
       text("setup", {"setup"}),
       text("split", {"split"}),
       text("from", {"from"}),
-      text("row", {"armrow", "link", "linkname"}),  // not the alias `row`, which counts rows in other tables
+      // The alias `row` is excluded, because in other tables it is the row number.
+      text("row", {"armrow", "link", "linkname"}),
       number("load", UnitKind::kForce, {"load", "payload", "mass", "weight"}),
   };
   addJoints(arm, targets);

@@ -239,7 +239,7 @@ class ColumnTaker {
   [[nodiscard]] bool isClock(std::size_t table, std::size_t column) const {
     return isClockTime(firstField(table, column));
   }
-  /// Returns true for a column of times in an unknown format, which is left out.
+  /// Returns true for a column of times in an unknown format, which is ignored.
   [[nodiscard]] bool isOtherTime(std::size_t target, std::size_t table, std::size_t column) const {
     const std::string& field = firstField(table, column);
     return targets_[target].unit == UnitKind::kTime && !field.empty() && !tubesheets::parseNumber(field) &&

@@ -21,12 +21,12 @@ inline constexpr std::array kJointWords{"j", "joint", "axis", "a", "q", "theta",
 /// Quantity of a measurement table, with its names in other programs.
 struct ColumnTarget {
   std::string quantity;          ///< name of the quantity: "x", "theta1", "id"
-  std::optional<UnitKind> unit;  ///< kind of unit in the column's name, as in "x_mm"; nothing if it has none
+  std::optional<UnitKind> unit;  ///< kind of unit in the column's name, as in "x_mm"; std::nullopt if it has none
   bool is_number = true;
   bool is_joint = false;
   std::vector<std::string> aliases = {};  ///< alternative names, in the notation of parseHeading()
   const WrittenForm* form = nullptr;      ///< form that has this number ("euler-zyx.z"); null for other quantities
-  std::size_t part = 0;                   ///< index of the number in the form
+  std::size_t part = 0;                   ///< index of this number within the form
 };
 
 /// Returns all quantities that measurements of an arm may state, in the order of a measurement table's columns.
@@ -39,7 +39,7 @@ struct FormColumns {
   std::vector<std::size_t> columns;  ///< column index of each number of the form
   std::vector<const Unit*> units;    ///< unit of each number; null if dimensionless or not stated
   bool is_beside = false;            ///< true if another column of the table indicates this form
-  std::string why = {};              ///< excluded forms with the same headings, with the reasons; may be empty
+  std::string why = {};              ///< text on excluded forms with the same headings, with the reasons; may be empty
 };
 
 struct TakenColumn {
@@ -61,13 +61,13 @@ struct ColumnChoice {
   /// "theta1_deg=log.csv:S*-0.00012".
   std::vector<std::string> columns;
   UsualUnits units;
-  std::string orientation = {};  ///< name of the form of orientations; empty: deduced from the headings
-  std::string points = {};       ///< name of the form of positions; empty: deduced from the headings
+  std::string orientation = {};  ///< name of the form of orientations; if empty, it is deduced from the headings
+  std::string points = {};       ///< name of the form of positions; if empty, it is deduced from the headings
   std::string dates = {};        ///< "day-first" or "month-first", for dates that are valid in both orders
 };
 
 /// Returns the column that names the rows of a table: its points, otherwise its ids, according to the headings or the
-/// table's shape; nothing if there is none.
+/// table's shape; std::nullopt if there is none.
 [[nodiscard]] std::optional<std::size_t> findNames(const ForeignTable& table, const std::vector<ColumnTarget>& targets);
 
 /// Likely column of a quantity. `unit` is null if the heading states none, or if the column's degrees may be hours.
@@ -76,7 +76,7 @@ struct ColumnGuess {
   const Unit* unit = nullptr;
 };
 
-/// Returns, for each target, the first column that fits and that no earlier target uses; nothing if there is none.
+/// Returns, for each target, the first column that fits and that no earlier target uses; std::nullopt if there is none.
 /// Columns for the numbers of a form are returned only if the measurements need the form, according to `kind` or the
 /// kinds stated in the rows, and only if no other form fits.
 [[nodiscard]] std::vector<std::optional<ColumnGuess>> guessColumns(const std::vector<ForeignTable>& tables,

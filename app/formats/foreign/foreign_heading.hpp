@@ -23,7 +23,7 @@ struct ForeignHeading {
 /// Returns `unit` if it is of the given kind, otherwise null. For angles, `h` means hours of angle instead of time.
 [[nodiscard]] const Unit* unitOfKind(const Unit* unit, UnitKind kind);
 
-/// Return the units "hms" and "dms" of angles in sixtieths of hours and of degrees, which parseSexagesimal() parses.
+/// Return the units "hms" and "dms" of sexagesimal angles in hours and in degrees, which parseSexagesimal() parses.
 [[nodiscard]] const Unit* sixtiethsOfHours();
 [[nodiscard]] const Unit* sixtiethsOfDegrees();
 

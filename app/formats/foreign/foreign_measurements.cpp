@@ -132,7 +132,7 @@ class ForeignReader {
                        factor);
   }
 
-  /// If the measurements have no orientation, records as left out those unused columns that look like one.
+  /// If the measurements have no orientation, reports unused columns that look like an orientation.
   void sayTurnLeftOut(std::size_t t, const std::set<std::size_t>& used) {
     if (isTaken(columnsOf(Stated::kTurn).columns.front())) return;
     const auto headings = columnNames(request_.tables, targets_);

@@ -11,8 +11,8 @@ namespace tubeplan::app {
 struct ForeignRequest {
   std::vector<ForeignTable> tables;
   ColumnChoice choice;
-  std::string
-      kind;  ///< kind of measurements if the table states none; empty: position if coordinates exist, else touch
+  /// Kind of measurements if the table states none; by default position if coordinates exist, otherwise touch.
+  std::string kind;
 };
 
 struct ForeignMeasurements {
@@ -25,8 +25,8 @@ struct ForeignMeasurements {
 /// Returns measurements, each from a row of the table that has the joints and from the matching rows of all other
 /// tables. Rows match by name if both tables have names, otherwise by order if both have the same number of rows.
 /// Groups before a tracker's names (A::Group::P1) are ignored. The ids of measurements are the table's ids, otherwise
-/// the point names if they are unique, otherwise running numbers. Rows without any coordinate are lost points and are
-/// left out, unless a column states their kind. Throws InputError in the cases of takeColumns(), for tables that do not
+/// the point names if they are unique, otherwise running numbers. Rows without coordinates are lost points and are
+/// skipped, unless a column states their kind. Throws InputError in the cases of takeColumns(), for tables that do not
 /// match, and for fields that should be numbers but are not. The measurements themselves are checked by
 /// parseMeasurementTable().
 [[nodiscard]] ForeignMeasurements readForeign(const ForeignRequest& request, const deflection::Arm& arm);

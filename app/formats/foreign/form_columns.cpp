@@ -28,8 +28,8 @@ bool isOnlyJoint(const FormSearch& search, std::size_t table, std::size_t column
   });
 }
 
-/// Returns the free column of table t with the given name; nothing if there are several or the heading states another
-/// kind of unit.
+/// Returns the free column of table t with the given name; std::nullopt if there are several or the heading states
+/// another kind of unit.
 std::optional<std::size_t> columnCalled(const FormSearch& search, std::size_t t, const std::string& name,
                                         const std::optional<UnitKind>& unit) {
   std::optional<std::size_t> found;
@@ -47,7 +47,7 @@ bool hasColumn(const ForeignTable& table, const std::string& name) {
          std::ranges::any_of(table.columns, [&](const auto& column) { return parseHeading(column).name == name; });
 }
 
-/// Returns the columns of table t with the headings of a form; nothing unless all columns exist.
+/// Returns the columns of table t with the headings of a form; std::nullopt unless all columns exist.
 std::optional<FormColumns> columnsCalled(const FormSearch& search, std::size_t t, const WrittenForm& form,
                                          const FormHeadings& names) {
   FormColumns found{&form, t, {}, {}, hasColumn(search.tables[t], names.beside)};

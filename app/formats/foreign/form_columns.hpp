@@ -47,12 +47,12 @@ struct FormSearch {
 [[nodiscard]] std::vector<FormColumns> decideForms(std::vector<FormColumns> forms,
                                                    const std::vector<ForeignTable>& tables);
 
-/// Returns the only form that decideForms() leaves; nothing if `found` is empty. Throws InputError if several forms
-/// remain.
+/// Returns the only form that decideForms() leaves; std::nullopt if `found` is empty. Throws InputError if several
+/// forms remain.
 [[nodiscard]] std::optional<FormColumns> onlyForm(const std::vector<FormColumns>& found,
                                                   const std::vector<ForeignTable>& tables);
 
-/// Returns the numbers of a form in a row, in internal units; nothing if a field is not a number.
+/// Returns the numbers of a form in a row, in internal units; std::nullopt if a field is not a number.
 [[nodiscard]] std::optional<FormNumbers> numbersOf(const FormColumns& columns, const ForeignRow& row);
 
 /// Returns the quoted headings of the columns and the name of their file, for messages.

@@ -13,7 +13,8 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Index of the matching row in another table, for each row of the leading table; nothing for a row without a match.
+/// Index of the matching row in another table, for each row of the leading table; std::nullopt for a row without a
+/// match.
 using Partners = std::vector<std::optional<std::size_t>>;
 
 class RowJoiner {
@@ -60,8 +61,8 @@ class RowJoiner {
     return partnersByOrder(t);
   }
 
-  /// Throws InputError if both tables name their rows by text, because such names should match. Running numbers need
-  /// not match, because they may count anything.
+  /// Throws InputError if both tables have textual row names, because such names should match. Running numbers need not
+  /// match.
   void refuseOtherNames(std::size_t t, std::size_t ours, std::size_t theirs) const {
     const auto areNames = [](const ForeignTable& table, std::size_t column) {
       return std::none_of(table.rows.begin(), table.rows.end(),

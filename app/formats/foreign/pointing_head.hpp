@@ -26,9 +26,9 @@ struct PointingLine {
 /// Returns the location of a line for messages: "sky.dat:5".
 [[nodiscard]] std::string lineOf(const std::string& file, const PointingLine& line);
 
-/// Returns the angle that `count` fields of a line state as two or three numbers, each in sixtieths of the previous
-/// one. The first number has the sign and determines the unit. Throws InputError if the first number exceeds `most`, or
-/// if minutes or seconds are out of range.
+/// Returns the sexagesimal angle in `count` fields of a line, which has two or three numbers. The first number has the
+/// sign and determines the unit. Throws InputError if the first number exceeds `most`, or if minutes or seconds are out
+/// of range.
 [[nodiscard]] double sixtiethsIn(const std::string& file, const PointingLine& line, std::size_t from, std::size_t count,
                                  double most);
 

@@ -15,9 +15,9 @@ namespace tubeplan::app {
 [[nodiscard]] bool isPointingData(std::string_view text);
 
 /// Returns measurements of kind `direction` in degrees: azimuth (from north towards west) and altitude of the target,
-/// and the measurements of the two joints. For an altazimuth mount the joints are azimuth and elevation with the same
-/// senses. For an equatorial mount they are the hour angle towards east and the declination. `remarks` state the
-/// assumptions on what the file leaves open. Throws InputError for unknown content.
+/// and the readings of the two joints. For an altazimuth mount the joints are azimuth and elevation with the same
+/// senses. For an equatorial mount they are the hour angle towards east and the declination. `remarks` list the
+/// assumptions made about data that the file does not state. Throws InputError for unknown content.
 [[nodiscard]] ForeignTable parsePointingData(std::string_view text, const std::string& file);
 
 }  // namespace tubeplan::app

@@ -27,8 +27,8 @@ const SixtiethMarks& marksOf(SixtiethForm form) {
   return form == SixtiethForm::kHours ? kHourMarks : kDegreeMarks;
 }
 
-/// Removes an unsigned number from the start of the text and returns the number, or nothing if there is none. Decimals
-/// are allowed only if `may_be_broken` is true.
+/// Removes an unsigned number from the start of the text and returns the number, or std::nullopt if there is none.
+/// Decimals are allowed only if `may_be_broken` is true.
 std::optional<double> takeDigits(std::string_view& text, bool may_be_broken) {
   std::size_t length = 0;
   const auto isDigit = [&](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };

@@ -44,9 +44,9 @@ void take(const std::string& assumption, bool is_sigma_settled, MeasurementTable
   if (mend->frees_base) cell.base_known = false;
 }
 
-/// Returns the subject of an assumption; only one assumption about each subject can hold. For an assumption about a
-/// unit, the subject is the text before the unit. For other kinds it includes the value, since several values may hold
-/// at once.
+/// Returns the subject of an assumption. Assumptions about the same subject exclude each other. For an assumption about
+/// a unit, the subject is the text before the unit. For other kinds it includes the value, because several values may
+/// apply at once.
 std::string subjectOf(const std::string& assumption) {
   const std::size_t equals = assumption.find('=');
   const auto* kind = mistakeOf(assumption);

@@ -31,7 +31,8 @@ class Header {
     missing(name);
   }
 
-  /// Takes the column `quantity_UNIT`, where UNIT is any unit of the given kind; nothing if there is no such column.
+  /// Takes the column `quantity_UNIT`, where UNIT is any unit of the given kind; std::nullopt if there is no such
+  /// column.
   std::optional<NumberColumn> takeNumber(const std::string& quantity, UnitKind kind) {
     std::optional<NumberColumn> found;
     for (const std::string& unit : unitNames(kind)) {

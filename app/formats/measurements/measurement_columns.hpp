@@ -20,7 +20,7 @@ struct NumberColumn {
   std::string name;
 };
 
-/// Columns of the three components of a vector; nothing for a missing column.
+/// Columns of the three components of a vector; std::nullopt for a missing column.
 using ColumnTriple = std::array<std::optional<NumberColumn>, 3>;
 
 struct MeasurementColumns {

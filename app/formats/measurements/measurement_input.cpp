@@ -30,8 +30,8 @@ namespace {
 
 using calibration::Identification, calibration::Measurement;
 
-/// Returns warnings about set-ups of the cell to which no measurement refers. If measurements had a mistyped name, the
-/// rows that are rigid in the set-up would count as flexible without notice.
+/// Returns warnings about set-ups of the cell to which no measurement refers. A mistyped name in the measurements would
+/// silently make the rows flexible that are rigid in the set-up.
 std::vector<std::string> unnamedSetups(const deflection::Arm& arm, const std::vector<Measurement>& measurements) {
   std::vector<std::string> named, warnings;
   for (const auto& measurement : measurements)
@@ -49,7 +49,7 @@ std::vector<std::string> unnamedSetups(const deflection::Arm& arm, const std::ve
 /// determine any length, except through a ball's radius, and a smaller arm fits them better.
 std::string shrunkenArm(const Identification& result, const std::vector<Measurement>& measurements) {
   constexpr double kTooGood = 0.5;  // chi-square per degree of freedom below which a fit is suspicious
-  constexpr int kMany = 30;         // degrees of freedom from which such a small chi-square cannot be chance
+  constexpr int kMany = 30;         // degrees of freedom above which such a small chi-square cannot be due to chance
   const bool is_blind = std::all_of(measurements.begin(), measurements.end(), [](const Measurement& measurement) {
     return hasUnknownPlace(measurement) && std::isnan(measurement.own[0]);
   });

@@ -36,7 +36,8 @@ struct CellMeasurements {
 
 /// Options that concern measurements and priors.
 struct MeasurementOptions {
-  double sigma = 0;  ///< standard deviation of measurements that state none, in the cell's length unit; 0: not given
+  /// Standard deviation of measurements that state none, in the cell's length unit; 0 if not given.
+  double sigma = 0;
   std::vector<std::string> priors;  ///< priors in the syntax of takePriors()
   std::vector<std::string> assume;  ///< assumptions in the syntax of takeAssumptions()
 };
@@ -77,8 +78,8 @@ using MeasurementFiles = std::vector<std::string>;
                                       const std::vector<calibration::Measurement>& measurements,
                                       const std::string& file);
 
-/// Returns warnings about a fit, one sentence each: on set-ups that no measurement names, on a fitted arm that touches
-/// may have made too small, and on held-out measurements that have nothing to be compared with.
+/// Returns warnings about a fit, one sentence each: on set-ups without measurements, on an arm that a fit to touches
+/// may have shrunk, and on held-out measurements that cannot be compared with anything.
 [[nodiscard]] std::vector<std::string> fitWarnings(const calibration::Identification& result,
                                                    const std::vector<calibration::Measurement>& measurements);
 

@@ -30,7 +30,7 @@ Eigen::VectorXd readJoints(const RowReader& row, const std::vector<NumberColumn>
   return q;
 }
 
-/// Returns three numbers of a row that must be given together; nothing if all three are missing.
+/// Returns three numbers of a row that must be given together; std::nullopt if all three are missing.
 std::optional<Eigen::Vector3d> readTriple(const RowReader& row, const ColumnTriple& columns, const char* names) {
   const Eigen::Vector3d numbers(row.numberOrNaN(columns[0]), row.numberOrNaN(columns[1]), row.numberOrNaN(columns[2]));
   const auto missing = numbers.array().isNaN().count();
@@ -46,8 +46,8 @@ std::optional<calibration::TipWrench> readWrench(const RowReader& row, const Mea
   return calibration::TipWrench{force.value_or(Eigen::Vector3d::Zero()), moment.value_or(Eigen::Vector3d::Zero())};
 }
 
-/// Returns the separate standard deviations of x, y and z; nothing if the row states none. Throws InputError for kinds
-/// of measurements that do not measure coordinates.
+/// Returns the separate standard deviations of x, y and z; std::nullopt if the row states none. Throws InputError for
+/// kinds of measurements that do not measure coordinates.
 std::optional<Eigen::Vector3d> readSigmas(const RowReader& row, const MeasurementColumns& columns,
                                           const MeasurementKindRow& kind) {
   const auto sigmas = readTriple(row, columns.sigmas, "coordinates' sigma_x, sigma_y, sigma_z");
@@ -61,8 +61,8 @@ std::optional<Eigen::Vector3d> readSigmas(const RowReader& row, const Measuremen
   return sigmas;
 }
 
-/// Returns the correlations between the errors of x, y and z, which require separate standard deviations; nothing if
-/// the row states no correlations.
+/// Returns the correlations between the errors of x, y and z, which require separate standard deviations; std::nullopt
+/// if the row states no correlations.
 std::optional<Eigen::Vector3d> readCorrelations(const RowReader& row, const MeasurementColumns& columns,
                                                 const std::optional<Eigen::Vector3d>& sigmas) {
   const auto correlations = readTriple(row, columns.correlations, "correlations rho_xy, rho_xz, rho_yz");
@@ -87,7 +87,7 @@ std::optional<Eigen::Vector3d> directionOfRow(const RowReader& row, const Measur
   return direction->normalized();
 }
 
-/// Returns the index of the arm's row whose frame was measured, from the row's name; nothing for the tool.
+/// Returns the index of the arm's row whose frame was measured, from the row's name; std::nullopt for the tool.
 std::optional<int> readRowOfArm(const RowReader& row, const MeasurementColumns& columns, const MeasurementKindRow& kind,
                                 const deflection::Arm& arm) {
   const std::string name = row.textOr(columns.row);
@@ -133,8 +133,8 @@ bool readSplit(const RowReader& row, const std::optional<std::size_t>& column) {
   return true;
 }
 
-// Returns the centre of a hole in the world frame, which is the sheet's frame; nothing if the sheet or a hole's name is
-// missing.
+// Returns the centre of a hole in the world frame, which is the sheet's frame; std::nullopt if the sheet or a hole's
+// name is missing.
 std::optional<Eigen::Vector3d> holeCentre(const RowReader& row, const MeasurementColumns& columns,
                                           const std::string& point, const tubesheets::Sheet* sheet) {
   const auto name = tubesheets::parseTubeName(point);

@@ -48,9 +48,9 @@ class RowReader {
 [[nodiscard]] calibration::Measurement readMeasurement(const RowReader& row, const MeasurementColumns& columns,
                                                        const deflection::Arm& arm, const tubesheets::Sheet* sheet);
 
-/// Returns the reading from which the relative measurement `m` is measured; the row states its id. `known` has all
-/// measurements, keyed by id. Throws InputError if the id is missing, unknown or that of `m`, or if that measurement
-/// has another set-up than `m`.
+/// Returns the reference of the relative measurement `m`, which the row identifies by id. `known` has all measurements,
+/// keyed by id. Throws InputError if the id is missing or unknown, if it is the id of `m` itself, or if the two
+/// measurements have different set-ups.
 [[nodiscard]] std::shared_ptr<const calibration::Measurement> readReference(
     const RowReader& row, const MeasurementColumns& columns,
     const std::map<std::string, const calibration::Measurement*>& known, const calibration::Measurement& m);

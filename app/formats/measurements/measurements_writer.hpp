@@ -12,9 +12,9 @@
 namespace tubeplan::app {
 
 /// Returns the text of a table with the measurements in their order and numbers in `units`, to 12 digits. Columns: id,
-/// kind, point, setup, load, force_x to moment_z, a measurement for every joint, x, y, z, quantities of particular
-/// kinds, tool_x to tool_z, dx, dy, dz, sigma, sigma_x to sigma_z, rho_xy to rho_yz, turn_sigma, from, row, approach
-/// directions of the joints, conditions, split. Empty columns are left out, except id, kind, point, load, joints, x, y,
+/// kind, point, setup, load, force_x to moment_z, a reading for every joint, x, y, z, quantities of particular kinds,
+/// tool_x to tool_z, dx, dy, dz, sigma, sigma_x to sigma_z, rho_xy to rho_yz, turn_sigma, from, row, approach
+/// directions of the joints, conditions, split. Empty columns are omitted, except id, kind, point, load, joints, x, y,
 /// z and sigma.
 [[nodiscard]] std::string measurementsCsv(const std::vector<calibration::Measurement>& measurements,
                                           const deflection::Arm& arm, const Units& units);

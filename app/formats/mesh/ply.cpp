@@ -171,7 +171,7 @@ void skip(PlyNumbers& numbers, const PlyProperty& property) {
 
 constexpr std::string_view kAxes = "xyz";
 
-/// Returns the axis of a vertex property: 0, 1, 2 for x, y, z; nothing for other properties.
+/// Returns the axis of a vertex property: 0, 1, 2 for x, y, z; std::nullopt for other properties.
 std::optional<int> axisOf(const PlyProperty& property) {
   const bool is_one = !property.count && property.name.size() == 1;
   const std::size_t axis = is_one ? kAxes.find(property.name[0]) : std::string_view::npos;

@@ -2,7 +2,7 @@
 // the bytes of a file and its name for messages. Parsers throw InputError for violations of the format, with the line
 // if the file is text.
 //
-// The parsers are our own because the available libraries do not tolerate damaged files. In assimp 5.2.5 the OBJ reader
+// These parsers replace the available libraries, which do not tolerate damaged files. In assimp 5.2.5 the OBJ reader
 // reads beyond the end of its input, the PLY reader does not terminate, and the STL reader overruns a buffer; fuzzing
 // found each error within a minute (tests/fuzz).
 #pragma once
@@ -15,7 +15,7 @@ namespace tubeplan::app {
 
 struct PolygonMesh {
   std::vector<Eigen::Vector3d> vertices;
-  std::vector<int> corners;      ///< vertex indices of all faces, from 0, not yet checked to exist
+  std::vector<int> corners;      ///< 0-based vertex indices of all faces, not yet validated
   std::vector<std::size_t> end;  ///< index past the last corner of each face in `corners`
 
   /// Ends a face, which consists of the corners appended since the previous face; returns false if the face has fewer

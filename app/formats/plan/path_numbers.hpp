@@ -1,4 +1,4 @@
-// Fingerprint of the numbers in a path, which reveals a path that was altered or belongs to another plan.
+// Fingerprint of the numbers in a path. It detects a path that was altered or belongs to another plan.
 #pragma once
 
 #include <Eigen/Core>

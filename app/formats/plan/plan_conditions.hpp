@@ -1,4 +1,4 @@
-// Conditions of a plan besides its tubes, from the command line and the cell.
+// Conditions of a plan in addition to its tubes, from the command line and the cell.
 #pragma once
 
 #include <map>
@@ -24,10 +24,10 @@ struct ConditionsRequest {
 [[nodiscard]] planner::VisitConditions conditionsOf(const ConditionsRequest& request, const Cell& cell,
                                                     std::map<int, double> dwell_at);
 
-/// Returns a fingerprint of the start and end postures, exact to the last bit; "anywhere" if neither is given.
+/// Returns a fingerprint of the start and end postures, at full precision; "anywhere" if neither is given.
 [[nodiscard]] std::string endsText(const planner::VisitConditions& conditions);
 
-/// Returns a fingerprint of the zones and dwell times, exact to the last bit; "none" if there are none.
+/// Returns a fingerprint of the zones and dwell times, at full precision; "none" if there are none.
 [[nodiscard]] std::string conditionsText(const planner::VisitConditions& conditions);
 
 }  // namespace tubeplan::app

@@ -11,7 +11,7 @@ namespace tubeplan::app {
 struct UrdfEdit {
   std::string text;
   std::vector<std::string> changed;   ///< changes of joints, one sentence each; empty if the text is unchanged
-  std::vector<std::string> left_out;  ///< data of the arm that the text lacks, one sentence each
+  std::vector<std::string> left_out;  ///< data of the arm that URDF text cannot express, one sentence each
 };
 
 /// Returns the URDF text with the arm's origins and limits, and with every other byte unchanged. The offset of a joint

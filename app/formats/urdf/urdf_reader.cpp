@@ -229,7 +229,7 @@ class ChainReader {
     for (const auto& solid : link.solids) addShape(out_.arm.rows[row].name, solid, X_LK);
   }
 
-  /// Adds the links beside the chain: fixed links become bodies of their row, moving branches are left out.
+  /// Adds the links that branch off the chain: fixed links become bodies of their row, moving branches are omitted.
   void addAside(std::size_t row, const Link& link, const Isometry3d& X_LK) {
     for (const auto& child : link.children) {
       if (isOnChain(*child)) continue;
@@ -243,7 +243,7 @@ class ChainReader {
     }
   }
 
-  /// Records solids fixed to the root as left out, because no row moves them.
+  /// Records solids fixed to the root as omitted, because no row moves them.
   void leaveOutStanding(const Link& link) {
     if (!link.solids.empty())
       out_.left_out.push_back(

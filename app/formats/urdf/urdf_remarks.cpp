@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 
 constexpr double kDegreeOfTurn = std::numbers::pi / 180;
 constexpr double kRounded = 5e-3;     // largest rounding error of an angle such as 3.14, 1.57 or 6.28 [rad]
-constexpr double kSeenAtTip = 1e-5;   // smallest error at the tip that an instrument resolves [m]
+constexpr double kSeenAtTip = 1e-5;   // smallest tip error that an instrument can resolve [m]
 constexpr double kManyDigits = 1e-6;  // rounding error of an angle with many digits, such as 3.141593 [rad]
 constexpr double kFarApart = 20;      // implausible distance between two joints [m]
 
@@ -43,8 +43,8 @@ int decimalsIn(double angle) {
 }
 
 /// Round angle that was written with few digits, and its rounding error `off` [rad]. An angle with more digits than its
-/// deviation from a round angle explains is taken as measured. Two decimals are enough for multiples of a right angle;
-/// other multiples of 30 and 45 deg need three.
+/// deviation from a round angle explains is assumed to be measured. Two decimals are enough for multiples of a right
+/// angle; other multiples of 30 and 45 deg need three.
 struct RoundedAngle {
   double degrees, off;
 };

@@ -8,9 +8,8 @@
 
 namespace tubeplan::app {
 
-/// Returns remarks on the joints of a chain, given as the links from the root outwards. They concern round angles with
-/// too few digits for an exact tip, angles and limits that may be in degrees, and positions that may be in millimetres.
-/// Changes no values.
+/// Returns remarks on the joints of a chain, given as the links from the root outwards. They concern rounded angles
+/// that make the tip inexact, angles and limits that may be in degrees, and positions that may be in millimetres.
 [[nodiscard]] std::vector<std::string> remarksOnNumbers(const std::vector<const UrdfTree::Link*>& chain);
 
 }  // namespace tubeplan::app

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 constexpr std::string_view kXmlBlanks = " \t\r\n";
 
-/// Begin and end marks of a piece of XML that is skipped together with any tags in it.
+/// Begin and end marks of XML constructs that are skipped, including any tags within them.
 struct PassedOver {
   std::string_view begin, end;
 };
@@ -35,7 +35,7 @@ std::size_t readAttributes(std::string_view text, std::size_t at, XmlTag& tag) {
   }
 }
 
-/// Returns the tag that begins at index `begin`; nothing if the tag does not end.
+/// Returns the tag that begins at index `begin`; std::nullopt if the tag does not end.
 std::optional<XmlTag> tagAt(std::string_view text, std::size_t begin) {
   XmlTag tag;
   tag.closes = text.substr(begin + 1).starts_with('/');
@@ -80,7 +80,7 @@ std::vector<std::string> namesInRobot(const tinyxml2::XMLDocument& document, con
   return names;
 }
 
-/// Visits all tags of the text and records the tags of the robot's own joints.
+/// Visits all tags of the text and records the tags of joints that belong to the robot element.
 class JointTagWalk {
  public:
   JointTagWalk(std::string_view text, std::vector<std::string> names) : text_(text), names_(std::move(names)) {}

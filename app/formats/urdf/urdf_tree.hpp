@@ -23,7 +23,7 @@ struct UrdfTree {
     std::string joint;
     double multiplier = 1, offset = 0;
   };
-  /// What the file states for a joint's controller, which kinematics does not use; empty if it states nothing.
+  /// Data of a joint's controller as text, which kinematics does not use; empty if the file has none.
   struct ControllerWords {
     std::string soft_limits, reference_marks, transmission;
   };
@@ -48,7 +48,7 @@ struct UrdfTree {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< centre of mass in the link's frame [m]
     bool has_inertia = false;
     std::vector<Solid> solids;
-    std::optional<Joint> joint;         ///< joint that carries the link; nothing for the root
+    std::optional<Joint> joint;         ///< joint that carries the link; std::nullopt for the root
     const Link* parent = nullptr;       ///< parent link; null for the root
     std::vector<const Link*> children;  ///< child links, in the order of their joints' names
   };

@@ -1,4 +1,4 @@
-// Editor of single values in YAML text. Everything else, including comments and order, stays as the user wrote it.
+// Editor of single values in YAML text. Everything else, including comments and order, is unchanged.
 #pragma once
 
 #include <string>

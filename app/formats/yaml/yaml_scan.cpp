@@ -16,7 +16,7 @@ bool startsQuote(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-// Within single quotes '' is a quote, and within double quotes \" is one; neither ends the scalar.
+// Neither '' within single quotes nor \" within double quotes ends the scalar.
 std::size_t pastQuoted(std::string_view text, std::size_t at) {
   const char quote = text[at];
   for (std::size_t i = at + 1; i < text.size(); ++i) {

@@ -1,4 +1,4 @@
-// Conversion of names chosen by the user to YAML text, whatever characters they contain.
+// Conversion of user-defined names, with any characters, to YAML text.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@ namespace {
 struct LoadedCell {
   explicit LoadedCell(planner::Workcell loaded) : cell(std::move(loaded)), clearance(cell) {}
   planner::Workcell cell;
-  planner::ArmClearance clearance;  ///< keeps a reference to `cell`
+  planner::ArmClearance clearance;  ///< refers to `cell`
 };
 
 planner::Workcell workcellUnder(const CellModel& cell, const calibration::CampaignTruth& truth, int setup,

@@ -25,17 +25,17 @@ using calibration::Measurement, calibration::MeasurementKind, calibration::Propo
     calibration::MeasurementCandidate;
 using Eigen::VectorXd;
 
-constexpr double kReached = 1e-7;  // largest position error of a posture that counts as at its point [m]
+constexpr double kReached = 1e-7;  // largest position error of a posture that reaches its point [m]
 constexpr int kMostTouches = 4;    // largest number of touch postures per point
 
-/// Common properties of the measurements so far, to be used for the proposed measurements too.
+/// Common properties of the measurements so far, which the proposed measurements inherit.
 struct Custom {
   MeasurementKind kind = MeasurementKind::kPosition;
-  bool has_known_points = false;  ///< true: measurements are taken at holes or marks
+  bool has_known_points = false;  ///< true if measurements are taken at holes or marks
   std::vector<double> loads;
   double sigma = 0, turn_sigma = 0;
   deflection::ConditionValues conditions;
-  std::set<std::optional<int>> rows;  ///< rows of the arm whose frames were measured; nullopt: the tool
+  std::set<std::optional<int>> rows;  ///< rows of the arm whose frames were measured; std::nullopt for the tool
   bool has_approach_directions = false;
   std::optional<Eigen::Vector3d> anchor, direction;
   VectorXd side_q;
@@ -171,8 +171,8 @@ bool isWithinLimits(const deflection::Arm& arm, const VectorXd& q) {
   return true;
 }
 
-/// Returns a posture near `q` with the tip on the surface of measurement `of`; nothing if the arm does not reach the
-/// surface.
+/// Returns a posture near `q` with the tip on the surface of measurement `of`; std::nullopt if the arm does not reach
+/// the surface.
 std::optional<VectorXd> broughtTo(const planner::Workcell& work, const Measurement& of, const VectorXd& q) {
   const deflection::Posture start{q, work.load, deflection::gravityInBase(work.arm, work.X_WB)};
   const auto shape = deflection::solveFlexibleKinematics(work.arm, start);
@@ -250,7 +250,7 @@ std::vector<MeasurementCandidate> bareCandidates(const CellModel& cell, const ca
 }
 
 /// Sets the properties that all proposed measurements share. For measurements of angles, `number` selects the row of
-/// the arm, so that the measured rows take turns.
+/// the arm, so that the measurements alternate between the rows.
 void makeAsUsual(const Custom& custom, const std::string& setup, std::size_t number, ProposedMeasurement& measurement) {
   const auto& kind = kindOf(custom.kind);
   measurement.kind = custom.kind;

@@ -12,7 +12,7 @@
 namespace tubeplan::app {
 
 struct DiscriminationCandidateOptions {
-  /// Largest number of postures. The number of points to measure at is less than twice as large.
+  /// Largest number of postures. Fewer than twice as many points are measured.
   int postures = 48;
   int most_loads = 3;
   std::uint64_t seed = 1;

@@ -12,10 +12,10 @@ namespace tubeplan::app {
 /// Region that the measured postures show to be free. A posture is inside if the arm hangs no lower than in the
 /// measured postures (the floor), and if no two links that are not neighbours come closer to each other than in the
 /// measured postures. Links are lines between frames. Their thickness needs no allowance, because the links were
-/// already this close in a measured posture.
+/// equally close in a measured posture.
 class MeasuredRoom {
  public:
-  /// `fitted` must have a base pose for each set-up of the measurements, of which there must be at least one.
+  /// There must be at least one measurement, and `fitted` must have a base pose for each set-up of the measurements.
   MeasuredRoom(const calibration::PlacedArm& fitted, const std::vector<calibration::Measurement>& measurements);
 
   /// Returns true if the posture `q` [rad, m] under a load [N] is inside the room, with the arm on the base of its last

@@ -20,8 +20,8 @@ namespace {
 using calibration::MeasurementKind, calibration::ProposedMeasurement, calibration::MeasurementCandidate;
 using Eigen::VectorXd;
 
-constexpr int kTriesPerPosture = 40;  // random tries per requested posture before the search gives up
-// Largest distance from a joint limit that counts as near the limit, as a fraction of the joint's range.
+constexpr int kTriesPerPosture = 40;  // maximum number of random attempts per requested posture
+// Largest distance from a limit for a joint near its limit, as a fraction of the joint's range.
 constexpr double kNearLimits = 0.02;
 constexpr double kSamePlace = 1e-7;  // largest position error when a point is touched under another load [m]
 
@@ -76,7 +76,8 @@ ProposedMeasurement measurementOf(MeasurementKind kind, const VectorXd& q, doubl
   return measurement;
 }
 
-/// Returns joint values near `near` that bring the tip to `goal` under the load of `cell`; nothing if there are none.
+/// Returns joint values near `near` that bring the tip to `goal` under the load of `cell`; std::nullopt if there are
+/// none.
 std::optional<VectorXd> touchAgain(const planner::Workcell& cell, const deflection::ToolGoal& goal,
                                    const VectorXd& near) {
   const auto branch =
@@ -107,8 +108,8 @@ planner::Workcell armAndScene(const CellModel& cell) {
   work.arm = cell.arm;
   work.X_WB = cell.X_WB;
   work.scene = cell.scene;
-  // If the default axis coincides with the last joint's axis, the last joint does not turn it, and a goal for this
-  // direction leaves the last joint free. The direction to the tip is therefore used instead.
+  // If the default tool axis coincides with the last joint's axis, the last joint cannot turn it, and a goal for its
+  // direction would leave the last joint free. Use the direction to the tip instead.
   if (!cell.tool_axis_stated && cell.arm.p_LT.norm() > 0) work.arm.tool_axis_L = cell.arm.p_LT.normalized();
   return work;
 }

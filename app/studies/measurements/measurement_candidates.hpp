@@ -30,8 +30,8 @@ struct ReachedHole {
 /// Function that returns true if a posture `q` under a load [N] may be proposed.
 using PostureQuestion = std::function<bool(const Eigen::VectorXd& q, double load)>;
 
-/// Distribution of random postures. With kAnywhere each joint lies anywhere within its limits; with kNearLimits about
-/// two thirds of the joints lie near a limit, where models differ most.
+/// Distribution of random postures. kAnywhere draws each joint uniformly within its limits. kNearLimits puts about two
+/// thirds of the joints near a limit, where models differ most.
 enum class PostureChoice { kAnywhere, kNearLimits };
 
 /// Returns random postures within the joint limits (a full turn for joints without limits). The postures are clear of

@@ -70,7 +70,8 @@ BothCalibrations calibrateBothBy(calibration::BaseCalibrationOptions options, co
                                  const std::vector<calibration::Measurement>& touches) {
   BothCalibrations both;
   both.flexible = calibration::calibrateBase(flexible, touches, X_WB_start, options);
-  // A rigid model is wrong by inches: large residuals do not indicate a mistaken hole, and no model error is estimated.
+  // The error of a rigid model is inches, so large residuals do not indicate a mistaken hole, and no model error is
+  // estimated.
   options.arm = calibration::ArmUncertainty::none();
   options.model_error = 0;
   options.mistaken_hole_p_value = 0;

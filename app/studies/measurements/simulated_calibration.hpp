@@ -1,4 +1,4 @@
-// Simulated calibration of a base: the choice of holes, the true arm's touches of the holes, and the base fitted to the
+// Simulated calibration of a base: choice of holes, touches of the holes by the true arm, and fit of the base to the
 // touches.
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace tubeplan::app {
 
-/// Returns candidates for touching: those of `count` holes spread over the sheet that the arm reaches without
-/// collision, each with a posture.
+/// Spreads `count` holes over the sheet and returns those that the arm can touch without collision, each with a
+/// posture.
 [[nodiscard]] std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell, int count);
 
 /// Returns candidates for touching among the given tubes: those that the arm reaches without collision.
@@ -26,7 +26,7 @@ namespace tubeplan::app {
 /// that might be out of reach from the true base are used only if there are too few others.
 struct BestTouches {
   std::vector<calibration::TouchPlan> plans;
-  std::string reason;  ///< why there are no touches; empty if there are some
+  std::string reason;  ///< reason why there are no touches; empty on success
   /// Predicted standard deviation of a tip coordinate, averaged over the work postures [m].
   double mean_sigma = std::numeric_limits<double>::quiet_NaN();
 };
@@ -60,8 +60,8 @@ struct BothCalibrations {
 [[nodiscard]] BothCalibrations calibrateBoth(const planner::Workcell& placed, const CellModel& cell,
                                              const std::vector<calibration::Measurement>& touches);
 
-/// Calibrates the base with each of the given arms. This is faster than the function above if the same model is
-/// calibrated many times, but does not look for a wrong joint reading to explain touches that do not fit.
+/// Calibrates the base with each of the given arms. If the same model is calibrated many times, this is faster than the
+/// function above. However, it does not search for a wrong joint reading if the touches do not fit.
 [[nodiscard]] BothCalibrations calibrateBoth(const deflection::Arm& flexible, const deflection::Arm& rigid,
                                              const calibration::DoubtBeside& doubt, const Eigen::Isometry3d& X_WB_start,
                                              const tubesheets::Sheet& sheet,

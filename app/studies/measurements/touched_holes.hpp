@@ -1,4 +1,4 @@
-// Interpretation of touched holes: the centring noise, and the holes with which a touched hole may have been confused.
+// Interpretation of touched holes: the centring noise, and neighbouring holes that may have been touched by mistake.
 #pragma once
 
 #include "app/studies/cell_model.hpp"
@@ -13,8 +13,8 @@ namespace tubeplan::app {
 /// must outlive the function.
 [[nodiscard]] calibration::NeighbourQuestion neighboursOn(const tubesheets::Sheet& sheet);
 
-/// Returns the uncertainties that a calibration of the cell's base from touches must consider: those of the arm's
-/// parameters, and the model error if it is known. Touches must be chosen and fitted with the same uncertainties.
+/// Returns the uncertainties that a calibration of the cell's base from touches must consider: the uncertainty of the
+/// arm's parameters, and the model error if it is known. Touches must be chosen and fitted with the same uncertainties.
 [[nodiscard]] calibration::DoubtBeside doubtBeside(const CellModel& cell);
 
 /// Returns the options to calibrate the cell's base from touches: the uncertainties of doubtBeside(), and the

@@ -42,8 +42,8 @@ const Explanation* bestCarried(const std::vector<Explanation>& explanations, con
   return best;
 }
 
-/// Decides between equally good explanations: adds the best one if their predictions differ by no more than it lowers
-/// the held-out error, or else the causes common to all if these lower that error.
+/// Decides between equally good explanations. Adds the best one if the difference of their predictions does not exceed
+/// its reduction of the held-out error. Otherwise adds the causes common to all, if these reduce that error.
 Decision amongEquals(const Diagnosis& diagnosis) {
   double widest = 0;
   for (const auto& alternative : diagnosis.alternatives)
@@ -58,8 +58,8 @@ Decision amongEquals(const Diagnosis& diagnosis) {
   return {nullptr, ImprovementEnd::kAmbiguous, ImprovementReason::kAlternativesApart, widest, std::max(0., gain)};
 }
 
-/// Decides if no cause is certain. A cause is added only if it lowers the error of measurements left out of its fit,
-/// both of the held-out folds and of the farthest poses.
+/// Decides if no cause is certain. A cause is added only if it lowers the error of measurements excluded from its fit,
+/// both for the held-out folds and for the farthest poses.
 Decision amongUnsure(const Diagnosis& diagnosis) {
   const Explanation* best = bestCarried(diagnosis.closest, [&](const Explanation& one) {
     return one.heldout.rms < kWorthIt * diagnosis.heldout_before.rms &&
@@ -245,7 +245,7 @@ class Improver {
   /// effects were added or the reduced model is worse.
   ImprovedModel withoutNone(ImprovedModel model, CellModel cell, const WorkHooks& hooks) {
     constexpr std::size_t kSeveral = 3;
-    constexpr double kAsLow = 1.01;  // largest ratio of the held-out errors without and with these effects
+    constexpr double kAsLow = 1.01;  // largest ratio of the held-out error without these effects to that with them
     ImprovementStep& step = result_.steps.back();
     if (step.added.size() < kSeveral) return model;
     auto none = takeOutNone(step.added, model.fit, cell);

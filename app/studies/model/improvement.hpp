@@ -33,8 +33,8 @@ struct ImprovementRequest {
 enum class ImprovementEnd {
   kNotRun,
   kAdequate,          ///< the diagnosis finds that the model lacks no effect
-  kNothingSure,       ///< an error remains, but only as scatter, or no cause lowers the error of held-out measurements
-  kAmbiguous,         ///< predictions of the alternatives differ by more than the best one lowers the error
+  kNothingSure,       ///< the remaining error is only scatter, or no cause lowers the error of held-out measurements
+  kAmbiguous,         ///< the predictions of the alternatives differ by more than the improvement by the best one
   kDoesNotCarryOver,  ///< the cause does not lower the error of held-out measurements, or of the farthest poses
   kMistake,           ///< a mistake in the measurements explains the error
   kInconclusive,      ///< the measurements allow no verdict
@@ -45,15 +45,19 @@ enum class ImprovementEnd {
 /// Reason for adding a cause, or for the end of the loop.
 enum class ImprovementReason {
   kNothingMissing,
-  kScatter,            ///< the residual is no smooth function of the stated variables; `first`: its magnitude
-  kSure,               ///< the cause is certain and predicts the farthest poses
-  kSureInAll,          ///< the cause is certain in every alternative
-  kAlternativesClose,  ///< predictions of the alternatives differ by `first`, less than `second`, the error's fall
-  kAlternativesApart,  ///< predictions of the alternatives differ by `first`, more than `second`, the error's fall
+  /// The residual (magnitude `first`) looks like scatter: it is not a smooth function of the stated variables.
+  kScatter,
+  kSure,       ///< the cause is certain and predicts the farthest poses
+  kSureInAll,  ///< the cause is certain in every alternative
+  /// Predictions of the alternatives differ by `first`, less than the decrease `second` of the error.
+  kAlternativesClose,
+  /// Predictions of the alternatives differ by `first`, more than the decrease `second` of the error.
+  kAlternativesApart,
   kUnsureButLower,  ///< the cause is uncertain, but lowers the error of held-out measurements and of the farthest poses
   kNoneLower,  ///< no cause is certain, and none lowers the error of held-out measurements and of the farthest poses
-  kFarthestWorse,     ///< with the cause, the error of the farthest poses rises from `second` to `first`
-  kNotLowerTogether,  ///< fitted with all other parameters, the cause does not lower the error of held-out measurements
+  kFarthestWorse,  ///< adding the cause raises the error of the farthest poses from `second` to `first`
+  /// Refitted together with all other parameters, the cause does not lower the error of held-out measurements.
+  kNotLowerTogether,
   kMistakeExplains,
   kNoVerdict,
 };

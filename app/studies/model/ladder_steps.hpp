@@ -12,7 +12,7 @@
 namespace tubeplan::app {
 
 struct LadderSteps {
-  std::string reason;  ///< why there are no tables; empty if there are some
+  std::string reason;  ///< reason why there are no tables; empty on success
   RealArm real;
   int holes = 0, out_of_reach = 0;
 };

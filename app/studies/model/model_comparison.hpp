@@ -16,18 +16,19 @@ namespace tubeplan::app {
 struct ModelComparisonRow {
   std::string name;
   int fitted_numbers = 0;
-  calibration::ErrorSize as_it_stands;  ///< error of the model as in its file, with the base of the file
+  calibration::ErrorSize as_it_stands;  ///< error of the model before any fit, with the base stated in the file
   calibration::ErrorSize fitted;        ///< error with `identify` fitted, and with the base fitted if it is unknown
   calibration::ErrorSize heldout;
   double noise_floor = 0;  ///< rms error that the stated noise alone would cause [m]
   double chi2_per_dof = 0;
-  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< p-value of chi-square for the stated noise; NaN: none
+  /// P-value of chi-square for the stated noise; NaN if no noise is stated.
+  double p_value = std::numeric_limits<double>::quiet_NaN();
   calibration::PlacedArm model;    ///< the fitted model; its arm has no rows if the fit failed
-  std::optional<StepTable> steps;  ///< step table; nothing: not requested
+  std::optional<StepTable> steps;  ///< step table; std::nullopt if not requested
 };
 
-/// Compares a cell's model with the measurements. A model without free parameters is evaluated as it is, without a fit.
-/// Throws JobStopped if a stop is requested.
+/// Compares a cell's model with the measurements. A model without free parameters is evaluated without a fit. Throws
+/// JobStopped if a stop is requested.
 [[nodiscard]] ModelComparisonRow comparisonRowOf(const std::string& name, const CellModel& cell,
                                                  const std::vector<calibration::Measurement>& measurements,
                                                  std::uint64_t seed, const WorkHooks& hooks = {});

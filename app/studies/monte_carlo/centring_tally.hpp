@@ -43,8 +43,7 @@ struct SettingTally {
 
 class CentringTally {
  public:
-  /// `settings`: number of settings; `holes`: number of holes that may be visited; `steps`: number of steps of the
-  /// tool.
+  /// Creates an empty tally for this number of settings, of holes that may be visited and of steps of the tool.
   CentringTally(std::size_t settings, std::size_t holes, std::size_t steps);
 
   /// Adds the trials of the run with index `run`, one for each setting.

@@ -20,7 +20,7 @@ enum class TouchRule {
   kBest,    ///< holes that minimize the tip's uncertainty, the same in every run
   kSpread,  ///< holes farthest from one another, the same in every run
   kRandom,  ///< random holes far from collinear, different in every run
-  kTested,  ///< as kRandom, but taken from the holes visited later, as in the thesis
+  kTested,  ///< as kRandom, but drawn from the holes visited later, as in Calkins 1994
 };
 
 struct TouchRuleRow {
@@ -33,7 +33,8 @@ struct TouchRuleRow {
 struct CentringSetting {
   int touches = 3;
   TouchRule rule = TouchRule::kBest;
-  double touch_sigma = 1.27e-4;  ///< centring noise of each coordinate [m]; weights of touches assume at least 1e-6
+  /// Centring noise of each coordinate [m]; a value below 1e-6 is raised to that when touches are weighted.
+  double touch_sigma = 1.27e-4;
 };
 
 /// Holes that may be visited, and holes that may be touched under the rule kBest.
@@ -44,7 +45,7 @@ struct CentringHoles {
 struct CentringOptions {
   TruthSpread spread;
   calibration::DoubtBeside doubt;  ///< uncertainties considered in choosing touches and calibrating bases
-  int holes = 10;                  ///< number of holes visited in a run; drawn anew in each run
+  int holes = 10;                  ///< number of holes visited in a run; each run draws its own holes
   std::uint64_t seed = 1;
   std::vector<CentringSetting> settings;
 };
@@ -68,7 +69,7 @@ struct Trial {
   TrialFailure failure = TrialFailure::kNone;
   /// Mean residual of the touches [m]; NaN if the run failed.
   double touch_error = std::numeric_limits<double>::quiet_NaN();
-  bool is_misfit = false;  ///< true: chi-square rejects the touches for the flexible arm
+  bool is_misfit = false;  ///< true if chi-square rejects the touches for the flexible arm
   std::vector<TrialVisit> visits;
 };
 

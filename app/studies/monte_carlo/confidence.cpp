@@ -15,7 +15,7 @@ Probability wilsonInterval(double count, double of) {
   const double share = count / of, z2 = kTwoSided95 * kTwoSided95;
   const double middle = (share + z2 / (2 * of)) / (1 + z2 / of);
   const double half = kTwoSided95 / (1 + z2 / of) * std::sqrt(share * (1 - share) / of + z2 / (4 * of * of));
-  // Clamped so that rounding cannot exclude the value itself at 0 or 1.
+  // Clamp, so that rounding cannot exclude the value itself at 0 or 1.
   return {share, std::clamp(middle - half, 0., share), std::clamp(middle + half, share, 1.)};
 }
 

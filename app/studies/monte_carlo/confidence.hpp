@@ -35,8 +35,8 @@ class RunSums {
   [[nodiscard]] double standardError() const;  ///< standard error of the mean; NaN for fewer than two runs
 
   /// Returns, for a quantity that is 0 or 1, Wilson's interval with the effective number of independent cases that
-  /// gives standardError(). If all cases have the same value, this number is undetermined, and each run counts as one
-  /// case.
+  /// gives standardError(). If all cases have the same value, this number is undetermined, and each run is counted as
+  /// one case.
   [[nodiscard]] Probability probability() const;
 
   void put(TallyWords& words) const;

@@ -1,4 +1,4 @@
-// Distribution of errors in little memory: exact sums, and a histogram.
+// Compact representation of a distribution of errors: exact sums and a histogram.
 //
 // Errors are lengths, rounded to integer multiples of 2^-30 m (0.93 nm). All stored values are sums of integers, so
 // that sketches merged in any order and grouping are identical. Each octave of the histogram has 64 equal bins (as in

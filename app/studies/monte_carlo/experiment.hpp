@@ -18,7 +18,7 @@ class Experiment {
  public:
   virtual ~Experiment() = default;
 
-  /// Returns the tally of the given runs alone; nothing if stopped before their end. Thread-safe.
+  /// Returns the tally of the given runs alone; std::nullopt if the runs were stopped early. Thread-safe.
   [[nodiscard]] virtual std::optional<TallyWords> run(RunRange runs, const std::function<bool()>& stop) const = 0;
 
   /// Adds a tally to the total; the order of additions does not matter. Returns false if the tally does not belong to

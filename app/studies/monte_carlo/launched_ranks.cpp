@@ -18,8 +18,8 @@ bool areRanksLaunched() {
   // Variables set by Open MPI's mpirun, and by mpiexec of MPICH and Intel MPI.
   for (const char* size : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
     if (numberOf(size) > 1) return true;
-  // Under Slurm, srun sets a rank for every process of a job step. A process that a batch script starts without srun
-  // has a rank too, but its step does not have several tasks.
+  // Under Slurm, srun sets a rank for every process of a job step. A process started by a batch script without srun
+  // also has a rank, but its step has only one task.
   return std::getenv("SLURM_PROCID") && std::getenv("SLURM_STEP_ID") && numberOf("SLURM_STEP_NUM_TASKS") > 1;
 }
 

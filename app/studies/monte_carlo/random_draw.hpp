@@ -9,8 +9,8 @@
 
 namespace tubeplan::app {
 
-/// Random bit generator whose whole state is a 64-bit key. It needs no warm-up and costs nothing to create (Steele, Lea
-/// and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
+/// Random bit generator whose whole state is a 64-bit key. It is cheap to create and needs no warm-up (Steele, Lea and
+/// Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
 class SplitMix {
  public:
   using result_type = std::uint64_t;

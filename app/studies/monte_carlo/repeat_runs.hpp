@@ -12,7 +12,8 @@ namespace tubeplan::app {
 struct RepeatHooks {
   std::function<void(std::uint64_t done)> progress;
   std::function<bool()> stop;
-  /// Called when a checkpoint may be written; `must`: the checkpoint must be written, because no further call follows.
+  /// Called when a checkpoint may be written. If `must` is true, the checkpoint must be written, because it is the last
+  /// call.
   std::function<void(bool must)> keep;
 };
 

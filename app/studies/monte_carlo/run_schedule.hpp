@@ -27,7 +27,7 @@ class RunSchedule {
   /// Divides `total` runs into chunks of at most `chunk` runs; the runs in `done` are not repeated.
   RunSchedule(std::uint64_t total, std::uint64_t chunk, RunSet done = {});
 
-  /// Returns the next chunk for a worker; nothing if all chunks have been given out.
+  /// Returns the next chunk for a worker; std::nullopt if all chunks have been given out.
   [[nodiscard]] std::optional<RunRange> next();
 
   /// Records that a chunk returned by next() is done.

@@ -13,7 +13,7 @@ int usualWorkers(int others) {
   return std::max(1, std::min(allowed, cores / std::max(1, others)));
 }
 
-// The distributing thread stays outside the arena, and is therefore never occupied by a run.
+// The distributing thread stays outside the arena, so that it never executes a run.
 RunWorkers::RunWorkers(const Experiment& experiment, int workers)
     : experiment_(experiment),
       workers_(workers),

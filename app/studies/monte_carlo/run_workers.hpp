@@ -23,7 +23,7 @@ namespace tubeplan::app {
 
 class RunWorkers {
  public:
-  /// `experiment` must outlive this object.
+  /// Starts the workers; `experiment` must outlive this object.
   RunWorkers(const Experiment& experiment, int workers);
   /// Discards chunks that have not begun and stops those in progress.
   ~RunWorkers();
@@ -38,7 +38,8 @@ class RunWorkers {
     RunRange runs;
     TallyWords tally;
   };
-  /// Returns a finished chunk; nothing if none is finished within `wait`. Throws the exception of a run that failed.
+  /// Returns a finished chunk; std::nullopt if none is finished within `wait`. Throws the exception of a run that
+  /// failed.
   [[nodiscard]] std::optional<Result> take(std::chrono::microseconds wait);
 
  private:
@@ -52,7 +53,7 @@ class RunWorkers {
   std::condition_variable given_, done_;
   std::deque<RunRange> waiting_;
   std::deque<Result> results_;
-  std::exception_ptr failure_;  ///< exception of the first run that failed; null: none
+  std::exception_ptr failure_;  ///< exception of the first run that failed; null if none
   int under_way_ = 0;
   bool is_closed_ = false;
   std::atomic<bool> is_broken_off_ = false;

@@ -9,7 +9,7 @@ namespace tubeplan::app {
 
 using TallyWords = std::vector<std::uint64_t>;
 
-// 128-bit integer for sums of squares. ISO C++ has no such type, but every supported compiler provides it.
+// 128-bit integer for sums of squares. It is not part of ISO C++, but every supported compiler has it.
 __extension__ using WideCount = unsigned __int128;
 
 inline void putWide(TallyWords& words, WideCount value) {

@@ -12,12 +12,12 @@
 namespace tubeplan::app {
 
 struct TruthSpread {
-  double base_shift_sigma = 0.0127;  ///< per coordinate of the base position [m] (0.5 in)
-  double base_turn_sigma = 0.0087;   ///< per axis of the base rotation [rad] (0.5 deg)
-  double stiffness_sigma = 0.02;     ///< relative, of each stiffness of the arm
+  double base_shift_sigma = 0.0127;  ///< standard deviation of the base position per coordinate [m] (0.5 in)
+  double base_turn_sigma = 0.0087;   ///< standard deviation of the base rotation per axis [rad] (0.5 deg)
+  double stiffness_sigma = 0.02;     ///< relative standard deviation of each stiffness of the arm
   /// Error of the true arm that no model predicts, per coordinate [m], independent in each posture. If the truth equals
   /// the model, 0.0197 in leaves a mean error of 0.030 in at 14 touch points after the base is fitted, as in table 5.6
-  /// of the thesis; if the stiffnesses differ, the mean error is larger. Each run of `score` prints the resulting
+  /// of Calkins 1994; if the stiffnesses differ, the mean error is larger. Each run of `score` prints the resulting
   /// error.
   double unmodelled_sigma = 5.0e-4;
 };

@@ -66,7 +66,8 @@ BaseChoice chooseBases(const planner::Workcell& cell, const std::vector<int>& tu
   choice.bases = baseCandidates(cell.X_WB, options);
   for (std::size_t c = 0; c < choice.bases.size() && !choice.is_stopped; ++c) {
     if (hooks.progress) hooks.progress("base positions", c, choice.bases.size());
-    const planner::Workcell at_base = cellAt(cell, choice.bases[c], options.moving);  // ArmClearance refers to it
+    // Must outlive the ArmClearance that refers to it.
+    const planner::Workcell at_base = cellAt(cell, choice.bases[c], options.moving);
     const planner::ArmClearance clearance(at_base, options.reach.padding);
     std::vector<char> reached(tubes.size(), 0);
     oneapi::tbb::parallel_for(std::size_t{0}, tubes.size(), [&](std::size_t t) {

@@ -15,15 +15,15 @@ namespace tubeplan::app {
 
 /// A row of positions along one axis of the world, or of turns about the vertical through the base.
 struct BaseAxis {
-  int axis = 0;             ///< 0, 1, 2: x, y, z of the base; 3: turn about z
+  int axis = 0;             ///< 0 to 2 for x, y, z of the base; 3 for the rotation about z
   double from = 0, to = 0;  ///< first and last value [m or rad]
   int count = 1;            ///< number of values, evenly spaced
 };
 
 struct BaseChoiceOptions {
-  std::vector<BaseAxis> axes;  ///< the candidates are all combinations; other coordinates are those of the cell
-  /// Axes (0: x, 1: y) along which mirror images are taken: for each axis, the images of all candidates so far in the
-  /// plane where its coordinate is zero are candidates too.
+  std::vector<BaseAxis> axes;  ///< the candidates are all combinations; other coordinates are taken from the cell
+  /// Axes (0 for x, 1 for y) along which the candidates are mirrored. For each axis, the mirror images of all
+  /// candidates so far, in the plane where that coordinate is zero, are added.
   std::vector<int> mirrored;
   std::vector<std::string> moving;  ///< names of obstacles that move with the base, and are not checked
   planner::BaseCoverOptions cover;
@@ -34,7 +34,7 @@ struct BaseChoice {
   std::vector<Eigen::Isometry3d> bases;    ///< candidates; the cell's own base is the first
   std::vector<std::vector<bool>> reaches;  ///< reaches[c][t]: candidate c reaches the t-th tube
   planner::BaseCover cover;
-  bool is_stopped = false;  ///< true: stopped on request, without a choice
+  bool is_stopped = false;  ///< true if the search was stopped on request and made no choice
 };
 
 /// Returns all candidates, the cell's own base first.
@@ -42,7 +42,7 @@ struct BaseChoice {
                                                             const BaseChoiceOptions& options);
 
 /// Finds which of the tubes (indices in the sheet) the arm reaches from each candidate, free of collision from standoff
-/// to hole, and chooses among the candidates. Ways between tubes are not considered.
+/// to hole, and chooses among the candidates. Paths between tubes are not checked.
 [[nodiscard]] BaseChoice chooseBases(const planner::Workcell& cell, const std::vector<int>& tubes,
                                      const BaseChoiceOptions& options, const calibration::WorkHooks& hooks = {});
 

@@ -12,7 +12,7 @@ namespace {
 struct PlacingRow {
   BasePlacing placing;
   const char *name, *words;  ///< `words` may contain {}, replaced by the number of touches
-  const char* warning;       ///< warning with the same placeholder; empty: no warning
+  const char* warning;       ///< warning with the same placeholder; empty if there is no warning
   bool is_placed;
 };
 

@@ -16,7 +16,8 @@ enum class BasePlacing { kNominal, kStated, kIdentified, kCalibrated, kMisfit, k
 
 struct BaseStanding {
   BasePlacing placing = BasePlacing::kNominal;
-  /// Number of touches that determined the base; 0: not by touches, or a different number in each run.
+  /// Number of touches that determined the base; 0 if touches did not determine it, or if the number differs between
+  /// runs.
   std::size_t touches = 0;
 };
 
@@ -34,8 +35,8 @@ struct BaseStanding {
 /// Returns the name used in documents: "nominal", "calibrated", ...
 [[nodiscard]] std::string nameOf(BasePlacing placing);
 
-/// Returns true if the base was determined by a measurement or a statement. Results for a nominal base hold only if the
-/// base is exactly at its nominal pose.
+/// Returns true if the base was determined by a measurement or a statement. Results for a nominal base are valid only
+/// if the base is exactly at its nominal pose.
 [[nodiscard]] bool isPlaced(const BaseStanding& standing);
 
 /// Returns a phrase to follow "proved" or "steps", such as "for the nominal base; not calibrated" or "for the base

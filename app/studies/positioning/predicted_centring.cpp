@@ -33,7 +33,7 @@ SpreadPostures spreadPostures(const CellModel& cell, const deflection::Arm& arm,
   work.X_WB = X_WB;
   planner::CompensationOptions options;
   options.with_approach = false;
-  options.inverse.most_branches = 4;  // few suffice, because only the first branch is used
+  options.inverse.most_branches = 4;  // only the first branch is used
   std::vector<Eigen::VectorXd> found(tubes.size());
   oneapi::tbb::parallel_for(std::size_t{0}, tubes.size(), [&](std::size_t k) {
     if (calibration::shouldStop(stop)) return;

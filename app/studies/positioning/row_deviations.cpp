@@ -32,7 +32,8 @@ std::vector<Eigen::VectorXd> drawPostures(const deflection::Arm& arm) {
   return postures;
 }
 
-/// Returns the points of a row whose deviation counts, in the row's frame [m]: the ends of its bodies, and the tip.
+/// Returns the points of a row at which the deviation is evaluated, in the row's frame [m]: the ends of its bodies, and
+/// the tip.
 std::vector<Vector3d> pointsOn(const planner::Workcell& model, int row) {
   std::vector<Vector3d> points;
   for (const planner::Body& body : model.scene.bodies) {

@@ -24,7 +24,7 @@ std::vector<double> mixed(const std::vector<calibration::TipErrorCase>& cases, c
 }
 
 /// Returns the joint uncertainty of base and arm that an identification stored in the cell's `uncertainty`, with the
-/// base first. Nothing if it was stored without the base.
+/// base first. std::nullopt if it was stored without the base.
 std::optional<calibration::JointUncertainty> determinedWithBase(const CellModel& cell, const deflection::Arm& arm) {
   const auto& determined = cell.uncertainty.determined;
   std::vector<Index> order;

@@ -13,10 +13,11 @@
 namespace tubeplan::app {
 
 struct StepChances {
-  std::string reason;                     ///< why there are no probabilities; empty if there are some
-  std::optional<ModelError> model_error;  ///< model error used; nothing: not considered
-  bool base_is_exact = false;             ///< true: the base is stated as known, without uncertainty
-  bool numbers_are_exact = false;         ///< true: the uncertainty of the arm parameters is unknown and not considered
+  std::string reason;                     ///< reason why there are no probabilities; empty on success
+  std::optional<ModelError> model_error;  ///< model error used; std::nullopt if not considered
+  bool base_is_exact = false;             ///< true if the base is stated as known, without uncertainty
+  /// True if the uncertainty of the arm parameters is unknown and not considered.
+  bool numbers_are_exact = false;
   /// Probabilities of 0, 1, ... steps for each posture; they add up to 1.
   std::vector<std::vector<double>> by_posture;
 };
@@ -25,7 +26,7 @@ struct StepChances {
 struct StepQuestion {
   const CellModel& cell;           ///< the cell as read, with its statements on base, parameters and model error
   const planner::Workcell& model;  ///< the workcell, with the base used for planning
-  /// Calibration that determined the base of `model`; null: the cell states the base.
+  /// Calibration that determined the base of `model`; null if the cell states the base.
   const calibration::BaseCalibration* placed_by;
   const std::vector<Eigen::VectorXd>& postures;
   const std::vector<planner::Centring>& predicted;  ///< centring as the model predicts it, one for each posture
@@ -34,8 +35,8 @@ struct StepQuestion {
 /// Returns the probabilities of the steps in each posture; none if the base pose is only nominal.
 [[nodiscard]] StepChances stepChances(const StepQuestion& question);
 
-/// Returns the uncertainty of base and arm together: that of the calibration which determined the model's base or, if
-/// `placed_by` is null, the uncertainty that the cell states.
+/// Returns the joint uncertainty of base and arm: from the calibration that determined the model's base or, if
+/// `placed_by` is null, as stated in the cell.
 [[nodiscard]] calibration::JointUncertainty jointUncertaintyOf(const CellModel& cell, const planner::Workcell& model,
                                                                const calibration::BaseCalibration* placed_by);
 

@@ -38,18 +38,19 @@ struct StepHoles {
                                       const calibration::StopQuestion& stop = {});
 
 struct StepTable {
-  std::string reason;  ///< why there is no table; empty if there is one
+  std::string reason;  ///< reason why there is no table; empty on success
   int holes = 0;
   std::vector<int> counts;  ///< number of holes in which 0, 1, ... steps enter
   int no_posture = 0;       ///< number of holes for which the model finds no posture; counted as 0 steps
-  /// Median of the centring error over the holes for which the model finds a posture [m]; NaN: none.
+  /// Median of the centring error over the holes for which the model finds a posture [m]; NaN if none.
   double median_error = std::numeric_limits<double>::quiet_NaN();
-  /// 95th percentile of the centring error [m]; NaN: none.
+  /// 95th percentile of the centring error [m]; NaN if none.
   double p95_error = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Computes the step table of a model that steers the real arm with compensated deflection. The model uses the tool
-/// axis of the real arm; the tip position is that of the real arm. The result is invalid if `stop` has returned true.
+/// axis of the real arm. The tip position is computed with the real arm. The result is invalid if `stop` has returned
+/// true.
 [[nodiscard]] StepTable stepTableOf(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const RealArm& real,
                                     const StepHoles& holes, const calibration::StopQuestion& stop = {});
 
