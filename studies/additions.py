@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """additions.py TUBEPLAN BENCH-CELL BOWL-CELL SETS-FOLDER: compares errors of added models with promised ones.
 
-For each set (measurements.csv, truth.json with a design) whose diagnosis names a cause, the output has three held-out
-errors: the error promised by the diagnosis, that of the cell after `add` and `identify`, and that of the model that the
-served page adds. A set is right if the latter two are within 5 % of the promise.
+For each set (measurements.csv, truth.json with a design) whose diagnosis names a cause, the output has three
+held-out errors: as promised by the diagnosis, of the cell after `add` and `identify`, and of the model that the
+served page adds. A set is right if the second and third error are within 5 % of the first.
 """
 import json
 import pathlib

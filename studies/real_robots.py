@@ -44,7 +44,7 @@ class RobotSet:
     cell: str
     readings: str
     goal: float = None      # mean held-out error to be reached [mm]
-    setup: str = ""         # set-up whose readings are used; empty: all
+    setup: str = ""         # set-up whose readings are used; empty means all
     carried_to: str = ""    # further readings on which the improved cell is judged with base, or base and tip, refitted
     carried_goal: float = None
     pair_apart: float = None  # independently known distance between the points NAME-0 and NAME-1 [mm]

@@ -25,12 +25,12 @@ struct StudyOptions {
   double sigma = 0.010;  // noise of each coordinate of a touch [in]
 };
 
-/// Number of touch points, free stiffnesses, and mean touch error of a campaign in the thesis.
+/// Number of touch points, free stiffnesses, and mean touch error of a campaign of Calkins 1994.
 struct Campaign {
   const char* name;
   int points;
   std::vector<std::string> free;
-  double printed_error;  // mean touch error printed in the thesis [in]
+  double printed_error;  // mean touch error stated by Calkins 1994 [in]
 };
 
 const Campaign kArmCampaign{
@@ -46,7 +46,7 @@ const Campaign kMezzanineCampaign{
     0.0300};
 
 /// Returns the arm with all stiffnesses that the thesis identified, at the values of its second table 5.4; values of
-/// 1e9 and more are taken as rigid.
+/// 1e9 and more mean rigid.
 PlacedArm truth() {
   deflection::Arm arm = deflection::cobraArm();
   const double E = arm.rows[3].beam->E;

@@ -21,7 +21,7 @@ struct Changed {
 
 struct Change {
   const char* name;
-  bool is_base;  ///< true: a step of the base explains it
+  bool is_base;  ///< true if a step of the base explains it
   std::function<Changed(SimulatedOutage&)> make;
 };
 

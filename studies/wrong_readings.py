@@ -170,7 +170,7 @@ def arguments(command, cell, rng):
 
 
 def complaint(done, command, as_json):
-    """Returns what is wrong with a finished run; empty if nothing is wrong."""
+    """Returns what is wrong with a finished run, or an empty string."""
     if done.returncode not in (0, 1, 2):
         return f"exit code {done.returncode}: {done.stderr[-300:]}"
     if done.returncode == 2 and not done.stderr.strip():

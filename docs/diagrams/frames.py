@@ -18,7 +18,8 @@ def text(x, y, words, size=13, colour=INK, anchor="start"):
 
 
 def arrow(x, y, angle, length, name, colour):
-    """An axis from (x, y), `angle` counted in degrees from the right, upwards."""
+    """Draws an arrow of `length` from (x, y) with its `name`; `angle` [deg] is measured counter-clockwise from the
+    right."""
     a = math.radians(angle)
     tip = (x + length * math.cos(a), y - length * math.sin(a))
     line([(x, y), tip], colour, 2)

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""make_site.py TUBEPLAN OUT: the documents, every command's help, the catalogue of effects and the libraries' headers as a site in OUT/html.
+"""make_site.py TUBEPLAN OUT: the documents, every command's help, the catalogue of effects and the libraries'
+headers as a site in OUT/html.
 
-What the program says is asked of the program, so that nothing here repeats it. A warning of Sphinx is an error.
+The texts about the commands come from the program itself, so they cannot differ from it. Warnings of Sphinx are
+errors.
 """
 import json
 import os
@@ -115,7 +117,8 @@ def effects_page(program, out):
 
 
 def run_notebook(program, out):
-    """The notebook run where it was written for, beside app/cells, as Markdown with what it printed and drew."""
+    """Runs the notebook next to app/cells, as its paths require, and returns it as Markdown with its output and
+    figures."""
     place = out / "notebook"
     place.mkdir()
     (place / "app").symlink_to(SOURCE / "app")

@@ -50,7 +50,7 @@ def entries_of(compound):
 
 
 def reference_pages(source):
-    """Pages by name, of what the headers of each folder declare."""
+    """Returns pages, keyed by name, that list the declarations in the headers of each folder."""
     by_file = {}
     with tempfile.TemporaryDirectory() as folder:
         settings = (source / "docs/Doxyfile").read_text() + f"\nOUTPUT_DIRECTORY = {folder}\n"

@@ -87,7 +87,7 @@ LeastSquaresResult minimizeByCeres(const LeastSquaresProblem& problem) {
           x.cwiseProduct(problem.scale),
           2 * summary.final_cost,
           static_cast<int>(summary.iterations.size()) - 1,
-          cost.evaluations + 1,  // evaluations, including the one that counted the residuals
+          cost.evaluations + 1,  // one more evaluation was needed to count the residuals
           cost.jacobian_evaluations};
 }
 

@@ -1,4 +1,4 @@
-// Pattern search (Hooke and Jeeves 1961; section 5.3.3 of the thesis), which uses values only, no derivatives.
+// Pattern search (Hooke and Jeeves 1961; Calkins 1994, section 5.3.3), which uses values only, no derivatives.
 // Exploratory moves change each variable by one step up or down. While chi2 falls, pattern moves repeat the last
 // successful displacement and explore around the new point, so that the stride grows. If no move lowers chi2, the step
 // is reduced.

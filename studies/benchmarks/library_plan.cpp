@@ -107,8 +107,7 @@ class LibraryChecker {
   std::vector<LibraryBody> padded_, plain_, obstacles_;
 };
 
-/// Returns the standoff posture of the first collision-free inverse solution of each tube; tubes without one are left
-/// out.
+/// Returns the standoff posture of the first collision-free inverse solution of each tube; omits tubes without one.
 Waypoints libraryStandoffs(const Workcell& cell, const std::vector<int>& tubes, const LibraryChecker& checker) {
   Waypoints standoffs;
   for (const int tube : tubes)

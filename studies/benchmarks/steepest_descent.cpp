@@ -1,4 +1,4 @@
-// Steepest descent with a line search (section 5.3.3 of the thesis), projected onto the bounds (Bertsekas 1976). The
+// Steepest descent with a line search (Calkins 1994, section 5.3.3), projected onto the bounds (Bertsekas 1976). The
 // first trial step of each search is slightly shorter than the Cauchy step, which minimises chi2 along the gradient for
 // linear residuals but zigzags at full length (Raydan and Svaiter 2002). The step is reduced by the golden ratio until
 // chi2 meets Armijo's condition.

@@ -18,7 +18,8 @@ def scaled(seconds):
 
 
 def at_most(what, value, text, goal, show):
-    """Returns a row whose value must not exceed the goal, which `show` formats; without a goal, nothing is judged."""
+    """Returns a row whose value must not exceed the goal, which `show` formats; without a goal, the row has no
+    judgement."""
     if value is None:
         return Row(what, None)
     return Row(what, text) if goal is None else Row(what, text, f'≤ {show(goal)}', value <= goal)

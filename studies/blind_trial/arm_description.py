@@ -17,22 +17,22 @@ AXES = "xyz"
 @dataclass(frozen=True)
 class Arm:
     """Arm with L links (rows) and J joints. Compliances are zero about rigid axes."""
-    links: tuple                # L names
-    joints: tuple               # J names
-    joint_rows: np.ndarray      # (J,) row that each joint rotates
-    limits: np.ndarray          # (J, 2) lower and upper joint limits [rad]
+    links: tuple                # names of the L links
+    joints: tuple               # names of the J joints
+    joint_rows: np.ndarray      # (J,): row that each joint rotates
+    limits: np.ndarray          # (J, 2): lower and upper joint limits [rad]
     encoder_sigma: float        # standard deviation of every joint reading [rad]
-    alpha: np.ndarray           # (L,) rad: twist from the previous frame to this one
-    a: np.ndarray               # (L,) in: distance from the previous frame to this one
-    d: np.ndarray               # (L,) in: offset along z
-    theta: np.ndarray           # (L,) rad: fixed angle, or offset of the joint angle
-    tip: np.ndarray             # (3,) in: tip in the last frame
-    spring: np.ndarray          # (L, 3) rad/(in lbf): compliance about the axes of the frame
-    rod: np.ndarray             # (L, 3) 1/(in^2 lbf): compliance in torsion about x, in bending about y and z
-    distributed: np.ndarray     # (L,) lbf/in from this frame to the next
-    end_weight: np.ndarray      # (L,) lbf at the next frame (the last link: at the tip)
-    gravity: np.ndarray         # (3,) unit vector, world frame
-    modulus: float              # lbf/in^2: elastic modulus of the beams
+    alpha: np.ndarray           # (L,): twist from the previous frame to this one [rad]
+    a: np.ndarray               # (L,): distance from the previous frame to this one [in]
+    d: np.ndarray               # (L,): offset along z [in]
+    theta: np.ndarray           # (L,): fixed angle, or offset of the joint angle [rad]
+    tip: np.ndarray             # (3,): tip in the last frame [in]
+    spring: np.ndarray          # (L, 3): compliance about the axes of the frame [rad/(in lbf)]
+    rod: np.ndarray             # (L, 3): compliance in torsion about x, in bending about y and z [1/(in^2 lbf)]
+    distributed: np.ndarray     # (L,): weight per length from this frame to the next [lbf/in]
+    end_weight: np.ndarray      # (L,): weight at the next frame, or at the tip for the last link [lbf]
+    gravity: np.ndarray         # (3,): direction of gravity in the world frame, a unit vector
+    modulus: float              # elastic modulus of the beams [lbf/in^2]
 
     def row(self, name):
         """Returns the row index of a link or of a joint."""

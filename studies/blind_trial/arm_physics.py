@@ -20,30 +20,30 @@ import numpy as np
 from rotations import cross, exponential, link_rotation, turned, turned_back
 
 PIECES = 32
-TOLERANCE = 1e-10       # in: largest movement of the tip in the last sweep
+TOLERANCE = 1e-10       # largest movement of the tip in the last sweep [in]
 
 
 @dataclass
 class Numbers:
-    """Parameters that may differ between postures and that effects change; the first axis of all arrays is N."""
-    q: np.ndarray                 # (N, J) true joint angles
-    load: np.ndarray              # (N,) weight suspended at the tip
-    a: np.ndarray                 # (N, L)
-    alpha: np.ndarray             # (N, L)
-    tip: np.ndarray               # (N, 3)
-    spring: np.ndarray            # (N, L, 3) compliance
-    soft: np.ndarray              # (N, L, 3) extra compliance up to the knee moment
-    knee: np.ndarray              # (N, L, 3) lbf in
-    turn: np.ndarray              # (N, L, 3) prescribed rotation of the frame
-    rod: np.ndarray               # (N, L, 3) compliance per length
-    distributed: np.ndarray       # (N, L)
-    end_weight: np.ndarray        # (N, L)
-    end_force: np.ndarray         # (N, L, 3) force at the link's end, world axes
-    payload_offset: np.ndarray    # (N, 3) offset of the suspended load from the tip, in the tool's frame
-    gravity_tilt: np.ndarray      # (N, 2) tilt of gravity about world x and y
-    base_position: np.ndarray     # (N, 3)
-    base_turn: np.ndarray         # (N, 3) rotation vector of the base in the world
-    stretch: np.ndarray           # (N, 1) scale error: measured coordinates are multiplied by 1 + stretch
+    """Parameters that may differ between postures and that effects change. Comments begin with the array's shape."""
+    q: np.ndarray                 # (N, J): true joint angles [rad]
+    load: np.ndarray              # (N,): weight suspended at the tip [lbf]
+    a: np.ndarray                 # (N, L): distance from the previous frame to this one [in]
+    alpha: np.ndarray             # (N, L): twist from the previous frame to this one [rad]
+    tip: np.ndarray               # (N, 3): tip in the last frame [in]
+    spring: np.ndarray            # (N, L, 3): compliance about each axis [rad/(lbf in)]
+    soft: np.ndarray              # (N, L, 3): additional compliance up to the knee moment [rad/(lbf in)]
+    knee: np.ndarray              # (N, L, 3): knee moment [lbf in]
+    turn: np.ndarray              # (N, L, 3): prescribed rotation of the frame [rad]
+    rod: np.ndarray               # (N, L, 3): curvature per moment [1/(lbf in^2)]
+    distributed: np.ndarray       # (N, L): weight per length from this frame to the next [lbf/in]
+    end_weight: np.ndarray        # (N, L): weight at the next frame, or at the tip for the last link [lbf]
+    end_force: np.ndarray         # (N, L, 3): force at the link's end, in world axes [lbf]
+    payload_offset: np.ndarray    # (N, 3): offset of the suspended load from the tip, in the tool's frame [in]
+    gravity_tilt: np.ndarray      # (N, 2): tilt of gravity about world x and y [rad]
+    base_position: np.ndarray     # (N, 3): position of the base in the world [in]
+    base_turn: np.ndarray         # (N, 3): rotation vector of the base in the world [rad]
+    stretch: np.ndarray           # (N, 1): scale error; measured coordinates are multiplied by 1 + stretch
 
     @staticmethod
     def nominal(arm, q, load):
@@ -67,12 +67,12 @@ class Numbers:
 
 @dataclass
 class Equilibrium:
-    tip: np.ndarray               # (N, 3) in, world frame
-    R_tip: np.ndarray             # (N, 3, 3)
-    moments: np.ndarray           # (N, L, 3) lbf in: moment at each frame, in the axes of that frame
-    curvature: dict               # link -> (N, K + 1, 3) 1/in
-    R_W: list = None              # per link (N, 3, 3)
-    p_W: list = None              # per link (N, 3)
+    tip: np.ndarray               # (N, 3): tip in the world frame [in]
+    R_tip: np.ndarray             # (N, 3, 3): axes of the tool in the world frame
+    moments: np.ndarray           # (N, L, 3): moment at each frame, in the axes of that frame [lbf in]
+    curvature: dict               # keyed by link index, (N, K + 1, 3): curvature at the ends of the pieces [1/in]
+    R_W: list = None              # for each link, (N, 3, 3): axes of the link's frame in the world
+    p_W: list = None              # for each link, (N, 3): origin of the link's frame in the world [in]
     sweeps: int = 0
     converged: bool = False
 
@@ -109,9 +109,9 @@ def measured(numbers, equilibrium):
 
 @dataclass
 class _Shape:
-    R_W: list        # per link (N, 3, 3), after the rotation of the spring
-    p_W: list        # per link (N, 3)
-    end: list        # per link, end point of the link
+    R_W: list        # for each link, (N, 3, 3): axes of the link's frame in the world, after the rotation of the spring
+    p_W: list        # for each link, (N, 3): origin of the link's frame in the world [in]
+    end: list        # for each link, (N, 3): end point of the link in the world [in]
     rods: dict       # link -> (length, Q, rho): section frames (N, K+1, 3, 3), points (N, K+1, 3), in the link's frame
     R_WTip: np.ndarray = None
     p_WTip: np.ndarray = None

@@ -2,7 +2,7 @@
 """check_physics.py: compares rods and chain with closed forms and independent poses. Exit code 0 if all agree.
 
 The poses (200 postures computed by another rod solver) are in shared/reference/poses.csv next to the repository;
-without this file, the comparison with them is left out.
+without this file, that comparison is omitted.
 """
 import argparse
 import pathlib

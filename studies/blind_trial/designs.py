@@ -19,7 +19,7 @@ FACE = 47.              # in: height of the tube sheet's face above the base
 PITCH = 1.0625          # in
 SIGMA = {"bench": .003, "bowl": .005, "touch": .005}      # in
 STRETCHED = 15. * DEG
-ROUGHLY, NEARLY, EXACTLY = 1e-2, 1e-5, 1e-8      # in: tolerances for the distance of the tip from a target in `reach`
+ROUGHLY, NEARLY, EXACTLY = 1e-2, 1e-5, 1e-8      # tolerances for the distance of the tip from a target in `reach` [in]
 
 
 @dataclass
@@ -27,9 +27,9 @@ class Design:
     kind: str                   # bench, bowl, touch
     arm: object                 # arm with the true stiffnesses
     session: Session            # session at the nominal readings
-    targets: np.ndarray         # (N, 3) in, world frame; None on the bench
-    tilt: np.ndarray            # (N,) rad: theta2 + theta3 + theta4 of the readings
-    point: np.ndarray           # (N,) index of the posture, hole or point
+    targets: np.ndarray         # (N, 3): target of each posture in the world frame [in]; None on the bench
+    tilt: np.ndarray            # (N,): theta2 + theta3 + theta4 of the readings [rad]
+    point: np.ndarray           # (N,): index of the posture, hole or point
     base_position: np.ndarray   # (3,) position of the true base in the cell's nominal base frame
     base_turn: np.ndarray       # (3,) rotation vector of the true base
 

@@ -25,7 +25,7 @@ from effects import CATALOGUE
 from odd_effects import ODD
 from truths import NoPlace, draw_truth, joint_change, lengths_beside, rivals_of, twins
 
-SINGLE_D = (5., 8., 12., 20., None)      # wanted d; None: physical size, whatever d results
+SINGLE_D = (5., 8., 12., 20., None)      # wanted d; None for a physical size, with d as it results
 ODD_D = (8., 12., 20., None)
 PAIR_D = (8., 12., 20.)
 TRIPLE_D = (12., 20.)

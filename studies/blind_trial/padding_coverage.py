@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 """padding_coverage.py TUBEPLAN [--runs 40] [--seed 3]: compares the padding of plans with the errors of true arms.
 
-For each calibration of a true arm of this folder's physics, the error of the tip in eight random postures is projected on
-random directions and divided by one standard deviation of the padding (`plan --padding 1`): that of the base in this
-posture, and what the plan adds for the arm. Two standard deviations must hold 95 % of the errors or more.
+For each calibration of a true arm of this folder's physics, the error of the tip in eight random postures is
+projected on random directions and divided by one standard deviation of the padding (`plan --padding 1`): the part
+due to the base in this posture, and the part that the plan adds for the arm. Two standard deviations must hold 95
+% of the errors or more.
 """
 import argparse
 import json
@@ -48,7 +49,8 @@ def tip_covariance(covariance, r):
 
 
 def trial(program, holes, asked, seed):
-    """Returns errors divided by the standard deviation of the padding; none if the arm cannot be calibrated."""
+    """Returns errors divided by the standard deviation of the padding; an empty list if the arm cannot be
+    calibrated."""
     drawn = draw_touches(holes, asked, seed)
     if drawn is None:
         return []

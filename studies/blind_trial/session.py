@@ -7,11 +7,11 @@ import numpy as np
 @dataclass
 class Session:
     """N readings. q holds the encoder angles; the true angles are q plus the errors that effects add."""
-    q: np.ndarray             # (N, J) rad
-    load: np.ndarray          # (N,) lbf
-    direction: np.ndarray     # (N, J) -1 or +1: direction of each joint's last motion
-    temperature: np.ndarray   # (N,) degF
-    time: np.ndarray          # (N,) minutes
+    q: np.ndarray             # (N, J): encoder angles [rad]
+    load: np.ndarray          # (N,): load at the tip [lbf]
+    direction: np.ndarray     # (N, J), -1 or +1: direction of each joint's last motion
+    temperature: np.ndarray   # (N,): temperature [degF]
+    time: np.ndarray          # (N,): time since the start of the session [min]
 
     @property
     def elapsed(self):

@@ -37,14 +37,14 @@ def _primitives(arm):
 class Scene:
     arm: object                  # arm with the true stiffnesses
     session: object
-    point: np.ndarray            # (N,) index of the touched point; None if the tip is measured or the points are known
+    point: np.ndarray            # (N,): index of the touched point; None if the tip is measured or the points are known
     base_fitted: bool
     numbers: Numbers             # parameters without effects
     rest: object                 # Equilibrium without effects
-    tip: np.ndarray              # (N, 3) measured tip without effects
-    slopes: dict                 # (field, index) -> derivative of the tip, (N, 3)
-    whitening: np.ndarray        # (N, 3, 3) inverse Cholesky factor of each reading's covariance
-    fitted: np.ndarray           # (3N, p) orthonormal basis of the fitted parameters' whitened columns
+    tip: np.ndarray              # (N, 3): measured tip without effects [in]
+    slopes: dict                 # derivative of the tip, (N, 3), keyed by (field, index)
+    whitening: np.ndarray        # (N, 3, 3): inverse Cholesky factor of each reading's covariance
+    fitted: np.ndarray           # (3N, p): orthonormal basis of the fitted parameters' whitened columns
 
     @property
     def moments(self):
