@@ -105,7 +105,7 @@ def is_sample(text):
 
 
 def constants_of(text):
-    """Returns the constants that hold a string, keyed by name."""
+    """Returns the string constants, keyed by name."""
     return {found[1]: split(text[found.end():end_of(text, found.end() - 1) - 1], ';')[0][1] if found[2] == '{'
             else split(text[found.end():found.end() + 4000], ';')[0][1] for found in CONSTANT.finditer(text)}
 

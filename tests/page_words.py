@@ -6,7 +6,7 @@ import re
 import sys
 
 tree = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else '.')
-# Pages have a box for a user's formula, so they may name it although the table of effects has a row for it.
+# The effect `formula` may be named, because pages have an input for a user's formula.
 OF_PAGES = {'formula'}
 
 headers = sorted((tree / 'deflection/effects').glob('*.hpp'))

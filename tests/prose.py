@@ -55,7 +55,7 @@ def blocks(text):
 
 
 def sentences(text):
-    """Yields (line, number of words, sentence) of a document; parts of table cells with at most five words are left out."""
+    """Yields (line, number of words, sentence) of a document; omits parts of table cells with at most five words."""
     for line, is_cell, block in blocks(text):
         prose = ABBREVIATION.sub(lambda found: found[0].replace(".", ""), bare(block))
         for sentence in END.split(prose):

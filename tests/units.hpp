@@ -1,4 +1,4 @@
-// Units of the input files and of the thesis, expressed in internal units.
+// Units of the input files and of Calkins 1994, expressed in internal units.
 #pragma once
 
 #include <numbers>

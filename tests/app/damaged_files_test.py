@@ -52,7 +52,8 @@ def meshed(name):
 
 
 class Kind:
-    """A file, the files beside it, the command that reads it, and a piece of text with a replacement of another type."""
+    """A file, the other files that it needs, the command that reads it, and a piece of text with a replacement of
+    another type."""
 
     def __init__(self, name, file, content, command, wrong, beside=None, is_text=True, is_sealed=False):
         self.name, self.file, self.command, self.wrong = name, file, command, wrong

@@ -1,6 +1,7 @@
-"""killed_job_test.py TUBEPLAN SOURCE: marks of a job survive a kill at any instant, and several desks lose no mark.
+"""killed_job_test.py TUBEPLAN SOURCE: marks of a job survive a kill at any instant, and no mark is lost if several
+processes write to the same job.
 
-A mark counts as made once the program has printed its event.
+The program makes a mark before it prints the mark's event.
 """
 import json
 import pathlib

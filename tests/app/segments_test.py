@@ -1,5 +1,5 @@
-"""segments_test.py TUBEPLAN SOURCE: every command that reports poses asks for more `segments` if one element per beam
-is too few, and only then.
+"""segments_test.py TUBEPLAN SOURCE: every command that reports poses asks for more `segments` if, and only if, one
+element per beam is too few.
 """
 import pathlib
 import re

@@ -51,7 +51,7 @@ inline std::string changed(std::string text, const std::string& from, const std:
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-/// Test fixture with a folder of its own, which is removed afterwards.
+/// Test fixture with a temporary folder, which is removed after the test.
 class FolderTest : public ::testing::Test {
  protected:
   FolderTest() {

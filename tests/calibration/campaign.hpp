@@ -30,7 +30,7 @@ struct CampaignPlan {
   double stated = kMeasurementSigma;
 };
 
-/// Returns tip positions measured under loads of 0, 60 and 120 N in turn, with random approach directions and
+/// Returns tip positions measured under loads of 0, 60 and 120 N, alternating, with random approach directions and
 /// temperatures, one measurement per minute. Joint readings contain encoder noise.
 inline std::vector<Measurement> makeCampaign(const deflection::Arm& truth, std::uint64_t seed,
                                              const CampaignPlan& plan = {}) {

@@ -16,7 +16,7 @@ namespace tubeplan::calibration {
 namespace {
 
 /// Provides hooks that record the reported stages, count the calls of `stop`, and request a stop from call number
-/// `stop_at` on (-1: never).
+/// `stop_at` on (-1 means never).
 class Watch {
  public:
   explicit Watch(int stop_at = -1) : stop_at_(stop_at) {}

@@ -52,7 +52,7 @@ TEST(AnchoredRows, holdRowsThatBendOrWeighAtTheirOrigins) {
   EXPECT_LE(testing::writingsApart(arm, anchored.arm, draw.readings(arm)), 1e-14 * testing::longestRow(arm) + 1e-12);
 }
 
-/// Returns a cobot whose three middle axes are parallel and whose other axes are at right angles, apart from small
+/// Returns a cobot whose three middle axes are parallel and whose other axes are at right angles, except for small
 /// errors.
 Arm cobot() {
   constexpr double kRight = std::numbers::pi / 2;

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""failing_calls.py TUBEPLAN CELLS-FOLDER LIBRARY [--kinds write,rename] [--commands plan,add] [--memory 8] [--most 0]
+"""failing_calls.py TUBEPLAN CELLS-FOLDER LIBRARY [--kinds write,rename] [--commands plan,add] [--memory 8] [--most
+0]
 
-Runs each command that writes files once for every call of a kind; in each run the preloaded LIBRARY makes another call
-fail. Calls of kind thread-memory are allocations by threads other than the first. After each run, the exit code must be
-a documented one with a message, every output must be entirely old or entirely new, files that belong together must be
-all old or all new, and nothing else may be left in the folder. Allocations are too many to try all: --memory limits
-them for each command (0: no limit). `--kinds order` instead checks that every renamed file was synchronised to disk
-before the rename, and its folder after it.
+Runs each command that writes files once for every call of a kind; in each run the preloaded LIBRARY makes another
+call fail. Calls of kind thread-memory are allocations by threads other than the first. After each run, the exit
+code must be a documented one with a message, every output must be entirely old or entirely new, files that belong
+together must be all old or all new, and nothing else may be left in the folder. Allocations are too many to try
+all: --memory limits them for each command (0 if there is no limit). `--kinds order` instead checks that every
+renamed file was synchronised to disk before the rename, and its folder after it.
 """
 import argparse
 import pathlib
@@ -21,7 +22,7 @@ import cases
 DISK = ["open", "write", "short-write", "fsync", "close", "rename", "mkdir"]
 FAILED = {2, 3}  # exit codes: 2 for bad input, including a path that cannot be written; 3 for failures such as memory
 MADE_AT = re.compile(rb"\d{4}-\d\d-\d\d \d\d:\d\d UTC")
-SECONDS = 60  # time after which a run counts as hung; alone, a run takes less than one second
+SECONDS = 60  # time [s] after which a run is considered hung; alone, a run takes less than 1 s
 
 
 class Run:
@@ -114,7 +115,8 @@ def places(total, most, seed):
 
 
 def disk_faults(check, kind, from_on, options):
-    """Yields faults with their problems: each call fails in turn, or --most of them, then a call beyond the last."""
+    """Yields faults with their problems. Every call fails once (at most --most of them); the last fault is beyond
+    the last call."""
     calls = check.run(FAULT_KIND=kind).calls
     for at in [*places(calls, options.most, options.seed), calls + 1]:
         variables = {"FAULT_KIND": kind, "FAULT_AT": str(at), **({"FAULT_FROM_ON": "1"} if from_on else {})}

@@ -49,7 +49,7 @@ def on_full_disk(program, folder, place):
 
 
 def in_locked_folder(program, folder, place):
-    """Runs the cases as user nobody, for whom the folder is read-only, and returns the problems."""
+    """Runs the cases as the user `nobody`, who may only read the folder, and returns the problems."""
     found = []
     for case in cases.CASES:
         done = subprocess.run([program, *with_outputs_in(case, place)], cwd=folder, capture_output=True, user=65534,

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""stop_signals.py TUBEPLAN CELLS-FOLDER [--instants 5] [--readings 10000] [--most 1.0] [--commands plan,identify] [--seconds 8]
+"""stop_signals.py TUBEPLAN CELLS-FOLDER [--instants 5] [--readings 10000] [--most 1.0] [--commands plan,identify]
+[--seconds 8]
 
-Interrupts every long command, by Ctrl-C and SIGTERM in turn, at instants spread over its first --seconds. The command
-must end within --most seconds, with exit code 130 (its own code if it was done before), must not change existing files,
-and must leave no files except those from which the next run resumes.
+Interrupts every long command, alternately by Ctrl-C and SIGTERM, at instants spread over its first --seconds. The
+command must end within --most seconds, with exit code 130 (its own code if it was done before), must not change
+existing files, and must leave no files except those from which the next run resumes.
 """
 import argparse
 import pathlib

@@ -64,8 +64,8 @@ void readHoleMapText(const std::string& text) { (void)tubesheets::parseHoleMap(t
 void readWorkListText(const std::string& text) {
   (void)tubesheets::selectTubes(*mockup().sheet, tubesheets::parseWorkListCsv(text));
 }
-/// Reads a selection on a corner of the sheet. Since every hole is treated alike, the whole sheet would test no more
-/// and take a hundred times as long.
+/// Reads a selection on a corner of the sheet. All holes are treated the same way, so the whole sheet would test no
+/// more and take a hundred times as long.
 void readSelectionText(const std::string& text) {
   static const tubesheets::Sheet kCorner = [] {
     tubesheets::Sheet sheet = *mockup().sheet;

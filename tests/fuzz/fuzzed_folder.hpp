@@ -1,4 +1,4 @@
-// Folder in memory with the shipped files, so that files referenced by a fuzzed input exist.
+// Folder in memory with the shipped files, to which a fuzzed input may refer.
 #pragma once
 
 #include <unistd.h>

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """mutants.py BUILD [--seed 1] [--count 20] [--parts statics,proof] [--jobs 1]
 
-Does a fault in the code that results hang on fail a test? Makes mutants of it, one at a time out of a seeded sample: an
-operator or a comparison turned into another, a constant or a sign changed, a statement left out. Of each, only the
-mutated source is compiled and linked before the library (BUILD, the release build), and the tests of that part run until
-one fails. Prints every survivor; exit 1 where fewer than 85 % of any part's are killed.
-A mutant that does not compile is not counted.
-Survivors that were read and found to be equivalent stand in equivalent.txt, with the reason.
+Measures whether the tests detect faults in the code that computes results. Makes a seeded sample of mutants, one
+at a time: with another operator or comparison, a changed constant or sign, or a statement omitted. Of each, only
+the mutated source is compiled and linked before the library (BUILD, the release build), and the tests of that
+part run until one fails. Prints every survivor. The exit code is 1 if fewer than 85 % of the mutants of a part
+are killed. A mutant that does not compile is not counted. Survivors that were found to be equivalent to the
+original are listed in equivalent.txt, with the reason.
 """
 import argparse
 import dataclasses
@@ -26,8 +26,8 @@ GOAL = 0.85
 
 @dataclasses.dataclass
 class Part:
-    """Files, what is compiled anew for each (a header: its sources), and the tests: binaries with a filter, those that are
-    likeliest to fail first."""
+    """A set of files, the sources to recompile for each (for a header, those that include it), and its tests:
+    binaries with a filter, starting with the tests most likely to fail."""
     name: str
     target: str
     sources: dict
@@ -76,7 +76,7 @@ PARTS = [
           ("planner/planner_test", "*"), ("planner/visit_plan_test", "*")]),
 ]
 
-# With spaces about them, so that templates, pointers and signs are left alone.
+# Operators and their replacements. The spaces around an operator exclude templates, pointers and signs.
 SWAPS = {
     " + ": [" - "], " - ": [" + "], " * ": [" / "], " / ": [" * "],
     " += ": [" -= "], " -= ": [" += "], " *= ": [" /= "], " /= ": [" *= "],
@@ -169,7 +169,7 @@ class Bench:
             sys.exit(done.stderr[-2000:])
 
     def passes(self, program, filter_, seconds):
-        """Whether all tests pass within so much processor time."""
+        """Returns True if all tests pass within `seconds` of processor time."""
         limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
         done = subprocess.run([str(program), f"--gtest_filter={filter_}", "--gtest_fail_fast", "--gtest_brief=1"],
                               cwd=self.folder, capture_output=True, text=True, errors="replace", preexec_fn=limit)

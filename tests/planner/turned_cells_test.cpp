@@ -23,7 +23,7 @@ std::set<int> tubesIn(const VisitPlan& plan) {
 struct Shipped {
   const char* file;
   /// Relative difference of travel times allowed between base frames. An arm with more joints than a goal requires has
-  /// a continuous family of postures; rounding decides which samples of it count as equal.
+  /// a continuous family of postures; rounding decides which of its samples are considered equal.
   double apart;
 };
 

@@ -16,7 +16,7 @@ class HoleNames : public testing::TestWithParam<ExampleSheet> {
  protected:
   Sheet sheet_ = makeSheet(GetParam().description);
 
-  /// Exchanges the positions of holes `a` and `b`; their names stay.
+  /// Exchanges the positions of holes `a` and `b`.
   void exchange(std::size_t a, std::size_t b) {
     std::swap(sheet_.tubes[a].x, sheet_.tubes[b].x);
     std::swap(sheet_.tubes[a].y, sheet_.tubes[b].y);

@@ -20,7 +20,7 @@ namespace {
 constexpr double kMetresInAnInch = 0.0254;
 constexpr double kHole = 0.760 * kMetresInAnInch;
 
-/// Returns the stepped tool of table 5.7 of the thesis.
+/// Returns the stepped tool of Calkins 1994, table 5.7.
 SteppedTool thesisTool() {
   return {{{0.582 * kMetresInAnInch, 0.089 * kMetresInAnInch},
            {0.644 * kMetresInAnInch, 0.058 * kMetresInAnInch},
@@ -52,7 +52,7 @@ TEST(PlayInTube, IsAStepsToleranceLessHowFarItIsOff) {
   EXPECT_EQ(playInTube(tool, off, upright, 0), std::numeric_limits<double>::infinity());
   EXPECT_NEAR(playInTube(tool, off, upright, 0.3 * kMetresInAnInch), 0.084 * kMetresInAnInch, 1e-15);
   EXPECT_NEAR(playInTube(tool, off, upright, 0.5 * kMetresInAnInch + 1e-9), 0.084 * kMetresInAnInch,
-              1e-15);  // 1 nm past the first step, the next step does not count as entered
+              1e-15);  // 1 nm past the first step, the next step has not entered
   EXPECT_NEAR(playInTube(tool, off, upright, 0.6 * kMetresInAnInch), 0.053 * kMetresInAnInch, 1e-15);
   EXPECT_NEAR(playInTube(tool, off, upright, 9 * kMetresInAnInch), 0.005 * kMetresInAnInch,
               1e-15);  // beyond its length the tool is as thick as its last step

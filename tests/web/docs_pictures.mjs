@@ -34,7 +34,7 @@ async function workbench(browser, folder) {
 }
 
 async function reportOfDemo(browser, folder) {
-  // The Makefile's target `demo` is run, so that the picture shows exactly what that target produces.
+  // The picture shows the output of the Makefile's target `demo`.
   execFileSync("make", ["-C", source, "-o", "program", "demo", `OUT=${folder}/demo`, `BUILD=${path.dirname(program)}`]);
   const address = pathToFileURL(path.join(folder, "demo/report.html")).href;
   const tab = await openTab(browser, address, {viewport: {width: 1280, height: 900}});

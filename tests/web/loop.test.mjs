@@ -232,7 +232,8 @@ describe("the catalogue", () => {
     await tab.focus(".effect-list [aria-selected=true]");
     await tab.keyboard.press("ArrowDown");
     await tab.waitForSelector(".effects-view h2 >> text=tool-weight");
-    // Confounding must be mutual between effects with a single parameter each.
+    // If two effects have one parameter each and the first is confounded with the second, the second must be with the
+    // first.
     const {causes} = (await ask(server, "confounding")).body;
     const confoundingOf = (effect, at) => causes.find((cause) => cause.effect === effect && cause.at === at).confounded;
     const has = (list, effect, at) => list.some((other) => other.effect === effect && other.at === at);

@@ -1,5 +1,5 @@
-// Tests of the desk of an outage: a tube from the plan to its mark by keys, a wrong tube that stays out, two browsers and
-// the command line at one record, and a whole shift worked through the server.
+// Tests of the outage page: marking a planned tube by keyboard, rejecting a wrong tube, one record open in two browsers
+// and the command line, and a complete shift on the server.
 import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
 import {after, before, describe} from "node:test";
@@ -31,7 +31,7 @@ function makeRecord(name, confirm, tubes = "R9-11C18-22") {
   return `${name}.job`;
 }
 
-/** Opens the desk at a record, with the name of the person who marks. */
+/** Opens the outage page at a record, with the name of the person who marks the tubes. */
 async function desk(server, record, person) {
   const tab = await openTab(browser, `${server.address}#outage`);
   await tab.waitForSelector(".desk-tube", LIMIT);
@@ -59,7 +59,7 @@ describe("the desk of an outage", () => {
     await tab.fill(".desk-confirm input[name=read]", "A/hot/R9C18");
     await tab.click(".desk-confirm button");
     await tab.waitForSelector(".desk-found.good", LIMIT);
-    await tab.click(".desk-tube"); // away from the field, so that keys are marks
+    await tab.click(".desk-tube"); // moves the focus out of the input field, where keys would be typed text
     await tab.keyboard.press("d");
     await tab.waitForSelector(".desk-tube[data-tube='A/hot/R9C19']", LIMIT);
     const [entry] = job("log", record).events.filter(({kind}) => kind === "mark");

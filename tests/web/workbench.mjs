@@ -15,7 +15,7 @@ const {chromium} = createRequire(path.join(web, "package.json"))("playwright-cor
 export const program = process.env.TUBEPLAN ?? path.join(source, "build/tubeplan");
 /** Folder of the built page; if empty, the server shows its embedded page. */
 export const page = process.env.TUBEPLAN_PAGE ?? "";
-/** Factor by which the page is slowed down, so that tests are also tried as on a busy machine. */
+/** Factor by which the page is slowed down, to test as on a busy machine. */
 const slowness = Number(process.env.TUBEPLAN_SLOWNESS ?? 1);
 /** Maximum delay of each request and each answer [ms], so that events overtake requests and answers. */
 const jitter = Number(process.env.TUBEPLAN_JITTER ?? 0);
@@ -173,7 +173,7 @@ export async function serve(
   return {
     address,
     pid: child.pid,
-    /** Kills the server without notice, as when the machine stops. */
+    /** Kills the server with SIGKILL, as if the machine had stopped. */
     kill: () => end(child, "SIGKILL", said),
     stop: () => end(child, "SIGINT", said),
   };

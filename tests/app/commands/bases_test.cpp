@@ -1,4 +1,4 @@
-// `tubeplan bases`: what it states of reach agrees with itself, with plans and with its bounds.
+// Tests of `tubeplan bases`: the reach that it reports is consistent, and agrees with plans and with its bounds.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program.hpp"

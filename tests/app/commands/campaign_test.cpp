@@ -174,7 +174,7 @@ TEST_F(CampaignCommand, GoesOnAfterAStopToTheSameBytesAndToMoreRuns) {
   EXPECT_FALSE(std::filesystem::exists(folder / "stopped/campaign.json"));
   const std::string kept = contentOf(folder / "stopped/tally.json");
 
-  // With other arguments, the campaign is refused if --resume is given; otherwise it starts again and says so.
+  // With other arguments, the campaign is refused if --resume is given; otherwise it prints a message and starts again.
   expectRefused(mockup("--tubes spread:40 --seed 9 --runs 1200 --resume --out stopped"), "another seed (8, now 9)");
   expectRefused(mockup("--tubes spread:41 --seed 8 --runs 1200 --resume --out stopped"), "another list of tubes");
   expectRefused(question + "1 --resume --out stopped", "more runs");

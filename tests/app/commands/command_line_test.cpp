@@ -1,4 +1,4 @@
-// For each mistake on a command line, the refusal is a sentence that names the command or the option.
+// Tests of mistakes on the command line: the error message is a sentence that names the command or the option.
 #include "app/commands/command_line.hpp"
 
 #include <algorithm>

@@ -234,7 +234,7 @@ TEST_F(Commands, scoreRepeatsTheThesisExperiment) {
       jsonOf("score " + shipped("mockup.yaml") + " --truth " + shipped("mockup.yaml") + " --runs 6 --seed 5");
   EXPECT_EQ(runs["runs"].get<std::size_t>() + runs["refused"].size(), 6u);
   EXPECT_NEAR(runs["mean_touch_error"], 0.030, 0.004);
-  // Table 5.7 of the thesis: in how many of ten holes 0, 1, 2 or 3 steps entered, without and with compensation.
+  // Table 5.7 of Calkins 1994: in how many of ten holes 0, 1, 2 or 3 steps entered, without and with compensation.
   const std::vector<double> without{7, 2, 1, 0}, with{0, 4, 4, 2};
   EXPECT_EQ(runs["none"]["mean_counts"].size(), without.size());
   EXPECT_NEAR(runs["none"]["mean_counts"][0], without[0], 3);

@@ -154,7 +154,7 @@ std::string withCell(const std::string& table, std::size_t row, std::size_t colu
   return table.substr(0, at) + change(table.substr(at, end - at)) + table.substr(end);
 }
 
-// All commands treat outliers alike: an isolated outlier is set aside, named, and excluded from all results.
+// All commands treat outliers the same way: an isolated outlier is named and excluded from all results.
 TEST_F(CompareCommand, anOutlierIsSetAsideAsDiagnoseDoes) {
   const auto off = [](const std::string& inches) { return fmt::format("{}", std::stod(inches) + 0.2); };
   (void)write("clean.csv", measurementsWith(0));

@@ -68,8 +68,8 @@ TEST_F(EffectCommands, MeasurementsOfAnotherCellGetNoVerdict) {
   EXPECT_FALSE(std::filesystem::exists(folder / "found.yaml"));
 }
 
-/// For measurements of an arm with other stiffnesses, a fit of only the base is refused, since its residuals exceed the
-/// noise; a fit with six free parameters is accepted.
+/// For measurements of an arm with other stiffnesses, a fit of only the base is refused, because its residuals exceed
+/// the noise; a fit with six free parameters is accepted.
 TEST_F(EffectCommands, ABaseThatLeavesTheMeasurementsOffIsSaid) {
   ASSERT_EQ(
       run("simulate " + shipped("mockup-true.yaml") + " --design bowl --readings 40 --loads 0,30 --out set").exit_code,

@@ -1,5 +1,5 @@
-// `tubeplan identify` on sets of measurements that are kept beside the repository on its developers' machines: fits to
-// simulated sets pass the chi-square test, and models of measured robots predict held-out poses.
+// `tubeplan identify` on sets of measurements that are not part of the repository: fits to simulated sets pass the
+// chi-square test, and models of measured robots predict held-out poses.
 #include <fmt/format.h>
 
 #include <map>

@@ -82,7 +82,7 @@ TEST_F(IdentifyStages, AMountingThatIsRigidInOneSetUpLeavesTheOthersTheirs) {
   expectSays(typo.out, "did you mean 'bench'?");
 }
 
-// The variance in the second stage is the sum of its own and that passed on from the first stage, since the set-ups
+// The variance in the second stage is the sum of its own and that passed on from the first stage, because the set-ups
 // have independent noise. The derivative d second / d first is found by moving the first parameter by a tenth of its
 // sigma.
 TEST_F(IdentifyStages, theSecondStageCarriesWhatTheFirstLeftOpen) {

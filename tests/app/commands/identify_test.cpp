@@ -137,7 +137,7 @@ TEST_F(Identify, TheSameMeasurementsGiveTheSameBytes) {
   EXPECT_EQ(run(call).out, run(call).out);
 }
 
-// -v prints the iterations and changes nothing else; with --json - the iterations go to standard error.
+// Option -v only adds the iterations to the output; with --json - the iterations go to standard error.
 TEST_F(Identify, PrintsItsIterationsWhereThatIsAskedFor) {
   maker.add(MeasurementKind::kPosition, 12);
   writeMeasurements("readings.csv");

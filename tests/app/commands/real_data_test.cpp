@@ -1,5 +1,4 @@
-// Files of real arms, which are kept beside the repository on its developers' machines, are read; without them the
-// tests are skipped.
+// Tests that files of real arms are read. The files are not part of the repository; without them the tests are skipped.
 #include <fmt/format.h>
 
 #include <algorithm>

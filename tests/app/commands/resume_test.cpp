@@ -120,7 +120,7 @@ TEST_F(Resume, RefusesWhatIsNotThereOrDamaged) {
     expectSays(outcome.err, "progress.json");
     expectSays(outcome.err, "remove that file");
   }
-  // With the progress file of another request and without --resume, planning starts again and says so.
+  // Without --resume, the progress file of another request is discarded with a message, and planning starts again.
   (void)write("made/progress.json", memory);
   const Outcome anew = run(question + " --seed 8");
   EXPECT_EQ(anew.exit_code, 0) << anew.err;

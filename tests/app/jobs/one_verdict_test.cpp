@@ -17,8 +17,7 @@ namespace {
 
 using calibration::Measurement;
 
-/// Returns simulated measurements with the deliberate mistakes `of`, one or two applied in turn, as the program reads
-/// them from a table.
+/// Returns simulated measurements with one or two deliberate mistakes `of`, as the program reads them from a table.
 CellMeasurements spoiltMeasurements(const std::vector<calibration::Spoil>& of) {
   Cell cell = readCell((shippedCells() / "bench.yaml").string());
   auto measurements = calibration::spoiltCampaign(cell.arm, 3, of.front());

@@ -98,7 +98,7 @@ TEST_F(AtomicFile, folderIsOfOneProgramAtATime) {
     const std::string message = messageOf([&] { OutputFolder second(folder, "--out"); });
     expectSays(message, "another run of tubeplan (process " + std::to_string(::getpid()) + ") is writing to");
   }
-  // A killed program holds no lock, whatever files it left.
+  // The files that a killed program leaves do not lock the target.
   fs::create_directory(folder / ".tubeplan.1999999999.part");
   OutputFolder again(folder, "--out");
   again.write("a.txt", "a");

@@ -1,4 +1,4 @@
-// Invalid JSON and values of an unexpected type are refused with a message that states their position in the document.
+// Invalid JSON and values of an unexpected type are refused, and the message gives their position in the document.
 #include "app/storage/json_value.hpp"
 
 #include "tests/app/test_files.hpp"

@@ -1,4 +1,5 @@
-// Over a real socket, a request that the access rules refuse stays refused, whatever bytes follow on the connection.
+// Tests over a real socket that a request refused by the access rules stays refused, regardless of the bytes that
+// follow on the connection.
 #include "tests/app/workbench/raw_connection.hpp"
 #include "tests/app/workbench/running_server.hpp"
 

@@ -54,7 +54,7 @@ TEST(Jobs, areNewerWithEveryChange) {
   const auto moment = [&] { return jobs.list().back()["moment"].get<std::uint64_t>(); };
   const std::uint64_t running = moment();
   EXPECT_GT(running, begun.job["moment"].get<std::uint64_t>());
-  const std::uint64_t asked = events.moment();  // the moment that an answer prepared now would state
+  const std::uint64_t asked = events.moment();  // the moment that an answer would contain now
   EXPECT_GE(asked, running);
   const auto stopping = (*jobs.cancel(begun.job["id"]))["moment"].get<std::uint64_t>();
   EXPECT_GT(stopping, asked);

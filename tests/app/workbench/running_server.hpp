@@ -43,7 +43,7 @@ class RunningServer {
   std::thread serving_;
 };
 
-/// Job that runs until it is released, so that what is refused beside a running job is tested without a race.
+/// Job that runs until it is released. Tests of calls that are refused during a job thereby have no race.
 class HeldJob {
  public:
   explicit HeldJob(Workbench& workbench) {

@@ -39,7 +39,7 @@ TEST(Session, OldDocumentsOfOtherModelsGiveWayToNewOnes) {
 
 class KeptSession : public FolderTest {};
 
-/// Results in a project of an earlier version are read with the present names of their keys and the present sign of
+/// Results in a project of an earlier version are converted to the current names of their keys and the current sign of
 /// errors.
 TEST_F(KeptSession, ResultsOfAnEarlierProgramAreReadFromItsProjects) {
   Session session;

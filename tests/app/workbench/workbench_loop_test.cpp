@@ -10,7 +10,7 @@ using nlohmann::json;
 
 class WorkbenchLoop : public WorkbenchTest {
  protected:
-  /// Returns a document written by a command, without version and inputs.
+  /// Returns a document written by a command, without the keys `version` and `inputs`.
   [[nodiscard]] json written(const std::string& name) const {
     json document = json::parse(contentOf(folder / name));
     document.erase("version");

@@ -112,7 +112,7 @@ TEST(NextMeasurements, CovarianceIsThatOfGeneralisedLeastSquaresByDifferences) {
     const auto& number = next.numbers[static_cast<std::size_t>(k)];
     EXPECT_NEAR(number.after, number.value * std::sqrt(covariance(k, k)), 1e-4 * number.after);
     EXPECT_NEAR(number.now, number.value,
-                1e-9 * number.value);  // before any measurement, the sigma is that of the prior
+                1e-9 * number.value);  // before any measurement, sigma is the standard deviation of the prior
     EXPECT_FALSE(number.is_identifiable_now);
   }
 }

@@ -17,8 +17,8 @@ Diagnosis diagnosisOf(const app::Cell& cell, const std::vector<Measurement>& mea
   return diagnose(benchStart(cell, measurements), measurements, options);
 }
 
-/// Adds an error to the last joint that depends on its previous position. On average the error is a wave in the joint's
-/// angle; the rest depends on nothing that a measurement states.
+/// Adds an error to the last joint that depends on its previous position. On average the error is periodic in the joint
+/// angle; the rest does not depend on any value of the measurement.
 std::vector<Measurement> withMemory(std::vector<Measurement> measurements, double size) {
   double before = measurements.front().q[3];
   for (Measurement& measurement : measurements) {

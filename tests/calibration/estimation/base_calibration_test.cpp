@@ -1,4 +1,5 @@
-// Base calibration from touches must recover the true base, state regions that contain it, and refuse wrong touches.
+// Base calibration from touches must recover the true base, give confidence regions that contain it, and refuse wrong
+// touches.
 #include <gtest/gtest.h>
 
 #include <algorithm>

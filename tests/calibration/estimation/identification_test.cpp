@@ -169,7 +169,7 @@ PlacedArm rigidCobra() {
 const std::vector<std::string> kOffsets{"latch-link.joint.offset", "forearm.joint.offset", "tool.joint.offset"};
 
 /// Returns the measurements with gross errors of length `size` [m] added to those with the indices `which`, in three
-/// directions in turn.
+/// alternating directions.
 std::vector<Measurement> spoilt(std::vector<Measurement> measurements, const std::vector<std::size_t>& which,
                                 double size) {
   const Eigen::Vector3d ways[] = {{1, 0, 0}, {0, 0.6, -0.8}, {-0.6, 0.8, 0}};
@@ -213,7 +213,7 @@ TEST(Outliers, CleanMeasurementsHaveNone) {
 }
 
 // If the stated noise is too small by a factor of eight everywhere, all measurements fit equally badly, and none may be
-// named an outlier.
+// reported as an outlier.
 TEST(Outliers, AMisfitEverywhereIsNoOutlier) {
   PlacedArm start = rigidCobra();
   for (auto& row : start.arm.rows) row.joint.encoder_sigma /= 8;

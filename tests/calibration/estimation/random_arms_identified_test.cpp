@@ -11,7 +11,7 @@ namespace {
 
 using namespace deflection;
 
-/// Returns noise-free measurements of the tip position at random postures, under three loads in turn.
+/// Returns noise-free measurements of the tip position at random postures, under three alternating loads.
 std::vector<Measurement> exactMeasurements(const Arm& arm, int count) {
   std::vector<Measurement> measurements;
   for (int k = 0; k < count; ++k) {

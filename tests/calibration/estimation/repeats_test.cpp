@@ -45,7 +45,7 @@ TEST(Repeats, ExcuseAModelUpToTheirBoundOnly) {
 }
 
 // If each of two reflectors on the tool is measured twice at each posture, only measurements of the same reflector at
-// the same posture must count as repeats.
+// the same posture must be treated as repeats.
 TEST(Repeats, AreOfOnePlaceOnTheTool) {
   auto measurements = makeCampaign(deflection::cobraArm(), 4);
   measurements.resize(3);
@@ -62,7 +62,7 @@ TEST(Repeats, AreOfOnePlaceOnTheTool) {
 }
 
 // If one measurement has the joint readings of the row before, so that two measurements at one posture are far apart,
-// the scatter must not count as noise, and the model must be judged inadequate.
+// the scatter must not be treated as noise, and the model must be judged inadequate.
 TEST(Repeats, AStaleRowIsNotNoise) {
   auto measurements = makeCampaign(deflection::cobraArm(), 4);
   measurements[20].q = measurements[19].q;

@@ -75,7 +75,7 @@ TEST(GravityDirection, IsFoundWhereItIsOblique) {
 }
 
 // If the base is unknown, exchanged axes can turn it to within 45 degrees of any direction. Oblique gravity is
-// nevertheless named in at least five of six cases, since it fits better.
+// nevertheless named in at least five of six cases, because it fits better.
 TEST(GravityDirection, IsFoundWhereItIsObliqueAndTheBaseUnknown) {
   int named = 0;
   for (const double lean : {75., 120.})

@@ -94,8 +94,8 @@ TEST(JointLimits, AMeasurementAHairPastIsTakenAndSaidSo) {
   EXPECT_THROW((void)readUnwound(*other, raised(0.3)), app::InputError);
 }
 
-// A file is refused if one turn does not bring all readings of a joint within its limits, since its encoder then
-// does not count from 0 to 360 deg.
+// A file is refused if one turn does not bring all readings of a joint within its limits, because its encoder then does
+// not count from 0 to 360 deg.
 TEST(JointLimits, AJointWithAMeasurementThatNoTurnBringsBackIsRefused) {
   auto set = simulatedSet("bench.yaml", "bench", 30, {}, 3);
   ASSERT_TRUE(set);

@@ -20,7 +20,7 @@ void countPulses(SeededSet& set, const std::vector<int>& joints, const std::vect
 }
 
 // The scales are found in at least three quarters of the sets. In the others, all of them may have the wrong sign,
-// since an arm with all signs reversed fits with another base.
+// because an arm with all signs reversed fits with another base.
 TEST(ScalesTogether, OfSeveralJointsAreNamed) {
   int made = 0, mended = 0;
   std::string found;

@@ -114,8 +114,8 @@ inline Made coordinateInMillimetresWithSigma(SeededSet& s, SeededRandom& random)
   }
   return mend;
 }
-/// Draws a run of measurements that extends to the end of the table, as of a file appended to another. Returns the
-/// index of its first measurement and its name "FIRST..LAST".
+/// Draws a run of measurements that extends to the end of the table, as if one file had been appended to another.
+/// Returns the index of its first measurement and its name "FIRST..LAST".
 inline std::pair<std::size_t, std::string> drawnEnd(const SeededSet& set, SeededRandom& random) {
   const auto& measurements = set.table.measurements;
   const int count = static_cast<int>(measurements.size());
@@ -269,7 +269,7 @@ inline Made shiftedFromAPoint(SeededSet& s, SeededRandom& random) {
   if (by < 0) measurements.pop_back();
   return "shift=" + std::to_string(by) + "@" + measurements[static_cast<std::size_t>(first)].id;
 }
-/// Shifts the names of all holes by one row or column; only for a known base, since an unknown base would absorb the
+/// Shifts the names of all holes by one row or column; only for a known base, because an unknown base would absorb the
 /// shift.
 inline Made holesOff(SeededSet& s, SeededRandom& random) {
   if (!areHoles(s) || !s.cell.base_known) return std::nullopt;
@@ -399,7 +399,7 @@ inline std::optional<SeededStep> drawnStep(const SeededSet& s, SeededRandom& ran
 inline double drawnTimes(SeededRandom& random) { return 10 * std::pow(10., drawnBetween(0, 2, random)); }
 
 /// Lets a joint lose encoder counts at a drawn measurement: as many as displace the tip by the drawn distance on
-/// average. The last joint is excluded, since its lost counts would look like a tool mounted elsewhere.
+/// average. The last joint is excluded, because its lost counts would look like a tool mounted elsewhere.
 inline Made zeroFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   const auto step = drawnStep(s, random, times_noise);
   if (!step) return std::nullopt;
@@ -432,7 +432,7 @@ inline Made tipFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   by /= s.table.units.coordinates.factor;
   return fmt::format("tip={:.5g}:{:.5g}:{:.5g}@{}", by[0], by[1], by[2], step->from);
 }
-/// Displaces the tracker at a drawn measurement, and removes the times of all measurements, since with times the
+/// Displaces the tracker at a drawn measurement, and removes the times of all measurements, because with times the
 /// displacement would be an effect of the catalogue.
 inline Made baseFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   const auto step = drawnStep(s, random, times_noise);

@@ -34,8 +34,8 @@ inline const SeededMistake& seededMistake(const std::string& label) {
 }
 
 /// Returns clean measurements with the pair of mistakes of this number; empty if the set does not allow the pair, or if
-/// both mistakes are of one kind. Zeros of the last joint are excluded, since for tip positions they are equivalent to
-/// a tool mounted elsewhere.
+/// both mistakes are of one kind. Zeros of the last joint are excluded, because for tip positions they are equivalent
+/// to a tool mounted elsewhere.
 inline std::optional<SeededPair> seededPair(std::uint64_t number) {
   SeededRandom random(number * 977 + 11);
   const auto& labels = pairedMistakes();

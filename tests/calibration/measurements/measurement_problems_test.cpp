@@ -66,7 +66,7 @@ TEST(MeasurementProblems, FewerNumbersThanAreFree) {
   EXPECT_FALSE(findMeasurementProblem(maker.measurements, unknownsOf(kTwo)));
 }
 
-// If parameters of the geometry outnumber the measured values, the measurements are accepted, since only the
+// If parameters of the geometry outnumber the measured values, the measurements are accepted, because only the
 // combinations that they determine are fitted.
 TEST(MeasurementProblems, GeometryMayOutnumberTheMeasurements) {
   MeasurementMaker maker(cobra(), 5);

@@ -40,8 +40,8 @@ TEST(RowCampaigns, ASimulatedPostureIsReadOnEveryRowUnderEveryLoad) {
   EXPECT_EQ(simulate(truth, design, 60).status, CampaignStatus::kRefused);
 }
 
-/// Returns the diagnosis of tilts read on the listed rows, or on the tool if none is listed, for an arm with a hidden
-/// effect.
+/// Returns the diagnosis of an arm with a hidden effect from tilts measured on the listed rows, or on the tool if the
+/// list is empty.
 Diagnosis diagnosisOfTilts(const deflection::Arm& arm, const std::string& effect, const std::string& at,
                            const std::vector<double>& values, const std::vector<const char*>& rows,
                            std::uint64_t seed) {

@@ -149,7 +149,7 @@ TEST(Effects, AwayFromNeutralEachDoesSomething) {
   std::mt19937_64 random(22);
   for (const Arm& arm : effectArms()) {
     for (const Effect& neutral : allEffects(arm)) {
-      // The loads on a straight tool act on its own line and do not twist it; its torsion therefore has no effect.
+      // The loads on a straight tool act along its axis and do not twist it, so its torsional compliance has no effect.
       const std::string name = effectKinds()[neutral.kind].name;
       if (name == "link-torsion" && neutral.place.row + 1 == static_cast<int>(arm.rows.size())) continue;
       Arm one = arm;
@@ -185,7 +185,7 @@ TEST(Effects, TheirOrderDoesNotMatter) {
   }
 }
 
-/// Returns the effect expressed in a base frame whose axes are rotated by the inverse of R; nothing if the effect
+/// Returns the effect expressed in a base frame whose axes are rotated by the inverse of R; std::nullopt if the effect
 /// refers to the base's z axis.
 std::optional<Effect> turned(Effect effect, const Eigen::Matrix3d& R) {
   const std::string name = effectKinds()[effect.kind].name;

@@ -115,8 +115,8 @@ TEST(DeflectionTravel, BoundsEachElementsOwnPart) {
     }
 }
 
-/// A horizontal prismatic joint with a compliant bar or bearing moves points by no more than the bound, apart from the
-/// travel along the end of the bent bar.
+/// A horizontal prismatic joint with a compliant bar or bearing moves points by no more than the bound, plus the travel
+/// along the end of the bent bar.
 TEST(DeflectionTravel, BoundsWhatASlideGains) {
   for (const bool bar_bends : {true, false}) {
     Workcell cell = testing::rigid(testing::mockup("column.yaml"));

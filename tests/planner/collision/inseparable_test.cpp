@@ -1,4 +1,5 @@
-// Bodies that no posture separates are listed and not checked; all other bodies more than one joint apart are checked.
+// Tests that bodies which touch in every posture are listed and not checked, and that all other bodies more than one
+// joint apart are checked.
 #include "planner/collision/inseparable.hpp"
 
 #include <gtest/gtest.h>

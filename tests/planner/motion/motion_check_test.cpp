@@ -105,7 +105,7 @@ TEST(CheckMotion, NoThinPlateIsSteppedOver) {
     EXPECT_EQ(result.tightest.other, "plate");
     if (trial < 30 && leastSampled(q0, q1, clearance_of, 10000) >= 0) ++missed_by_steps;
   }
-  EXPECT_GT(missed_by_steps, 10);  // otherwise sampling would find all plates, and the test would show nothing
+  EXPECT_GT(missed_by_steps, 10);  // if sampling found all plates, the test would show nothing
 }
 
 /// Random motions among obstacles: no motion in which fine sampling finds contact is "free", and no motion with ample
@@ -192,7 +192,8 @@ TEST(CheckMotion, AsksForTheMiddlesOfHalvesTooWhereTheyWillBeNeeded) {
     const auto result = checkMotion(posture(0, 0, 0), posture(1, 0, 0), allAtOnce(even, asked), travel);
     EXPECT_EQ(result.status, MotionCheckStatus::kFree);
     EXPECT_EQ(result.checks, is_far ? 9 : 5);
-    EXPECT_EQ(asked, is_far ? 3 : 2);       // for the ends; the middle and quarter points; the eighth points
+    // One call each for the ends, the middle and quarter points, and the eighth points.
+    EXPECT_EQ(asked, is_far ? 3 : 2);
     EXPECT_EQ(alone_asked, result.checks);  // no posture is evaluated twice or needlessly
   }
 }

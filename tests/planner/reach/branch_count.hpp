@@ -21,7 +21,7 @@ struct BranchCount {
   long brute = 0;      ///< distinct postures from the random starts that are within the limits
   long missed = 0;     ///< postures of `brute` that the search does not find
   long branches = 0;   ///< usable branches of the flexible arm
-  long wrong = 0;      ///< those of `branches` whose tip misses the goal, or that exceed the limits or the tilt
+  long wrong = 0;      ///< number of `branches` that miss the goal or exceed the joint limits or the tilt
   int without = 0;     ///< goals that random starts reach within the allowed tilt but the search does not
   double seconds = 0;  ///< processor time for all branches of all goals of the flexible arm [s]
 
@@ -140,7 +140,7 @@ inline BranchCount countBranches(const Workcell& cell, std::span<const Eigen::Ve
 }
 
 /// Returns a cell with a random arm of `joints` joints, with any geometry, limits and base; joint `slide` is prismatic
-/// (-1: none).
+/// (-1 if none).
 inline Workcell drawnArm(int joints, int slide, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const auto angle = [&](double most) { return uniform(generator, -most, most); };

@@ -150,8 +150,8 @@ Workcell withOtherSolids(Workcell cell) {
   return cell;
 }
 
-/// The smallest margin must be that of the boxes and cylinders themselves, not the smaller one of the capsules around
-/// them.
+/// The smallest margin must be computed for the boxes and cylinders themselves, not for the capsules around them, for
+/// which it is smaller.
 TEST_P(ByOtherMeans, TheLeastMarginOfOtherSolidsIsTheCollisionWorlds) {
   const Workcell cell = withOtherSolids(mockup());
   const CollisionWorld world(cell.scene);

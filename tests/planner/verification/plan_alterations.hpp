@@ -53,8 +53,8 @@ inline std::size_t firstRowOf(const StatedPlan& plan, int segment) {
 
 inline Vector3d direction(Generator& generator) { return uniformPose(generator, 1).linear().col(0); }
 
-/// Alteration that breaks a rule; `apply` returns false if it happens to break none, and the alteration then does not
-/// count.
+/// Alteration that breaks a rule. `apply` returns false if no rule happens to be broken; the alteration is then
+/// ignored.
 struct Alteration {
   const char* name;
   bool (*apply)(Work& work, Generator& generator);

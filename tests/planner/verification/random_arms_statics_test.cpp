@@ -18,7 +18,7 @@ RC_GTEST_PROP(SegmentedStatics, AgreesWithTheFlexibleKinematicsOfRandomArms, ())
   const auto shape = solveFlexibleKinematics(arm, posture);
   RC_PRE(isModest(arm, shape));
   SegmentedStaticsOptions options;
-  options.pieces = 256;  // fine pieces, since each lumped weight hangs from the end of its piece
+  options.pieces = 256;  // many pieces, because each weight acts at the end of its piece instead of along it
   const auto other = solveSegmentedStatics(arm, posture, options);
   RC_ASSERT(other.status == SegmentedStaticsStatus::kConverged);
   const double sag = (shape.X_BD.p - shape.X_BT.p).norm();

@@ -1,4 +1,4 @@
-// A plan in the form in which plan files state it.
+// A plan in the form of a plan file.
 #pragma once
 
 #include "planner/verification/plan_checks.hpp"

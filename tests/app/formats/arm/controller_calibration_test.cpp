@@ -78,7 +78,7 @@ TEST(ControllerCalibration, anArmThatItIsNotOfIsRefused) {
        "does not have both `dh` and a revolute joint"},
   };
   for (const auto& [from, to, says] : kWrong) {
-    // A row without a revolute joint must state theta.
+    // A row that is not a revolute joint must have the key theta.
     std::string text = changed(kNominal, from, to);
     if (text.find("name: q4") == std::string::npos) text = changed(text, "d: 170}", "d: 170, theta: 0}");
     if (text.find("prismatic") != std::string::npos) text = changed(text, "d: 170}", "d: 170, theta: 0}");

@@ -16,7 +16,8 @@ namespace {
 
 class CellReader : public FolderTest {
  protected:
-  /// Writes the mock-up cell with one piece of text changed, beside a copy of its arm; returns the path.
+  /// Writes the mock-up cell with one piece of text changed, and a copy of its arm to the same folder; returns the
+  /// path.
   std::string mockupWith(const std::string& from, const std::string& to) const {
     std::filesystem::copy_file(shippedCells() / "cobra-arm.yaml", folder / "cobra-arm.yaml",
                                std::filesystem::copy_options::overwrite_existing);

@@ -1,4 +1,4 @@
-// Tests of cells whose scene names a mesh: measurement, refusals, writing, planning and verification.
+// Tests of cells with meshes in the scene: distances, refusals, writing, planning and verification.
 #include <nlohmann/json.hpp>
 
 #include "app/formats/cell/cell_writer.hpp"

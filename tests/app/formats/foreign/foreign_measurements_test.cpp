@@ -155,7 +155,7 @@ TEST_F(ForeignMeasurementsTest, takesTablesWithoutNamesRowByRow) {
             std::string::npos);
 }
 
-// Every column of a measurement table must be known to the reader of foreign tables, since others would be lost.
+// Every column of a measurement table must be known to the reader of foreign tables, because others would be lost.
 TEST_F(ForeignMeasurementsTest, aMeasurementTableComesOutAsItIs) {
   const std::string text =
       contentOf(std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "tests/fuzz/corpus/measurements/all.csv");
@@ -274,7 +274,8 @@ TEST_F(ForeignMeasurementsTest, NumbersThatNobodyKnowsMakeNoTouches) {
       {parseForeignTable(named[0].text, "points"), parseForeignTable(kLog, "log")}, {{}, {}}, "touch"};
   touches.choice.units.emplace(UnitKind::kAngle, findUnitWord("deg"));
   EXPECT_EQ(readForeign(touches, cell.arm).origins.size(), 2u);
-  // The positions of holes are known, so measurements at holes must be touches, even beside an unknown column.
+  // The positions of holes are known, so measurements at holes must be touches, even if the table has an unknown
+  // column.
   EXPECT_EQ(read({{"log", "Hole,J1,J2,J3,J4,Probe\nR1C1,10,45,-35,12,3\n"}}, {}, {"deg"}).origins.size(), 1u);
 }
 
@@ -314,7 +315,7 @@ TEST_F(ForeignMeasurementsTest, ClockTimesAreSecondsFromTheFirst) {
   EXPECT_NE(messageOf([&] { (void)with("10:00:00", "noon"); }).find("noon"), std::string::npos);
 }
 
-// A time without a date that is earlier than the previous one by half a day or more must count as the next day; every
+// A time without a date that is earlier than the previous one by half a day or more must belong to the next day; every
 // midnight must give one remark.
 TEST_F(ForeignMeasurementsTest, ClocksPassMidnight) {
   struct Shift {

@@ -160,7 +160,8 @@ TEST_F(HourAngles, AreTakenWhereTheyCanOnlyBeOne) {
   }
 }
 
-// A factor of -1 does not state a unit, so hour angles that may be hours or degrees must be refused with it, too.
+// A factor of -1 does not state a unit, so hour angles that may be hours or degrees must also be refused with this
+// factor.
 TEST_F(HourAngles, AreRefusedWithAnotherSignToo) {
   const auto turned = request("ha_deg", {"1.5", "11"}, {"ha=ha_deg*-1"});
   EXPECT_NE(messageOf([&] { (void)readForeign(turned, mount); }).find("--column ha_h="), std::string::npos);

@@ -191,11 +191,12 @@ TEST_F(WrittenFormsTest, NumbersAndNeighboursDecide) {
   const std::string message = refusal(tableOf({"Rx", "Ry", "Rz"}, {{170, 30, 160}}), inUnits("deg"), "orientation");
   EXPECT_EQ(message.find("--orientation rotation-vector"), std::string::npos) << message;
   EXPECT_NE(message.find("--orientation euler-xyz"), std::string::npos) << message;
-  // Joint names of KUKA beside A, B, C show that these are Euler angles; joint names of the Universal Robots pendant
-  // beside Rx, Ry, Rz show that these are a rotation vector.
+  // Joint names of KUKA with A, B, C show that these are Euler angles; joint names of the Universal Robots pendant with
+  // Rx, Ry, Rz show that these are a rotation vector.
   as("A1 [deg],A2 [deg],A3 [deg],A4 [deg],A,B,C\n10,45,-35,12,20,30,40\n", "euler-zyx");
   as(tableOf({"Wrist 1", "Rx", "Ry", "Rz"}, {{5, 20, 30, 40}}), "rotation-vector");
-  // Columns q1 to q4 are a quaternion beside other joint columns; alone they are joints, so no orientation is found.
+  // Columns q1 to q4 are a quaternion if there are other joint columns; alone they are joints, so no orientation is
+  // found.
   as(tableOf({"q1", "q2", "q3", "q4"}, {{0.5, 0.5, 0.5, 0.5}}), "quaternion");
   EXPECT_NE(refusal("q1,q2,q3,q4\n0.5,0.5,0.5,0.5\n", inUnits("rad"), "orientation").find("orientation"),
             std::string::npos);
@@ -224,7 +225,7 @@ TEST_F(WrittenFormsTest, PosesHaveBoth) {
   EXPECT_EQ(pose.kind, calibration::MeasurementKind::kPose);
   EXPECT_LT((*pose.p_W - Eigen::Vector3d(0.001, 0.002, 0.003)).norm(), 1e-12);
   EXPECT_LT((pose.own - Eigen::Vector3d(20, 30, 40) * pi / 180).norm(), 1e-9);
-  // Without --kind the measurements must be positions, and a remark must say that the orientation is left out.
+  // Without --kind the measurements must be positions, and a remark must say that the orientation is ignored.
   const auto position = read(text, inUnits("deg"), "");
   EXPECT_NE(position.text.find("position"), std::string::npos);
   EXPECT_TRUE(std::ranges::any_of(position.left_out,

@@ -154,7 +154,8 @@ TEST_F(MeshReader, PolygonsAreCutAndOtherFilesAreLeftAlone) {
 }
 
 TEST_F(MeshReader, APolygonThatPointsInwardsIsCutFromACornerThatSeesAllOthersOrRefused) {
-  // An arrowhead must be divided from the corner that sees all others; a comb, which has none, must be refused.
+  // An arrowhead must be divided into triangles from the corner from which all others are visible. A comb has no such
+  // corner and must be refused.
   const auto arrow = readMeshFile(write("arrow.obj", "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nf 1 2 3 4\n")).mesh;
   EXPECT_NEAR(areaOf(arrow), 1, 1e-6);
   const auto comb = write("comb.obj",

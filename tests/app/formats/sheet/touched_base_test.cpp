@@ -11,7 +11,7 @@
 namespace tubeplan::app {
 namespace {
 
-/// Two texts of a cell: one with each key on a line of its own, and one with the keys within braces.
+/// Two texts of a cell: one with each key on a separate line, and one with the keys in braces.
 class TouchedBases : public FolderTest {
  protected:
   TouchedBases() {

@@ -23,7 +23,8 @@ namespace {
 using deflection::Arm;
 using Eigen::Isometry3d, Eigen::Vector3d;
 
-/// Makes random robots with everything that a URDF may contain besides kinematics, in different notations.
+/// Makes URDF texts of random robots that contain all elements of the format, not only kinematics, in different
+/// notations.
 class RobotMaker {
  public:
   explicit RobotMaker(int seed) : random_(static_cast<unsigned>(seed)) {}

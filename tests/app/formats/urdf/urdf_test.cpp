@@ -218,7 +218,7 @@ TEST(Urdf, SolidsThatStandStillAreLeftOutInWords) {
   expectSays(read.left_out[0], "base, which stands still");
 }
 
-// A link must be read completely or be refused, unless a sentence in `left_out` says what is not read.
+// A link must be read completely or refused; the only exceptions are those listed in `left_out`.
 TEST(Urdf, NothingOfALinkIsLostUnsaid) {
   for (const std::string& harmless :
        {std::string(kMass) + kBox,
@@ -400,7 +400,7 @@ TEST(Urdf, LimitsAndAxesAreReadOrRefused) {
   expectSays(refusalOf(changed(flangeUrdf(), "rpy=\"0 1.5 0.5\"", "quat_xyzw=\"0 0 0 1\"")), "quat_xyzw");
 }
 
-// Settings of a joint's controller must be reported as left out, and the arm must have the hard limits.
+// Settings of a joint's controller must be reported as ignored, and the arm must have the hard limits.
 TEST(Urdf, WhatControllersAreToldIsSaid) {
   const std::string joint =
       "<limit lower=\"-2\" upper=\"2\" effort=\"1\" velocity=\"1\"/><calibration rising=\"0.25\"/>"

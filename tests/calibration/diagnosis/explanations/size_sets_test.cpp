@@ -92,7 +92,7 @@ std::vector<Measurement> countsAtPredictedTips(const app::Cell& cell, int visits
   return measurements;
 }
 
-// All slips whose length lies between two tolerances give the same step counts, whatever their horizontal direction.
+// All slips whose length is between two tolerances give the same step counts, regardless of their horizontal direction.
 // The diagnosis must report the range of all these slips, and that the offset in a camera image would decide between
 // them.
 TEST(SizeSets, OfEqualCountsAreARing) {

@@ -114,7 +114,7 @@ TEST(Decide, CausesBeyondThoseOfAMoreProbableClassCountToIt) {
   const Diagnosis both = decided(posteriorWith(0.05, {classOf({1, 2}, 0.5), classOf({1}, 0.4)}));
   EXPECT_EQ(both.verdict, Verdict::kAmbiguous);
   EXPECT_EQ(alternativesOf(both), (Names{"1+2", "1"}));
-  // For the class {1}, what the added cause 2 or 3 would explain must count as unexplained.
+  // If the class {1} is chosen, the part that an added cause 2 or 3 would explain must be reported as unexplained.
   EXPECT_EQ(decided(posteriorWith(0, {classOf({1}, 0.4, 0), classOf({1, 2}, 0.39), classOf({1, 3}, 0.2)})).verdict,
             Verdict::kUnexplained);
   Posterior others = posteriorWith(0, {classOf({1}, 0.5), classOf({2}, 0.25)});
@@ -134,7 +134,7 @@ TEST(Decide, ListsAlternativesUntilTheyAreCredibleTogether) {
   EXPECT_EQ(alternativesOf(decided(posteriorWith(0.05, {classOf({1}, 0.6), classOf({2}, 0.25), classOf({3}, 0.1)}))),
             (Names{"1", "2", "3"}));
   // The first class has 0.7 of 0.752, less than the credible fraction. Classes with less than a fiftieth of 0.7 must
-  // still be left out, except the second, because a single class would not be ambiguous.
+  // still be omitted, except the second, because a single class would not be ambiguous.
   const auto first_and_four = [](double each) {
     std::vector<ModelClass> classes{classOf({1}, 0.7)};
     for (int k = 2; k < 6; ++k) classes.push_back(classOf({k}, each));
