@@ -65,6 +65,13 @@ auto valueOf(const Table& table, std::string_view name) -> std::optional<decltyp
 }
 
 template <class Table>
+auto listValues(const Table& table) {
+  std::vector<decltype(table.front().value)> values;
+  for (const auto& row : table) values.push_back(row.value);
+  return values;
+}
+
+template <class Table>
 std::string listNames(const Table& table) {
   std::vector<std::string_view> names;
   for (const auto& row : table) names.push_back(row.name);
@@ -92,11 +99,8 @@ std::string_view legWords(Leg leg) { return wordsOf(kLegs, leg); }
 std::string_view viewedFromWords(ViewedFrom side) { return wordsOf(kSides, side); }
 std::string_view tubeStateWords(TubeState state) { return wordsOf(kStates, state); }
 
-std::vector<TubeState> tubeStates() {
-  std::vector<TubeState> states;
-  for (const auto& row : kStates) states.push_back(row.value);
-  return states;
-}
+std::vector<Leg> legs() { return listValues(kLegs); }
+std::vector<TubeState> tubeStates() { return listValues(kStates); }
 
 std::optional<Leg> findLeg(std::string_view name) {
   const std::string plain = plainName(name);

@@ -52,7 +52,8 @@ struct RowAndColumn {
 [[nodiscard]] std::string_view viewedFromWords(ViewedFrom side);
 [[nodiscard]] std::string_view tubeStateWords(TubeState state);
 
-/// Returns all tube states, in the order of TubeState.
+/// Return all legs and all tube states, in the order of their enumerations.
+[[nodiscard]] std::vector<Leg> legs();
 [[nodiscard]] std::vector<TubeState> tubeStates();
 
 /// Return the value with the given name; std::nullopt if the name is unknown. A leg may also be written HL, CL or "Hot

@@ -67,7 +67,7 @@ std::string pathFrom(const YamlNode& node, const std::string& folder) {
 /// Reads the legs of a steam generator: one cell each, or the word `mirrored` for the mirror image of the other.
 std::vector<JobLeg> readLegs(const YamlNode& node, const std::string& folder) {
   std::vector<JobLeg> legs;
-  for (const Leg leg : {Leg::kHot, Leg::kCold, Leg::kFull})
+  for (const Leg leg : tubesheets::legs())
     if (const YamlNode* cell = node.find(tubesheets::legName(leg))) {
       const bool is_mirrored = cell->text() == kMirrored;
       legs.push_back({leg, is_mirrored ? "" : pathFrom(*cell, folder), is_mirrored});
@@ -85,7 +85,9 @@ std::vector<JobLeg> readLegs(const YamlNode& node, const std::string& folder) {
 }
 
 SteamGenerator readGenerator(const YamlNode& node, const std::string& folder) {
-  node.expectKeys({"name"}, {"hot", "cold", "full", "states"});
+  std::vector<std::string> keys{"states"};
+  for (const Leg leg : tubesheets::legs()) keys.emplace_back(tubesheets::legName(leg));
+  node.expectKeys({"name"}, keys);
   SteamGenerator generator{readPlainName(node.at("name")), readLegs(node, folder), ""};
   if (const YamlNode* states = node.find("states")) generator.states = pathFrom(*states, folder);
   return generator;
