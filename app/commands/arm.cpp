@@ -1,7 +1,6 @@
 // `tubeplan arm`: imports arms from URDF or a controller's calibration, exports them to URDF or to rows of another
 // convention, and shows an arm file for checking.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
+#include "app/commands/action_options.hpp"
 #include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/documents/arm_drawing.hpp"
@@ -208,33 +208,18 @@ int exportArm(const ArmOptions& options) {
   return options.convention.empty() ? exportUrdf(options) : exportRows(options);
 }
 
-/// Throws InputError for an option of another action, because the option would have no effect.
-void requireOptionsOf(const ArmOptions& options) {
-  const std::string kinematics = options.is_kinematics ? "on" : "";
-  const std::string format = printsText({"", options.figures.format}) ? "" : options.figures.format;
-  const struct {
-    const char* name;
-    const std::string& value;
-    std::vector<std::string_view> actions;
-  } own[] = {{"--out", options.out, {"import", "export"}},
-             {"--into", options.into, {"export"}},
-             {"--cell", options.cell, {"import"}},
-             {"--nominal", options.nominal, {"import"}},
-             {"--convention", options.convention, {"export"}},
-             {"--kinematics", kinematics, {"export"}},
-             {"--svg", options.svg, {"show"}},
-             {"--json", options.figures.json, {"show"}},
-             {"--format", format, {"show"}}};
-  for (const auto& [name, value, actions] : own)
-    if (!value.empty() && std::ranges::find(actions, options.action) == actions.end())
-      throw InputError::saying(name,
-                               fmt::format("this is an option of `arm {}`, not of `arm {}`",
-                                           fmt::join(actions, "` or `arm "), options.action),
-                               "leave it out");
+/// Options that not all actions have.
+const std::vector<ActionOptions>& armActions() {
+  static const std::vector<ActionOptions> kActions{
+      {"import", {"--out", "--cell", "--nominal"}},
+      {"export", {"--out", "--into", "--convention", "--kinematics"}},
+      {"show", {"--svg", "--json", "--format"}},
+  };
+  return kActions;
 }
 
-int run(const ArmOptions& options) {
-  requireOptionsOf(options);
+int run(const ArmOptions& options, const CLI::App& cli) {
+  requireOptionsOf(cli, options.action, armActions());
   if (options.action == "show") return show(options);
   if (options.out.empty())
     throw InputError::saying("--out", "the option is missing",
@@ -275,7 +260,7 @@ Run configureArm(CLI::App& cli) {
   cli.add_option("--cell", options->cell, "import: write a cell with the arm and its solids too");
   cli.add_option("--svg", options->svg, "show: draw the arm from the side and from above");
   addFigures(cli, options->figures);
-  return [options] { return run(*options); };
+  return [options, &cli] { return run(*options, cli); };
 }
 
 }  // namespace tubeplan::app

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/cli/stop_signal.hpp"
+#include "app/commands/action_options.hpp"
 #include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/documents/plan_files.hpp"
@@ -155,67 +155,54 @@ int plan(const JobOptions& options) {
   return kDone;
 }
 
-/// One action of the command: its name, its text for --help, its options in addition to --json and --format, and its
-/// function.
-struct JobAction {
-  const char* name;
+/// One action of the command, with its words for --help and the function that runs it.
+struct JobAction : ActionOptions {
   const char* words;
-  std::vector<std::string> options;
   int (*run)(const JobOptions&);
 };
 
 const std::vector<JobAction>& jobActions() {
   static const std::vector<JobAction> kActions{
-      {"create", "makes the record from a job file", {"--out"}, create},
-      {"status", "shows the totals of all packages, and warnings", {}, status},
-      {"plan", "plans all that is left, and the schedule of the arms", {"--out", "--seed"}, plan},
-      {"next", "names the tube to visit next", {"--package", "--sg", "--leg"}, next},
-      {"confirm",
+      {{"create", {"--out"}}, "makes the record from a job file", create},
+      {{"status", {}}, "shows the totals of all packages, and warnings", status},
+      {{"plan", {"--out", "--seed"}}, "plans all that is left, and the schedule of the arms", plan},
+      {{"next", {"--package", "--sg", "--leg"}}, "names the tube to visit next", next},
+      {{"confirm", {"TUBE", "--package", "--read-back", "--position", "--by", "--at"}},
        "records which tube the tool is at",
-       {"TUBE", "--package", "--read-back", "--position", "--by", "--at"},
        confirm},
-      {"mark",
+      {{"mark", {"TUBE", "--package", "--as", "--by", "--at", "--reason", "--after"}},
        "records what became of a visit",
-       {"TUBE", "--package", "--as", "--by", "--at", "--reason", "--after"},
        mark},
-      {"undo", "undoes a mark, with the reason", {"--event", "--by", "--at", "--reason"}, undo},
-      {"log", "lists all events", {"--csv"}, log},
-      {"export", "writes a package of one leg as a work list", {"--package", "--sg", "--leg", "--csv"}, exportPackage},
+      {{"undo", {"--event", "--by", "--at", "--reason"}}, "undoes a mark, with the reason", undo},
+      {{"log", {"--csv"}}, "lists all events", log},
+      {{"export", {"--package", "--sg", "--leg", "--csv"}}, "writes a package of one leg as a work list", exportPackage},
   };
   return kActions;
 }
 
-/// Throws InputError for an option of another action, because the option would have no effect.
-void requireOptionsOf(const JobAction& action, const CLI::App& cli) {
-  const std::set<std::string> always{"ACTION", "FILE", "--json", "--format", "--help"};
-  for (const CLI::Option* option : cli.get_options()) {
-    const std::string name = option->get_lnames().empty() ? option->get_name() : "--" + option->get_lnames().front();
-    if (option->count() == 0 || always.contains(name) ||
-        std::ranges::find(action.options, name) != action.options.end())
-      continue;
-    throw InputError::saying(name, fmt::format("`job {}` does not have this option", action.name), "leave it out");
-  }
-}
-
 int run(const JobOptions& options, const CLI::App& cli) {
   checkFigures(options.figures);
+  requireOptionsOf(cli, options.action, {jobActions().begin(), jobActions().end()});
   for (const JobAction& action : jobActions())
-    if (options.action == action.name) {
-      requireOptionsOf(action, cli);
-      return action.run(options);
-    }
+    if (options.action == action.action) return action.run(options);
   throw std::logic_error("an action that its check let pass");
 }
 
 std::vector<std::string> actionNames() {
   std::vector<std::string> names;
-  for (const JobAction& action : jobActions()) names.emplace_back(action.name);
+  for (const JobAction& action : jobActions()) names.push_back(action.action);
+  return names;
+}
+
+std::vector<std::string> legNames() {
+  std::vector<std::string> names;
+  for (const tubesheets::Leg leg : tubesheets::legs()) names.emplace_back(tubesheets::legName(leg));
   return names;
 }
 
 std::string actionWords() {
   std::vector<std::string> words;
-  for (const JobAction& action : jobActions()) words.push_back(fmt::format("{}: {}", action.name, action.words));
+  for (const JobAction& action : jobActions()) words.push_back(fmt::format("{}: {}", action.action, action.words));
   return fmt::format("{}", fmt::join(words, "; "));
 }
 
@@ -236,7 +223,7 @@ Run configureJob(CLI::App& cli) {
   cli.add_option("--package", options->part.package,
                  "the package, where the tube is in several, or to see only this one");
   cli.add_option("--sg", options->part.generator, "next, export: only this steam generator");
-  cli.add_option("--leg", options->leg, "next, export: only this leg")->check(oneOf({"hot", "cold", "full"}));
+  cli.add_option("--leg", options->leg, "next, export: only this leg")->check(oneOf(legNames()));
   cli.add_option("--as", options->mark, "mark: " + markWords());
   cli.add_option("--by", options->entry.who, "the person who confirms, marks or undoes");
   cli.add_option("--reason", options->entry.reason, "why a tube is excluded, marked again or undone");
