@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "app/storage/input_error.hpp"
@@ -68,15 +67,19 @@ void requirePart(const JobFile& job, const JobPart& part) {
   requireName("--sg", part.generator, job.generators);
 }
 
-std::optional<JobItem> findNext(const std::vector<JobItem>& items, const JobPart& part) {
-  std::set<TubeAddress> plugged;
+std::vector<const JobItem*> itemsToVisit(const std::vector<JobItem>& items, const JobPart& part) {
+  const std::set<TubeAddress> plugged = pluggedEnds(items);
+  std::vector<const JobItem*> to_visit;
   for (const JobItem& item : items)
-    if (item.isPlugged()) plugged.insert(item.tube);
+    if (item.isDue() && part.has(item) && !plugged.contains(item.tube)) to_visit.push_back(&item);
+  return to_visit;
+}
+
+std::optional<JobItem> findNext(const std::vector<JobItem>& items, const JobPart& part) {
   const JobItem* queued = nullptr;
-  for (const JobItem& item : items) {
-    if (!part.has(item) || plugged.contains(item.tube)) continue;
-    if (item.standing() == ItemStanding::kOpen) return item;
-    if (item.standing() == ItemStanding::kQueued && (!queued || item.last_event < queued->last_event)) queued = &item;
+  for (const JobItem* item : itemsToVisit(items, part)) {
+    if (item->standing() == ItemStanding::kOpen) return *item;
+    if (!queued || item->last_event < queued->last_event) queued = item;
   }
   return queued ? std::optional(*queued) : std::nullopt;
 }

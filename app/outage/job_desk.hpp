@@ -20,9 +20,12 @@ struct JobPart {
 /// Throws InputError for a package or a steam generator that the job does not have; messages name the options.
 void requirePart(const JobFile& job, const JobPart& part);
 
-/// Return the next item to visit, among the items of JobStore::items() or of a record: the first open one, or else the
-/// queued one that has waited longest; nothing if no item of the part is open or queued. Tubes whose end was plugged in
-/// the meantime are passed over.
+/// Returns the items of the part that are to be visited, in their order: open or queued, and not at an end that was
+/// plugged in the meantime. Pointers are into `items`, which are all items of a record.
+[[nodiscard]] std::vector<const JobItem*> itemsToVisit(const std::vector<JobItem>& items, const JobPart& part);
+
+/// Return the next of itemsToVisit(): the first open one, or else the queued one that has waited longest; nothing if
+/// none is left.
 [[nodiscard]] std::optional<JobItem> findNext(const std::vector<JobItem>& items, const JobPart& part);
 [[nodiscard]] inline std::optional<JobItem> findNext(JobStore& store, const JobPart& part) {
   return findNext(store.items(), part);

@@ -1,6 +1,5 @@
 #include "app/outage/job_json.hpp"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/documents/figures_text.hpp"
@@ -33,11 +32,6 @@ json eventJson(const JobEvent& event) {
   return result;
 }
 
-int countLeft(const std::vector<JobItem>& items, const JobPart& part) {
-  return static_cast<int>(
-      std::ranges::count_if(items, [&](const JobItem& item) { return part.has(item) && item.isDue(); }));
-}
-
 constexpr TextLine kTotalsWords[] = {
     {"", "{job}\npackage          sg       leg    planned    done  excluded  unresolved  (open, queued, held)\n"},
     {"packages",
@@ -51,6 +45,8 @@ constexpr TextLine kTotalsWords[] = {
     {"shifts", "{date} {shift}: {done} done\n"},
     {"plugged_at_one_end",
      "warning: {} is plugged at this end only: plug the other end too, or check which tube it is\n"},
+    {"plugged_in_the_meantime",
+     "warning: {tube} is plugged, but the package {package} still has it to be visited: mark it excluded there\n"},
     {"wrong_tubes", "warning: at {tube} {who} found {found} ({at}): confirm the tube again before any tool enters\n"},
 };
 
@@ -70,8 +66,13 @@ constexpr TextLine kLogWords[] = {
 }  // namespace
 
 json totalsJson(const JobTotals& totals, const JobFile& job) {
-  json result = {{"job", job.name},         {"packages", json::array()},           {"total", countsJson(totals.all)},
-                 {"shifts", json::array()}, {"plugged_at_one_end", json::array()}, {"wrong_tubes", json::array()}};
+  json result = {{"job", job.name},
+                 {"packages", json::array()},
+                 {"total", countsJson(totals.all)},
+                 {"shifts", json::array()},
+                 {"plugged_at_one_end", json::array()},
+                 {"plugged_in_the_meantime", json::array()},
+                 {"wrong_tubes", json::array()}};
   for (const PackageTotal& total : totals.packages) {
     json row = countsJson(total.counts);
     row["package"] = total.package;
@@ -82,6 +83,8 @@ json totalsJson(const JobTotals& totals, const JobFile& job) {
   for (const ShiftTotal& shift : totals.shifts)
     result["shifts"].push_back({{"date", shift.date}, {"shift", shift.shift}, {"done", shift.done}});
   for (const TubeAddress& tube : totals.plugged_at_one_end) result["plugged_at_one_end"].push_back(addressText(tube));
+  for (const JobItem& item : totals.plugged_in_the_meantime)
+    result["plugged_in_the_meantime"].push_back({{"tube", addressText(item.tube)}, {"package", item.package}});
   for (const JobEvent& event : totals.wrong_tubes)
     result["wrong_tubes"].push_back(
         {{"tube", addressText(event.tube)}, {"found", event.value}, {"who", event.who}, {"at", event.at}});
@@ -108,7 +111,7 @@ json nextJson(JobStore& store, const JobPart& part) {
                  {"confirm", confirmationName(package.confirm)},
                  {"standing", standingName(item.standing())},
                  {"last_event", item.last_event},
-                 {"left", countLeft(items, part)},
+                 {"left", itemsToVisit(items, part).size()},
                  {"history", json::array()},
                  {"units", unitsJson(job.units)}};
   const TubeEnd end = store.endOf(item.tube);

@@ -10,14 +10,14 @@
 namespace tubeplan::app {
 
 /// Returns {job, packages: [{package, steam_generator, leg, planned, done, excluded, unresolved, open, queued, held,
-/// percent}], total, shifts: [{date, shift, done}], plugged_at_one_end: [ADDRESS], wrong_tubes: [{tube, found, who,
-/// at}]}.
+/// percent}], total, shifts: [{date, shift, done}], plugged_at_one_end: [ADDRESS],
+/// plugged_in_the_meantime: [{tube, package}], wrong_tubes: [{tube, found, who, at}]}.
 [[nodiscard]] nlohmann::json totalsJson(const JobTotals& totals, const JobFile& job);
 [[nodiscard]] std::string totalsText(const nlohmann::json& totals);
 
 /// Returns {tube, package, steam_generator, leg, row, column, x, y, tool, extent, confirm, standing, last_event, left,
-/// history: [EVENT], units}, with lengths in the job's units. `left` counts the open and queued items of the part.
-/// If nothing is left, `tube` is null and only `left` follows.
+/// history: [EVENT], units}, with lengths in the job's units. `left` counts the items of the part that are to be
+/// visited. If nothing is left, `tube` is null and only `left` follows.
 [[nodiscard]] nlohmann::json nextJson(JobStore& store, const JobPart& part);
 [[nodiscard]] std::string nextText(const nlohmann::json& next);
 

@@ -92,12 +92,13 @@ PackagePlan planPackage(JobStore& store, const Cell& cell, const std::vector<Job
 /// Returns the open and queued items of one leg, one list for each package, in the order of the packages.
 std::vector<std::vector<JobItem>> itemsToPlan(const std::vector<JobItem>& items, const JobSheet& sheet,
                                               const JobFile& job) {
+  const std::set<TubeAddress> plugged = pluggedEnds(items);
   std::vector<std::vector<JobItem>> by_package;
   for (const WorkPackage& package : job.packages) {
     std::vector<JobItem> of;
     for (const JobItem& item : items) {
       const bool is_to_do = item.isDue() || (!item.mark && !item.unreachable.empty());
-      if (is_to_do && item.package == package.name && item.tube.generator == sheet.generator &&
+      if (is_to_do && !plugged.contains(item.tube) && item.package == package.name && item.tube.generator == sheet.generator &&
           item.tube.leg == sheet.leg.leg)
         of.push_back(item);
     }

@@ -97,6 +97,13 @@ bool JobItem::isDue() const { return standing() == ItemStanding::kOpen || standi
 
 bool JobItem::isPlugged() const { return mark && mark->state == tubesheets::TubeState::kPlugged; }
 
+std::set<TubeAddress> pluggedEnds(const std::vector<JobItem>& items) {
+  std::set<TubeAddress> plugged;
+  for (const JobItem& item : items)
+    if (item.isPlugged()) plugged.insert(item.tube);
+  return plugged;
+}
+
 JobStore::JobStore(const std::string& path) : database_(path, Database::Mode::kOpen) {
   if (const std::string format = valueOf(database_, "format"); format != std::to_string(kJobFormat))
     throw InputError(path, "a record of format " + format, fmt::format("format {}", kJobFormat),

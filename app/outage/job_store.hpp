@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,9 @@ struct JobItem {
   /// Returns true if the latest mark plugs this end of the tube.
   [[nodiscard]] bool isPlugged() const;
 };
+
+/// Returns the ends of tubes that marks have plugged.
+[[nodiscard]] std::set<TubeAddress> pluggedEnds(const std::vector<JobItem>& items);
 
 /// One entry of the log.
 struct JobEvent {

@@ -115,6 +115,9 @@ JobTotals totalsOf(JobStore& store) {
   const std::vector<JobEvent> events = store.events();
   totals.shifts = shiftTotals(events, store.job().shifts);
   totals.plugged_at_one_end = pluggedAtOneEnd(store, items);
+  const std::set<TubeAddress> plugged = pluggedEnds(items);
+  for (const JobItem& item : items)
+    if (item.isDue() && plugged.contains(item.tube)) totals.plugged_in_the_meantime.push_back(item);
   totals.wrong_tubes = wrongTubes(events);
   return totals;
 }

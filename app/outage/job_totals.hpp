@@ -38,6 +38,8 @@ struct JobTotals {
   std::vector<ShiftTotal> shifts;
   /// Tubes that are plugged at one end only: the other end is still to be plugged, or the wrong tube was.
   std::vector<TubeAddress> plugged_at_one_end;
+  /// Items that are to be visited, at ends that were plugged in the meantime: nobody can visit them any more.
+  std::vector<JobItem> plugged_in_the_meantime;
   /// Items whose latest confirmation found another tube.
   std::vector<JobEvent> wrong_tubes;
 };

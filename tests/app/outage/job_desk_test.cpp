@@ -143,6 +143,22 @@ TEST_F(JobDesk, APlugAtOneEndIsReportedUntilTheOtherEndHasOne) {
   EXPECT_EQ(totalsOf(store).plugged_at_one_end.size(), 1u);
 }
 
+TEST_F(JobDesk, AnEndThatWasPluggedIsNeitherNextNorLeftInOtherPackages) {
+  JobStore store(made(std::string(kFree) + "  - {name: again, tubes: R9C18-19, tool: bobbin, confirm: none}\n"));
+  const JobPart again{"again", "A", Leg::kHot};
+  EXPECT_EQ(itemsToVisit(store.items(), again).size(), 2u);
+  (void)markTube(store, {hot(9, 18), "rows", "plugged", {"Tom", "", ""}, std::nullopt});
+  const auto items = store.items();
+  ASSERT_EQ(itemsToVisit(items, again).size(), 1u);
+  EXPECT_EQ(findNext(items, again)->tube, hot(9, 19));
+  const JobTotals totals = totalsOf(store);
+  ASSERT_EQ(totals.plugged_in_the_meantime.size(), 1u);  // so that the totals do not wait for it in silence
+  EXPECT_EQ(totals.plugged_in_the_meantime.front().package, "again");
+  (void)markTube(store, {hot(9, 18), "again", "excluded", {"Tom", "plugged", ""}, std::nullopt});
+  EXPECT_TRUE(totalsOf(store).plugged_in_the_meantime.empty());
+  expectBalanced(totalsOf(store));
+}
+
 TEST_F(JobDesk, ShiftsCountWhatTheyFinished) {
   JobStore store(made(kFree));
   const auto markAt = [&](int column, const char* at) {
