@@ -161,6 +161,25 @@ WorkPackage readPackage(const YamlNode& node, const JobFile& job) {
   return package;
 }
 
+/// Reads a group of legs that must not have an arm at the same time.
+std::vector<LegName> readApart(const YamlNode& node, const std::vector<SteamGenerator>& generators) {
+  std::vector<std::string> names;
+  std::vector<LegName> legs, group;
+  for (const SteamGenerator& generator : generators)
+    for (const JobLeg& leg : generator.legs) {
+      legs.push_back({generator.name, leg.leg});
+      names.push_back(addressText(legs.back()));
+    }
+  for (const YamlNode& item : node.list()) {
+    const auto found = std::ranges::find(names, readNameOf(item, names));
+    group.push_back(legs[static_cast<std::size_t>(found - names.begin())]);
+    if (std::ranges::count(group, group.back()) > 1)
+      item.failSaying(fmt::format("the leg {} is named twice", item.text()), "name each leg of a group once");
+  }
+  if (group.size() < 2) node.failSaying("a leg alone has nothing to be apart from", "name two legs or more");
+  return group;
+}
+
 /// Reads a time of day, "18:00", and returns the minutes after midnight.
 int readMinutes(const YamlNode& node) {
   const std::string text = node.text();
@@ -173,6 +192,10 @@ int readMinutes(const YamlNode& node) {
 }
 
 }  // namespace
+
+std::string addressText(const LegName& name) {
+  return fmt::format("{}/{}", name.generator, tubesheets::legName(name.leg));
+}
 
 std::string_view confirmationName(ConfirmationMethod method) {
   return std::ranges::find(kConfirmations, method, &ConfirmationRow::method)->name;
@@ -192,7 +215,7 @@ const WorkPackage& JobFile::packageOf(const std::string& wanted) const {
 
 JobFile parseJobFile(const std::string& text, const std::string& path) {
   const YamlNode root = parseYaml(text, path);
-  root.expectKeys({"job", "units", "steam_generators", "tools", "packages"}, {"shifts", "arms", "mount_s"});
+  root.expectKeys({"job", "units", "steam_generators", "tools", "packages"}, {"shifts", "arms", "mount_s", "apart"});
   const std::string folder = std::filesystem::path(path).parent_path().string();
   JobFile job{path, text, root.at("job").text(), Units(root.at("units"))};
   constexpr int kMostArms = 64;
@@ -211,6 +234,8 @@ JobFile parseJobFile(const std::string& text, const std::string& path) {
     requireNewName(node, job.packages);
     if (job.packages.back().tubes.ends_with(".csv")) job.packages.back().tubes = pathFrom(node.at("tubes"), folder);
   }
+  if (const YamlNode* apart = root.find("apart"))
+    for (const YamlNode& node : apart->list()) job.apart.push_back(readApart(node, job.generators));
   if (const YamlNode* shifts = root.find("shifts"))
     for (const YamlNode& node : shifts->list()) {
       node.expectKeys({"name", "from", "to"}, {});

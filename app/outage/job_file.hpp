@@ -18,6 +18,17 @@ struct JobLeg {
   bool is_mirrored = false;  ///< true: the cell is the mirror image of the other leg's cell
 };
 
+/// Name of a leg: its steam generator and which leg of it.
+struct LegName {
+  std::string generator;
+  tubesheets::Leg leg = tubesheets::Leg::kHot;
+
+  [[nodiscard]] bool operator==(const LegName&) const = default;
+};
+
+/// Returns the name as "A/hot".
+[[nodiscard]] std::string addressText(const LegName& name);
+
 struct SteamGenerator {
   std::string name;
   std::vector<JobLeg> legs;
@@ -62,6 +73,7 @@ struct JobFile {
   std::vector<JobTool> tools = {};
   std::vector<WorkPackage> packages = {};  ///< in the order of their priority
   std::vector<JobShift> shifts = {};
+  std::vector<std::vector<LegName>> apart = {};  ///< groups of legs of which at most one has an arm at any time
   int arms = 1;      ///< number of arms that work at the same time, each in a leg of its own
   double mount = 0;  ///< time to mount an arm in a leg and calibrate its base [s]
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 
 #include "app/jobs/plan.hpp"
@@ -22,9 +23,9 @@ Cell cellOfLeg(const JobSheet& sheet) {
   return cell;
 }
 
-/// Returns the time with the tool in one tube [s]: to the end of the extent and back, and the stay.
-double acquisitionTime(const WorkPackage& package, const JobTool& tool) {
-  return package.dwell + (tool.speed > 0 ? 2 * package.length / tool.speed : 0);
+/// Returns the time of the tool's travel in one tube [s]: to the end of the extent and back.
+double timeInTube(const WorkPackage& package, const JobTool& tool) {
+  return tool.speed > 0 ? 2 * package.length / tool.speed : 0;
 }
 
 PlanRequest requestFor(const std::vector<JobItem>& items, const WorkPackage& package, const JobFile& job,
@@ -34,16 +35,19 @@ PlanRequest requestFor(const std::vector<JobItem>& items, const WorkPackage& pac
   PlanRequest request;
   request.tubes = fmt::format("{}", fmt::join(tubes, ","));
   request.load = job.toolOf(package).load / cell.units.factor(dimension::kForce);
-  request.conditions.dwell = acquisitionTime(package, job.toolOf(package));
+  request.conditions.dwell = package.dwell + timeInTube(package, job.toolOf(package));
   request.seed = seed;
   request.has_least_standoff = true;
   return request;
 }
 
-void addTimes(const PlanOutcome& outcome, PackagePlan& plan) {
+void addTimes(const PlanOutcome& outcome, const WorkPackage& package, const JobTool& tool, PackagePlan& plan) {
+  double stays = 0;  // of the planner: the tool's travel in the tubes, and the package's own stays
+  for (const auto& visit : outcome.plan.visits) stays += visit.dwell;
   plan.travel = outcome.plan.travel_time;
-  for (const auto& visit : outcome.plan.visits) plan.acquisition += visit.dwell;
-  plan.approaches = outcome.plan.total_time - plan.travel - plan.acquisition;
+  plan.in_tubes = timeInTube(package, tool) * static_cast<double>(outcome.plan.visits.size());
+  plan.dwell = stays - plan.in_tubes;
+  plan.approaches = outcome.plan.total_time - plan.travel - stays;
 }
 
 /// Records the visiting order and the tubes out of reach.
@@ -84,7 +88,7 @@ PackagePlan planPackage(JobStore& store, const Cell& cell, const std::vector<Job
   if (plan.status != VisitPlanStatus::kPlanned) return plan;
   plan.visits = static_cast<int>(outcome.plan.visits.size());
   plan.change = job.toolOf(package).change;
-  addTimes(outcome, plan);
+  addTimes(outcome, package, job.toolOf(package), plan);
   keep(plan.folder, request, outcome);
   return plan;
 }
@@ -98,13 +102,28 @@ std::vector<std::vector<JobItem>> itemsToPlan(const std::vector<JobItem>& items,
     std::vector<JobItem> of;
     for (const JobItem& item : items) {
       const bool is_to_do = item.isDue() || (!item.mark && !item.unreachable.empty());
-      if (is_to_do && !plugged.contains(item.tube) && item.package == package.name && item.tube.generator == sheet.generator &&
-          item.tube.leg == sheet.leg.leg)
+      if (is_to_do && !plugged.contains(item.tube) && item.package == package.name &&
+          item.tube.generator == sheet.generator && item.tube.leg == sheet.leg.leg)
         of.push_back(item);
     }
     if (!of.empty()) by_package.push_back(std::move(of));
   }
   return by_package;
+}
+
+/// Sets the schedule of the planned legs.
+void schedule(JobPlan& plan, const JobFile& job) {
+  std::vector<LegWork> work;
+  for (const LegPlan& leg : plan.legs) work.push_back({leg.total()});
+  std::vector<ApartLegs> apart;
+  for (const auto& names : job.apart) {
+    ApartLegs group;
+    for (std::size_t k = 0; k < plan.legs.size(); ++k)
+      if (std::ranges::find(names, LegName{plan.legs[k].generator, plan.legs[k].leg}) != names.end())
+        group.push_back(static_cast<int>(k));
+    if (group.size() > 1) apart.push_back(std::move(group));
+  }
+  plan.schedule = scheduleLegs(work, job.arms, apart);
 }
 
 }  // namespace
@@ -132,9 +151,7 @@ JobPlan planJob(JobStore& store, std::uint64_t seed, const planner::PlanHooks& h
       }
     }
   }
-  std::vector<LegWork> work;
-  for (const LegPlan& leg : plan.legs) work.push_back({leg.total()});
-  plan.schedule = scheduleLegs(work, store.job().arms);
+  schedule(plan, store.job());
   return plan;
 }
 

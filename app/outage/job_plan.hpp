@@ -23,10 +23,11 @@ struct PackagePlan {
   std::vector<std::pair<TubeAddress, std::string>> unreachable = {};  ///< tubes that are not reached, with the reasons
   double travel = 0;                                                  ///< time between tubes [s]
   double approaches = 0;                                              ///< time up to the tubes and down again [s]
-  double acquisition = 0;                                             ///< time with the tool in the tubes [s]
+  double in_tubes = 0;                                                ///< time of the tool's travel in the tubes [s]
+  double dwell = 0;                                                   ///< time of the stays at the tubes [s]
   double change = 0;                                                  ///< time to mount the tool [s]
 
-  [[nodiscard]] double total() const { return travel + approaches + acquisition + change; }
+  [[nodiscard]] double total() const { return travel + approaches + in_tubes + dwell + change; }
 };
 
 /// The work on one leg, with the mounting of the arm.

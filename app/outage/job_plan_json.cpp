@@ -12,11 +12,21 @@ using nlohmann::json;
 
 constexpr double kHour = 3600;  // [s]
 
+/// A part of the time of a job: its key in packages and legs, and its words.
+struct TimePart {
+  const char* key;
+  const char* words;
+};
+constexpr TimePart kTimeParts[] = {{"mount_s", "mounting"},       {"change_s", "tool change"},
+                                   {"travel_s", "travel"},        {"approaches_s", "up and down"},
+                                   {"in_tubes_s", "in the tube"}, {"dwell_s", "dwell"}};
+
 json packageJson(const PackagePlan& plan) {
   json result = {{"package", plan.package},         {"folder", plan.folder},
                  {"reason", plan.reason},           {"visits", plan.visits},
                  {"unreachable", json::array()},    {"travel_s", plan.travel},
-                 {"approaches_s", plan.approaches}, {"acquisition_s", plan.acquisition},
+                 {"approaches_s", plan.approaches}, {"acquisition_s", plan.in_tubes + plan.dwell},
+                 {"in_tubes_s", plan.in_tubes},     {"dwell_s", plan.dwell},
                  {"change_s", plan.change},         {"total_s", plan.total()},
                  {"total_h", plan.total() / kHour}};
   for (const auto& [tube, reason] : plan.unreachable)
@@ -24,7 +34,18 @@ json packageJson(const PackagePlan& plan) {
   return result;
 }
 
-json legJson(const LegPlan& leg, const ScheduledLeg& at) {
+json waitJson(const ScheduledLeg& at, const std::vector<LegPlan>& legs) {
+  if (at.wait == WaitReason::kNone) return nullptr;
+  const LegPlan& other = legs[static_cast<std::size_t>(at.waits_for)];
+  const bool is_apart = at.wait == WaitReason::kApart;
+  return {{"for", addressText(LegName{other.generator, other.leg})},
+          {"reason", is_apart ? "apart" : "arm"},
+          {"words", is_apart ? "the two legs are apart" : "its arm is there until then"},
+          {"idle_s", at.idle},
+          {"idle_h", at.idle / kHour}};
+}
+
+json legJson(const LegPlan& leg, const ScheduledLeg& at, const std::vector<LegPlan>& legs) {
   json result = {{"steam_generator", leg.generator},
                  {"leg", tubesheets::legName(leg.leg)},
                  {"mount_s", leg.mount},
@@ -34,20 +55,40 @@ json legJson(const LegPlan& leg, const ScheduledLeg& at) {
                  {"end_s", at.end},
                  {"start_h", at.start / kHour},
                  {"end_h", at.end / kHour},
+                 {"wait", waitJson(at, legs)},
                  {"packages", json::array()}};
   for (const PackagePlan& package : leg.packages) result["packages"].push_back(packageJson(package));
   return result;
 }
 
-constexpr TextLine kPackageWords[] = {
+/// Returns the time of every part, over all legs.
+json timesJson(const json& legs) {
+  json times = json::array();
+  double all = 0;
+  for (const TimePart& part : kTimeParts) {
+    double sum = 0;
+    for (const json& leg : legs) {
+      sum += leg.value(part.key, 0.);
+      for (const json& package : leg["packages"]) sum += package.value(part.key, 0.);
+    }
+    all += sum;
+    times.push_back({{"key", part.key}, {"words", part.words}, {"time_s", sum}, {"time_h", sum / kHour}});
+  }
+  for (json& time : times) time["share"] = all > 0 ? time["time_s"].get<double>() / all : 0.;
+  return times;
+}
+
+constexpr TextLine kLegWords[] = {
+    {"wait", "  waits for {for}: {words}\n"},
+    {"+wait/idle_h", "  its arm is idle for {:.2f} h before\n"},
     {"packages",
      "  {package:<16} {visits:>6} visits {#unreachable:>5} out of reach {total_h:>8.2f} h: travel {travel_s:.0f} s, up "
-     "and "
-     "down {approaches_s:.0f} s, in the tubes {acquisition_s:.0f} s, tool {change_s:.0f} s\n"},
+     "and down {approaches_s:.0f} s, in the tubes {in_tubes_s:.0f} s, dwell {dwell_s:.0f} s, tool {change_s:.0f} s\n"},
 };
 constexpr TextLine kWords[] = {
     {"", "{job}\n"},
-    {"legs", "{steam_generator}/{leg}: arm {arm}, {start_h:.2f} to {end_h:.2f} h\n", kPackageWords},
+    {"legs", "{steam_generator}/{leg}: arm {arm}, {start_h:.2f} to {end_h:.2f} h\n", kLegWords},
+    {"times", "{words:<12} {time_h:>8.2f} h {share:>6.1%} %\n"},
     {"",
      "{visits} visits, {unreachable} out of reach; {arms} arms end after {end_h:.2f} h ({schedule}; no schedule ends "
      "before "
@@ -67,12 +108,13 @@ json jobPlanJson(const JobPlan& plan, const JobFile& job) {
                  {"schedule", plan.schedule.status == ScheduleStatus::kOptimal ? "optimal" : "feasible"}};
   std::size_t visits = 0, unreachable = 0;
   for (std::size_t k = 0; k < plan.legs.size(); ++k) {
-    result["legs"].push_back(legJson(plan.legs[k], plan.schedule.legs[k]));
+    result["legs"].push_back(legJson(plan.legs[k], plan.schedule.legs[k], plan.legs));
     for (const PackagePlan& package : plan.legs[k].packages) {
       visits += static_cast<std::size_t>(package.visits);
       unreachable += package.unreachable.size();
     }
   }
+  result["times"] = timesJson(result["legs"]);
   result["visits"] = visits;
   result["unreachable"] = unreachable;
   return result;

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <numeric>
 
+#include "app/outage/start_order.hpp"
+
 namespace tubeplan::app {
 
 namespace {
@@ -75,7 +77,11 @@ class ArmSearch {
     std::vector<double> free(loads_.size(), 0);
     for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
       double& at = free[static_cast<std::size_t>(best_arm_of_[leg])];
-      schedule.legs.push_back({static_cast<int>(leg), best_arm_of_[leg], at, at + legs_[leg].duration});
+      ScheduledLeg& scheduled = schedule.legs.emplace_back();
+      scheduled.leg = static_cast<int>(leg);
+      scheduled.arm = best_arm_of_[leg];
+      scheduled.start = at;
+      scheduled.end = at + legs_[leg].duration;
       at += legs_[leg].duration;
       schedule.end = std::max(schedule.end, at);
     }
@@ -89,12 +95,57 @@ class ArmSearch {
   double lower_bound_ = 0, best_ = 0;
 };
 
+/// Returns a time before which no schedule ends [s]: that of the legs without those that are apart, or the work of a
+/// group.
+double lowerBound(const Schedule& without, const std::vector<LegWork>& legs, const std::vector<ApartLegs>& apart) {
+  double bound = without.lower_bound;
+  for (const ApartLegs& group : apart) {
+    double sum = 0;
+    for (const int leg : group) sum += legs[static_cast<std::size_t>(leg)].duration;
+    bound = std::max(bound, sum);
+  }
+  return bound;
+}
+
+Schedule withApart(const Schedule& without, const std::vector<LegWork>& legs, int arms,
+                   const std::vector<ApartLegs>& apart) {
+  Schedule schedule;
+  schedule.lower_bound = lowerBound(without, legs, apart);
+  const StartOrder order = bestStartOrder(legs, arms, apart, schedule.lower_bound);
+  schedule.legs = order.legs;
+  std::ranges::sort(schedule.legs, {}, &ScheduledLeg::leg);
+  schedule.end = order.end;
+  if (order.is_optimal) schedule.lower_bound = order.end;
+  schedule.status = order.is_optimal ? ScheduleStatus::kOptimal : ScheduleStatus::kFeasible;
+  return schedule;
+}
+
+/// Sets what each leg waits for: the leg that ends when it begins, of the same arm or else of the same group.
+void nameWaits(Schedule& schedule, const std::vector<ApartLegs>& apart) {
+  const auto areApart = [&](int one, int other) {
+    return std::ranges::any_of(apart, [&](const ApartLegs& group) {
+      return std::ranges::count(group, one) > 0 && std::ranges::count(group, other) > 0;
+    });
+  };
+  for (ScheduledLeg& leg : schedule.legs)
+    for (const ScheduledLeg& other : schedule.legs) {
+      if (other.leg == leg.leg || other.end != leg.start || leg.start == 0) continue;
+      const bool is_arm = other.arm == leg.arm;
+      if (!is_arm && (leg.wait == WaitReason::kArm || !areApart(leg.leg, other.leg))) continue;
+      leg.wait = is_arm ? WaitReason::kArm : WaitReason::kApart;
+      leg.waits_for = other.leg;
+    }
+}
+
 }  // namespace
 
-Schedule scheduleLegs(const std::vector<LegWork>& legs, int arms) {
+Schedule scheduleLegs(const std::vector<LegWork>& legs, int arms, const std::vector<ApartLegs>& apart) {
   assert(arms > 0);
   if (legs.empty()) return {ScheduleStatus::kOptimal, {}, 0, 0};
-  return ArmSearch(legs, arms).solve();
+  Schedule schedule = ArmSearch(legs, arms).solve();
+  if (!apart.empty()) schedule = withApart(schedule, legs, arms, apart);
+  nameWaits(schedule, apart);
+  return schedule;
 }
 
 }  // namespace tubeplan::app

@@ -1,5 +1,4 @@
-// Which arm works in which leg, and when: legs are shared out among arms so that the last one ends as early as
-// possible.
+// Schedule of the arms: legs are shared out among arms so that the last one ends as early as possible.
 #pragma once
 
 #include <vector>
@@ -11,11 +10,24 @@ struct LegWork {
   double duration = 0;  ///< [s]
 };
 
+/// Legs, by their indices, of which at most one has an arm at any time.
+using ApartLegs = std::vector<int>;
+
+/// Reason for which a leg does not begin at once.
+enum class WaitReason {
+  kNone,   ///< begins at once
+  kArm,    ///< its arm is in another leg
+  kApart,  ///< it must not have an arm while another leg has one
+};
+
 /// One leg in the schedule.
 struct ScheduledLeg {
   int leg = 0;                ///< index of the leg
   int arm = 0;                ///< index of the arm
   double start = 0, end = 0;  ///< [s]
+  WaitReason wait = WaitReason::kNone;
+  int waits_for = -1;  ///< index of the leg at whose end this one begins; -1 if it begins at once
+  double idle = 0;     ///< time that the arm is in no leg before this one [s]
 };
 
 enum class ScheduleStatus { kNotRun, kOptimal, kFeasible };
@@ -27,9 +39,12 @@ struct Schedule {
   double lower_bound = 0;          ///< no schedule ends before this time [s]
 };
 
-/// Shares out the legs among `arms` arms (identical machines without precedence). The result is proved optimal for up
-/// to 16 legs, by branch and bound from the longest leg down (Graham 1969 gives the first solution); for more legs it
-/// is the first solution, whose end is at most 4/3 of the least.
-[[nodiscard]] Schedule scheduleLegs(const std::vector<LegWork>& legs, int arms);
+/// Shares out the legs among `arms` arms (identical machines without precedence; legs that are apart exclude each
+/// other). The result is proved optimal for up to 16 legs, by branch and bound from the longest leg down (Graham 1969
+/// gives the first solution), and for up to 12 legs of which some are apart, by branch and bound over the order in
+/// which they begin. For more legs it is the first solution, which is optimal if it ends at the lower bound. Without
+/// legs that are apart, its end is at most 4/3 of the least.
+[[nodiscard]] Schedule scheduleLegs(const std::vector<LegWork>& legs, int arms,
+                                    const std::vector<ApartLegs>& apart = {});
 
 }  // namespace tubeplan::app

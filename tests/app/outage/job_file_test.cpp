@@ -31,6 +31,9 @@ TEST_F(JobFiles, EveryFaultIsRefusedAtItsPlace) {
       {"R9-11C18-22", "R90C1", "R90"},
       {"states: states.csv", "states: nothere.csv", "no such file"},
       {"shifts:", "shiftz:", "did you mean 'shifts'"},
+      {"job: test\n", "job: test\napart: [[A/hot, C/cold]]\n", "A/hot, A/cold, B/hot or B/cold"},
+      {"job: test\n", "job: test\napart: [[A/hot]]\n", "two legs or more"},
+      {"job: test\n", "job: test\napart: [[A/hot, A/hot]]\n", "named twice"},
   };
   for (const Fault& fault : faults) {
     SCOPED_TRACE(fault.to);

@@ -37,7 +37,8 @@ TEST_F(PlannedJob, EveryOpenItemIsPlannedOrSaidToBeOutOfReach) {
       EXPECT_GT(package.travel, 0);
       EXPECT_GT(package.approaches, 0);
       const bool is_few = package.package == "few";
-      EXPECT_NEAR(package.acquisition, is_few ? package.visits * (2 + 2 * 720. / 40) : 0, 1e-6);
+      EXPECT_NEAR(package.in_tubes, is_few ? package.visits * 2 * 720. / 40 : 0, 1e-6);
+      EXPECT_NEAR(package.dwell, is_few ? package.visits * 2 : 0, 1e-6);
     }
   EXPECT_EQ(planned + unreachable, 2 * 8 + 2 * 5);  // R10C20 is plugged
   int placed = 0;
@@ -84,6 +85,31 @@ TEST_F(PlannedJob, TheScheduleCoversAllLegs) {
   for (const auto& leg : json["legs"]) sum += leg["total_s"].get<double>();
   EXPECT_NEAR(json["end_s"].get<double>(), sum, 1e-6);  // one arm does one leg after the other
   EXPECT_EQ(json["schedule"], "optimal");
+  double parts = 0, shares = 0;
+  for (const auto& part : json["times"]) {
+    parts += part["time_s"].get<double>();
+    shares += part["share"].get<double>();
+  }
+  EXPECT_NEAR(parts, sum, 1e-6);
+  EXPECT_NEAR(shares, 1, 1e-12);
+}
+
+TEST_F(PlannedJob, LegsThatAreApartHaveNoTwoArmsAtOnce) {
+  (void)write("states.csv", "row,column,state\n10,20,plugged\n");
+  const std::string file =
+      write("apart.yaml", changed(jobText(kPackages), "job: test\n", "job: test\narms: 2\napart: [[A/hot, A/cold]]\n"));
+  const std::string path = (folder / "apart.record").string();
+  JobStore::create(readJobFile(file), path);
+  JobStore store(path);
+  const JobPlan plan = planJob(store, 1, {}, [](const std::string&, const PlanRequest&, const PlanOutcome&) {});
+  ASSERT_EQ(plan.legs.size(), 2u);
+  EXPECT_EQ(plan.schedule.status, ScheduleStatus::kOptimal);
+  EXPECT_NEAR(plan.schedule.end, plan.legs[0].total() + plan.legs[1].total(), 1e-6);
+  const nlohmann::json json = jobPlanJson(plan, store.job());
+  const auto& later = json["legs"][json["legs"][0]["wait"].is_null() ? 1 : 0];
+  const auto& first = json["legs"][json["legs"][0]["wait"].is_null() ? 0 : 1];
+  EXPECT_EQ(later["wait"]["for"], "A/" + first["leg"].get<std::string>());
+  EXPECT_EQ(later["start_s"], first["end_s"]);
 }
 
 }  // namespace
