@@ -46,6 +46,14 @@ TEST_F(Program, mapsTheMockUp) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4675);
 }
 
+TEST_F(Program, refusesAnOptionOfAnotherAction) {
+  const std::string arm = shipped("cobra-arm.yaml");
+  expectRefused("arm show " + arm + " --cell x.yaml", {"--cell", "`arm import`, not of `arm show`"});
+  expectRefused("arm import " + arm + " --svg x.svg", {"--svg", "`arm show`, not of `arm import`"});
+  expectRefused("arm show " + arm + " --out x.yaml", {"--out", "`arm import` or `arm export`"});
+  expectRefused("job status a.job --csv x.csv", {"--csv", "`job log` or `job export`, not of `job status`"});
+}
+
 TEST_F(Program, printsFiguresInEveryFormat) {
   const std::string map = "map " + shipped("mockup.yaml");
   for (const char* words : {" --format json", " --json -", " --json - --format json"})
