@@ -105,7 +105,8 @@ constexpr Command kCommands[] = {
      "tubeplan job next spring.job --sg A --leg hot\n"
      "tubeplan job confirm spring.job A/hot/R12C40 --position=-18.594,13.967 --by camera\n"
      "tubeplan job mark spring.job A/hot/R12C40 --as done --by Tom\n"
-     "tubeplan job status spring.job",
+     "tubeplan job status spring.job\n"
+     "tubeplan job report spring.job --out handover.html",
      configureJob},
     {"arm",
      "imports arms from URDF or a controller, exports them by any convention, and shows an arm file for checking",

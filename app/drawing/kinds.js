@@ -32,12 +32,25 @@ const VERDICTS = {
   inconclusive: {shape: "ring", colour: "muted"},
   "falls-short": {shape: "triangle", colour: "case0"},
 };
+/** Marks of the standings of an outage's items. @type {Record<string, Mark>} */
+const STANDINGS = {
+  held: {shape: "cross", colour: "case0"},
+  queued: {shape: "triangle", colour: "case1"},
+  open: {shape: "ring", colour: "hole"},
+  done: {shape: "disc", colour: "case3"},
+  excluded: {shape: "bar", colour: "muted"},
+};
 /** Mark of a tube state without an entry in STATES. @type {Mark} */
 const OTHER = {shape: "diamond", colour: "violet"};
 
 /** Returns the mark of a tube's state. @param {string} name @returns {Mark} */
 export function stateMark(name) {
   return Object.hasOwn(STATES, name) ? STATES[name] : OTHER;
+}
+
+/** Returns the mark of an item's standing. @param {string} name @returns {Mark} */
+export function standingMark(name) {
+  return Object.hasOwn(STANDINGS, name) ? STANDINGS[name] : NOT_PLANNED;
 }
 
 /** @param {string} name @returns {Mark} */

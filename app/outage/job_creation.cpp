@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/formats/cell/command_inputs.hpp"
@@ -25,6 +26,15 @@ struct ReadLeg {
   JobLeg leg;
   Sheet sheet;
 };
+
+/// Returns how pictures show a sheet: {viewed_from, hole_diameter_m, manway: direction [x, y] or null}.
+nlohmann::json sheetLookJson(const Sheet& sheet) {
+  nlohmann::json manway;
+  if (sheet.manway) manway = {sheet.manway->direction().x(), sheet.manway->direction().y()};
+  return {{"viewed_from", tubesheets::viewedFromName(sheet.viewed_from)},
+          {"hole_diameter_m", sheet.hole_diameter},
+          {"manway", manway}};
+}
 
 /// One package on one leg: the tubes to visit, and those that are left out with the reason.
 struct PackageOnLeg {
@@ -120,6 +130,8 @@ std::vector<PackageOnLeg> selectPackage(const WorkPackage& package, std::int64_t
 std::string legText(const ReadLeg& leg) { return std::string(tubesheets::legName(leg.leg.leg)); }
 
 void insertLeg(Database& database, const ReadLeg& leg) {
+  database.query("INSERT INTO job VALUES (?1, ?2)",
+                 {"look " + addressText(LegName{leg.generator, leg.leg.leg}), sheetLookJson(leg.sheet).dump()});
   database.query("INSERT INTO sheet VALUES (?1, ?2, ?3, ?4, ?5, ?6)",
                  {leg.generator, legText(leg), leg.leg.cell, std::int64_t{leg.leg.is_mirrored}, leg.sheet.fingerprint(),
                   leg.sheet.pitch});

@@ -11,18 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-json countsJson(const ItemCounts& counts) {
-  json result = {{"planned", counts.planned},
-                 {"done", counts.of(ItemStanding::kDone)},
-                 {"excluded", counts.of(ItemStanding::kExcluded)},
-                 {"unresolved", counts.unresolved()}};
-  for (const ItemStanding standing : {ItemStanding::kOpen, ItemStanding::kQueued, ItemStanding::kHeld})
-    result[std::string(standingName(standing))] = counts.of(standing);
-  const int to_do = counts.planned - counts.of(ItemStanding::kExcluded);
-  result["percent"] = to_do == 0 ? 100. : 100. * counts.of(ItemStanding::kDone) / to_do;
-  return result;
-}
-
 json eventJson(const JobEvent& event) {
   json result = {{"event", event.id},    {"at", event.at},           {"who", event.who},
                  {"kind", event.kind},   {"package", event.package}, {"tube", addressText(event.tube)},
@@ -65,6 +53,18 @@ constexpr TextLine kLogWords[] = {
 
 }  // namespace
 
+json countsJson(const ItemCounts& counts) {
+  json result = {{"planned", counts.planned},
+                 {"done", counts.of(ItemStanding::kDone)},
+                 {"excluded", counts.of(ItemStanding::kExcluded)},
+                 {"unresolved", counts.unresolved()}};
+  for (const ItemStanding standing : {ItemStanding::kOpen, ItemStanding::kQueued, ItemStanding::kHeld})
+    result[std::string(standingName(standing))] = counts.of(standing);
+  const int to_do = counts.planned - counts.of(ItemStanding::kExcluded);
+  result["percent"] = to_do == 0 ? 100. : 100. * counts.of(ItemStanding::kDone) / to_do;
+  return result;
+}
+
 json totalsJson(const JobTotals& totals, const JobFile& job) {
   json result = {{"job", job.name},
                  {"packages", json::array()},
@@ -81,7 +81,7 @@ json totalsJson(const JobTotals& totals, const JobFile& job) {
     result["packages"].push_back(std::move(row));
   }
   for (const ShiftTotal& shift : totals.shifts)
-    result["shifts"].push_back({{"date", shift.date}, {"shift", shift.shift}, {"done", shift.done}});
+    result["shifts"].push_back({{"date", shift.shift.date}, {"shift", shift.shift.name}, {"done", shift.done}});
   for (const TubeAddress& tube : totals.plugged_at_one_end) result["plugged_at_one_end"].push_back(addressText(tube));
   for (const JobItem& item : totals.plugged_in_the_meantime)
     result["plugged_in_the_meantime"].push_back({{"tube", addressText(item.tube)}, {"package", item.package}});

@@ -1,4 +1,4 @@
-// What a job's record says, as JSON documents and as text.
+// Contents of a job's record as JSON documents and as text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,6 +8,9 @@
 #include "app/outage/job_totals.hpp"
 
 namespace tubeplan::app {
+
+/// Returns {planned, done, excluded, unresolved, open, queued, held, percent}; `percent` is of what is not excluded.
+[[nodiscard]] nlohmann::json countsJson(const ItemCounts& counts);
 
 /// Returns {job, packages: [{package, steam_generator, leg, planned, done, excluded, unresolved, open, queued, held,
 /// percent}], total, shifts: [{date, shift, done}], plugged_at_one_end: [ADDRESS],

@@ -61,12 +61,16 @@ std::vector<TubeEnd> endsIn(const std::vector<DatabaseRow>& rows) {
   return ends;
 }
 
+}  // namespace
+
 std::string presentTime() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
                      fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
 }
 
 /// Throws InputError unless the text is a time in UTC, such as "2027-04-02T06:15:30Z".
+namespace {
+
 void requireTime(const std::string& text) {
   constexpr std::string_view kPattern = "dddd-dd-ddTdd:dd:ddZ";
   bool fits = text.size() == kPattern.size();
@@ -123,8 +127,12 @@ std::vector<JobItem> JobStore::itemsOf(const TubeAddress& tube) {
       {tube.generator, legText(tube.leg), std::int64_t{tube.row}, std::int64_t{tube.column}}));
 }
 
-std::vector<JobEvent> JobStore::events() {
-  return eventsIn(database_.query(fmt::format("{} ORDER BY event.id", kEventColumns)));
+std::vector<JobEvent> JobStore::events(std::int64_t after) {
+  return eventsIn(database_.query(fmt::format("{} WHERE event.id > ?1 ORDER BY event.id", kEventColumns), {after}));
+}
+
+std::int64_t JobStore::lastEvent() {
+  return database_.query("SELECT coalesce(max(id), 0) FROM event").front().integer(0);
 }
 
 std::vector<JobEvent> JobStore::eventsOf(std::int64_t item) {
@@ -158,6 +166,23 @@ std::string JobStore::listOf(const std::string& package, const std::string& gene
       "WHERE package.name = ?1 AND generator = ?2 AND leg = ?3",
       {package, generator, legText(leg)});
   return rows.empty() ? "" : rows.front().text(0);
+}
+
+std::string JobStore::noteOf(const std::string& key) {
+  const auto rows = database_.query("SELECT value FROM job WHERE key = ?1", {key});
+  return rows.empty() ? "" : rows.front().text(0);
+}
+
+std::string JobStore::lookOf(const LegName& leg) {
+  const std::string look = noteOf("look " + addressText(leg));
+  return look.empty() ? "{}" : look;
+}
+
+void JobStore::setPlan(const std::string& plan) {
+  database_.transact([&] {
+    for (const auto& [key, value] : {std::pair<std::string, std::string>{"plan", plan}, {"planned_at", presentTime()}})
+      database_.query("INSERT OR REPLACE INTO job VALUES (?1, ?2)", {key, value});
+  });
 }
 
 std::int64_t JobStore::addEvent(const std::string& kind, std::int64_t item, const std::string& value,

@@ -58,6 +58,9 @@ struct EventEntry {
   std::string who, reason, at;
 };
 
+/// Returns the present time in UTC, "2027-04-02T06:15:30Z".
+[[nodiscard]] std::string presentTime();
+
 /// Position of a tube's end in the sheet frame [m], and the state that the job began with.
 struct TubeEnd {
   TubeAddress tube;
@@ -89,7 +92,10 @@ class JobStore {
   [[nodiscard]] std::vector<JobItem> items();
   /// Returns the items of one end of a tube, in the order of their packages.
   [[nodiscard]] std::vector<JobItem> itemsOf(const TubeAddress& tube);
-  [[nodiscard]] std::vector<JobEvent> events();
+  /// Returns the events later than the event `after`, in their order; all events for 0.
+  [[nodiscard]] std::vector<JobEvent> events(std::int64_t after = 0);
+  /// Returns the key of the latest event; 0 if there is none.
+  [[nodiscard]] std::int64_t lastEvent();
   [[nodiscard]] std::vector<JobEvent> eventsOf(std::int64_t item);
   [[nodiscard]] std::vector<JobSheet> sheets();
   /// Returns one end of a tube, which must be in the record.
@@ -98,6 +104,15 @@ class JobStore {
   [[nodiscard]] std::vector<TubeEnd> endsOf(const std::string& generator, tubesheets::Leg leg);
   /// Returns the text of the work list that an item's package was read from; empty if it is not from a list.
   [[nodiscard]] std::string listOf(const std::string& package, const std::string& generator, tubesheets::Leg leg);
+
+  /// Returns how pictures show the sheet of a leg, as JSON: {viewed_from, hole_diameter_m, manway: direction [x, y] or
+  /// null}; an empty object for a record without it.
+  [[nodiscard]] std::string lookOf(const LegName& leg);
+  /// Return the latest plan of the job, and the time at which it was recorded; empty before the first plan.
+  [[nodiscard]] std::string plan() { return noteOf("plan"); }
+  [[nodiscard]] std::string plannedAt() { return noteOf("planned_at"); }
+  /// Records the plan of the job, as jobPlanJson() returns it, in place of the one before.
+  void setPlan(const std::string& plan);
 
   /// Calls `work` in a transaction, so that what it reads cannot change before it writes.
   void transact(const std::function<void()>& work) { database_.transact(work); }
@@ -114,6 +129,8 @@ class JobStore {
   void setUnreachable(std::int64_t item, const std::string& reason);
 
  private:
+  /// Returns the value of a key of the table `job`; empty if there is none.
+  [[nodiscard]] std::string noteOf(const std::string& key);
   std::int64_t addEvent(const std::string& kind, std::int64_t item, const std::string& value, const std::string& method,
                         const EventEntry& entry, std::optional<std::int64_t> undoes);
 

@@ -1,9 +1,6 @@
 #include "app/outage/job_totals.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <chrono>
 #include <set>
 #include <tuple>
 
@@ -13,41 +10,17 @@ namespace {
 
 using tubesheets::Leg, tubesheets::TubeState;
 
-constexpr int kMinutesPerDay = 24 * 60;
-
-/// Returns the day before a date of the form "2027-04-02".
-std::string dayBefore(const std::string& date) {
-  using namespace std::chrono;
-  const year_month_day day{year(std::stoi(date.substr(0, 4))), month(std::stoul(date.substr(5, 2))),
-                           std::chrono::day(std::stoul(date.substr(8, 2)))};
-  const year_month_day before{sys_days(day) - days(1)};
-  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(before.year()), static_cast<unsigned>(before.month()),
-                     static_cast<unsigned>(before.day()));
-}
-
-/// Returns the shift in which a time falls, with the date of its start; the shift's name is empty if no shift has it.
-ShiftTotal shiftAt(const std::string& at, const std::vector<JobShift>& shifts) {
-  const int minute = 60 * std::stoi(at.substr(11, 2)) + std::stoi(at.substr(14, 2));
-  const std::string date = at.substr(0, 10);
-  for (const JobShift& shift : shifts) {
-    const int length = (shift.to - shift.from + kMinutesPerDay - 1) % kMinutesPerDay + 1;
-    const int since = (minute - shift.from + kMinutesPerDay) % kMinutesPerDay;
-    if (since < length) return {minute >= shift.from ? date : dayBefore(date), shift.name, 0};
-  }
-  return {date, "", 0};
-}
-
 std::vector<ShiftTotal> shiftTotals(const std::vector<JobEvent>& events, const std::vector<JobShift>& shifts) {
-  std::map<std::pair<std::string, std::string>, int> done;
+  std::map<std::string, ShiftTotal> totals;  // by their beginnings
   for (const JobEvent& event : events) {
     const Mark* mark = event.kind == "mark" && !event.is_undone ? findMark(event.value) : nullptr;
     if (!mark || mark->standing != ItemStanding::kDone) continue;
-    const ShiftTotal shift = shiftAt(event.at, shifts);
-    ++done[{shift.date, shift.shift}];
+    const ShiftOfDay shift = shiftAt(event.at, shifts);
+    ++totals.try_emplace(startOf(shift, shifts) + shift.name, ShiftTotal{shift, 0}).first->second.done;
   }
-  std::vector<ShiftTotal> totals;
-  for (const auto& [key, count] : done) totals.push_back({key.first, key.second, count});
-  return totals;
+  std::vector<ShiftTotal> in_order;
+  for (const auto& [start, total] : totals) in_order.push_back(total);
+  return in_order;
 }
 
 using TubeKey = std::tuple<std::string, int, int>;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/outage/job_shifts.hpp"
 #include "app/outage/job_store.hpp"
 
 namespace tubeplan::app {
@@ -27,8 +28,7 @@ struct PackageTotal {
 
 /// Marks that finished an item, recorded during one shift.
 struct ShiftTotal {
-  std::string date;  ///< day on which the shift began, in UTC
-  std::string shift;
+  ShiftOfDay shift;
   int done = 0;
 };
 

@@ -103,7 +103,8 @@ std::string htmlOf(std::string_view text) {
 /// Returns HTML with the program's version and the input files of the page; empty for pages with their own list of
 /// inputs.
 std::string originOf(const nlohmann::json& report) {
-  if (!report.is_object() || !report.contains("inputs") || report.contains("commands")) return "";
+  if (!report.is_object() || !report.contains("inputs") || report.contains("commands") || report["inputs"].empty())
+    return "";
   std::string text = "tubeplan " + htmlOf(report.value("version", "")) + " of";
   for (const auto& input : report["inputs"])
     text += " " + htmlOf(input.value("name", "")) + " (SHA-256 <code>" + htmlOf(input.value("sha256", "")) + "</code>)";

@@ -1,11 +1,16 @@
-// Routes for outage work: totals, next tube, confirmation, marks and log of a job's record in the opened folder.
+// Routes for the desk of a shift: totals, next tube, confirmation, marks, log, plan and hand-over of a job's record in
+// the opened folder.
 #include <fmt/format.h>
 
+#include "app/outage/hand_over_json.hpp"
 #include "app/outage/job_desk.hpp"
 #include "app/outage/job_json.hpp"
+#include "app/report/outage_report.hpp"
 #include "app/storage/input_error.hpp"
+#include "app/storage/origin.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
+#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
 
@@ -59,8 +64,33 @@ Answer next(Workbench& workbench, const Request& request) {
   return answerOf(nextJson(store, partAsked(request, store.job())));
 }
 
+/// Returns the number of an event in the query; 0 if it is missing.
+std::int64_t eventAsked(const Request& request, const std::string& key) {
+  const std::string text = request.asked(key);
+  const auto event = text.empty() ? std::optional(0) : tubesheets::parseInteger(text);
+  if (!event || *event < 0) throw InputError(key, inQuotes(text), "the number of an event, as the log lists it");
+  return *event;
+}
+
 Answer events(Workbench& workbench, const Request& request) {
-  return answerOf(logJson(storeNamed(workbench, request.asked("file")).events()));
+  JobStore store = storeNamed(workbench, request.asked("file"));
+  json log = logJson(store.events(eventAsked(request, "after")));
+  log["planned_at"] = store.plannedAt();
+  return answerOf(log);
+}
+
+Answer plan(Workbench& workbench, const Request& request) {
+  JobStore store = storeNamed(workbench, request.asked("file"));
+  const std::string plan = store.plan();
+  return answerOf({{"plan", plan.empty() ? json() : json::parse(plan)}, {"planned_at", store.plannedAt()}});
+}
+
+Answer report(Workbench& workbench, const Request& request) {
+  JobStore store = storeNamed(workbench, request.asked("file"));
+  const HandOverRequest asked{request.asked("shift"), request.asked("date")};
+  json report = handOverJson(store, handOverOf(store, asked), asked, presentTime());
+  stateOrigin(report);
+  return downloadOf("handover.html", "text/html", renderHandOverReport(report));
 }
 
 Answer confirm(Workbench& workbench, const Request& request) {
@@ -92,10 +122,10 @@ Answer undo(Workbench& workbench, const Request& request) {
   return answerOf({{"event", undoMark(store, event, entryOf(body))}});
 }
 
-constexpr Route kRoutes[] = {{"GET", "outage", records},          {"GET", "outage/totals", totals},
-                             {"GET", "outage/next", next},        {"GET", "outage/log", events},
-                             {"POST", "outage/confirm", confirm}, {"POST", "outage/mark", mark},
-                             {"POST", "outage/undo", undo}};
+constexpr Route kRoutes[] = {
+    {"GET", "outage", records},          {"GET", "outage/totals", totals}, {"GET", "outage/next", next},
+    {"GET", "outage/log", events},       {"GET", "outage/plan", plan},     {"GET", "outage/report", report},
+    {"POST", "outage/confirm", confirm}, {"POST", "outage/mark", mark},    {"POST", "outage/undo", undo}};
 
 }  // namespace
 

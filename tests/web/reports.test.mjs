@@ -192,6 +192,69 @@ describe("reports", () => {
     await found.context().close();
   });
 
+  it("of an outage say first what must be known, draw every leg, and the arms over the time", async () => {
+    const name = 'Tom <img src=x onerror=window.isHit=1> "O\'Neil"';
+    writeFileSync(
+      path.join(made.folder, "outage.yaml"),
+      "job: '<b>spring</b>'\nunits: {length: in, angle: deg, force: lbf}\narms: 2\nmount_s: 60\napart: [[A/hot, A/cold]]\n" +
+        "steam_generators: [{name: A, hot: mockup.yaml, cold: mirrored}]\n" +
+        "tools: [{name: bobbin, speed: 40, change_s: 90}]\n" +
+        "packages: [{name: rows, tubes: R9-11C18-22, tool: bobbin, length: 720, dwell_s: 2, confirm: read-back}]\n",
+    );
+    run("job", "create", "outage.yaml", "--out", "outage.job");
+    run("job", "report", "outage.job", "--out", "handover.html");
+    const empty = await opened("handover.html", ["No plan is recorded yet: tubeplan job plan makes one."]);
+    assert.match(await empty.innerText("header .sentence"), /Nothing has been recorded yet/);
+    assert.match(await empty.innerText("#first"), /No warning, nothing held/);
+    await empty.context().close();
+
+    run("job", "plan", "outage.job", "--out", "plans");
+    const confirm = (tube, read) =>
+      run("job", "confirm", "outage.job", tube, "--read-back", read, "--by", name, "--at", "2027-04-02T06:00:00Z");
+    const mark = (tube, as, ...more) =>
+      run("job", "mark", "outage.job", tube, "--as", as, "--by", "Maria", "--at", "2027-04-02T06:01:00Z", ...more);
+    confirm("A/hot/R9C18", "A/hot/R9C18");
+    mark("A/hot/R9C18", "done");
+    confirm("A/hot/R9C19", "A/hot/R9C19");
+    mark("A/hot/R9C19", "obstructed", "--reason", "dent <03H>");
+    confirm("A/hot/R9C20", "A/hot/R9C20");
+    mark("A/hot/R9C20", "plugged");
+    confirm("A/hot/R9C21", "A/cold/R9C21");
+    mark("A/cold/R9C22", "skipped");
+    run("job", "report", "outage.job", "--out", "handover.html");
+    const tab = await opened("handover.html");
+    assert.equal(await tab.innerText("h1"), "<b>spring</b>: hand-over");
+    assert.deepEqual(await tab.locator("#first .desk-warning").allInnerTexts(), [
+      "✕ At A/hot/R9C21 " +
+        name +
+        " found A/cold/R9C21 (2027-04-02 06:00): confirm the tube again before any tool enters.",
+      "▲ A/hot/R9C20 is plugged at this end only: plug the other end too, or check which tube it is.",
+    ]);
+    assert.match(await tab.innerText("#first .reasons"), /1 tube, obstructed: dent <03H>: A\/hot\/R9C19 rows/);
+    assert.match(await tab.innerText("#first tbody"), /A\/cold\/R9C22\s+rows\s+skipped/);
+    for (const row of await tab.locator("#totals tbody tr").all()) {
+      const cells = await row.locator("td.number").allInnerTexts();
+      const [planned, done, excluded, unresolved] = cells.slice(-5, -1).map(Number);
+      assert.equal(planned, done + excluded + unresolved);
+    }
+    assert.equal(await tab.locator("#maps .leg-map").count(), 2);
+    assert.ok((await inkOf(tab, "#maps .leg-map canvas:nth-child(3)", "case3")) > 20); // tubes that are done
+    assert.ok((await inkOf(tab, "#maps .leg-map canvas:nth-child(3)", "case0")) > 5); // one that is held
+    assert.match(await tab.innerText("#maps .leg-map p"), /% left: \d+ to visit, about \d+ min/);
+    assert.equal(await tab.locator("#log li").count(), 5); // confirmations are joined to their marks
+    assert.equal(await tab.evaluate(() => window.isHit), undefined);
+    await tab.context().close();
+
+    const plan = await opened("plans/report.html");
+    assert.equal(await plan.locator("#schedule svg[role=img]").count(), 2);
+    assert.match(await plan.innerText("#schedule .reasons"), /begins at .* when A\/(hot|cold) ends: /);
+    assert.match(await plan.innerText("#schedule .reasons"), /no schedule ends earlier/);
+    const shares = (await plan.locator("#schedule .card:nth-of-type(2) .legend b").allInnerTexts()).map(parseFloat);
+    assert.equal(shares.length, 6);
+    assert.ok(Math.abs(shares.reduce((sum, share) => sum + share, 0) - 100) < 0.5);
+    await plan.context().close();
+  });
+
   it("print in light colours whatever the screen has, and stay text of what is hostile", async () => {
     const hostile = "</script><script>window.isHit=1</script><img src=x onerror=window.isHit=1>";
     const text = readFileSync(path.join(made.folder, "diagnosis.html"), "utf8");

@@ -62,6 +62,10 @@ TEST_F(JobCommand, WhatItCannotTakeIsRefusedAndRecordsNothing) {
                            "job status nothere.job",
                            "job status job.yaml",
                            "job create job.yaml --out a.job",
+                           "job report a.job",
+                           "job report a.job --out x.html --shift day",  // the job names no shifts
+                           "job report a.job --out x.html --date tomorrow",
+                           "job status a.job --shift day",
                            "job fly a.job"};
   for (const char* words : refused) {
     const Outcome outcome = run(words);
@@ -69,6 +73,22 @@ TEST_F(JobCommand, WhatItCannotTakeIsRefusedAndRecordsNothing) {
     EXPECT_FALSE(outcome.err.empty()) << words;
   }
   EXPECT_TRUE(answer("job log a.job")["events"].empty());
+  EXPECT_FALSE(std::filesystem::exists(folder / "x.html"));
+}
+
+TEST_F(JobCommand, TheHandOverIsWrittenBeforeAndAfterThePlan) {
+  const json before = answer("job report a.job --out before.html");
+  EXPECT_TRUE(before["plan"].is_null());
+  EXPECT_TRUE(before["shift"].is_null());
+  EXPECT_EQ(run("job mark a.job A/hot/R9C18 --as skipped --by Tom --at 2027-04-02T06:15:30Z").exit_code, 0);
+  const json plan = answer("job plan a.job --out plans");
+  EXPECT_NE(contentOf(folder / "plans/report.html").find("\"lower_bound_s\""), std::string::npos);
+  const json after = answer("job report a.job --out after.html");
+  for (const char* key : {"legs", "times", "schedule", "end_s"}) EXPECT_EQ(after["plan"][key], plan[key]) << key;
+  EXPECT_EQ(after["shift"]["words"], "2027-04-02");
+  for (const json& leg : after["legs"]) EXPECT_GT(leg["time_left_s"], 0);
+  const std::string page = contentOf(folder / "after.html");
+  EXPECT_NE(page.find("\"page\":\"hand-over\""), std::string::npos);
 }
 
 TEST_F(JobCommand, TheShippedJobBalances) {

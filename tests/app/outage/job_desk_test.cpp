@@ -171,7 +171,7 @@ TEST_F(JobDesk, ShiftsCountWhatTheyFinished) {
   const auto shifts = totalsOf(store).shifts;
   ASSERT_EQ(shifts.size(), 2u);
   for (const ShiftTotal& shift : shifts) {
-    EXPECT_EQ(shift.date, "2027-04-02");
+    EXPECT_EQ(shift.shift.date, "2027-04-02");
     EXPECT_EQ(shift.done, 2);
   }
   expectSays(messageOf([&] { markAt(22, "yesterday"); }), "--at");

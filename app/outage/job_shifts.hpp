@@ -1,0 +1,31 @@
+// Shifts of a job: in which one a time falls, and when each begins and ends.
+#pragma once
+
+#include <compare>
+#include <string>
+#include <vector>
+
+#include "app/outage/job_file.hpp"
+
+namespace tubeplan::app {
+
+/// One shift of one day, or the rest of a day that no shift has.
+struct ShiftOfDay {
+  std::string date;  ///< day on which it began, in UTC, "2027-04-02"
+  std::string name;  ///< empty: no shift of the job
+
+  [[nodiscard]] auto operator<=>(const ShiftOfDay&) const = default;
+};
+
+/// Returns the shift in which a time falls ("2027-04-02T06:15:30Z").
+[[nodiscard]] ShiftOfDay shiftAt(const std::string& at, const std::vector<JobShift>& shifts);
+
+/// Return the time at which a shift begins and the one at which the next begins, or the midnights around the day where
+/// no shift of the job is named.
+[[nodiscard]] std::string startOf(const ShiftOfDay& shift, const std::vector<JobShift>& shifts);
+[[nodiscard]] std::string endOf(const ShiftOfDay& shift, const std::vector<JobShift>& shifts);
+
+/// Throws InputError, naming --date, for a text that is no date of the form "2027-04-02".
+void requireDate(const std::string& date);
+
+}  // namespace tubeplan::app
