@@ -96,6 +96,37 @@ describe("the desk of an outage", () => {
     await close();
   });
 
+  it("asks for what is new alone, and shows what another desk has done and the plan", async () => {
+    const record = makeRecord("news", "none");
+    job("mark", record, "A/hot/R9C18", "--as", "done", "--by", "Paul");
+    const server = await serve(made.folder, "mockup.yaml");
+    const tab = await desk(server, record, "Tom");
+    const {close} = closable(tab, server);
+    await tab.waitForSelector(".desk-tube[data-tube='A/hot/R9C19']", LIMIT);
+    const asked = [];
+    tab.on("request", (request) => asked.push(new URL(request.url())));
+    await tab.waitForRequest((request) => request.url().includes("after=1"), LIMIT);
+    await tab.waitForTimeout(500);
+    const own = asked.filter(({pathname}) => pathname.startsWith("/api/outage/"));
+    assert.deepEqual([...new Set(own.map(({pathname}) => pathname))], ["/api/outage/log"]);
+    job("undo", record, "--event", "1", "--by", "Paul", "--reason", "extent too short");
+    await tab.waitForSelector(".desk-event.undone >> text=A/hot/R9C18", LIMIT);
+    assert.equal(await tab.locator(".desk-event").count(), 2);
+    assert.equal(await tab.locator(".desk-plan").count(), 0);
+    job("plan", record, "--out", "news-plans");
+    await tab.waitForSelector(".desk-plan .gantt svg", LIMIT);
+    const address = await tab.getAttribute(".desk-bar a[download]", "href");
+    const report = await fetch(new URL(address, server.address));
+    assert.equal(report.status, 200);
+    assert.match(report.headers.get("content-disposition"), /handover\.html/);
+    assert.match(await report.text(), /"page":"hand-over"/);
+    const unknown = await ask(server, `outage/report?file=${record}&shift=nigth`);
+    assert.equal(unknown.status, 422);
+    assert.equal((await ask(server, `outage/log?file=${record}&after=-3`)).status, 422);
+    assert.equal(errorsOf(tab).length, 0);
+    await close();
+  });
+
   it("refuses a mark of a tube that another desk has changed", async () => {
     const record = makeRecord("late", "none");
     const server = await serve(made.folder, "mockup.yaml");

@@ -4,6 +4,7 @@ import {answerTo} from "../server/answers";
 import {get, post} from "../server/requests";
 import {attempt, state} from "../server/workbench";
 import {keep, keptObject} from "../shell/kept";
+import type {JobPlan} from "./job_plan";
 
 export interface MarkKind {
   name: string;
@@ -37,6 +38,7 @@ export interface Totals {
   total: Counts;
   shifts: {date: string; shift: string; done: number}[];
   plugged_at_one_end: string[];
+  plugged_in_the_meantime: {tube: string; package: string}[];
   wrong_tubes: {tube: string; found: string; who: string; at: string}[];
 }
 
@@ -50,6 +52,7 @@ export interface JobEvent {
   value: string;
   method: string;
   reason: string;
+  undoes: number | null;
   undone: boolean;
 }
 
@@ -102,25 +105,58 @@ effect(() => {
 export const totals = signal<Totals | null>(null);
 export const next = signal<NextTube | null>(null);
 export const events = signal<JobEvent[]>([]);
+export const plan = signal<JobPlan | null>(null);
 /** The last confirmation of the tube that is next; null before it. */
 export const finding = signal<Finding | null>(null);
 
-/** Asks the program for everything that the view shows. */
+const inFile = () => `file=${encodeURIComponent(record.value)}`;
+
+/** Returns the address of the hand-over of a shift, "2027-04-02 day"; of the latest one for an empty text. */
+export function reportAddress(shift: string): string {
+  const [date, name = ""] = shift.split(" ");
+  return `/api/outage/report?${inFile()}${shift === "" ? "" : `&date=${date}&shift=${encodeURIComponent(name)}`}`;
+}
+
+/** Record and part of the job that the signals are about, and the time of the plan that is shown. */
+let shownPart = "",
+  shownRecord = "",
+  plannedAt = "";
+
+/** Adds the events that are new, and marks those that they undo. */
+function addEvents(fresh: readonly JobEvent[]): void {
+  const undone = new Set(fresh.map(({undoes}) => undoes));
+  events.value = [
+    ...events.value.map((event) => (undone.has(event.event) ? {...event, undone: true} : event)),
+    ...fresh,
+  ];
+}
+
+/** Asks the program for what has been recorded since the last time, and for totals and the next tube if they may differ. */
 export async function refresh(): Promise<void> {
   if (record.value === "") return;
-  const file = `file=${encodeURIComponent(record.value)}`;
   const [sg, leg] = place.value.split("/");
   const part = place.value === "" ? "" : `&sg=${encodeURIComponent(sg)}&leg=${leg}`;
+  const wanted = record.value,
+    wantedPart = inFile() + part;
   await attempt("The record cannot be read", async () => {
-    const [counted, found, log] = await Promise.all([
-      get<Totals>(`/api/outage/totals?${file}`),
-      get<NextTube>(`/api/outage/next?${file}${part}`),
-      get<{events: JobEvent[]}>(`/api/outage/log?${file}`),
+    const isOther = shownRecord !== wanted,
+      known = isOther ? 0 : (events.peek().at(-1)?.event ?? 0);
+    const log = await get<{events: JobEvent[]; planned_at: string}>(`/api/outage/log?${inFile()}&after=${known}`);
+    const isPlanned = isOther || log.planned_at !== plannedAt;
+    if (log.events.length === 0 && !isPlanned && shownPart === wantedPart) return;
+    const [counted, found, planned] = await Promise.all([
+      get<Totals>(`/api/outage/totals?${inFile()}`),
+      get<NextTube>(`/api/outage/next?${wantedPart}`),
+      isPlanned ? get<{plan: JobPlan | null}>(`/api/outage/plan?${inFile()}`) : null,
     ]);
+    if (record.peek() !== wanted) return; // another record was chosen in the meantime
+    if (isOther) events.value = [];
+    addEvents(log.events.filter(({event}) => event > (events.peek().at(-1)?.event ?? 0)));
     totals.value = counted;
-    events.value = log.events;
     if (found.tube !== next.peek()?.tube) finding.value = null;
     next.value = found;
+    if (planned) plan.value = planned.plan;
+    [shownRecord, shownPart, plannedAt] = [wanted, wantedPart, log.planned_at];
   });
 }
 

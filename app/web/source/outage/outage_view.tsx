@@ -1,10 +1,26 @@
 // The desk of a shift: the next tube, its confirmation, marks by one key each, totals and the log.
 import {useEffect} from "preact/hooks";
+import {useSignal} from "@preact/signals";
 import {Select} from "../drawing/fields";
 import {Panel} from "../drawing/panel";
 import {Waiting} from "../shell/states";
-import {type JobEvent, events, next, person, place, record, records, refresh, totals, undo} from "./desk";
+import {
+  type JobEvent,
+  events,
+  next,
+  person,
+  place,
+  plan,
+  record,
+  records,
+  refresh,
+  reportAddress,
+  totals,
+  undo,
+} from "./desk";
+import {Gantt} from "./gantt";
 import {NextPanel} from "./next_panel";
+import {TimeShares} from "./time_shares";
 import {TotalsTable} from "./totals_table";
 
 /** Time between two looks at the record, which other desks may change [ms]. */
@@ -26,6 +42,7 @@ export function OutageView() {
         <Warnings />
       </Panel>
       <Log />
+      <PlanPanel />
     </div>
   );
 }
@@ -48,6 +65,7 @@ function Bar() {
         choices={[{value: "", words: "every leg"}, ...legs.map((leg) => ({value: leg, words: leg}))]}
         onChoose={(leg) => (place.value = leg)}
       />
+      <HandOver />
       <label>
         Who marks{" "}
         <input
@@ -61,8 +79,38 @@ function Bar() {
   );
 }
 
+/** Button for the hand-over of a shift: the latest, or one in which something was finished. */
+function HandOver() {
+  const shift = useSignal("");
+  const shifts = totals.value!.shifts.map(({date, shift: name}) => `${date} ${name}`.trim());
+  return (
+    <>
+      <Select
+        label="Shift of the hand-over"
+        value={shift.value}
+        choices={[{value: "", words: "latest shift"}, ...shifts.map((of) => ({value: of, words: of}))]}
+        onChoose={(of) => (shift.value = of)}
+      />
+      <a class="button" href={reportAddress(shift.value)} download="handover.html">
+        Hand-over report
+      </a>
+    </>
+  );
+}
+
+function PlanPanel() {
+  if (!plan.value) return null;
+  return (
+    <Panel title="Plan of the job" kind="desk-plan">
+      <Gantt plan={plan.value} />
+      <h3>Where the time goes</h3>
+      <TimeShares plan={plan.value} />
+    </Panel>
+  );
+}
+
 function Warnings() {
-  const {plugged_at_one_end: plugged, wrong_tubes: wrong} = totals.value!;
+  const {plugged_at_one_end: plugged, plugged_in_the_meantime: meantime, wrong_tubes: wrong} = totals.value!;
   return (
     <>
       {wrong.map(({tube, found, who}) => (
@@ -73,6 +121,11 @@ function Warnings() {
       {plugged.map((tube) => (
         <p class="desk-warning" key={tube}>
           ▲ {tube} is plugged at this end only: plug the other end too, or check which tube it is.
+        </p>
+      ))}
+      {meantime.map(({tube, package: of}) => (
+        <p class="desk-warning" key={tube + of}>
+          ▲ {tube} is plugged, but {of} still has it to be visited: mark it excluded there.
         </p>
       ))}
     </>
