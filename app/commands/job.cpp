@@ -3,18 +3,33 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 
 #include "app/cli/command.hpp"
 #include "app/commands/job_actions.hpp"
 #include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/storage/input_error.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
+/// Throws InputError if an output would replace the file that the action reads, such as the record of the job.
+void keepFile(const JobOptions& options) {
+  std::error_code none;
+  for (const auto& [option, path] : {std::pair<const char*, std::string>{"--out", options.out},
+                                     {"--pdf", options.pdf},
+                                     {"--csv", options.csv},
+                                     {"--json", options.figures.json}})
+    if (!path.empty() && std::filesystem::equivalent(path, options.file, none))
+      throw InputError::saying(option, fmt::format("it would replace {}, which is read", options.file),
+                               "choose another name");
+}
+
 int run(const JobOptions& options, const CLI::App& cli) {
+  keepFile(options);
   checkFigures(options.figures);
   requireOptionsOf(cli, options.action, {jobActions().begin(), jobActions().end()});
   for (const JobAction& action : jobActions())

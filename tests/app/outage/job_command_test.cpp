@@ -65,6 +65,10 @@ TEST_F(JobCommand, WhatItCannotTakeIsRefusedAndRecordsNothing) {
                            "job report a.job",
                            "job report a.job --out x.html --shift day",  // the job names no shifts
                            "job report a.job --out x.html --date tomorrow",
+                           "job report a.job --out a.job",
+                           "job report a.job --out y.html --pdf a.job",
+                           "job log a.job --csv a.job",
+                           "job status a.job --json a.job",
                            "job status a.job --shift day",
                            "job fly a.job"};
   for (const char* words : refused) {
