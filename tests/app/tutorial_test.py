@@ -1,6 +1,8 @@
-"""tutorial_test.py TUBEPLAN SOURCE: the console blocks of docs/tutorial.md run as written and print what they show.
+"""tutorial_test.py TUBEPLAN SOURCE DOCUMENT: the console blocks of a document of docs/ run as written and print what they
+show.
 
-Numbers may differ between machines: with all numbers treated as equal, a shown line must begin a printed line.
+Numbers may differ between machines: with all numbers treated as equal, a shown line must begin a printed line. A command
+whose block shows an error or a negative answer must end with its exit code.
 """
 import os
 import pathlib
@@ -11,6 +13,7 @@ import tempfile
 import unittest
 
 PROGRAM, SOURCE = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+INSTALLED = "/usr/share/tubeplan/cells"
 
 
 def alike(line):
@@ -30,10 +33,16 @@ def commands(text):
     return found
 
 
-class Tutorial(unittest.TestCase):
+def code_of(command, lines):
+    if any(line.startswith("tubeplan: ") for line in lines):
+        return 2
+    return 1 if " compare " in command or any(line.startswith("NOT confirmed") for line in lines) else 0
+
+
+class Document(unittest.TestCase):
     def test_console_blocks_print_what_they_show(self):
-        shown = commands((SOURCE / "docs/tutorial.md").read_text())
-        self.assertGreater(len(shown), 15)
+        shown = commands((SOURCE / "docs" / sys.argv[3]).read_text())
+        self.assertGreater(len(shown), 12)
         with tempfile.TemporaryDirectory() as temporary:
             folder = pathlib.Path(temporary)
             (folder / "app").mkdir()
@@ -41,9 +50,9 @@ class Tutorial(unittest.TestCase):
             environment = {**os.environ, "PATH": f"{PROGRAM.parent}:{os.environ['PATH']}"}
             for command, lines in shown:
                 with self.subTest(command):
-                    done = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, capture_output=True, text=True,
+                    done = subprocess.run(["bash", "-c", command.replace(INSTALLED, str(SOURCE / "app/cells"))], cwd=folder, env=environment, capture_output=True, text=True,
                                           timeout=300, check=False)
-                    self.assertEqual(done.returncode, 1 if " compare " in command else 0, done.stdout + done.stderr)
+                    self.assertEqual(done.returncode, code_of(command, lines), done.stdout + done.stderr)
                     printed = [alike(line) for line in (done.stdout + done.stderr).splitlines()]
                     for line in lines:
                         self.assertTrue(any(one.startswith(alike(line)) for one in printed), f"{line}\nis not in\n{done.stdout}")
