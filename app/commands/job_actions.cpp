@@ -132,7 +132,7 @@ nlohmann::json jobPlanReport(const nlohmann::json& figures) {
 int plan(const JobOptions& options) {
   if (options.out.empty())
     throw InputError::saying("--out", "the option is missing", "name the folder for the plans of the packages");
-  const auto page = std::filesystem::path(options.out) / "report.html";
+  const auto page = std::filesystem::path(options.out) / "schedule.html";
   checkWritableFile(page, "--out");
   noteStopSignals();
   JobStore store(options.file);

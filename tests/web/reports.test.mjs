@@ -245,7 +245,7 @@ describe("reports", () => {
     assert.equal(await tab.evaluate(() => window.isHit), undefined);
     await tab.context().close();
 
-    const plan = await opened("plans/report.html");
+    const plan = await opened("plans/schedule.html");
     assert.equal(await plan.locator("#schedule svg[role=img]").count(), 2);
     assert.match(await plan.innerText("#schedule .reasons"), /begins at .* when A\/(hot|cold) ends: /);
     assert.match(await plan.innerText("#schedule .reasons"), /no schedule ends earlier/);

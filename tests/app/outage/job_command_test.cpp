@@ -86,7 +86,7 @@ TEST_F(JobCommand, TheHandOverIsWrittenBeforeAndAfterThePlan) {
   EXPECT_TRUE(before["shift"].is_null());
   EXPECT_EQ(run("job mark a.job A/hot/R9C18 --as skipped --by Tom --at 2027-04-02T06:15:30Z").exit_code, 0);
   const json plan = answer("job plan a.job --out plans");
-  EXPECT_NE(contentOf(folder / "plans/report.html").find("\"lower_bound_s\""), std::string::npos);
+  EXPECT_NE(contentOf(folder / "plans/schedule.html").find("\"lower_bound_s\""), std::string::npos);
   const json after = answer("job report a.job --out after.html");
   for (const char* key : {"legs", "times", "schedule", "end_s"}) EXPECT_EQ(after["plan"][key], plan[key]) << key;
   EXPECT_EQ(after["shift"]["words"], "2027-04-02");
