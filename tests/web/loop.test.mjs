@@ -215,7 +215,7 @@ describe("the catalogue", () => {
   it("has every effect of this arm with its law, sizes and places, and what hides behind what by these readings", async () => {
     const tab = await openTab(browser, `${server.address}#error`);
     await tab.waitForSelector(".error-view");
-    await tab.keyboard.press("6");
+    await tab.keyboard.press("3");
     const {effects} = (await ask(server, "catalogue")).body;
     const kinds = [...new Set(effects.map(({effect}) => effect))];
     await tab.waitForSelector(".effect-list [role=option]");
@@ -296,7 +296,7 @@ describe("by keys alone", () => {
   it("changes the view, opens and closes dialogs, and lists the keys", async () => {
     const tab = await openTab(browser, `${server.address}#error`);
     await tab.waitForSelector(".error-view");
-    await tab.keyboard.press("2");
+    await tab.keyboard.press("1");
     await tab.waitForSelector(".arm-view");
     await tab.keyboard.press("?");
     await tab.waitForSelector("dialog[open] kbd");
@@ -305,7 +305,7 @@ describe("by keys alone", () => {
     await tab.keyboard.press("o");
     await tab.waitForSelector("dialog[open] .file");
     await tab.keyboard.press("Escape");
-    await tab.keyboard.press("3");
+    await tab.keyboard.press("2");
     await tab.waitForSelector(".error-view");
     const before = await tab.evaluate(() => document.documentElement.dataset.scheme);
     await tab.keyboard.press("d");

@@ -299,7 +299,7 @@ async function pictures(browser, folder, into) {
   }
   const [, first] = tabs[0];
   await first.waitForSelector(".stage");
-  await first.click(".rail-entry >> nth=4");
+  await first.click(".rail-entry >> text=Calibrate");
   await first.click(".calibrate-view >> text=Suggest");
   for (let k = 1; k <= 3; ++k) {
     await first.click(".touch-row:not(.done) >> text=Simulate >> nth=0", {
@@ -312,11 +312,11 @@ async function pictures(browser, folder, into) {
   await first.waitForSelector(".calibrate-view .stage-foot .mark", {
     timeout: 60000,
   });
-  await first.click(".rail-entry >> nth=0");
+  await first.click(".rail-entry >> text=Sheet");
   await first.fill(".select-box input", "spread:60");
   await first.click(".select-box button[type=submit]");
   await first.waitForSelector("text=60 holes");
-  await first.click(".rail-entry >> nth=3");
+  await first.click(".rail-entry >> text=Plan");
   await first.click(".plan-head .button.first");
   await first.waitForSelector(".tube-rows .tube-row", {timeout: 120000});
   for (const view of ["sheet", "arm", "plan", "calibrate"]) {

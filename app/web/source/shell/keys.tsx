@@ -5,13 +5,14 @@ import {Terms} from "../drawing/panel";
 import {selectedReadings} from "../error/linked";
 import {dismiss, notices, order, state} from "../server/workbench";
 import {Dialog} from "./dialog";
-import {dialog, view, VIEWS} from "./page_state";
+import {dialog, view} from "./page_state";
 import {save} from "./project";
+import {shownViews} from "./shown_views";
 import {canUndo, undo} from "./undo";
 
 const LIST: Record<string, Record<string, string>> = {
   Everywhere: {
-    "1 … 7": "sheet, arm, error, plan, calibrate, effects, outage",
+    "1 … 7": "the views, from top to bottom",
     O: "open a cell or readings",
     "Ctrl Z": "undo the last change of the model or of the readings",
     "Ctrl Shift Z, Ctrl Y": "redo",
@@ -65,7 +66,8 @@ function onKey(event: KeyboardEvent): void {
     return;
   }
   if (event.ctrlKey || event.metaKey || event.altKey) return;
-  if (key >= "1" && key <= String(VIEWS.length)) view.value = VIEWS[Number(key) - 1];
+  const chosen = shownViews.value[Number(key) - 1];
+  if (chosen) view.value = chosen.name;
   else if (key === "o") dialog.value = "open";
   else if (key === "?") dialog.value = "keys";
   else if (key === "d") chooseScheme(isDark() ? "light" : "dark");

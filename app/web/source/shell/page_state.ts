@@ -5,12 +5,24 @@ import {sheetDocument, state} from "../server/workbench";
 import {toggled} from "../drawing/fields";
 import {makeSheetModel} from "../../../drawing/sheet_model.js";
 
-export const VIEWS = ["sheet", "arm", "error", "plan", "calibrate", "effects", "outage"] as const;
-export type ViewName = (typeof VIEWS)[number];
+/**
+ * The views in the order of the work: look at sheet and arm, find the base, correct the model, plan, visit. `needs`:
+ * part that a cell must have for the view to be of use.
+ */
+export const VIEWS = [
+  {name: "sheet", words: "Sheet", needs: "sheet"},
+  {name: "arm", words: "Arm", needs: "arm"},
+  {name: "calibrate", words: "Calibrate", needs: "sheet"},
+  {name: "error", words: "Error", needs: "arm"},
+  {name: "effects", words: "Effects", needs: "arm"},
+  {name: "plan", words: "Plan", needs: "sheet"},
+  {name: "outage", words: "Outage", needs: "records"},
+] as const;
+export type ViewName = (typeof VIEWS)[number]["name"];
 
 function viewOfAddress(): ViewName {
   const name = location.hash.slice(1);
-  return (VIEWS as readonly string[]).includes(name) ? (name as ViewName) : "sheet";
+  return VIEWS.find((entry) => entry.name === name)?.name ?? "sheet";
 }
 
 export const view = signal<ViewName>(viewOfAddress());

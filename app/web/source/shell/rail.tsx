@@ -1,36 +1,27 @@
 // Navigation between views: a single tab stop, with arrow keys to move between views.
-import {Icon, type IconName} from "../drawing/icons";
+import {Icon} from "../drawing/icons";
 import {roving} from "../drawing/segments";
-import {records} from "../outage/desk";
-import {view, VIEWS, type ViewName} from "./page_state";
-
-const WORDS: Record<ViewName, string> = {
-  sheet: "Sheet",
-  arm: "Arm",
-  error: "Error",
-  plan: "Plan",
-  calibrate: "Calibrate",
-  effects: "Effects",
-  outage: "Outage",
-};
+import {view} from "./page_state";
+import {shownViews} from "./shown_views";
 
 const step = roving({ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1});
 
 export function Rail() {
-  const hasRecords = (records.value.document?.records.length ?? 0) > 0;
+  const shown = shownViews.value;
+  const stop = shown.find(({name}) => name === view.value) ?? shown[0];
   return (
     <nav class="rail" aria-label="Views" onKeyDown={step}>
-      {VIEWS.filter((name) => name !== "outage" || hasRecords).map((name, index) => (
+      {shown.map(({name, words}, index) => (
         <button
           key={name}
           class="rail-entry"
           aria-current={view.value === name ? "page" : undefined}
-          tabIndex={view.value === name ? 0 : -1}
-          title={`${WORDS[name]} (${index + 1})`}
+          tabIndex={name === stop.name ? 0 : -1}
+          title={`${words} (${index + 1})`}
           onClick={() => (view.value = name)}
         >
-          <Icon name={name as IconName} size={22} />
-          <span>{WORDS[name]}</span>
+          <Icon name={name} size={22} />
+          <span>{words}</span>
         </button>
       ))}
     </nav>
