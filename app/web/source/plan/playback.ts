@@ -109,9 +109,13 @@ export const arrivals = computed<number[]>(() => {
 
 let last = 0;
 
+// A hidden page draws nothing, so playback resumes where the page was hidden.
+document.addEventListener("visibilitychange", () => (last = performance.now()));
+
+/** Advances by the time that has passed, so that a slow display drops pictures and keeps the speed. */
 function tick(now: number): void {
   if (!isPlaying.value) return;
-  const next = time.value + Math.min(0.1, (now - last) / 1000) * speed.value;
+  const next = time.value + (Math.max(0, now - last) / 1000) * speed.value;
   last = now;
   time.value = Math.min(endTime.value, next);
   if (time.value >= endTime.value) isPlaying.value = false;
