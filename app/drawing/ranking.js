@@ -6,6 +6,9 @@ import {withSigma} from "./sigma_text.js";
 /** Number of ranked effects shown; further rows are folded. */
 export const MOST_RANKED = 12;
 
+/** Decrease of chi-square below which an effect is folded: noise alone gives as much in 1 of 20 cases. */
+export const LEAST_FALL = 4;
+
 /** @typedef {{name: string, value: number, sigma: number | null, unit: string}} RankedSize */
 /** @typedef {{effect: string, at: string, words?: string, probability?: number | null, chi2_fall?: number | null,
  *    kept_fraction?: number | null, size?: RankedSize | null}} Ranked */
@@ -36,6 +39,19 @@ export function rankingRows(ranking) {
       : {name: "", text: MISSING},
     shows: barred(entry.kept_fraction, 1, percent(entry.kept_fraction)),
   }));
+}
+
+/**
+ * Divides ranked rows into those shown, at most MOST_RANKED, and those folded. Effects that lower chi-square by less
+ * than LEAST_FALL are folded.
+ * @template {{entry: Ranked}} T @param {readonly T[]} rows @returns {{shown: T[], folded: T[], isWeak: boolean}}
+ *   `isWeak`: all folded effects lower chi-square by less than LEAST_FALL
+ */
+export function foldedRows(rows) {
+  const isTelling = (/** @type {T} */ {entry}) => !isNumber(entry.chi2_fall) || entry.chi2_fall >= LEAST_FALL;
+  const shown = rows.filter(isTelling).slice(0, MOST_RANKED);
+  const folded = rows.filter((row) => !shown.includes(row));
+  return {shown, folded, isWeak: !folded.some(isTelling)};
 }
 
 /**

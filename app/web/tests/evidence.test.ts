@@ -13,6 +13,7 @@ import {
   viewOfPatterns,
   viewOfRemainder,
 } from "../../drawing/reading_errors.js";
+import {foldedRows, LEAST_FALL, MOST_RANKED} from "../../drawing/ranking.js";
 import {columnsOf, filtered, rowsOf, sizeUnitOf, sorted, wrongWord} from "../source/error/reading_rows";
 import {findVariable, variablesOf, variableTitle} from "../../drawing/variables.js";
 import type {EffectAt, ErrorReading, LeverageDocument, MomentsDocument, Vector3} from "../source/server/documents";
@@ -362,5 +363,24 @@ describe("the table of readings", () => {
     expect(all[1]).toMatchObject({before: 1e-3, sizeUnit: "m"});
     expect(sizeUnitOf(all, "m")).toBe("");
     expect(sizeUnitOf([], "m")).toBe("m");
+  });
+});
+
+describe("the ranking", () => {
+  const row = (chi2_fall: number | null) => ({entry: {effect: "backlash", at: "theta1", chi2_fall}});
+
+  it("folds the effects that lower chi-square no more than noise does", () => {
+    const rows = [row(90), row(LEAST_FALL), row(LEAST_FALL - 0.1), row(0)];
+    expect(foldedRows(rows)).toEqual({shown: rows.slice(0, 2), folded: rows.slice(2), isWeak: true});
+  });
+
+  it("folds what exceeds the number of rows, and says that not all of it is weak", () => {
+    const rows = Array.from({length: MOST_RANKED + 3}, () => row(90));
+    const {shown, folded, isWeak} = foldedRows(rows);
+    expect([shown.length, folded.length, isWeak]).toEqual([MOST_RANKED, 3, false]);
+  });
+
+  it("shows effects of unknown decrease", () => {
+    expect(foldedRows([row(null)]).folded).toEqual([]);
   });
 });

@@ -9,7 +9,7 @@ import {
 } from "../../../drawing/explanations.js";
 import {errorUnit} from "../../../drawing/error_budget.js";
 import {isNumber, short} from "../../../drawing/numbers.js";
-import {MOST_RANKED, rankingRows, triedText} from "../../../drawing/ranking.js";
+import {foldedRows, LEAST_FALL, rankingRows, triedText} from "../../../drawing/ranking.js";
 import type {DiagnoseDocument, EffectAt, Explanation} from "../server/documents";
 import {currentModel, runningJob} from "../server/workbench";
 import {addEffects} from "./loop";
@@ -21,8 +21,7 @@ type Shown = Pick<Explanation, "effects"> & Partial<Explanation>;
 
 export function EffectRanking({document}: {document: DiagnoseDocument}) {
   const explanations: Shown[] = explanationsOf(document);
-  const rows = rankingRows(document.ranking);
-  const others = rows.slice(MOST_RANKED);
+  const {shown, folded, isWeak} = foldedRows(rankingRows(document.ranking));
   return (
     <div class="ranking">
       {explanations.map((explanation, index) => (
@@ -34,11 +33,13 @@ export function EffectRanking({document}: {document: DiagnoseDocument}) {
           letter={explanations.length > 1 ? letterOf(index) : ""}
         />
       ))}
-      <RankingTable rows={rows.slice(0, MOST_RANKED)} action={RankedAction} />
-      {others.length > 0 ? (
+      <RankingTable rows={shown} action={RankedAction} />
+      {folded.length > 0 ? (
         <details>
-          <summary class="muted">the other {others.length}</summary>
-          <RankingTable rows={others} action={RankedAction} />
+          <summary class="muted">
+            {isWeak ? `${folded.length} more that lower chi² by less than ${LEAST_FALL}` : `the other ${folded.length}`}
+          </summary>
+          <RankingTable rows={folded} action={RankedAction} />
         </details>
       ) : null}
       <p class="muted note">{triedText(document)}</p>

@@ -2,7 +2,7 @@
 import {errorUnit} from "../../../../drawing/error_budget.js";
 import {explanationTitle, isEnough, plainName, sizeText} from "../../../../drawing/explanations.js";
 import {plural, pValue, short, whole} from "../../../../drawing/numbers.js";
-import {MOST_RANKED, rankingRows, triedText} from "../../../../drawing/ranking.js";
+import {foldedRows, rankingRows, triedText} from "../../../../drawing/ranking.js";
 import {letterOf} from "../../../../drawing/reading_errors.js";
 import {RankingTable} from "../../error/ranking_table";
 import type {RankedEffect} from "../../server/documents";
@@ -16,20 +16,19 @@ export function RankingSection({report}: OfReport) {
     ...entry,
     size: object(entry.size),
   })) as unknown as RankedEffect[];
-  const rows = rankingRows(ranking),
-    others = rows.slice(MOST_RANKED);
-  if (rows.length === 0) return <Missing what="The ranking of effects" />;
+  const {shown, folded} = foldedRows(rankingRows(ranking));
+  if (ranking.length === 0) return <Missing what="The ranking of effects" />;
   return (
     <>
       <Lead>{rankingLead(report)}</Lead>
       <Card class="ranking">
-        <RankingTable rows={rows.slice(0, MOST_RANKED)} />
+        <RankingTable rows={shown} />
       </Card>
-      {others.length > 0 ? (
+      {folded.length > 0 ? (
         <details>
-          <summary>The other {whole(others.length)}</summary>
+          <summary>The other {whole(folded.length)}</summary>
           <Card class="ranking">
-            <RankingTable rows={others} />
+            <RankingTable rows={folded} />
           </Card>
         </details>
       ) : null}
