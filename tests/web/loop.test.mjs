@@ -191,11 +191,13 @@ describe("practice readings", () => {
     const own = await serve(made.folder, "bench.yaml");
     const tab = await openTab(browser, `${own.address}#error`);
     await tab.click("button >> text=Open readings");
-    await tab.fill(".practice input >> nth=0", "backlash@no-such-place:0.15deg");
+    await tab.selectOption(".practice .field:has-text('hidden effect') select", {label: "backlash"});
+    await tab.selectOption(".practice .field:has-text('at') >> nth=1 >> select", {label: "tool.z"});
+    await tab.fill(".practice .field:has-text('gap') input", "much");
     await tab.click("button >> text=Make readings");
     await tab.click("dialog .notice .tool");
-    await tab.fill(".practice input >> nth=0", "backlash@tool.z:0.15deg");
-    await tab.fill(".practice .narrow input >> nth=0", "60");
+    await tab.fill(".practice .field:has-text('gap') input", "0,15");
+    await tab.fill(".practice .field:has-text('readings') input", "60");
     await tab.click("button >> text=Make readings");
     await tab.waitForSelector(".chip-more >> text=60 readings", {
       timeout: 60000,

@@ -1,28 +1,40 @@
 // Form for simulated readings of an arm with a hidden effect, for practice.
 import {useSignal, type Signal} from "@preact/signals";
-import {submitting, TextInput} from "../drawing/fields";
-import type {CatalogueDocument} from "../server/documents";
+import {Select, submitting, withPoint} from "../drawing/fields";
+import {choicesOf} from "../drawing/segments";
+import {plainName} from "../../../drawing/explanations.js";
+import {exact, plainUnit} from "../../../drawing/numbers.js";
 import {useAnswer} from "../server/answers";
+import type {CatalogueDocument} from "../server/documents";
 import {cell} from "../server/workbench";
 import {simulate} from "./load";
 
+type Effect = CatalogueDocument["effects"][number];
+
+/** Hidden effect of the form: its kind and place, and the sizes as typed, keyed by parameter; no kind: none. */
+interface Hidden {
+  effect: string;
+  at: string;
+  sizes: Record<string, string>;
+}
+
+const NONE: Hidden = {effect: "", at: "", sizes: {}};
+
 export function PracticeForm() {
-  const hide = useSignal(""),
+  const hidden = useSignal(NONE),
     readings = useSignal(120),
     seed = useSignal(1);
-  const start = () => {
-    const hidden = hide.value.trim();
-    return simulate({
+  const start = () =>
+    simulate({
       design: cell.value?.base_known ? "bench" : "bowl",
       readings: readings.value,
       seed: seed.value,
-      hide: hidden === "" ? [] : [hidden],
+      hide: hidden.value.effect === "" ? [] : [hiddenText(hidden.value)],
     });
-  };
   return (
     <form class="practice" onSubmit={submitting(start)}>
       <h2>Practise</h2>
-      <HiddenEffect hide={hide} />
+      <HiddenEffect hidden={hidden} />
       <Count words="readings" count={readings} least={6} most={2000} />
       <Count words="seed" count={seed} least={1} />
       <button class="button" type="submit">
@@ -32,21 +44,87 @@ export function PracticeForm() {
   );
 }
 
-/** Field for the name of the hidden effect, with the effects of the catalogue as choices. */
-function HiddenEffect({hide}: {hide: Signal<string>}) {
+/** Returns the effect in the notation of the request, such as "hysteresis@theta4:half_width=0.06". */
+export function hiddenText({effect, at, sizes}: Hidden): string {
+  const numbers = Object.entries(sizes).flatMap(([name, size]) => (size.trim() ? [`${name}=${withPoint(size)}`] : []));
+  return `${effect}@${at}${numbers.length > 0 ? `:${numbers.join(",")}` : ""}`;
+}
+
+/**
+ * Returns the sizes with which an effect is proposed: the first parameter at half its usual largest value, the others
+ * empty.
+ */
+export function proposedSizes({parameters}: Effect): Record<string, string> {
+  return Object.fromEntries(
+    parameters.map(({name, plausible}, k) => [
+      name,
+      k === 0 && plausible ? String(Number((plausible / 2).toPrecision(2))) : "",
+    ]),
+  );
+}
+
+/** Choices of the hidden effect, of its place and of its sizes, from the catalogue of this arm. */
+function HiddenEffect({hidden}: {hidden: Signal<Hidden>}) {
   const effects = useAnswer<CatalogueDocument>("/api/catalogue").document?.effects ?? [];
+  const kinds = [...new Map(effects.map((entry) => [entry.effect, entry])).values()];
+  const places = effects.filter(({effect}) => effect === hidden.value.effect);
+  const chosen = places.find(({at}) => at === hidden.value.at);
+  const choose = (entry: Effect | undefined) => {
+    hidden.value = entry ? {effect: entry.effect, at: entry.at, sizes: proposedSizes(entry)} : NONE;
+  };
   return (
     <>
       <label class="field">
         hidden effect
-        <TextInput of={hide} list="practice-effects" placeholder="none, or one of the list" />
+        <Select
+          choices={choicesOf([["", "none"], ...kinds.map(({effect}) => [effect, plainWords(effect)] as const)])}
+          value={hidden.value.effect}
+          onChoose={(name) => choose(effects.find(({effect}) => effect === name))}
+        />
       </label>
-      <datalist id="practice-effects">
-        {[...new Set(effects.map(({effect, at}) => `${effect}@${at}`))].map((name) => (
-          <option value={name} />
-        ))}
-      </datalist>
+      {chosen ? (
+        <label class="field">
+          at
+          <Select
+            choices={choicesOf(places.map(({at}) => [at, at] as const))}
+            value={hidden.value.at}
+            onChoose={(name) => choose(places.find(({at}) => at === name))}
+          />
+        </label>
+      ) : null}
+      {chosen?.parameters.map((parameter) => (
+        <Size key={`${chosen.effect} ${parameter.name}`} parameter={parameter} hidden={hidden} />
+      ))}
     </>
+  );
+}
+
+function plainWords(effect: string): string {
+  return effect.replaceAll("-", " ");
+}
+
+function Size({
+  parameter: {name, unit, plausible},
+  hidden,
+}: {
+  parameter: Effect["parameters"][number];
+  hidden: Signal<Hidden>;
+}) {
+  const text = hidden.value.sizes[name] ?? "";
+  return (
+    <label class="field narrow" title={plausible ? `usually up to ${exact(plausible)} ${plainUnit(unit)}` : ""}>
+      <span class="clip">
+        {plainName(name)}
+        {unit === "1" ? "" : `, ${plainUnit(unit)}`}
+      </span>
+      <input
+        inputMode="decimal"
+        value={text}
+        onInput={({currentTarget: {value}}) =>
+          (hidden.value = {...hidden.value, sizes: {...hidden.value.sizes, [name]: value}})
+        }
+      />
+    </label>
   );
 }
 
