@@ -272,11 +272,19 @@ describe("a reading", () => {
     await close();
   });
 
+  it("is counted by size and in sigmas", async () => {
+    const {tab, close} = await compared("histogram", "hysteresis@theta4:0.06deg");
+    await tab.click(".evidence [role=tab] >> text=Histogram");
+    await tab.waitForSelector(".evidence [aria-label='Histogram of 120 readings: size of the error, in'] canvas");
+    await tab.click(".evidence .segments >> text=Sigmas");
+    await tab.waitForSelector(".evidence [aria-label='Histogram of 120 readings: error, in its sigmas'] canvas");
+    await close();
+  });
+
   it("is selected with all that the filter leaves by keys alone; Esc clears the selection", async () => {
     const {tab, server, close} = await compared("keys", "hysteresis@theta4:0.06deg");
     await tab.focus(".evidence [role=tab] >> nth=0");
-    await tab.keyboard.press("ArrowRight");
-    await tab.keyboard.press("ArrowRight");
+    await tab.keyboard.press("ArrowLeft");
     await tab.waitForSelector(".reading-space .reading-row");
     await tab.focus("input[aria-label='Filter the readings']");
     await tab.keyboard.type("load=0");

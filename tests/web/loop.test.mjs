@@ -257,7 +257,7 @@ describe("by keys alone", () => {
     const tab = await openTab(browser, `${server.address}#error`);
     for (const [label, names] of [
       ["What is missing", ["What is missing", "A or B", "Formula", "Numbers"]],
-      ["Errors", ["Places", "Joints", "Readings"]],
+      ["Errors", ["Places", "Joints", "Histogram", "Readings"]],
     ]) {
       const tabs = tab.locator(`[role=tablist][aria-label='${label}'] [role=tab]`);
       await tabs.first().click();

@@ -117,6 +117,8 @@ describe("the mock-up", () => {
       figures.add(/s: (\S+)/.exec(await read())[1]);
     }
     assert.ok(figures.size > 4, `the cursor reads ${[...figures].join(", ")}`);
+    await tab.click(".plan-view .segments >> text=Tubes by chance");
+    await tab.waitForSelector("[aria-label='Histogram of 60 tubes by the chance of all steps'] canvas");
     await tab.click(".plan-view .menu summary");
     const [download] = await Promise.all([
       tab.waitForEvent("download"),

@@ -1,32 +1,37 @@
-// Evidence of the model's failure: errors at the readings' positions, errors per joint, or one table row for each
-// reading.
+// Evidence of the model's failure: errors at the readings' positions, errors per joint, a histogram, or one table row
+// for each reading.
+import type {ComponentType} from "preact";
 import {signal} from "@preact/signals";
 import {choicesOf} from "../drawing/segments";
 import {Tabs} from "../drawing/tabs";
+import {ErrorHistogram, HistogramChoice} from "./error_histogram";
 import {JointPanels} from "./joint_panels";
 import {ReadingTable} from "./reading_table";
 import {PlaneChoice, ResidualArrows} from "./residual_arrows";
 
-type Tab = "places" | "joints" | "readings";
-const TABS = choicesOf<Tab>([
-  ["places", "Places"],
-  ["joints", "Joints"],
-  ["readings", "Readings"],
-]);
-const tab = signal<Tab>("places");
+/** The tabs: their words, their content, and the choice at the end of the head. */
+const TABS: Record<string, {words: string; body: ComponentType; end?: ComponentType}> = {
+  places: {words: "Places", body: ResidualArrows, end: PlaneChoice},
+  joints: {words: "Joints", body: JointPanels},
+  histogram: {words: "Histogram", body: ErrorHistogram, end: HistogramChoice},
+  readings: {words: "Readings", body: ReadingTable},
+};
+const CHOICES = choicesOf(Object.entries(TABS).map(([name, {words}]) => [name, words] as const));
+const tab = signal("places");
 
 export function EvidencePanel() {
+  const {body: Body, end: End} = TABS[tab.value];
   return (
     <section class="panel evidence">
       <header>
-        <Tabs label="Errors" tabs={TABS} value={tab.value} onChoose={(next) => (tab.value = next)} />
-        {tab.value === "places" ? (
+        <Tabs label="Errors" tabs={CHOICES} value={tab.value} onChoose={(next) => (tab.value = next)} />
+        {End ? (
           <div class="end">
-            <PlaneChoice />
+            <End />
           </div>
         ) : null}
       </header>
-      {tab.value === "places" ? <ResidualArrows /> : tab.value === "joints" ? <JointPanels /> : <ReadingTable />}
+      <Body />
     </section>
   );
 }

@@ -16,12 +16,14 @@ import {units} from "../server/workbench";
 import {arrivals, clearances, isPlaying, path, plan, time} from "./playback";
 import {clearanceAxes, paintRequired, ROOT_SCALE} from "./clearance_axes";
 import {sampleAt} from "./sampling";
+import {StepHistogram} from "./step_histogram";
 
-type What = "clearance" | "travel" | "centring";
+type What = "clearance" | "travel" | "centring" | "chances";
 const WHATS: [What, string][] = [
   ["clearance", "Clearance"],
   ["travel", "Travel time"],
   ["centring", "Chance of all steps"],
+  ["chances", "Tubes by chance"],
 ];
 const what = signal<What>("clearance");
 /** Time under the pointer [s]; null if the pointer is outside. */
@@ -32,7 +34,8 @@ export function TourPlot() {
   const document = plan.value.document,
     along = path.value;
   const made = useMemo(
-    () => (document && along ? makePlot(what.value, document, along, clearances.value) : null),
+    () =>
+      document && along && what.value !== "chances" ? makePlot(what.value, document, along, clearances.value) : null,
     [document, along, what.value, clearances.value, palette.value, units.value],
   );
   useSignalEffect(() => {
@@ -45,7 +48,9 @@ export function TourPlot() {
   return (
     <Panel title="Along the tour" end={choice} body="flush">
       {along && what.value === "clearance" ? <ClearanceFigure along={along} /> : null}
-      {made ? (
+      {document && what.value === "chances" ? (
+        <StepHistogram document={document} />
+      ) : made ? (
         <Plot
           {...made}
           label="Along the tour"
