@@ -47,6 +47,27 @@ export function sizesOf({effects}) {
   });
 }
 
+/** Number of effects of one explanation from which their sizes are a table rather than a sentence. */
+const MANY_SIZES = 4;
+
+/**
+ * Returns the sizes of an explanation with many effects as rows of text: place, parameter, value, sigma and unit, and
+ * the stiffness if all are compliances; null for few effects, whose sizes are a sentence (see sizesOf).
+ * @param {BareExplanation} explanation
+ */
+export function sizeRows({effects}) {
+  if (effects.length < MANY_SIZES) return null;
+  const numbers = effects.flatMap((effect) => tellingNumbers(effect).map((number) => ({at: effect.at, number})));
+  const hasStiffness = numbers.every(({number}) => /compliance/.test(number.name));
+  const rows = numbers.map(({at, number}) => {
+    const [value, sigma] = valueAndSigma(number.value, number.sigma);
+    const unit = number.unit && number.unit !== "1" ? number.unit : "";
+    const stiffness = stiffnessText(number).replace(/^, stiffness /, "");
+    return [at, number.name, value, sigma, unit, ...(hasStiffness ? [stiffness || null] : [])];
+  });
+  return {heads: ["at", "number", "size", "\u00b1 sigma", "unit", ...(hasStiffness ? ["stiffness"] : [])], rows};
+}
+
 /** Returns "half width" for the name "half_width". @param {unknown} name */
 export function plainName(name) {
   return String(name ?? "").replaceAll("_", " ");

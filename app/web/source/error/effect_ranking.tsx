@@ -1,16 +1,19 @@
 // Possibly missing effects: the explanation with its Add button, then every tried effect, most probable first.
 import {
+  briefTitle,
   effectTitle,
   explanationsOf,
   explanationTitle,
   explanationWords,
   isEnough,
+  sizeRows,
   sizesOf,
 } from "../../../drawing/explanations.js";
 import {errorUnit} from "../../../drawing/error_budget.js";
 import {isNumber, short} from "../../../drawing/numbers.js";
 import {foldedRows, LEAST_FALL, rankingRows, triedText} from "../../../drawing/ranking.js";
 import type {DiagnoseDocument, EffectAt, Explanation} from "../server/documents";
+import {Table} from "../drawing/table";
 import {currentModel, runningJob} from "../server/workbench";
 import {addEffects} from "./loop";
 import {letterOf} from "../../../drawing/reading_errors.js";
@@ -81,9 +84,11 @@ function ExplanationCard({explanation, index, document, letter}: ExplanationCard
 
 function ExplanationWords({explanation, unit}: {explanation: Shown; unit: string}) {
   const leaves = explanation.heldout_rms ?? explanation.rms;
+  const left = isNumber(leaves) ? [`leaves ${short(leaves)} ${unit} held out`] : [];
+  const table = sizeRows(explanation);
   return (
     <div class="explanation-words">
-      <b>{explanationTitle(explanation)}</b>
+      <b title={explanationTitle(explanation)}>{briefTitle(explanation)}</b>
       <span class="muted">{explanationWords(explanation)}</span>
       {explanation.effects
         .filter((effect) => effect.also_words)
@@ -92,10 +97,8 @@ function ExplanationWords({explanation, unit}: {explanation: Shown; unit: string
             {effect.also_words}
           </span>
         ))}
-      <span>
-        {sizesOf(explanation).join("; ")}
-        {isNumber(leaves) ? ` · leaves ${short(leaves)} ${unit} held out` : ""}
-      </span>
+      {table ? <Table {...table} text={[0, 1, 4]} /> : null}
+      <span>{[...(table ? [] : [sizesOf(explanation).join("; ")]), ...left].filter(Boolean).join(" · ")}</span>
     </div>
   );
 }

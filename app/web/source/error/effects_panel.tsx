@@ -1,29 +1,28 @@
 // Possibly missing effects, readings that would distinguish explanations, the user's own formula, and the fitted
 // parameters.
-import {signal} from "@preact/signals";
 import {plural} from "../../../drawing/numbers.js";
 import {Panel} from "../drawing/panel";
 import {choicesOf} from "../drawing/segments";
 import {Tabs} from "../drawing/tabs";
-import {pageWords} from "../server/page_words";
 import {runningJob, state} from "../server/workbench";
 import {OtherModel} from "../shell/other_model";
 import {ProblemWords, Waiting} from "../shell/states";
 import {EffectRanking} from "./effect_ranking";
+import {EffectWarnings} from "./effect_warnings";
 import {FormulaBox} from "./formula_box";
+import {advice, GuidancePanel} from "./guidance_panel";
 import {diagnose, identify} from "./loop";
 import {ParameterTable} from "./parameter_table";
 import {runSheet} from "./run_sheet";
 import {Splitting} from "./splitting";
-
-type Tab = "effects" | "split" | "formula" | "numbers";
-export const effectsTab = signal<Tab>("effects");
+import {effectsTab, type EffectsTab} from "./tabs";
 
 export function EffectsPanel() {
   const document = diagnose.value.document;
   const splits = document ? document.next_readings.length : 0;
-  const tabs = choicesOf<Tab>([
+  const tabs = choicesOf<EffectsTab>([
     ["effects", "What is missing"],
+    ...(advice.value.length > 0 ? [["steps", `Next steps · ${advice.value.length}`] as const] : []),
     ["split", document && document.explanations.length > 1 ? `A or B${splits > 0 ? ` · ${splits}` : ""}` : "A or B"],
     ["formula", "Formula"],
     ["numbers", "Numbers"],
@@ -40,6 +39,7 @@ export function EffectsPanel() {
 
 function TabBody() {
   const found = diagnose.value;
+  if (effectsTab.value === "steps" && advice.value.length > 0) return <GuidancePanel />;
   if (effectsTab.value === "formula") return <FormulaBox />;
   if (effectsTab.value === "numbers") {
     return identify.value.document ? (
@@ -64,9 +64,7 @@ function TabBody() {
   }
   return (
     <>
-      {found.document.warnings.map((entry) => (
-        <p class="warning">{pageWords(typeof entry === "string" ? entry : entry.sentence)}</p>
-      ))}
+      <EffectWarnings warnings={found.document.warnings} />
       <EffectRanking document={found.document} />
     </>
   );

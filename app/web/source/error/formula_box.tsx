@@ -9,9 +9,16 @@ import {useAnswer} from "../server/answers";
 import {ProblemWords} from "../shell/states";
 import {cell, runningJob, units} from "../server/workbench";
 import {addEffects, addFormula} from "./loop";
+import {effectsTab} from "./tabs";
 
 /** Text of the formula, kept when the view changes. */
-export const formulaText = signal("");
+const formulaText = signal("");
+
+/** Opens the formula box and enters the text if the box is empty. */
+export function openFormula(text: string): void {
+  if (formulaText.peek().trim() === "") formulaText.value = text;
+  effectsTab.value = "formula";
+}
 
 export function FormulaBox() {
   const text = formulaText;

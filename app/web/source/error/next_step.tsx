@@ -2,16 +2,18 @@
 import type {ComponentChildren} from "preact";
 import {useEffect, useRef} from "preact/hooks";
 import {briefTitle} from "../../../drawing/explanations.js";
+import {plural} from "../../../drawing/numbers.js";
 import {verdictMark} from "../../../drawing/kinds.js";
 import type {DiagnoseDocument} from "../server/documents";
-import {state} from "../server/workbench";
+import {hasModelBefore} from "../server/workbench";
 import {dialog} from "../shell/page_state";
 import {answer} from "./answer";
-import {effectsTab} from "./effects_panel";
 import {suggestedFormula} from "./focus";
-import {formulaText} from "./formula_box";
+import {openFormula} from "./formula_box";
 import {addEffects, areChangeable, currentDiagnosis, startCompare, startDiagnose} from "./loop";
+import {advice} from "./guidance_panel";
 import {assume, mistake} from "./reading_checks";
+import {effectsTab} from "./tabs";
 
 interface Step {
   words: ComponentChildren;
@@ -35,18 +37,25 @@ export function NextStep({isBusy}: {isBusy: boolean}) {
     if (document.activeElement === document.body) button.current?.focus();
   }, [isOff]);
   return (
-    <button
-      ref={button}
-      class={`button ${isQuiet ? "" : "first"} large next`}
-      title={title}
-      disabled={isOff}
-      onClick={() => {
-        hadFocus.current = true;
-        void act();
-      }}
-    >
-      {words}
-    </button>
+    <div class="next-box">
+      <button
+        ref={button}
+        class={`button ${isQuiet ? "" : "first"} large next`}
+        title={title}
+        disabled={isOff}
+        onClick={() => {
+          hadFocus.current = true;
+          void act();
+        }}
+      >
+        {words}
+      </button>
+      {advice.value.length > 0 ? (
+        <button class="link" onClick={() => (effectsTab.value = "steps")}>
+          All {plural(advice.value.length, "step")} after this verdict
+        </button>
+      ) : null}
+    </div>
   );
 }
 
@@ -63,7 +72,7 @@ const ADDED = new Set(["explained", "partly-explained", "ambiguous"]);
 function stepAfter(diagnosis: DiagnoseDocument, isBusy: boolean): Step | null {
   const {verdict, explanations} = diagnosis,
     [first] = explanations;
-  if (verdict === "unexplained") return {words: "Try a formula", act: tryFormula};
+  if (verdict === "unexplained") return {words: "Try a formula", act: () => openFormula(suggestedFormula.peek())};
   if (isOpen(diagnosis)) {
     const words = explanations.length > 1 ? "What would tell them apart" : "What to read next";
     return {words, act: () => (effectsTab.value = "split")};
@@ -80,18 +89,12 @@ function isOpen({verdict, next_readings: next, splitting}: DiagnoseDocument): bo
   return (verdict === "ambiguous" || verdict === "inconclusive") && next.length + others > 0;
 }
 
-/** Opens the formula box and enters the suggested formula if the box is empty. */
-function tryFormula(): void {
-  if (formulaText.peek().trim() === "") formulaText.value = suggestedFormula.peek();
-  effectsTab.value = "formula";
-}
-
 /** Returns the next step of the loop: compare, then diagnose. */
 function stepOfLoop(isBusy: boolean): Step {
   if (!answer.value) return {words: "Compare", act: startCompare, isOff: isBusy};
   const isDone = answer.value.mark === verdictMark("adequate");
   return {
-    words: isDone && state.value?.can_undo ? "Diagnose again" : "Diagnose",
+    words: isDone && hasModelBefore.value ? "Diagnose again" : "Diagnose",
     act: startDiagnose,
     isOff: isBusy || currentDiagnosis.value !== null,
     isQuiet: isDone,

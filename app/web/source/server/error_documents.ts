@@ -138,6 +138,14 @@ export interface FillIn {
   optional: string[];
 }
 
+/** Warning about an effect of the diagnosed model; the kind is missing in projects of earlier versions. */
+export interface EffectWarning {
+  sentence: string;
+  kind?: string;
+  effect?: string;
+  at?: string;
+}
+
 export interface DiagnoseDocument extends VerdictDocument {
   probability: {nothing_missing: number; unknown_alone: number; scatter_alone?: number | null};
   not_tried: string[];
@@ -160,7 +168,7 @@ export interface DiagnoseDocument extends VerdictDocument {
       probability_distinguished: number;
     }[];
   };
-  warnings: (string | {sentence: string})[];
+  warnings: (string | EffectWarning)[];
   /** Explanation of the probabilities in the ranking. */
   probability_words?: string;
   /** Smallest detectable size of each effect. */
@@ -172,6 +180,8 @@ export interface DiagnoseDocument extends VerdictDocument {
     unit: string;
     beyond_plausible: boolean;
   }[];
+  /** Scatter of repeated readings as a multiple of the stated noise; missing without repeats. */
+  repeats?: {groups: number; noise_ratio: number | null};
   /** Residual error that no known effect explains, and the variables that it follows. */
   remainder?: {size: number | null; follows: {variable: string; share: number}[]};
   alternatives: EffectAt[][];

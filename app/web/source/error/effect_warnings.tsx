@@ -1,0 +1,75 @@
+// Warnings about the effects of the diagnosed model, one line for each kind, with the effects that can be removed.
+import {effectTitle} from "../../../drawing/explanations.js";
+import {plural} from "../../../drawing/numbers.js";
+import type {EffectWarning} from "../server/documents";
+import {pageWords} from "../server/page_words";
+import {runningJob} from "../server/workbench";
+import {removeCauses} from "./loop";
+import {type WarningGroup, warningGroups} from "./warning_groups";
+
+/** Kinds of warnings that one line states for all their effects; the sentences of other kinds are listed one by one. */
+const TOGETHER: Record<string, {words: (count: number) => string; isRemovable?: boolean}> = {
+  "not-needed": {
+    words: (count) =>
+      count === 1
+        ? "These readings do not need one effect of the model:"
+        : `These readings need none of ${count} effects of the model, each tested with the others in it:`,
+    isRemovable: true,
+  },
+  "misfit-remains": {
+    words: (count) =>
+      `${count === 1 ? "One effect leaves" : `${count} effects leave`} the error above the noise floor, so that something else is missing:`,
+  },
+};
+
+export function EffectWarnings({warnings}: {warnings: readonly (string | EffectWarning)[]}) {
+  return (
+    <>
+      {warningGroups(warnings).map((group) => (
+        <Group key={group.kind} {...group} />
+      ))}
+    </>
+  );
+}
+
+function Group({kind, warnings}: WarningGroup) {
+  const together = TOGETHER[kind];
+  if (!together)
+    return (
+      <>
+        {warnings.map(({sentence}) => (
+          <p class="warning" key={sentence}>
+            {pageWords(sentence)}
+          </p>
+        ))}
+      </>
+    );
+  return (
+    <div class="warning">
+      {together.words(warnings.length)}{" "}
+      {warnings.map((warning) => (
+        <span class="warned" title={pageWords(warning.sentence)} key={warning.sentence}>
+          {titleOf(warning)}
+        </span>
+      ))}
+      {together.isRemovable ? <RemoveButton warnings={warnings} /> : null}
+    </div>
+  );
+}
+
+function titleOf({effect = "", at}: EffectWarning): string {
+  return effectTitle({effect, at});
+}
+
+function RemoveButton({warnings}: {warnings: readonly EffectWarning[]}) {
+  return (
+    <button
+      class="button small"
+      title="The model is fitted without them; Undo takes it back"
+      disabled={runningJob("remove", "add") !== null}
+      onClick={() => removeCauses(warnings.map(({effect, at}) => `${effect}@${at}`))}
+    >
+      Remove {warnings.length === 1 ? titleOf(warnings[0]) : `the ${plural(warnings.length, "effect")} not needed`}
+    </button>
+  );
+}
