@@ -164,10 +164,8 @@ Answer add(Workbench& workbench, const Request& request) {
   const AdditionRequest asked = additionAsked(body);
   IdentificationRequest fit;
   fit.seed = seedOf(body);
-  const Addition first =
-      addToCell(currentModel(workbench.session()).cell, asked);  // refuse bad input before the job begins
-  const std::string label =
-      fmt::format("+ {}", asked.formula.empty() ? fmt::format("{}", fmt::join(first.names, " + ")) : asked.formula);
+  const Addition first = addToCell(currentModel(workbench.session()).cell, asked);  // refuses bad input before the job
+  const std::string label = asked.formula.empty() ? causesLabel("+", first.names) : fmt::format("+ {}", asked.formula);
   return beginFit(workbench,
                   {"add", label, label, asked.formula.empty() ? "effect" : "formula", fit,
                    [asked](const Cell& cell) { return cellTextWith(cell, addToCell(cell, asked), cell.path); }});
@@ -180,8 +178,8 @@ Answer remove(Workbench& workbench, const Request& request) {
   const auto causes = textsOf(body, "causes");
   IdentificationRequest fit;
   fit.seed = seedOf(body);
-  (void)withoutCauses(currentModel(workbench.session()).cell, causes);  // refuse bad input before the job begins
-  const std::string label = fmt::format("\u2212 {}", fmt::join(causes, ", "));
+  (void)withoutCauses(currentModel(workbench.session()).cell, causes);  // refuses bad input before the job begins
+  const std::string label = causesLabel("\u2212", causes);
   return beginFit(workbench, {"remove", label, label, "without", fit, [causes](const Cell& cell) {
                                 const Cell without = withoutCauses(cell, causes);
                                 return cellTextWithEffects(without, without.arm, {}, without.path);

@@ -2,6 +2,7 @@
 // added measurements.
 #include <fmt/format.h>
 
+#include <functional>
 #include <sstream>
 
 #include "app/documents/foreign_json.hpp"
@@ -58,12 +59,16 @@ Answer leverage(Workbench& workbench, const Request& request) {
   return answerOf(leverageJson(currentModel(session).cell, session.measurements->measurements, namesAt(request)));
 }
 
-void take(Workbench& workbench, std::shared_ptr<MeasurementSet> set) {
+/// Loads the measurements; `also` makes further changes in the same step.
+void take(
+    Workbench& workbench, std::shared_ptr<MeasurementSet> set,
+    const std::function<void(Session&)>& also = [](Session&) {}) {
   if (set->measurements.size() > kMostLoaded)
     throw InputError(set->name, fmt::format("{} readings", set->measurements.size()),
                      fmt::format("at most {} in the workbench", kMostLoaded), "use the command line for more");
   workbench.change([&](Session& session) {
-    putMeasurements(session, std::move(set));
+    putMeasurements(session, set);
+    also(session);
     return true;
   });
 }
@@ -97,16 +102,13 @@ Answer assume(Workbench& workbench, const Request& request) {
   const auto set = readSet(std::move(source), session.measurements->name, cell);
   keepMarks(*session.measurements, *set);
   set->joined = session.measurements->joined;
-  take(workbench, set);
-  if (was_known && !cell.base_known) {
+  take(workbench, set, [&](Session& now) {
+    if (!was_known || cell.base_known) return;
     const Cell& known = currentModel(session).cell;
     const BaseChange unknown{known.X_WB, std::nullopt, false};
-    const Cell open = rereadCell(known, cellTextWithBase(known, unknown, known.path));
-    workbench.change([&](Session& now) {
-      (void)pushModel(now, "base not known", "assumption", open);
-      return true;
-    });
-  }
+    (void)pushModel(now, "base not known", "assumption",
+                    rereadCell(known, cellTextWithBase(known, unknown, known.path)));
+  });
   return answerOf(stateJson(workbench));
 }
 

@@ -1,5 +1,8 @@
 #include "app/workbench/session.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace tubeplan::app {
@@ -60,6 +63,19 @@ int pushModel(Session& session, std::string label, std::string origin, Cell cell
   return id;
 }
 
+std::string causesLabel(const std::string& sign, const std::vector<std::string>& causes) {
+  constexpr int kMany = 3;
+  const auto kindOf = [](const std::string& cause) { return cause.substr(0, cause.find('@')); };
+  std::vector<std::string> parts;
+  for (const auto& cause : causes) {
+    const auto places =
+        std::ranges::count_if(causes, [&](const std::string& other) { return kindOf(other) == kindOf(cause); });
+    const std::string part = places < kMany ? cause : fmt::format("{} at {} places", kindOf(cause), places);
+    if (std::ranges::find(parts, part) == parts.end()) parts.push_back(part);
+  }
+  return fmt::format("{} {}", sign, fmt::join(parts, " + "));
+}
+
 namespace {
 
 /// Largest total number of measurements that all result documents together may list, about 100 MiB: enough for two
@@ -106,8 +122,7 @@ void putResult(Session& session, const std::string& name, int model, nlohmann::j
 void putMeasurements(Session& session, std::shared_ptr<MeasurementSet> set) {
   set->change = session.measurements ? session.measurements->change + 1 : 0;
   session.measurements = std::move(set);
-  for (const char* name : {"compare", "diagnose", "identify", "ladder", "improve", "touches", "simulate"})
-    session.results.erase(name);
+  for (const char* name : kResultsOfMeasurements) session.results.erase(name);
 }
 
 }  // namespace tubeplan::app

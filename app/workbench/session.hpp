@@ -73,6 +73,12 @@ struct ResultDocument {
 };
 using ResultPointer = std::shared_ptr<const ResultDocument>;
 
+struct HistoryStep;
+
+/// Results that depend on the measurements.
+inline constexpr const char* kResultsOfMeasurements[] = {"compare", "diagnose", "identify", "ladder",
+                                                         "improve", "touches",  "simulate"};
+
 struct Session {
   std::uint64_t revision = 1;
   std::vector<ModelPointer> models;  ///< stack of models, the opened cell first; never empty
@@ -87,6 +93,8 @@ struct Session {
   int next_touch = 1;
   std::shared_ptr<const PlanOutcome> plan;
   PlanRequest plan_request;
+  /// Steps that can be undone and redone, the newest last (see history.hpp); empty in a kept session.
+  std::vector<std::shared_ptr<const HistoryStep>> past = {}, undone = {};
 };
 
 [[nodiscard]] inline const Model& currentModel(const Session& session) { return *session.models[session.current]; }
@@ -104,6 +112,9 @@ struct Session {
 /// Puts a model on the stack above the current model, and makes it current. Deletes the models kept for redo, with
 /// their results. Returns the id of the new model.
 int pushModel(Session& session, std::string label, std::string origin, Cell cell);
+
+/// Returns a label such as "+ hysteresis@theta4", or "+ joint-compliance at 7 places" for an effect at many places.
+[[nodiscard]] std::string causesLabel(const std::string& sign, const std::vector<std::string>& causes);
 
 /// Stores a result. If the documents that list measurements become too large in total, the oldest ones of models other
 /// than the current one are deleted.

@@ -14,6 +14,7 @@
 #include "app/formats/units.hpp"
 #include "app/formats/units_json.hpp"
 #include "app/version.hpp"
+#include "app/workbench/history.hpp"
 #include "app/workbench/measurement_sets.hpp"
 #include "app/workbench/project.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -65,6 +66,7 @@ json cellJson(const Session& session) {
           {"has_tool", cell.tool.has_value()},
           {"has_truth", !session.truth.empty()},
           {"has_park", cell.park.has_value()},
+          {"park", cell.park ? json(jointValuesJson(*cell.park, cell)) : json()},
           {"has_arm_file", !cell.arm_source.text.empty()},
           {"joints", jointRangesJson(cell)},
           {"identify", cell.identify},
@@ -152,8 +154,10 @@ json stateJson(const Workbench& workbench) {
           {"cell", cellJson(session)},
           {"models", modelsJson(session)},
           {"model", currentModel(session).id},
-          {"can_undo", session.current > 0},
-          {"can_redo", session.current + 1 < session.models.size()},
+          {"can_undo", !undoWords(session).empty()},
+          {"can_redo", !redoWords(session).empty()},
+          {"undo_words", undoWords(session)},
+          {"redo_words", redoWords(session)},
           {"measurements", measurementSummaryJson(session)},
           {"results", resultsJson(session)},
           {"touches", session.touches.size()},

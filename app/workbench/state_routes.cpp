@@ -1,7 +1,10 @@
 // Routes for the shared state, its results, undo and jobs.
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "app/storage/input_error.hpp"
+#include "app/workbench/history.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
@@ -33,19 +36,39 @@ Answer result(Workbench& workbench, const Request& request) {
   return answerOf(document);
 }
 
-Answer step(Workbench& workbench, bool back) {
-  const bool done = workbench.change([&](Session& session) {
-    if (back ? session.current == 0 : session.current + 1 >= session.models.size()) return false;
-    session.current += back ? std::size_t(-1) : 1;
-    return true;
-  });
-  if (!done)
-    return refusal(409, InputError::saying("models", back ? "there is nothing to undo" : "there is nothing to redo"));
+Answer undo(Workbench& workbench, const Request&) {
+  if (!workbench.change(stepBack)) return refusal(409, InputError::saying("models", "there is nothing to undo"));
   return answerOf(stateJson(workbench));
 }
 
-Answer undo(Workbench& workbench, const Request&) { return step(workbench, true); }
-Answer redo(Workbench& workbench, const Request&) { return step(workbench, false); }
+Answer redo(Workbench& workbench, const Request&) {
+  if (!workbench.change(stepForward)) return refusal(409, InputError::saying("models", "there is nothing to redo"));
+  return answerOf(stateJson(workbench));
+}
+
+/// Gives a model of the stack another label, for the request {"model": id, "label"}.
+Answer rename(Workbench& workbench, const Request& request) {
+  constexpr std::size_t kLongest = 120;
+  const auto body = objectOf(request);
+  const int id = integerOf(body, "model", -1, 0, std::numeric_limits<int>::max());
+  const std::string label = textOf(body, "label");
+  if (label.find_first_not_of(' ') == std::string::npos || label.size() > kLongest)
+    throw InputError("request (label)", inQuotes(label), fmt::format("a name of 1 to {} characters", kLongest));
+  if (workbench.jobs().isBusy())
+    return refusal(409, InputError::saying("models", "a model cannot be renamed while a job is running",
+                                           "wait until it finishes, or stop it"));
+  const auto give = [&](Session& session) {
+    const auto at = findModel(session, id);
+    if (!at) return false;
+    auto renamed = std::make_shared<Model>(*session.models[*at]);
+    renamed->label = label;
+    session.models[*at] = std::move(renamed);
+    return true;
+  };
+  const bool found = workbench.change(give, false);
+  if (!found) return refusal(404, InputError("model", std::to_string(id), "the number of a model"));
+  return answerOf(stateJson(workbench));
+}
 
 /// Makes the model {"model": id} of the stack current; the models above it are kept for redo.
 Answer goTo(Workbench& workbench, const Request& request) {
@@ -69,8 +92,13 @@ Answer cancel(Workbench& workbench, const Request& request) {
 }
 
 constexpr Route kStateRoutes[] = {
-    {"GET", "state", state}, {"GET", "results/*", result}, {"POST", "undo", undo},
-    {"POST", "redo", redo},  {"POST", "models/go", goTo},  {"POST", "jobs/*/cancel", cancel},
+    {"GET", "state", state},
+    {"GET", "results/*", result},
+    {"POST", "undo", undo},
+    {"POST", "redo", redo},
+    {"POST", "models/go", goTo},
+    {"POST", "models/rename", rename},
+    {"POST", "jobs/*/cancel", cancel},
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "app/formats/measurements/measurement_input.hpp"
 #include "app/formats/measurements/measurements_reader.hpp"
 #include "app/storage/input_error.hpp"
+#include "app/workbench/history.hpp"
 #include "app/workbench/measurement_sets.hpp"
 #include "app/workbench/project.hpp"
 
@@ -70,12 +71,13 @@ Session Workbench::session() const {
   return session_;
 }
 
-bool Workbench::change(const std::function<bool(Session&)>& step) {
+bool Workbench::change(const std::function<bool(Session&)>& step, bool is_noted) {
   Session changed;
   {
     const std::lock_guard lock(mutex_);
     changed = session_;
     if (!step(changed)) return false;
+    if (is_noted) noteStep(session_, changed);
     ++changed.revision;
     session_ = changed;
   }
@@ -88,14 +90,15 @@ bool Workbench::replace(Session session) {
   if (jobs_.isBusy()) return false;
   const auto kept = keeper_.begin(session.models.front()->cell.path);
   if (kept && hasWork(*kept)) keeper_.putAside();
-  return change([&](Session& now) {
+  const auto take = [&](Session& now) {
     const bool is_saved = session.saved_revision == session.revision;
     const std::uint64_t revision = std::max(now.revision, session.revision);
     now = std::move(session);
     now.revision = revision;
     now.saved_revision = is_saved ? revision + 1 : 0;  // change() increments the revision after this step
     return true;
-  });
+  };
+  return change(take, false);
 }
 
 Session openCell(const std::string& file, const std::string& truth) {

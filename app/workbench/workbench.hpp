@@ -33,8 +33,8 @@ class Workbench {
   [[nodiscard]] Session session() const;
 
   /// Applies `step` to the session atomically and sends the change to all browsers. Returns the result of `step`; false
-  /// means that nothing changed.
-  bool change(const std::function<bool(Session&)>& step);
+  /// means that nothing changed. The change can be undone unless `is_noted` is false.
+  bool change(const std::function<bool(Session&)>& step, bool is_noted = true);
 
   /// Replaces the session unless a job is running, and keeps the session of the new cell from now on. A session kept
   /// earlier for the new cell is renamed. Returns false if a job is running.

@@ -5,7 +5,7 @@ import {short} from "../../../drawing/numbers.js";
 import {verdictItems} from "../../../drawing/verdict_items.js";
 import type {Mark} from "../drawing/marks";
 import {pageWords} from "../server/page_words";
-import {currentModel, state} from "../server/workbench";
+import {currentModel, hasModelBefore, state} from "../server/workbench";
 import {ladderOf} from "./ladder";
 import {currentComparison, currentDiagnosis, ladder} from "./loop";
 
@@ -34,7 +34,7 @@ export const answer = computed<Answer | null>(() => {
 /** Returns a statement of how the last model change affected the error; null if the ladder lacks the models. */
 function fallOfError(): Answer | null {
   const document = ladder.value.document;
-  if (!document || document.model !== state.value?.model || document.models.length < 2 || !state.value.can_undo)
+  if (!document || document.model !== state.value?.model || document.models.length < 2 || !hasModelBefore.value)
     return null;
   const {models, floor, unit} = ladderOf(document);
   const before = models.at(-2)!,

@@ -1,6 +1,6 @@
 // The ladder as bars: the fitted and held-out errors of each model, relative to the noise floor.
 import {signal} from "@preact/signals";
-import {cell} from "../server/workbench";
+import {cell, state} from "../server/workbench";
 import {keep, keptObject} from "../shell/kept";
 import {LADDER_WORDS} from "../../../drawing/ladder.js";
 import {ladderOf, ladderOfDiagnosis, ladderOfOne, type Ladder} from "./ladder";
@@ -39,8 +39,22 @@ function shownLadder(): Ladder | null {
   return document ? ladderOfOne(document) : null;
 }
 
+/** Returns the ladder with the present names of the models, which may have been renamed since it was computed. */
+function withPresentNames(shown: Ladder | null): Ladder | null {
+  const document = ladder.value.document,
+    now = state.value;
+  if (!shown || !document || !now || shown.models.length !== document.models.length) return shown;
+  const top = now.models.findIndex(({id}) => id === document.model);
+  const first = shown.models.length - 1 - top;
+  if (top < 0 || first < 0) return shown;
+  return {
+    ...shown,
+    models: shown.models.map((model, k) => ({...model, name: now.models[k - first]?.label ?? model.name})),
+  };
+}
+
 export function LadderBars() {
-  const shown = shownLadder();
+  const shown = withPresentNames(shownLadder());
   if (!shown) return <p class="muted">The errors of the models stand here once readings are compared.</p>;
   const limit = tolerance();
   return (

@@ -3,7 +3,8 @@
 import {plural} from "../../../drawing/numbers.js";
 import {selectedReadings} from "./linked";
 import {areChangeable} from "./loop";
-import {lastMarking, markReadings, markingWords, undoMarking} from "./reading_marks";
+import {lastMarking, markReadings, markingWords} from "./reading_marks";
+import {canUndo, undo} from "../shell/undo";
 import {readingErrors} from "./residuals";
 
 export function SelectionBar() {
@@ -15,12 +16,7 @@ export function SelectionBar() {
       {selectedReadings.value.size === 0 && last ? (
         <>
           <b>{markingWords(last)}</b>
-          <button
-            class="button small"
-            title="Undo (Ctrl+Z)"
-            disabled={!areChangeable.value}
-            onClick={() => void undoMarking()}
-          >
+          <button class="button small" title="Undo (Ctrl+Z)" disabled={!canUndo.value} onClick={() => void undo()}>
             Undo
           </button>
         </>

@@ -18,6 +18,8 @@ export interface CellInfo {
   has_sheet: boolean;
   has_truth: boolean;
   has_park: boolean;
+  /** Park posture; null if the cell states none. */
+  park: number[] | null;
   has_arm_file: boolean;
   joints: JointInfo[];
   identify: string[];
@@ -136,6 +138,9 @@ export interface WorkbenchState {
   model: number;
   can_undo: boolean;
   can_redo: boolean;
+  /** What undo and redo would change next; empty if there is nothing. */
+  undo_words: string;
+  redo_words: string;
   measurements: ReadingsInfo | null;
   results: Record<string, ResultMark | null>;
   jobs: Job[];

@@ -21,7 +21,12 @@ export const currentModel = computed<Model | null>(
   () => state.value?.models.find((model) => model.id === state.value?.model) ?? null,
 );
 
-/** Returns the label of the model for which a result was computed, if it is not the current model; otherwise "". */
+/** True if the present model was made from another one. */
+export const hasModelBefore = computed(
+  () => (state.value?.models.findIndex(({id}) => id === state.value?.model) ?? 0) > 0,
+);
+
+/** Returns the label of the model for which a result was computed, if it is not the present model; otherwise "". */
 export function otherModelOf(name: string): string {
   const id = state.value?.results[name]?.model;
   if (id === undefined || id === state.value?.model) return "";

@@ -8,27 +8,37 @@ import {cell, connection, order, runningJobs, state} from "../server/workbench";
 import {ModelSteps} from "./model_steps";
 import {dialog} from "./page_state";
 import {ProjectTools} from "./project";
-import {canUndo, undo} from "./undo";
+import {canRedo, canUndo, redo, undo} from "./undo";
 
 function ModelStack() {
   const now = state.value;
   if (!now) return <div class="models" />;
   return (
     <div class="models">
-      <button class="tool" title="Undo (Ctrl+Z)" disabled={!canUndo.value} onClick={() => void undo()}>
+      <button
+        class="tool"
+        title={stepTitle("Undo", now.undo_words, "Ctrl+Z")}
+        disabled={!canUndo.value}
+        onClick={() => void undo()}
+      >
         <Icon name="undo" />
       </button>
       <button
         class="tool"
-        title="Redo (Ctrl+Shift+Z)"
-        disabled={!now.can_redo}
-        onClick={() => order("Redo", "/api/redo")}
+        title={stepTitle("Redo", now.redo_words, "Ctrl+Shift+Z")}
+        disabled={!canRedo.value}
+        onClick={() => void redo()}
       >
         <Icon name="redo" />
       </button>
       <ModelSteps />
     </div>
   );
+}
+
+/** Returns, for example, "Undo: marks of readings (Ctrl+Z)". */
+function stepTitle(word: string, what: string, key: string): string {
+  return `${word}${what ? `: ${what}` : ""} (${key})`;
 }
 
 function JobProgress({job}: {job: Job}) {

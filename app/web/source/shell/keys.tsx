@@ -3,18 +3,18 @@ import {chooseScheme, isDark} from "../drawing/colours";
 import {isTyping} from "../drawing/fields";
 import {Terms} from "../drawing/panel";
 import {selectedReadings} from "../error/linked";
-import {dismiss, notices, order, state} from "../server/workbench";
+import {dismiss, notices} from "../server/workbench";
 import {Dialog} from "./dialog";
 import {dialog, view} from "./page_state";
 import {save} from "./project";
 import {shownViews} from "./shown_views";
-import {canUndo, undo} from "./undo";
+import {canRedo, canUndo, redo, undo} from "./undo";
 
 const LIST: Record<string, Record<string, string>> = {
   Everywhere: {
     "1 … 7": "the views, from top to bottom",
     O: "open a cell or readings",
-    "Ctrl Z": "undo the last change of the model or of the readings",
+    "Ctrl Z": "undo the last change of the model, the readings or the touches",
     "Ctrl Shift Z, Ctrl Y": "redo",
     "Ctrl S": "save as a project",
     D: "dark or light",
@@ -56,7 +56,7 @@ function onKey(event: KeyboardEvent): void {
   if ((event.ctrlKey || event.metaKey) && (key === "z" || key === "y")) {
     event.preventDefault();
     const isRedo = key === "y" || event.shiftKey;
-    if (isRedo && state.value?.can_redo) void order("Redo", "/api/redo");
+    if (isRedo && canRedo.value) void redo();
     if (!isRedo && canUndo.value) void undo();
     return;
   }

@@ -1,14 +1,17 @@
 // The models as steps with names and errors; each step can be restored. Also switches for the effects and free
 // parameters of the current model.
-import {computed} from "@preact/signals";
+import {computed, useSignal} from "@preact/signals";
+import {submitting, TextInput} from "../drawing/fields";
 import {Icon} from "../drawing/icons";
 import {errorUnit} from "../../../drawing/error_budget.js";
 import {explanationTitle} from "../../../drawing/explanations.js";
 import {short} from "../../../drawing/numbers.js";
-import {addEffects, addFormula, ladder, removeCauses, startCompare} from "../error/loop";
-import type {EffectAt, EffectNumber, Model} from "../server/documents";
-import {currentModel, order, runningJobs, state} from "../server/workbench";
+import {addEffects, addFormula, ladder, removeCauses} from "../error/loop";
+import type {EffectAt, EffectNumber, Model, WorkbenchState} from "../server/documents";
+import {post} from "../server/requests";
+import {attempt, currentModel, runningJobs, state, takeState} from "../server/workbench";
 import {Menu} from "./menu";
+import {changeAndCompare} from "./undo";
 
 /**
  * Held-out error of each model, keyed by model id, from the newest ladder; the last models of the ladder are the stack.
@@ -86,9 +89,8 @@ async function toggle({key, isOn, effect}: Switch): Promise<void> {
   else await addEffects([effect ? causeOf(effect) : {effect: "free", at: key}]);
 }
 
-async function goTo(model: Model): Promise<void> {
-  if (!(await order("Models", "/api/models/go", {model: model.id}))) return;
-  if (state.value?.measurements && !state.value.results.compare?.models.includes(model.id)) await startCompare();
+function goTo({id}: Model): Promise<void> {
+  return changeAndCompare("Models", () => post<WorkbenchState>("/api/models/go", {model: id}));
 }
 
 export function ModelSteps() {
@@ -116,7 +118,10 @@ export function ModelSteps() {
         </ol>
         <Switches title="Effects" none="none in this model" switches={effectSwitches.value} isBusy={isBusy} />
         <Switches title="Fitted numbers" none="none: all are held" switches={freeSwitches.value} isBusy={isBusy} />
-        <p class="muted">Switched off or on, the model is fitted again and becomes a step of its own.</p>
+        <p class="muted">
+          A click on the present step renames it. Switched off or on, the model is fitted again and becomes a step of
+          its own.
+        </p>
       </div>
     </Menu>
   );
@@ -124,17 +129,51 @@ export function ModelSteps() {
 
 /** Button that restores a model. `side`: −1 for an earlier model, 0 for the current model, 1 for an undone model. */
 function StepButton({model, side, isBusy}: {model: Model; side: number; isBusy: boolean}) {
+  const isNamed = useSignal(false);
+  if (side === 0 && isNamed.value) return <NameField model={model} onEnd={() => (isNamed.value = false)} />;
   return (
     <button
       class={side > 0 ? "undone" : ""}
       aria-current={side === 0 ? "step" : undefined}
-      title={side > 0 ? "taken back; there to be done again" : model.label}
-      disabled={isBusy || side === 0}
-      onClick={() => void goTo(model)}
+      title={side > 0 ? "taken back; there to be done again" : side === 0 ? "Rename" : model.label}
+      disabled={isBusy}
+      onClick={() => (side === 0 ? (isNamed.value = true) : void goTo(model))}
     >
       <span>{model.label}</span>
       <small>{heldOut.value.has(model.id) ? `${short(heldOut.value.get(model.id))} ${heldOutUnit.value}` : ""}</small>
     </button>
+  );
+}
+
+/** Field for another name of a model: Enter or leaving the field takes the name, Esc keeps the former one. */
+function NameField({model, onEnd}: {model: Model; onEnd: () => void}) {
+  const label = useSignal(model.label);
+  const take = async () => {
+    onEnd();
+    const name = label.value.trim();
+    if (name !== "" && name !== model.label) await rename(model, name);
+  };
+  return (
+    <form class="model-naming" onSubmit={submitting(take)}>
+      <TextInput
+        of={label}
+        aria-label="Name of the model"
+        autofocus
+        maxLength={60}
+        onBlur={take}
+        onKeyDown={(event) => {
+          if (event.key !== "Escape") return;
+          event.stopPropagation();
+          onEnd();
+        }}
+      />
+    </form>
+  );
+}
+
+function rename({id}: Model, label: string): Promise<boolean> {
+  return attempt("The name stays", async () =>
+    takeState(await post<WorkbenchState>("/api/models/rename", {model: id, label})),
   );
 }
 

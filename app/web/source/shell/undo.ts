@@ -1,12 +1,34 @@
-// Undo of the last step: a marking of readings, otherwise a step of the model.
+// Undo and redo of the last change of the model, of the readings and their marks, or of the touches.
 import {computed} from "@preact/signals";
-import {areChangeable} from "../error/loop";
-import {lastMarking, undoMarking} from "../error/reading_marks";
-import {order, state} from "../server/workbench";
+import {startCompare} from "../error/loop";
+import type {WorkbenchState} from "../server/documents";
+import {post} from "../server/requests";
+import {attempt, state, stopJobs, takeState} from "../server/workbench";
 
-export const canUndo = computed(() => (lastMarking.value ? areChangeable.value : (state.value?.can_undo ?? false)));
+export const canUndo = computed(() => state.value?.can_undo ?? false);
+export const canRedo = computed(() => state.value?.can_redo ?? false);
 
-export async function undo(): Promise<void> {
-  if (lastMarking.peek()) await undoMarking();
-  else await order("Undo", "/api/undo");
+export function undo(): Promise<void> {
+  return step("Undo", "/api/undo");
+}
+
+export function redo(): Promise<void> {
+  return step("Redo", "/api/redo");
+}
+
+async function step(title: string, path: string): Promise<void> {
+  await stopJobs("compare");
+  await changeAndCompare(title, () => post<WorkbenchState>(path));
+}
+
+/**
+ * Makes a change that returns the state, and compares the readings with the model if that has not been done before.
+ */
+export async function changeAndCompare(title: string, change: () => Promise<WorkbenchState>): Promise<void> {
+  if (await attempt(title, async () => takeState(await change()))) await compareIfNeeded();
+}
+
+async function compareIfNeeded(): Promise<void> {
+  const now = state.peek();
+  if (now?.measurements && !now.results.compare?.models.includes(now.model)) await startCompare();
 }
