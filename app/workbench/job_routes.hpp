@@ -57,4 +57,7 @@ void finishJob(Workbench& workbench, const Session& began, JobInput input, const
 [[nodiscard]] Cell fittedCell(const Cell& cell, const IdentificationOutcome& outcome);
 [[nodiscard]] Cell rereadCell(const Cell& cell, const std::string& text);
 
+/// Throws InputError with the reason if planning failed, and JobStopped if it was stopped.
+void requirePlanned(const PlanOutcome& outcome);
+
 }  // namespace tubeplan::app

@@ -108,14 +108,6 @@ Answer inverse(Workbench& workbench, const Request& request) {
   return answerOf(answer);
 }
 
-/// Throws InputError with the reason if planning failed, and JobStopped if it was stopped.
-void requirePlanned(const PlanOutcome& outcome) {
-  if (outcome.plan.status == planner::VisitPlanStatus::kStopped) throw JobStopped{};
-  if (outcome.plan.status == planner::VisitPlanStatus::kPlanned) return;
-  const std::string first = outcome.plan.unreachable.empty() ? "" : ": " + outcome.plan.unreachable.front().reason;
-  throw InputError::saying("tubes", outcome.plan.reason + first, "choose tubes that the arm can visit");
-}
-
 /// Throws InputError for the name of a file, because a request may select tubes only by their names.
 void requireNoFile(const std::string& tubes) {
   if (tubes.ends_with(".csv"))
@@ -160,6 +152,7 @@ Answer plan(Workbench& workbench, const Request& request) {
     finishJob(workbench, began, JobInput::kModel, [&](Session& session) {
       session.plan = outcome;
       session.plan_request = asked;
+      session.plan_model = currentModel(began).id;
       putResult(session, "plan", currentModel(began).id, figures);
     });
     return "plan";
@@ -243,6 +236,13 @@ constexpr Route kPlanRoutes[] = {
 };
 
 }  // namespace
+
+void requirePlanned(const PlanOutcome& outcome) {
+  if (outcome.plan.status == planner::VisitPlanStatus::kStopped) throw JobStopped{};
+  if (outcome.plan.status == planner::VisitPlanStatus::kPlanned) return;
+  const std::string first = outcome.plan.unreachable.empty() ? "" : ": " + outcome.plan.unreachable.front().reason;
+  throw InputError::saying("tubes", outcome.plan.reason + first, "choose tubes that the arm can visit");
+}
 
 std::span<const Route> planRoutes() { return kPlanRoutes; }
 

@@ -16,6 +16,7 @@
 #include "app/formats/sheet/touch_input.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/version.hpp"
+#include "app/workbench/kept_plan.hpp"
 #include "app/workbench/measurement_sets.hpp"
 
 namespace tubeplan::app {
@@ -27,8 +28,6 @@ using nlohmann::json;
 
 constexpr CheckpointFormat kProjectFormat = {"tubeplan project 1", "a project saved by tubeplan serve",
                                              "open the cell and its readings anew"};
-/// Name of the result that is not stored, because it refers to planner objects in memory; it is computed again.
-constexpr const char* kNotKept = "plan";
 
 std::string allMeasurementsText(const Session& session) {
   const Cell& cell = session.models.front()->cell;
@@ -70,12 +69,15 @@ json keptMeasurementsJson(const Session& session) {
 
 json keptResultsJson(const Session& session) {
   json results = json::object();
-  for (const auto& [name, by_model] : session.results) {
-    if (name == kNotKept) continue;
+  for (const auto& [name, by_model] : session.results)
     for (const auto& [model, result] : by_model)
       results[name].push_back({{"model", model}, {"revision", result->revision}, {"document", result->document}});
-  }
   return results;
+}
+
+json keptPlanJson(const Session& session) {
+  if (session.plan_model < 0) return nullptr;
+  return {{"model", session.plan_model}, {"request", planRequestJson(session.plan_request)}};
 }
 
 json payloadOf(const Session& session) {
@@ -90,6 +92,7 @@ json payloadOf(const Session& session) {
           {"truth", session.truth.empty() ? "" : fs::absolute(session.truth).string()},
           {"touches", touchesJson(session)},
           {"next_touch", session.next_touch},
+          {"plan", keptPlanJson(session)},
           {"project", session.project},
           {"saved_revision", session.saved_revision}};
 }
@@ -180,6 +183,10 @@ Session sessionOf(const json& payload, const std::string& file) {
   session.truth = payload.at("truth");
   session.touches = touchesMade(payload.at("touches"), cell, file);
   session.next_touch = wholeNumber<int>(payload.at("next_touch"));
+  if (const json plan = payload.value("plan", json()); !plan.is_null()) {  // missing in files of earlier versions
+    session.plan_model = wholeNumber<int>(plan.at("model"));
+    session.plan_request = planRequestOf(plan.at("request"));
+  }
   session.project = payload.at("project");
   session.saved_revision = wholeNumber<std::uint64_t>(payload.at("saved_revision"));
   return session;

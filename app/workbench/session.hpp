@@ -91,8 +91,9 @@ struct Session {
   std::uint64_t saved_revision = 0;                             ///< revision of the session in that project file
   std::vector<TouchMade> touches;                               ///< touches in the order in which they were made
   int next_touch = 1;
-  std::shared_ptr<const PlanOutcome> plan;
+  std::shared_ptr<const PlanOutcome> plan;  ///< null in a session just opened, until restorePlan() has made it again
   PlanRequest plan_request;
+  int plan_model = -1;  ///< id of the model for which the plan was requested; -1: no plan
   /// Steps that can be undone and redone, the newest last (see history.hpp); empty in a kept session.
   std::vector<std::shared_ptr<const HistoryStep>> past = {}, undone = {};
 };

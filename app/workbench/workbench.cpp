@@ -9,6 +9,7 @@
 #include "app/formats/measurements/measurements_reader.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/workbench/history.hpp"
+#include "app/workbench/kept_plan.hpp"
 #include "app/workbench/measurement_sets.hpp"
 #include "app/workbench/project.hpp"
 
@@ -64,6 +65,7 @@ Workbench::Workbench(const WorkbenchOptions& options)
     : folder_(stateFolderOf(options)), keeper_(options.state), events_(options.most_listeners), jobs_(events_) {
   session_ = takeUp(keeper_, openAsAsked(options), options);
   keeper_.keep(session_);
+  restorePlan(*this);
 }
 
 Session Workbench::session() const {
@@ -98,7 +100,9 @@ bool Workbench::replace(Session session) {
     now.saved_revision = is_saved ? revision + 1 : 0;  // change() increments the revision after this step
     return true;
   };
-  return change(take, false);
+  (void)change(take, false);
+  restorePlan(*this);
+  return true;
 }
 
 Session openCell(const std::string& file, const std::string& truth) {
