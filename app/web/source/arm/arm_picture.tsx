@@ -6,21 +6,27 @@ import {Vector3} from "three";
 import {palette} from "../drawing/colours";
 import {Check} from "../drawing/fields";
 import {MarkIcon} from "../drawing/marks";
-import {lengthAndUnit, short, whole} from "../../../drawing/numbers.js";
-import {sceneDocument, units} from "../server/workbench";
+import {lengthAndUnit, short, tickTexts, whole} from "../../../drawing/numbers.js";
+import type {PoseDocument} from "../server/documents";
+import {cell, sceneDocument, units} from "../server/workbench";
 import {sheet, view} from "../shell/page_state";
 import {ProblemWords} from "../shell/states";
-import {ArmStage, pictureReach} from "./arm_stage";
+import {ArmStage, openStage, pictureReach} from "./arm_stage";
 import {readingErrors, type ReadingErrors} from "../error/residuals";
 import {factorOf} from "./error_arrow";
-import {fieldFactor} from "./error_field";
+import {fieldFactor, SIZE_COLOURS, sizeEnds} from "./error_field";
+import {savePicture} from "./picture_file";
 import {poseRequest, type ShownReading} from "./pose_link";
 
 const TIMES = [1, 10, 50].map((times) => ({value: times, words: `×${times}`, hint: `Deflection drawn ${times} times`}));
 export const magnified = signal(1);
+/** Display of the joint axes with the names of the joints. */
+const areAxesShown = signal(false);
 /** Display of the errors of all readings: on or off, and the blend from before (0) to after (1). */
 const isFieldShown = signal(false);
 const fade = signal(1);
+/** True if the arrows of all readings are coloured by size instead of by series. */
+const isBySize = signal(false);
 const VIEWS = [
   ["corner", "Corner"],
   ["side", "Side"],
@@ -38,16 +44,18 @@ function makeStage(canvas: HTMLCanvasElement): ArmStage | string {
 
 export function ArmPicture({tour = null, isSmall = false}: {tour?: Vector3[] | null; isSmall?: boolean}) {
   const errors = isFieldShown.value && !isSmall ? readingErrors.value : null;
-  const {canvas, figure, refusal, stage} = useStage();
+  const {canvas, figure, names, refusal, stage} = useStage();
   useScene(stage, tour);
   usePose(stage);
   useErrors(stage, errors);
+  useAxes(stage);
   return (
     <div class="arm-picture">
       <div class="fill">
         <canvas ref={canvas} aria-label="The arm, rigid and deflected, under the sheet" role="img" />
       </div>
       <span ref={figure} class="clearance-figure" />
+      <div ref={names} class="joint-names" aria-hidden="true" />
       <p ref={refusal} class="refusal muted" />
       {sceneDocument.value.problem ? <ProblemWords problem={sceneDocument.value.problem} /> : null}
       <StageBar stage={stage} isSmall={isSmall} />
@@ -61,6 +69,7 @@ type StageRef = {current: ArmStage | null};
 function useStage() {
   const canvas = useRef<HTMLCanvasElement>(null),
     figure = useRef<HTMLSpanElement>(null);
+  const names = useRef<HTMLDivElement>(null);
   const stage = useRef<ArmStage | null>(null),
     refusal = useRef<HTMLParagraphElement>(null);
   useEffect(() => {
@@ -69,8 +78,11 @@ function useStage() {
       refusal.current!.textContent = made;
       return;
     }
-    stage.current = made;
-    made.onDraw = () => placeFigure(made, figure.current!);
+    stage.current = openStage.value = made;
+    made.onDraw = () => {
+      placeFigure(made, figure.current!);
+      placeNames(made, names.current!);
+    };
     const box = canvas.current!.parentElement!;
     const observer = new ResizeObserver(() => made.resize(box.clientWidth, box.clientHeight));
     observer.observe(box);
@@ -79,9 +91,10 @@ function useStage() {
       observer.disconnect();
       made.dispose();
       stage.current = null;
+      if (openStage.peek() === made) openStage.value = null;
     };
   }, []);
-  return {canvas, figure, refusal, stage};
+  return {canvas, figure, names, refusal, stage};
 }
 
 /** Shows the cell, the sheet and the tour; a new cell is viewed from a corner. */
@@ -112,12 +125,20 @@ function usePose(stage: StageRef): void {
 function useErrors(stage: StageRef, errors: ReadingErrors | null): void {
   const scene = sceneDocument.value.document;
   useEffect(() => {
-    stage.current?.setErrors(errors, palette.value);
+    stage.current?.setErrors(errors, palette.value, isBySize.value);
     stage.current?.fadeErrors(errors && errors.series.length > 1 ? fade.peek() : 0);
-  }, [errors, scene, palette.value]);
+  }, [errors, scene, palette.value, isBySize.value]);
   useEffect(() => {
     if (errors && errors.series.length > 1) stage.current?.fadeErrors(fade.value);
   }, [fade.value]);
+}
+
+/** Shows the axes of the joints if they are chosen. */
+function useAxes(stage: StageRef): void {
+  const joints = cell.value?.joints;
+  useEffect(() => {
+    stage.current?.setAxes(areAxesShown.value && joints ? joints : []);
+  }, [areAxesShown.value, joints, palette.value, sceneDocument.value.document]);
 }
 
 function StageBar({stage, isSmall}: {stage: StageRef; isSmall: boolean}) {
@@ -136,6 +157,16 @@ function StageBar({stage, isSmall}: {stage: StageRef; isSmall: boolean}) {
         value={undefined}
         onChoose={(from) => stage.current?.look(from)}
       />
+      <Check of={areAxesShown} title="The axis and the name of each joint" kind="stage-check">
+        axes
+      </Check>
+      <button
+        class="button small"
+        title="Save this picture as a PNG"
+        onClick={() => stage.current && savePicture(stage.current)}
+      >
+        Picture
+      </button>
       {reading ? <ShownErrors reading={reading} factor={factorOf(reading, pictureReach.value)} /> : null}
       {!isSmall && readingErrors.value ? <FieldBar errors={readingErrors.value} /> : null}
       {isSmall || reading ? null : (
@@ -170,7 +201,29 @@ function FieldBar({errors}: {errors: ReadingErrors}) {
           <MarkIcon mark={errors.series[1].mark} size={12} /> after
         </label>
       ) : null}
+      {isFieldShown.value ? (
+        <Check of={isBySize} title="Colours by the size of the error instead of before and after" kind="">
+          by size
+        </Check>
+      ) : null}
+      {isFieldShown.value && isBySize.value ? <SizeScale errors={errors} /> : null}
       {isFieldShown.value ? <span class="muted">drawn ×{whole(fieldFactor(errors, pictureReach.value))}</span> : null}
+    </span>
+  );
+}
+
+/** Scale of the colours of error sizes: a swatch for each, with the sizes at which they change. */
+function SizeScale({errors}: {errors: ReadingErrors}) {
+  const ends = tickTexts(sizeEnds(errors));
+  return (
+    <span class="size-scale" role="img" aria-label={`Colours change at ${ends.join(", ")} ${units.value.length}`}>
+      {SIZE_COLOURS.map((name, k) => (
+        <>
+          <i style={{background: `var(--${name})`}} />
+          {k < ends.length ? <small>{ends[k]}</small> : null}
+        </>
+      ))}
+      <small>{units.value.length}</small>
     </span>
   );
 }
@@ -186,12 +239,20 @@ function ShownErrors({reading, factor}: {reading: ShownReading; factor: number})
           {error ? short(Math.hypot(...error)) : "–"} {units.value.length}
         </span>
       ))}
-      <span class="muted">errors drawn ×{whole(factor)}</span>
+      <span class="muted" title="From the modelled tip, a full ball, to the measured one, a wire ball">
+        modelled to measured, drawn ×{whole(factor)}
+      </span>
       <button class="button small" onClick={() => (view.value = "error")}>
         Back to the errors
       </button>
     </span>
   );
+}
+
+/** Returns the clearance with its unit; below zero, the two bodies in collision. */
+function clearanceText({distance, pair}: NonNullable<PoseDocument["clearance"]>): string {
+  const size = lengthAndUnit(Math.abs(distance), units.peek().length, 2);
+  return distance < 0 ? `in collision by ${size}: ${pair.join(" and ")}` : size;
 }
 
 function placeFigure(stage: ArmStage, figure: HTMLSpanElement): void {
@@ -202,6 +263,18 @@ function placeFigure(stage: ArmStage, figure: HTMLSpanElement): void {
       : null;
   figure.style.display = at ? "" : "none";
   if (!at || !clearance) return;
-  figure.textContent = `${lengthAndUnit(clearance.distance, units.peek().length, 2)}`;
+  figure.textContent = clearanceText(clearance);
   figure.style.transform = `translate(${Math.round(at[0] + 10)}px, ${Math.round(at[1] - 10)}px)`;
+}
+
+/** Puts the name of each joint at the end of its axis. */
+function placeNames(stage: ArmStage, box: HTMLDivElement): void {
+  while (box.childElementCount > stage.axes.length) box.lastElementChild!.remove();
+  stage.axes.forEach(({name, to}, k) => {
+    const label = (box.children[k] ?? box.appendChild(document.createElement("span"))) as HTMLSpanElement;
+    const at = stage.onScreen(to);
+    label.textContent = name;
+    label.style.display = at ? "" : "none";
+    if (at) label.style.transform = `translate(${Math.round(at[0] + 4)}px, ${Math.round(at[1] - 9)}px)`;
+  });
 }

@@ -3,6 +3,7 @@
 import {
   AmbientLight,
   Box3,
+  Color,
   DirectionalLight,
   Group,
   MeshStandardMaterial,
@@ -16,11 +17,12 @@ import {signal} from "@preact/signals";
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
 import type {Palette} from "../drawing/colours";
 import type {ReadingErrors} from "../error/residuals";
-import type {PoseDocument, SceneDocument} from "../server/documents";
+import type {Frame, JointInfo, PoseDocument, SceneDocument} from "../server/documents";
 import type {SheetModel} from "../sheet/sheet_model";
 import {magnifiedFrame, makeArm, placeArm, type ArmBodies} from "./arm_bodies";
 import {errorArrows} from "./error_arrow";
 import {errorField, fadeField} from "./error_field";
+import {axesOf, axisLines, type JointAxis} from "./joint_axes";
 import type {ShownReading} from "./pose_link";
 import {floorOf, plateOf} from "./sheet_plate";
 import {clearanceLine, TOUR, tourLine} from "./stage_lines";
@@ -40,6 +42,9 @@ const IS_SOFTWARE = (() => {
  * determine are stated relative to this distance.
  */
 export const pictureReach = signal(1);
+
+/** Stage of the view that is open; null if none is. */
+export const openStage = signal<ArmStage | null>(null);
 
 /** Reach of the picture without a sheet, relative to the total length of the arm's members. */
 const BESIDE_ARM = 0.6;
@@ -64,10 +69,16 @@ export class ArmStage {
   private readonly marks = new Group();
   private readonly errors = new Group();
   private readonly field = new Group();
+  private readonly axisGroup = new Group();
+  private joints: readonly JointInfo[] = [];
+  private shownFrames: Frame[] = [];
+  /** Axes drawn now, whose ends carry the names of the joints. */
+  axes: JointAxis[] = [];
   private ghost: ArmBodies | null = null;
   private solid: ArmBodies | null = null;
   private isDisposed = false;
   private isAsked = false;
+  private isFilmed = false;
   private reach = 1;
   private length = 0;
   private cell: {document: SceneDocument; sheet: SheetModel | null} | null = null;
@@ -90,7 +101,7 @@ export class ArmStage {
     sun.position.set(0.5, -0.9, 0.9);
     const fill = new DirectionalLight(0xffffff, 0.8);
     fill.position.set(-0.8, 0.6, -0.6);
-    this.scene.add(sun, fill, this.statics, this.marks, this.errors, this.field);
+    this.scene.add(sun, fill, this.statics, this.marks, this.errors, this.field, this.axisGroup);
   }
 
   dispose(): void {
@@ -126,7 +137,7 @@ export class ArmStage {
     this.renderer.render(this.scene, this.camera);
     this.onDraw?.();
     clearTimeout(this.later);
-    if (isSharp) return;
+    if (isSharp || this.isFilmed) return;
     const end = performance.now();
     setTimeout(() => this.adapt(performance.now() - end));
     if (this.ratio < pixelRatio()) this.later = window.setTimeout(() => this.drawNow(true), 400);
@@ -232,6 +243,8 @@ export class ArmStage {
     const rigidTip = vector(pose.tip.rigid),
       sag = vector(pose.tip.flexible).sub(rigidTip);
     placeArm(this.solid, frames, rigidTip.addScaledVector(sag, magnified));
+    this.shownFrames = frames;
+    this.drawAxes();
     this.drawClearance(pose, this.palette);
     this.ask();
   }
@@ -253,6 +266,39 @@ export class ArmStage {
     this.marks.add(clearanceLine(vector(clearance.from), vector(clearance.to), this.reach, palette));
   }
 
+  /** Shows the axes of these joints; an empty list hides them. */
+  setAxes(joints: readonly JointInfo[]): void {
+    this.joints = joints;
+    this.drawAxes();
+    this.ask();
+  }
+
+  private drawAxes(): void {
+    empty(this.axisGroup);
+    this.axes = axesOf(this.joints, this.shownFrames, this.reach);
+    if (this.axes.length > 0 && this.palette) this.axisGroup.add(axisLines(this.axes, this.palette));
+  }
+
+  /** Returns the canvas just after drawing the picture sharply; `times` is its size relative to the screen. */
+  drawnCanvas(times: number): HTMLCanvasElement {
+    this.renderer.setPixelRatio(times);
+    this.renderer.render(this.scene, this.camera);
+    this.ask();
+    return this.canvas;
+  }
+
+  /** Paints the background in one colour and keeps the resolution, for a film. Returns a function that makes it transparent again. */
+  paintGround(colour: string): () => void {
+    this.scene.background = new Color(colour);
+    this.isFilmed = true;
+    this.ask();
+    return () => {
+      this.scene.background = null;
+      this.isFilmed = false;
+      this.ask();
+    };
+  }
+
   /** Shows the errors of the reading whose posture the arm shows; null hides them. */
   setReading(reading: ShownReading | null, palette: Palette): void {
     empty(this.errors);
@@ -260,10 +306,10 @@ export class ArmStage {
     this.ask();
   }
 
-  /** Shows the errors of all readings; null hides them. */
-  setErrors(errors: ReadingErrors | null, palette: Palette): void {
+  /** Shows the errors of all readings, coloured by their series or by their size; null hides them. */
+  setErrors(errors: ReadingErrors | null, palette: Palette, isBySize: boolean): void {
     empty(this.field);
-    if (errors) this.field.add(errorField(errors, this.reach, palette));
+    if (errors) this.field.add(errorField(errors, this.reach, palette, isBySize));
     this.ask();
   }
 

@@ -2,7 +2,6 @@
 import {submitting, TextInput, withPoint} from "../drawing/fields";
 import {Figures, Panel} from "../drawing/panel";
 import {Segments} from "../drawing/segments";
-import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
 import {fixed, jointDecimals, lengthFigure, lengthAndUnit, MISSING} from "../../../drawing/numbers.js";
 import type {JointInfo} from "../server/documents";
@@ -11,27 +10,12 @@ import {picked, sheet} from "../shell/page_state";
 import {ArmPicture} from "./arm_picture";
 import {pictureReach} from "./arm_stage";
 import {isFollowing, isLive} from "./live";
+import {useOpeningPosture} from "./opening_posture";
 import {poseRequest, setJoint, showHole, whyNot} from "./pose_link";
 import {ToolInset} from "./tool_inset";
 
-/**
- * Moves the arm under a hole in the middle of the sheet at the start, because a straight arm would pass through a wall.
- */
-function beginUnderHole(): void {
-  const model = sheet.value;
-  if (!model || poseRequest.hole.peek() >= 0 || poseRequest.reading.peek() || isLive.peek()) return;
-  const middle = model.nearest(
-    0.35 * model.radius,
-    model.isOneLeg ? 0.5 * (model.extent.bottom + model.extent.top) : 0.35 * model.radius,
-    model.radius,
-  );
-  if (middle < 0) return;
-  picked.value = middle;
-  void showHole(middle);
-}
-
 export default function ArmView() {
-  useEffect(beginUnderHole, [sheet.value]);
+  useOpeningPosture(true);
   return (
     <div class="arm-view">
       <Panel body="flush">

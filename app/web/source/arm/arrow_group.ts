@@ -1,6 +1,7 @@
 // Arrows in the 3-D picture, drawn in front of the bodies. All shafts form one object, and all heads another.
 import {
   BufferGeometry,
+  Color,
   ConeGeometry,
   Float32BufferAttribute,
   Group,
@@ -15,17 +16,25 @@ import {
 export interface Arrow {
   from: Vector3;
   way: Vector3;
+  /** Colour of this arrow, if the arrows of a group differ in colour. */
+  colour?: string;
 }
 
 /**
- * Returns a group of arrows. `head` is the length of the heads; an arrow shorter than `head` is drawn as a smaller head
+ * Returns a group of arrows in one colour, unless the arrows have their own. `head` is the length of the heads; an arrow shorter than `head` is drawn as a smaller head
  * only.
  */
 export function arrowGroup(arrows: readonly Arrow[], head: number, colour: string, renderOrder: number): Group {
-  const look = {color: colour, transparent: true, depthTest: false};
+  const hasOwn = arrows.some((arrow) => arrow.colour !== undefined);
+  const look = {color: hasOwn ? "white" : colour, transparent: true, depthTest: false};
+  const colours = arrows.map((arrow) => new Color(arrow.colour ?? colour));
   const ends = arrows.flatMap(({from, way}) => [...from.toArray(), ...from.clone().add(way).toArray()]);
   const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(ends, 3));
-  const shafts = new LineSegments(geometry, new LineBasicMaterial(look));
+  if (hasOwn) {
+    const ofEnds = colours.flatMap((own) => [...own.toArray(), ...own.toArray()]);
+    geometry.setAttribute("color", new Float32BufferAttribute(ofEnds, 3));
+  }
+  const shafts = new LineSegments(geometry, new LineBasicMaterial({...look, vertexColors: hasOwn}));
   const heads = new InstancedMesh(new ConeGeometry(0.3 * head, head, 8), new MeshBasicMaterial(look), arrows.length);
   const placed = new Object3D(),
     up = new Vector3(0, 1, 0);
@@ -36,6 +45,7 @@ export function arrowGroup(arrows: readonly Arrow[], head: number, colour: strin
     placed.position.copy(from).addScaledVector(way, Math.max(0, 1 - (0.5 * head * placed.scale.x) / long));
     placed.updateMatrix();
     heads.setMatrixAt(i, placed.matrix);
+    if (hasOwn) heads.setColorAt(i, colours[i]);
   });
   shafts.renderOrder = heads.renderOrder = renderOrder;
   return new Group().add(shafts, heads);

@@ -16,6 +16,17 @@ export function factorOf(reading: ShownReading, reach: number): number {
   return most > 0 ? Math.max(1, roundDown125((LONGEST * reach) / most)) : 1;
 }
 
+/** Returns a wire ball at the end of an arrow, where the tip was measured, beside the full ball where it is modelled. */
+function measuredTip(place: Vector3, reach: number, colour: string): Mesh {
+  const ball = new Mesh(
+    new SphereGeometry(0.013 * reach, 10, 7),
+    new MeshBasicMaterial({color: colour, wireframe: true, depthTest: false, transparent: true}),
+  );
+  ball.position.copy(place);
+  ball.renderOrder = 7;
+  return ball;
+}
+
 export function errorArrows(reading: ShownReading, reach: number, palette: Palette): Group {
   const group = new Group();
   if (!reading.place) return group;
@@ -25,6 +36,7 @@ export function errorArrows(reading: ShownReading, reach: number, palette: Palet
     if (!error || !error.some((value) => value !== 0)) continue;
     const way = new Vector3(...error).multiplyScalar(factor);
     group.add(arrowGroup([{from, way}], HEAD * reach, palette[mark.colour], 6));
+    group.add(measuredTip(from.clone().add(way), reach, palette[mark.colour]));
   }
   const dot = new Mesh(
     new SphereGeometry(0.006 * reach, 12, 8),

@@ -27,7 +27,7 @@ export interface ShownReading {
 
 export const poseRequest = {joints, load, hole, answer, inverse, latency, reading};
 
-// Identity of the cell; when it changes, the arm moves to its home posture.
+// Identity of the cell; when it changes, the arm moves to its park posture, otherwise to its home posture.
 const cellKey = computed(() => `${state.value?.folder ?? ""} ${cell.value?.file ?? ""} ${cell.value?.name ?? ""}`);
 effect(() => {
   void cellKey.value;
@@ -35,7 +35,7 @@ effect(() => {
   if (!info) return;
   batch(() => {
     answer.value = null;
-    bringArm(info.joints.map((joint) => joint.home));
+    bringArm(info.park ?? info.joints.map((joint) => joint.home));
   });
 });
 

@@ -7,6 +7,7 @@ import {
   CylinderGeometry,
   DoubleSide,
   EdgesGeometry,
+  Float32BufferAttribute,
   Group,
   LineBasicMaterial,
   LineSegments,
@@ -42,6 +43,7 @@ export function solidOf(shape: SolidShape, material: Material, units: Units | un
   const geometry = geometryOf(shape);
   if (!geometry) return null;
   const mesh = new Mesh(geometry, material);
+  if (shape.mesh?.positions) return mesh; // in the world frame already
   if (shape.from && shape.to) layAlong(mesh, vector(shape.from), vector(shape.to));
   else if (shape.center) mesh.position.set(...shape.center);
   if (shape.rpy) mesh.rotation.set(...(shape.rpy.map((angle) => inRadians(angle, units)) as Triple), "ZYX");
@@ -53,6 +55,7 @@ function inRadians(angle: number, units: Units | undefined): number {
 }
 
 function geometryOf(shape: SolidShape): BufferGeometry | null {
+  if (shape.mesh?.positions) return meshOf(shape.mesh.positions);
   switch (shape.kind) {
     case "box":
       return new BoxGeometry(...(shape.size ?? [1, 1, 1]));
@@ -68,6 +71,13 @@ function geometryOf(shape: SolidShape): BufferGeometry | null {
     default:
       return null;
   }
+}
+
+/** Returns triangles from the coordinates of their corners, one triangle after another. */
+function meshOf(positions: readonly number[]): BufferGeometry {
+  const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(positions, 3));
+  geometry.computeVertexNormals();
+  return geometry;
 }
 
 /** Returns the mesh of an obstacle, filled and with its edges, visible in any light. */

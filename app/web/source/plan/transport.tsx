@@ -1,10 +1,13 @@
 // Controls of the playback: play, pause, position, speed.
+import {effect, signal} from "@preact/signals";
+import {openStage} from "../arm/arm_stage";
+import {beginFilm, type Film} from "../arm/picture_file";
 import {Segments} from "../drawing/segments";
 import {Icon} from "../drawing/icons";
 import {clock, MISSING, short} from "../../../drawing/numbers.js";
 import {tubeTitle} from "../../../drawing/sheet_model.js";
-import {units} from "../server/workbench";
-import {currentVisit, endTime, goToVisit, isPlaying, path, plan, speed, time, togglePlay} from "./playback";
+import {report, units} from "../server/workbench";
+import {currentVisit, endTime, goToVisit, isPlaying, path, plan, play, speed, time, togglePlay} from "./playback";
 import {sampleAt} from "./sampling";
 
 const SPEEDS = [1, 4, 16].map((factor) => ({value: factor, words: `×${factor}`}));
@@ -17,6 +20,33 @@ function keys(event: KeyboardEvent): void {
   else return;
   event.preventDefault();
 }
+
+let film: Film | null = null;
+const isFilmed = signal(false);
+
+/** Begins a film of the playback, or ends it. */
+function toggleFilm(): void {
+  if (isFilmed.value) {
+    isPlaying.value = false;
+    return;
+  }
+  film = openStage.peek() ? beginFilm(openStage.peek()!) : null;
+  if (!film)
+    return report("No film", {
+      message: "This browser records no films of pictures.",
+      advice: "Try Chromium or Firefox.",
+    });
+  isFilmed.value = true;
+  play();
+}
+
+// A film ends with the playback.
+effect(() => {
+  if (isPlaying.value || !isFilmed.peek()) return;
+  film?.end();
+  film = null;
+  isFilmed.value = false;
+});
 
 export function Transport() {
   const document = path.value,
@@ -51,6 +81,15 @@ export function Transport() {
         onInput={(event) => (time.value = Number(event.currentTarget.value))}
       />
       <span class="clock muted">{clock(endTime.value)}</span>
+      <button
+        class={`button small ${isFilmed.value ? "first" : ""}`}
+        title="Save the arm in the picture as a film, at the chosen speed, until the end or until it is stopped"
+        aria-pressed={isFilmed.value}
+        disabled={!document || !openStage.value}
+        onClick={toggleFilm}
+      >
+        Film
+      </button>
       <span class="now-words">
         <b>{tube ? tubeTitle(tube.row, tube.column) : MISSING}</b>
         <span class="muted">{tubes.length > 0 ? `${Math.max(0, currentVisit.value) + 1} / ${tubes.length}` : ""}</span>

@@ -45,6 +45,8 @@ export interface SolidShape {
   rpy?: Vector3;
   point?: Vector3;
   normal?: Vector3;
+  /** Mesh whose bounding box the other fields describe; the corners of its triangles are missing if there are too many. */
+  mesh?: {triangles: number; positions?: number[]};
 }
 
 export interface ArmRow {
