@@ -37,3 +37,28 @@ describe("the views", () => {
     await close();
   });
 });
+
+describe("the splitters", () => {
+  it("are moved by drag and keys, and stay where they were after a reload", async () => {
+    const {tab, close} = await open("mockup.yaml");
+    await tab.goto(`${tab.url().split("#")[0]}#plan`);
+    const widthOf = async () => (await tab.locator(".plan-view > .panel >> nth=0").boundingBox()).width;
+    await tab.waitForSelector(".plan-view .splitter.plan-columns");
+    const before = await widthOf();
+    const bar = await tab.locator(".splitter.plan-columns").boundingBox();
+    await tab.mouse.move(bar.x + bar.width / 2, bar.y + 40);
+    await tab.mouse.down();
+    await tab.mouse.move(bar.x + bar.width / 2 - 150, bar.y + 60, {steps: 5});
+    await tab.mouse.up();
+    const dragged = await widthOf();
+    assert.ok(Math.abs(before - 150 - dragged) < 12, `${before} px become ${dragged} px`);
+    await tab.focus(".splitter.plan-columns");
+    await tab.keyboard.press("ArrowLeft");
+    const moved = await widthOf();
+    assert.ok(moved < dragged - 5);
+    await tab.reload();
+    await tab.waitForSelector(".plan-view .splitter.plan-columns");
+    assert.ok(Math.abs((await widthOf()) - moved) < 2);
+    await close();
+  });
+});

@@ -2,6 +2,7 @@
 import {Panel} from "../drawing/panel";
 import {state} from "../server/workbench";
 import {dialog} from "../shell/page_state";
+import {Splitter, splitStyle} from "../shell/splits";
 import {Nothing} from "../shell/states";
 import {EffectsPanel} from "./effects_panel";
 import {EvidencePanel} from "./evidence_panel";
@@ -29,7 +30,7 @@ export function ErrorView() {
     );
   }
   return (
-    <div class="error-view">
+    <div class="error-view" style={splitStyle("error-columns", "error-rows")}>
       <VerdictBand />
       <ReadingChecks readings={readings} />
       <Panel title="Error of each model">
@@ -39,6 +40,8 @@ export function ErrorView() {
       <EvidencePanel />
       <ResidualPlot />
       <SelectionBar />
+      <Splitter name="error-columns" />
+      <Splitter name="error-rows" />
     </div>
   );
 }

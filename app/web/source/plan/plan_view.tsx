@@ -4,6 +4,7 @@ import {useEffect, useMemo} from "preact/hooks";
 import {Vector3} from "three";
 import {Panel} from "../drawing/panel";
 import {ArmPicture} from "../arm/arm_picture";
+import {useOpeningPosture} from "../arm/opening_posture";
 import {duration, percent, short, whole} from "../../../drawing/numbers.js";
 import {MARKED} from "../../../drawing/sigma_text.js";
 import type {PlanDocument} from "../server/documents";
@@ -11,6 +12,7 @@ import {units} from "../server/workbench";
 import {view} from "../shell/page_state";
 import {ExportMenu} from "../shell/export_menu";
 import {OtherModel} from "../shell/other_model";
+import {Splitter, splitStyle} from "../shell/splits";
 import {ProblemWords} from "../shell/states";
 import type {SheetModel} from "../sheet/sheet_model";
 import {WithSheet} from "../sheet/with_sheet";
@@ -31,6 +33,7 @@ const EXPORTS = [
 ] as const;
 
 export default function PlanView() {
+  useOpeningPosture(false);
   useEffect(() => {
     isFollowed.value = true;
     return () => void (isFollowed.value = false);
@@ -46,7 +49,7 @@ function Plan({model}: {model: SheetModel}) {
   const document = plan.value.document;
   const points = useMemo(() => tourPoints(model, tour.value), [model, tour.value]);
   return (
-    <div class="plan-view">
+    <div class="plan-view" style={splitStyle("plan-columns", "plan-rows")}>
       <PlanSheet model={model} document={document} />
       <Panel body="flush">
         <ArmPicture tour={points} isSmall />
@@ -70,6 +73,8 @@ function Plan({model}: {model: SheetModel}) {
           )}
         </div>
       </section>
+      <Splitter name="plan-columns" />
+      <Splitter name="plan-rows" />
     </div>
   );
 }
@@ -109,8 +114,8 @@ function Outcome({document}: {document: PlanDocument}) {
           <b>{whole(document.unreachable.length)}</b> out of reach
         </span>
       ) : null}
-      <span>
-        travel <b>{duration(document.travel_time_s)}</b>
+      <span title="between the tubes, and with the ways up and down and the stays at the tubes">
+        travel <b>{duration(document.travel_time_s)}</b> of {duration(document.total_time_s)}
       </span>
       <span title={`at best ${duration(document.lower_bound_s)}; row by row ${duration(document.row_by_row_time_s)}`}>
         gap <b>{percent(document.gap, 1)}</b>
