@@ -3,9 +3,10 @@
 
 /** @typedef {[number, number, number]} Vector3 */
 /** `name` is the label in a list, `title` the label of a plot axis. `of` returns the component of an error at the
- *  reading with that index, or null if the component is undefined at that reading.
+ *  reading with that index, or null if the component is undefined at that reading. `lever`: displacement of the tip per
+ *  unit of the component at a reading; missing if the component is a displacement.
  *  @typedef {{key: string, name: string, title: string, unit: string, isSigned: boolean,
- *    of: (error: Vector3, index: number) => number | null}} Part */
+ *    of: (error: Vector3, index: number) => number | null, lever?: (index: number) => number}} Part */
 /** `readings`: tip displacement per unit motion of each joint or axis, keyed by reading id, three values for each entry
  *  of `names`. `base`: origin of the base; `up`: axis of the base; `tool`: axes of the tool, keyed by reading id.
  *  @typedef {{units: string[], names: string[], base: Vector3, up: Vector3, tool: Record<string, number[]>,
@@ -123,6 +124,7 @@ function jointPart(name, k, source, leverage) {
       const square = dot(lever, lever);
       return square > LEAST_LEVER ** 2 * longest ? dot(error, lever) / square : null;
     },
+    lever: (index) => Math.hypot(...(levers[index] ?? [0])),
   };
 }
 

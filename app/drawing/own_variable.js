@@ -82,7 +82,8 @@ const CLEARLY = 0.02;
 /**
  * Returns the best view of a cause, where `done` is the cause's contribution to the error at each reading. If the cause
  * turns a joint or axis, the view shows that joint's equivalent error. Otherwise, it shows the component with the
- * highest score: its fraction of the contribution's mean square times the fraction that the variable explains.
+ * highest score: its fraction of the contribution's mean square, as displacements of the tip, times the fraction that
+ * the variable explains.
  * @param {Cause} cause @param {readonly (Vector3 | null)[]} done @param {readonly VariedReading[]} readings
  * @param {readonly Variable[]} variables @param {readonly Part[]} parts @returns {View | null}
  */
@@ -97,7 +98,8 @@ export function viewOfCause(cause, done, readings, variables, parts) {
   let best = null;
   for (const part of shown) {
     const values = done.map((error, i) => (error ? part.of(error, i) : null));
-    const share = own ? 1 : meanSquare(values) / (whole || 1);
+    const moved = values.map((value, i) => (value === null ? null : value * (part.lever?.(i) ?? 1)));
+    const share = meanSquare(moved) / (whole || 1);
     for (const [k, variable] of tried.entries()) {
       const score = share * followedShare(columns[k], values);
       if (!best || score > best.score + CLEARLY) best = {variable, part, score};

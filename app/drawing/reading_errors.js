@@ -4,6 +4,7 @@ import {AFTER, BEFORE} from "./kinds.js";
 import {binnedMeans, lawAlong} from "./binned.js";
 import {findPart, jointKey} from "./error_parts.js";
 import {followedShare} from "./groups.js";
+import {lawCurve} from "./law.js";
 import {viewOfCauses} from "./own_variable.js";
 import {symmetric} from "./scales.js";
 import {besideLevel, findVariable} from "./variables.js";
@@ -161,8 +162,17 @@ export function plotted(pair, {variable, part}) {
     xs,
     values,
     means: part.isSigned ? binnedMeans(xs, values[pair.judged]) : [],
-    law: hasLaw ? lawAlong(xs, partsAlong(doneBy(pair), part)) : [],
+    law: hasLaw ? lawOf(pair, variable, part, isLevel, xs) : [],
   };
+}
+
+/**
+ * @param {ErrorPair} pair @param {Variable} variable @param {Part} part @param {boolean} isLevel
+ * @param {readonly (number | undefined)[]} xs
+ */
+function lawOf(pair, variable, part, isLevel, xs) {
+  const done = partsAlong(doneBy(pair), part);
+  return isLevel ? lawAlong(xs, done) : lawCurve(xs, done, variable.kind === "joint" ? variable.unit : "");
 }
 
 /**

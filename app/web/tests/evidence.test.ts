@@ -1,7 +1,7 @@
 import {describe, expect, it} from "vitest";
 import {binnedMeans, lawAlong} from "../../drawing/binned.js";
 import {followedShare} from "../../drawing/groups.js";
-import {viewOfCause} from "../../drawing/own_variable.js";
+import {viewOfCause, viewOfCauses} from "../../drawing/own_variable.js";
 import {partsOf} from "../../drawing/error_parts.js";
 import {loudest, multiplesOf, multiplesScale, panelPlaces} from "../../drawing/joint_multiples.js";
 import {
@@ -225,6 +225,21 @@ describe("binned", () => {
     );
     expect(law.at(0)!.mean).toBe(0);
     expect(law.at(-1)!.mean).toBe(1);
+  });
+});
+
+describe("the plot of several causes", () => {
+  it("opens on the cause that moves the tip most", () => {
+    const causes = ["theta1", "theta2"].map((at) => ({effect: "hysteresis", at, varies_with: ["sense"]}));
+    const openedOn = (first: number, second: number) => {
+      const done = readings.map(({senses}, k): Vector3 => {
+        const [a, b] = [scaled(levers[k][0], first * senses![0]), scaled(levers[k][1], second * senses![1])];
+        return [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+      });
+      return viewOfCauses(causes, done, readings, variables, parts)!.variable.key;
+    };
+    expect(openedOn(0.026, 0.012)).toBe("theta1_dir");
+    expect(openedOn(0.004, 0.06)).toBe("theta2_dir");
   });
 });
 

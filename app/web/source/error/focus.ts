@@ -15,7 +15,7 @@ import {
   viewOfPatterns,
   viewOfRemainder,
 } from "../../../drawing/reading_errors.js";
-import {variablesOf, type Variable} from "../../../drawing/variables.js";
+import {findVariable, variablesOf, type Variable} from "../../../drawing/variables.js";
 
 export const variables = computed<Variable[]>(() => {
   const errors = readingErrors.value;
@@ -66,6 +66,24 @@ export const suggestedFormula = computed(() => {
 function lawOf({key, kind}: Variable): string {
   return kind === "joint" ? `c*sin(${key}) + d*cos(${key})` : `c*${key}`;
 }
+
+/** Kinds of variables that no formula can name. */
+const OUTSIDE_FORMULAS = new Set(["position", "set-up", "point", "order"]);
+
+/**
+ * Formula suggested for what an explanation leaves: an error of the joint that follows the remainder's first variable
+ * which a formula can name; empty if there is none.
+ */
+export const remainderFormula = computed(() => {
+  const errors = readingErrors.value;
+  const followed = (currentDiagnosis.value?.remainder?.follows ?? [])
+    .map(({variable}) => findVariable(variable, variables.value))
+    .find((variable) => variable && !OUTSIDE_FORMULAS.has(variable.kind));
+  const joints = errors ? jointParts(errors, parts.value) : [];
+  if (!errors || !followed || joints.length === 0) return "";
+  const target = partFollowing(followed, {...errors, judged: errors.series.length - 1}, joints);
+  return `${target.key.replace("as ", "")} += ${lawOf(followed)}`;
+});
 
 /** View of the explanation drawn next to the main explanation; null if there is none. */
 export const viewBeside = computed<View | null>(() => {
