@@ -76,6 +76,7 @@ VisitOrder orderOfRound(const PlanContext& context, const Route& route, const st
                         std::size_t round, VisitOrderOptions& ordering) {
   auto& known = context.cache.orders;
   if (round < known.size()) return known[round];
+  context.showProgress("order", 0, 0);
   VisitOrder order = orderByZones(route, zones, ordering);
   if (order.status == VisitOrderStatus::kForbiddenMove && !ordering.start.empty()) {
     ordering.start.clear();

@@ -46,7 +46,8 @@ class Jobs::Context : public JobContext {
     job_.done = done;
     job_.total = total;
     job_.moment = jobs_.events_.nextMoment();
-    if (!is_new && now - job_.reported < kBetweenNews) return;
+    const bool is_last = total > 0 && done >= total;
+    if (!is_new && !is_last && now - job_.reported < kBetweenNews) return;
     job_.reported = now;
     jobs_.events_.jobMoved(job_.id, jobs_.jsonOf(job_).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   }

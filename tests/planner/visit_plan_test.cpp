@@ -263,8 +263,8 @@ TEST(PlanVisits, StopsWhenAskedAndTellsHowFarItIs) {
     EXPECT_LE(done, total);
   };
   EXPECT_EQ(planVisits(cell, tubes, {}, hooks).status, VisitPlanStatus::kPlanned);
-  EXPECT_EQ(stages, (std::set<std::string>{"proof", "reach", "travel"}));
-  for (const std::string last : {"reach", "travel", "proof"}) {
+  EXPECT_EQ(stages, (std::set<std::string>{"order", "proof", "reach", "travel"}));
+  for (const std::string last : {"reach", "order", "travel", "proof"}) {
     std::atomic<bool> stop = false;
     hooks.progress = [&](std::string_view stage, std::size_t, std::size_t) { stop = stop || stage == last; };
     hooks.stop = [&] { return stop.load(); };
