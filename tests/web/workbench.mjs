@@ -9,7 +9,7 @@ import {fileURLToPath} from "node:url";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 export const source = path.resolve(here, "../..");
-const web = process.env.TUBEPLAN_WEB ?? path.join(source, "app/web");
+export const web = process.env.TUBEPLAN_WEB ?? path.join(source, "app/web");
 const {chromium} = createRequire(path.join(web, "package.json"))("playwright-core");
 
 export const program = process.env.TUBEPLAN ?? path.join(source, "build/tubeplan");

@@ -41,6 +41,12 @@ interface StepRow {
   of: (known: Known) => Found | null;
 }
 
+/** Returns the first `most` entries, and the number of the others. */
+function listed(entries: readonly string[], most: number): string {
+  const others = entries.length - most;
+  return `${entries.slice(0, most).join(", ")}${others > 0 ? ` and ${others} more` : ""}`;
+}
+
 const STEPS = {
   add: {
     words: "Add what is certain",
@@ -111,7 +117,10 @@ const STEPS = {
       const size = `${short(remainder.size)} ${errorUnit(document)}`;
       if (remainder.follows.length === 0)
         return {evidence: `${size} follows nothing that the readings record: it looks like scatter`};
-      const list = remainder.follows.map(({variable, share}) => `${variable} (${percent(share)})`).join(", ");
+      const list = listed(
+        remainder.follows.map(({variable, share}) => `${variable} (${percent(share)})`),
+        5,
+      );
       const drawn = remainder.follows.map(({variable}) => findVariable(variable, variables)).find((found) => found);
       return {
         evidence: `${size} follows ${list}`,
@@ -171,7 +180,7 @@ const STEPS = {
       return ids.length === 0
         ? null
         : {
-            evidence: `${plural(ids.length, "reading")} beyond the noise: ${ids.slice(0, 6).join(", ")}${ids.length > 6 ? " …" : ""}`,
+            evidence: `${plural(ids.length, "reading")} beyond the noise: ${listed(ids, 6)}`,
             button: "Select",
             act: {kind: "select", ids},
           };

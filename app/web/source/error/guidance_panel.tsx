@@ -4,7 +4,7 @@ import {pageWords} from "../server/page_words";
 import {currentModel, runningJob, state} from "../server/workbench";
 import {dialog} from "../shell/page_state";
 import {effectsTab, evidenceTab} from "./tabs";
-import {chosenVariable, suggestedFormula, variables} from "./focus";
+import {chosenVariable, remainderFormula, suggestedFormula, variables} from "./focus";
 import {openFormula} from "./formula_box";
 import {type Act, adviceAfter} from "./guidance";
 import {selectedReadings} from "./linked";
@@ -17,7 +17,7 @@ export const advice = computed(() =>
         comparison: currentComparison.value,
         variables: variables.value,
         missingColumns: (state.value?.measurements?.missing_columns ?? []).map(({sentence}) => sentence),
-        formula: suggestedFormula.value,
+        formula: remainderFormula.value || suggestedFormula.value,
         free: currentModel.value?.free ?? [],
       })
     : [],

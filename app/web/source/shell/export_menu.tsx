@@ -15,7 +15,7 @@ export function ExportMenu({exports, isHere = true, at = ""}: ExportMenuProps) {
     </>
   );
   return (
-    <Menu kind={at} buttonKind={`button ${isHere ? "" : "off"}`} button={button}>
+    <Menu kind={at} buttonKind={`button ${isHere ? "" : "off"}`} isOff={!isHere} button={button}>
       {isHere ? (
         <ul>
           {exports.map(([name, words]) => (

@@ -7,11 +7,13 @@ interface MenuProps {
   kind?: string;
   buttonKind?: string;
   title?: string;
+  /** True if the menu has no content now. */
+  isOff?: boolean;
   button: ComponentChildren;
   children: ComponentChildren;
 }
 
-export function Menu({kind = "", buttonKind, title, button, children}: MenuProps) {
+export function Menu({kind = "", buttonKind, title, isOff = false, button, children}: MenuProps) {
   const menu = useRef<HTMLDetailsElement>(null);
   const closeUnlessAt = (target: EventTarget | null) => {
     if (menu.current && !menu.current.contains(target as Node | null)) menu.current.open = false;
@@ -37,7 +39,7 @@ export function Menu({kind = "", buttonKind, title, button, children}: MenuProps
         if (event.relatedTarget) closeUnlessAt(event.relatedTarget);
       }}
     >
-      <summary class={buttonKind} title={title}>
+      <summary class={buttonKind} title={title} aria-disabled={isOff || undefined}>
         {button}
       </summary>
       {children}

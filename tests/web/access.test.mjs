@@ -1,0 +1,65 @@
+// Tests of the page for people who use a screen reader or the keyboard: every view and dialog is checked by axe-core.
+import assert from "node:assert/strict";
+import {readFileSync} from "node:fs";
+import path from "node:path";
+import {after, before, describe} from "node:test";
+import {it} from "./limits.mjs";
+import {begin, finish, openTab, serve, simulate, web} from "./workbench.mjs";
+
+const axe = readFileSync(path.join(web, "node_modules/axe-core/axe.min.js"), "utf8");
+const GRAVE = new Set(["serious", "critical"]);
+
+let setting, server, tab;
+before(async () => {
+  setting = await begin();
+  simulate(setting.made.folder, "readings", {cell: "mockup.yaml", design: "bowl", readings: 40, spread: "0"});
+  server = await serve(setting.made.folder, "mockup.yaml", [path.join(setting.made.folder, "readings.csv")]);
+  tab = await openTab(setting.browser, server.address);
+  await tab.evaluate(`${axe}; undefined`);
+});
+after(async () => {
+  await server?.stop();
+  await finish(setting);
+});
+
+/** Returns the grave findings of axe-core on the page as it is now, one line for each. */
+async function findings() {
+  const {violations} = await tab.evaluate(() => window.axe.run(document, {resultTypes: ["violations"]}));
+  return violations
+    .filter(({impact}) => GRAVE.has(impact))
+    .flatMap(({id, nodes}) => nodes.map(({html}) => `${id}: ${html.slice(0, 160)}`));
+}
+
+describe("axe-core has no serious finding", () => {
+  for (const scheme of ["light", "dark"])
+    for (const view of ["sheet", "arm", "calibrate", "error", "effects", "plan"])
+      it(`in the ${view} view, ${scheme}`, async () => {
+        await tab.evaluate((name) => (location.hash = name), view);
+        await tab.waitForSelector(`.view-${view} .panel, .view-${view} .nothing`);
+        if ((await tab.evaluate(() => document.documentElement.dataset.scheme)) !== scheme)
+          await tab.keyboard.press("d");
+        await tab.waitForFunction(() => !document.querySelector(".busy"));
+        await tab.waitForTimeout(300); // until transitions have ended
+        assert.deepEqual(await findings(), []);
+      });
+
+  it("in the dialogs", async () => {
+    for (const key of ["o", "?"]) {
+      await tab.keyboard.press(key);
+      await tab.waitForSelector("dialog[open]");
+      assert.deepEqual(await findings(), []);
+      await tab.keyboard.press("Escape");
+      await tab.waitForSelector("dialog[open]", {state: "detached"});
+    }
+  });
+
+  it("in the tabs of the error view after a diagnosis", async () => {
+    await tab.evaluate(() => (location.hash = "error"));
+    await tab.click(".next:has-text('Diagnose'):not([disabled])");
+    await tab.waitForSelector(".ranking", {timeout: 120_000});
+    for (const name of await tab.locator("[role=tab]").allInnerTexts()) {
+      await tab.click(`[role=tab]:has-text("${name}")`);
+      assert.deepEqual(await findings(), [], name);
+    }
+  });
+});
