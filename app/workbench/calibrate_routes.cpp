@@ -42,7 +42,7 @@ Answer propose(Workbench& workbench, const Request& request) {
     asked.tubes = tubesText(body, *cell.sheet, tubesheets::spreadRequest(*cell.sheet, 60));
   if (body.contains("loads") && !body["loads"].is_null()) asked.loads = numbersOf(body, "loads");
   asked.seed = seedOf(body);
-  return beginResultJob(workbench, "touches", "what to touch or read next", JobInput::kModelAndMeasurements,
+  return beginResultJob(workbench, "touches", "Holes to touch", JobInput::kModelAndMeasurements,
                         [asked](const Session& began, JobContext& context) {
                           beginStage(context, "proposals");
                           const auto outcome =
@@ -156,7 +156,7 @@ std::vector<calibration::Measurement> touchesToUse(const Session& session, const
 /// result document gives the reason.
 Answer calibrate(Workbench& workbench, const Request& request) {
   (void)objectOf(request);
-  return beginJob(workbench, "calibrate", "where the base stands", [&workbench](JobContext& context) {
+  return beginJob(workbench, "calibrate", "Calibration", [&workbench](JobContext& context) {
     const Session began = workbench.session();
     const Cell& cell = currentModel(began).cell;
     beginStage(context, "calibration");

@@ -52,7 +52,7 @@ PlanRequest planRequestOf(const nlohmann::json& json) {
 void restorePlan(Workbench& workbench) {
   const Session kept = workbench.session();
   if (kept.plan || kept.plan_model < 0 || !findModel(kept, kept.plan_model)) return;
-  (void)beginJob(workbench, "plan", "the kept plan again", [&workbench](JobContext& context) {
+  (void)beginJob(workbench, "plan", "Plan of the last session", [&workbench](JobContext& context) {
     const Session began = workbench.session();
     const auto at = findModel(began, began.plan_model);
     if (!at) throw JobStopped{};

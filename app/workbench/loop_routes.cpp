@@ -77,7 +77,7 @@ nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Session& be
 
 Answer ladder(Workbench& workbench, const Request& request) {
   const std::uint64_t seed = seedOf(objectOf(request));
-  return beginResultJob(workbench, "ladder", "one model after another", JobInput::kModelAndMeasurements,
+  return beginResultJob(workbench, "ladder", "Errors of the models", JobInput::kModelAndMeasurements,
                         [seed](const Session& began, JobContext& context) {
                           (void)inputOf(began);
                           return ladderOver(stackOf(began), began, seed, hooksOf(context));
@@ -144,7 +144,7 @@ Answer identify(Workbench& workbench, const Request& request) {
   IdentificationRequest asked;
   asked.free = textsOf(body, "free");
   asked.seed = seedOf(body);
-  return beginFit(workbench, {"identify", "the numbers of the model", "fitted", "fit", asked});
+  return beginFit(workbench, {"identify", "Fit", "fitted", "fit", asked});
 }
 
 /// Returns the causes of {"causes": ["base-slip@base:time=90", ...]} or the formula of {"formula"}, in the notation of
@@ -242,8 +242,8 @@ std::shared_ptr<MeasurementSet> measurementsOf(const calibration::SimulatedCampa
 Answer simulate(Workbench& workbench, const Request& request) {
   const SimulationRequest asked = simulationAsked(objectOf(request));
   const Session now = workbench.session();
-  (void)prepareSimulation(now.models.front()->cell, asked);  // refuse bad input before the job begins
-  return beginJob(workbench, "simulate", "simulated readings", [&workbench, asked](JobContext& context) {
+  (void)prepareSimulation(now.models.front()->cell, asked);  // refuses bad input before the job
+  return beginJob(workbench, "simulate", "Simulation", [&workbench, asked](JobContext& context) {
     const Session began = workbench.session();
     const Cell& cell = began.models.front()->cell;
     const SimulationTask task = prepareSimulation(cell, asked);
@@ -276,7 +276,7 @@ constexpr Route kLoopRoutes[] = {
 }  // namespace
 
 Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, bool with_ladder) {
-  return beginResultJob(workbench, "compare", "where the model fails", JobInput::kModelAndMeasurements,
+  return beginResultJob(workbench, "compare", "Comparison", JobInput::kModelAndMeasurements,
                         [=, &workbench](const Session& began, JobContext& context) {
                           const CellMeasurements input = inputOf(began);
                           if (!with_ladder) return compareModel(input, asked, hooksOf(context)).figures;
@@ -288,7 +288,7 @@ Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, boo
 }
 
 Answer beginDiagnosis(Workbench& workbench, const DiagnosisRequest& asked) {
-  return beginResultJob(workbench, "diagnose", "what the model lacks", JobInput::kModelAndMeasurements,
+  return beginResultJob(workbench, "diagnose", "Diagnosis", JobInput::kModelAndMeasurements,
                         [asked](const Session& began, JobContext& context) {
                           return diagnoseModel(inputOf(began), asked, hooksOf(context)).figures;
                         });

@@ -34,7 +34,7 @@ Answer reach(Workbench& workbench, const Request& request) {
   (void)objectOf(request);
   (void)workcellOf(currentModel(workbench.session()).cell, "reach its holes");
   return beginResultJob(
-      workbench, "reach", "which holes the arm reaches", JobInput::kModel,
+      workbench, "reach", "Reachable holes", JobInput::kModel,
       [](const Session& began, JobContext& context) { return reachOfAll(currentModel(began).cell, context); });
 }
 
@@ -142,7 +142,7 @@ Answer plan(Workbench& workbench, const Request& request) {
       asked.conditions.first.push_back(zone);
     }
   (void)conditionsOf(asked.conditions, cell, {});
-  return beginJob(workbench, "plan", "a path through the tubes", [&workbench, asked](JobContext& context) mutable {
+  return beginJob(workbench, "plan", "Plan", [&workbench, asked](JobContext& context) mutable {
     const Session began = workbench.session();
     asked.truth = began.truth;
     asked.cell = currentModel(began).cell.path;

@@ -306,7 +306,7 @@ describe("the sheet", () => {
     assert.equal(await ended(server, (await ask(server, "calibrate", {})).body.id), "done");
     const tab = await openTab(browser, `${server.address}#sheet`);
     await tab.click(".sheet-view .segments >> text=Sag");
-    await tab.click("text=Work out the sag", LIMIT);
+    await tab.click("text=Compute sag", LIMIT);
     await tab.waitForSelector(".before-after >> text=after", LIMIT);
     await tab.waitForFunction(() => !document.querySelector(".to-compute"), null, LIMIT);
     await tab.click(".before-after >> text=before"); // the missing field is computed automatically

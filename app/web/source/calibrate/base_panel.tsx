@@ -22,9 +22,7 @@ export function BasePanel() {
   if (document) return <FoundBase document={document} />;
   return (
     <Panel title="Base" kind="grow">
-      <p class="muted">
-        Where the base stands, what is left at each touch and how sure that is, once three holes are touched.
-      </p>
+      <p class="muted">Base pose, residuals and uncertainty appear here after three touches.</p>
     </Panel>
   );
 }

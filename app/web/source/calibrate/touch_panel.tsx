@@ -2,7 +2,7 @@
 import {submitting, withPoint} from "../drawing/fields";
 import {Icon} from "../drawing/icons";
 import {Panel} from "../drawing/panel";
-import {fixed, jointDecimals} from "../../../drawing/numbers.js";
+import {fixed, jointDecimals, plural} from "../../../drawing/numbers.js";
 import type {CalibrateDocument} from "../server/documents";
 import {get, remove} from "../server/requests";
 import {attempt, cell, order, runJob, runningJob} from "../server/workbench";
@@ -60,7 +60,7 @@ export function TouchPanel({model}: {model: SheetModel}) {
         disabled={done.length < 3 || runningJob("calibrate") !== null}
         onClick={() => void calibrate()}
       >
-        {done.length < 3 ? `Calibrate (${3 - done.length} more)` : "Calibrate"}
+        {done.length < 3 ? `Calibrate (needs ${plural(3 - done.length, "more touch", "more touches")})` : "Calibrate"}
       </button>
     </Panel>
   );

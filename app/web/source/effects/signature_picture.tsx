@@ -24,7 +24,7 @@ export function SignaturePicture({effect, at}: {effect: string; at: string}) {
         <Curve document={shown} />
       )}
       <figcaption class="muted">
-        at {at}: the tip's shift by half the usual size, against what it follows most on this arm
+        Example at {at}: shift of the tip for half a typical size, over the variable that it follows most
       </figcaption>
     </figure>
   );

@@ -45,7 +45,7 @@ function TabBody() {
     return identify.value.document ? (
       <ParameterTable parameters={identify.value.document.parameters} />
     ) : (
-      <p class="muted">The fitted numbers stand here once an effect is added or the model is identified.</p>
+      <p class="muted">Fitted numbers appear here after an effect is added.</p>
     );
   }
   if (effectsTab.value === "split" && (found.document || runSheet.value))

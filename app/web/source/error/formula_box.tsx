@@ -29,7 +29,7 @@ export function FormulaBox() {
   return (
     <form class="formula" onSubmit={submitting(() => text.value.trim() !== "" && addFormula(text.value.trim()))}>
       <label class="field">
-        a law of your own: what it changes += its value
+        custom term: what it changes += its value
         <TextInput of={text} placeholder={examples[0]} />
       </label>
       <div class="row">

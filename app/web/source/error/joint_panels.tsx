@@ -20,7 +20,7 @@ export function JointPanels() {
     [errors, variables.value, parts.value, tested, sceneDocument.value],
   );
   if (!errors || multiples.length === 0)
-    return <p class="muted pad">The joints stand here once readings are compared.</p>;
+    return <p class="muted pad">Errors by joint appear here after a comparison.</p>;
   const shown = shownView.value;
   return (
     <div class="panel-body flush with-legend">

@@ -55,7 +55,7 @@ function withPresentNames(shown: Ladder | null): Ladder | null {
 
 export function LadderBars() {
   const shown = withPresentNames(shownLadder());
-  if (!shown) return <p class="muted">The errors of the models stand here once readings are compared.</p>;
+  if (!shown) return <p class="muted">Errors of the models appear here after a comparison.</p>;
   const limit = tolerance();
   return (
     <div class="ladder">

@@ -29,7 +29,7 @@ function Proposals({document}: {document: DiagnoseDocument}) {
       <p class="muted">
         {document.explanations.length > 1
           ? "No further reading was found that would split these explanations."
-          : "There is nothing to split: these readings leave one explanation at most."}
+          : "Only one explanation fits: no further readings are needed."}
       </p>
     );
   }

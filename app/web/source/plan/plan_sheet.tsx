@@ -60,7 +60,7 @@ export function PlanSheet({model, document}: PlanSheetProps) {
             <span class="muted">
               {document
                 ? `steps of the tool as predicted ${document.base?.words ?? ""}`
-                : "lasso, ranges or clicks with Shift select; a plan proves the tour"}
+                : "Select holes, then press Plan. The path is checked for collisions."}
             </span>
           )}
           {document ? <StepCounts document={document} colouring={colouring} /> : null}

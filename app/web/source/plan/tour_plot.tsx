@@ -65,7 +65,7 @@ export function TourPlot() {
           }}
         />
       ) : (
-        <p class="muted pad">What a plan keeps clear and how long it travels stands here.</p>
+        <p class="muted pad">Clearance and time appear here after planning.</p>
       )}
     </Panel>
   );

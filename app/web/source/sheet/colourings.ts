@@ -113,7 +113,7 @@ export function byField(
     const value = field.values[i];
     of[i] = isNumber(value) ? edges.filter((edge) => value >= edge).length : kinds.length;
   }
-  const none = field.of === "residual" ? "not touched" : "no posture";
+  const none = field.of === "residual" ? "not touched" : "unreachable";
   return finished(
     title,
     [...kinds, {name: none, mark: field.of === "residual" ? {shape: "dot", colour: "faint"} : UNKNOWN}],

@@ -99,10 +99,10 @@ function SheetTools({drawing, isLassoing}: SheetToolsProps) {
           <Icon name="lasso" />
         </button>
       ) : null}
-      <button class="tool" title="Larger (+)" onClick={() => drawing.current!.zoomMiddle(1.4)}>
+      <button class="tool" title="Zoom in (+)" onClick={() => drawing.current!.zoomMiddle(1.4)}>
         <Icon name="plus" />
       </button>
-      <button class="tool" title="Smaller (−)" onClick={() => drawing.current!.zoomMiddle(1 / 1.4)}>
+      <button class="tool" title="Zoom out (−)" onClick={() => drawing.current!.zoomMiddle(1 / 1.4)}>
         <Icon name="minus" />
       </button>
       <button class="tool" title="Whole sheet (0)" onClick={() => drawing.current!.fit()}>

@@ -14,10 +14,13 @@ import type {SheetModel} from "./sheet_model";
 import {SheetPanel, WithSheet} from "./with_sheet";
 
 const HOW: Record<string, {words: string; action: string}> = {
-  reach: {words: "Which holes the arm can bring its tool under, and why not the others.", action: "Find the reach"},
+  reach: {
+    words: "Which holes the arm can bring its tool under, and why not the others.",
+    action: "Compute reachable holes",
+  },
   centring: {words: "How far from each hole's centre the tool comes.", action: "Predict the error"},
-  residual: {words: "How far the model is from each hole that was touched.", action: "Work out the residual"},
-  sag: {words: "How far the tool sags under each hole.", action: "Work out the sag"},
+  residual: {words: "How far the model is from each hole that was touched.", action: "Compute residuals"},
+  sag: {words: "How far the tool sags under each hole.", action: "Compute sag"},
   steps: {words: "How far the stepped tool goes in, once a plan is made.", action: "Make a plan"},
 };
 

@@ -75,7 +75,7 @@ function SchemeSwitch() {
   const next = isDark() ? "light" : "dark";
   void scheme.value;
   return (
-    <button class="tool" title={`Go ${next} (D)`} onClick={() => chooseScheme(next)}>
+    <button class="tool" title={`${next === "dark" ? "Dark" : "Light"} colours (D)`} onClick={() => chooseScheme(next)}>
       <Icon name={next === "dark" ? "moon" : "sun"} />
     </button>
   );

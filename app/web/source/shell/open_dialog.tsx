@@ -51,7 +51,7 @@ function OpenBody() {
       <Projects files={files} />
       <div class="open-foot">
         <label class="button">
-          Files of your own …
+          Browse …
           <input
             class="hidden"
             type="file"
