@@ -118,7 +118,8 @@ describe("the mock-up", () => {
     }
     assert.ok(figures.size > 4, `the cursor reads ${[...figures].join(", ")}`);
     await tab.click(".plan-view .segments >> text=Tubes by chance");
-    await tab.waitForSelector("[aria-label='Histogram of 60 tubes by the chance of all steps'] canvas");
+    const planned = (await ask(server, "results/plan")).body.tubes.length;
+    await tab.waitForSelector(`[aria-label='Histogram of ${planned} tubes by the chance of all steps'] canvas`);
     await tab.click(".plan-view .menu summary");
     const [download] = await Promise.all([
       tab.waitForEvent("download"),
