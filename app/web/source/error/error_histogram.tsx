@@ -59,7 +59,8 @@ function makeHistogram(errors: ReadingErrors, of: What, colours: Palette) {
   const {series, unit} = countedValues(errors, of);
   const {edges, counts, width} = histogramOf(series.slice(0, errors.series.length));
   // The series after is drawn first, so that the outline of the series before stays visible.
-  const data: uPlot.AlignedData = [edges, ...counts.toReversed()];
+  const drawn = counts.map((bins) => bins.map((count) => count || null)); // an empty bin has no outline
+  const data: uPlot.AlignedData = [edges, ...drawn.toReversed()];
   const name = of === "sigmas" ? "error, in its sigmas" : `size of the error, ${plainUnit(unit)}`;
   const options: PlotOptions = {
     scales: {

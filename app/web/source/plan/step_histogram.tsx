@@ -31,6 +31,7 @@ export function StepHistogram({document}: {document: PlanDocument}) {
 
 function optionsOf(colours: Palette, name: string): PlotOptions {
   return {
+    padding: [10, 26, 0, 0], // room for the label of 100 %
     scales: {x: {time: false, range: () => [0, 1]}, y: {range: (_plot, _low, high) => [0, 1.08 * (high || 1)]}},
     axes: [
       axis(colours, `chance: ${name}`, {
@@ -48,6 +49,7 @@ function optionsOf(colours: Palette, name: string): PlotOptions {
       {},
       {
         stroke: colours.accent,
+        width: 0,
         fill: colours.accent,
         points: {show: false},
         paths: uPlot.paths.bars!({size: [0.92, Infinity], align: 1}),
