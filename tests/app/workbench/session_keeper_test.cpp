@@ -33,9 +33,10 @@ class SessionKeeping : public WorkbenchTest {
   }
 };
 
-/// Returns the state without the keys that change with every start: jobs, folder and moment.
+/// Returns the state without the keys that change with every start: jobs, folder, moment and the words for the steps,
+/// of which only the models are kept.
 json lasting(json state) {
-  for (const char* gone : {"jobs", "folder", "moment"}) state.erase(gone);
+  for (const char* gone : {"jobs", "folder", "moment", "undo_words", "redo_words"}) state.erase(gone);
   return state;
 }
 
@@ -62,6 +63,24 @@ TEST_F(SessionKeeping, whatIsNoSessionIsNotListedAmongThem) {
   const Reply files = get("/api/files");
   EXPECT_EQ(files.status, 200) << files.text;
   EXPECT_EQ(files.body["recent"].size(), 0u);
+}
+
+TEST_F(SessionKeeping, thePlanIsMadeAgainTheSame) {
+  serveKept("mockup.yaml");
+  done("/api/plan", {{"tubes", "R2C3,R4C6,R6C9"}, {"dwell", 3}, {"start", "park"}});
+  json plan = get("/api/results/plan").body;
+  const json path = get("/api/plan/path").body;
+  serveKept("mockup.yaml");
+  const json job = get("/api/state").body["jobs"].back();
+  EXPECT_EQ(job["kind"], "plan");
+  EXPECT_EQ(ended(job["id"])["status"], "done");
+  EXPECT_EQ(get("/api/plan/path").body, path);
+  json again = get("/api/results/plan").body;
+  for (const char* of_the_run : {"revision", "timing", "seconds"}) {
+    plan.erase(of_the_run);
+    again.erase(of_the_run);
+  }
+  EXPECT_EQ(again, plan);
 }
 
 TEST_F(SessionKeeping, touchesComeBack) {

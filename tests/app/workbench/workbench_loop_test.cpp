@@ -59,7 +59,9 @@ TEST_F(WorkbenchLoop, addingFitsAndClimbsAndCanBeUndone) {
   EXPECT_EQ(post("/api/undo").body["model"], 1);
   EXPECT_EQ(get("/api/results/identify").body["model"], 1);
   EXPECT_EQ(post("/api/undo").body["model"], 0);
+  EXPECT_EQ(post("/api/undo").body["measurements"], nullptr) << "the simulated readings are a step too";
   EXPECT_EQ(post("/api/undo").status, 409);
+  EXPECT_EQ(post("/api/redo").body["measurements"]["readings"], 30);
   EXPECT_EQ(post("/api/redo").body["model"], 1);
   done("/api/add", {{"formula", "theta3 += c*sin(2*theta1)"}});
   state = get("/api/state").body;
@@ -127,6 +129,53 @@ TEST_F(WorkbenchLoop, measurementsSetAsideAreSeenByNoFitUntilTheyAreTakenBack) {
   std::vector<std::string> ids;
   for (const auto& row : rows) ids.push_back(row["id"]);
   EXPECT_EQ(post("/api/measurements/set-aside", {{"ids", ids}}).status, 422);
+}
+
+TEST_F(WorkbenchLoop, marksAreUndoneAndRedoneWithTheResultsThatBelongToThem) {
+  serve("bench.yaml");
+  simulate();
+  done("/api/compare");
+  const json all = get("/api/results/compare").body["rms"];
+  EXPECT_EQ(post("/api/measurements/set-aside", {{"ids", {"1", "3"}}}).body["undo_words"], "marks of readings");
+  done("/api/compare");
+  const json fewer = get("/api/results/compare").body["rms"];
+  json state = post("/api/undo").body;
+  EXPECT_EQ(state["measurements"]["set_aside"], 0);
+  EXPECT_EQ(get("/api/results/compare").body["rms"], all) << "nothing is computed again";
+  const int change = state["measurements"]["change"];
+  EXPECT_EQ(state["redo_words"], "marks of readings");
+  state = post("/api/redo").body;
+  EXPECT_EQ(state["measurements"]["set_aside"], 2);
+  EXPECT_GT(state["measurements"]["change"], change);
+  EXPECT_EQ(get("/api/results/compare").body["rms"], fewer);
+}
+
+TEST_F(WorkbenchLoop, aTouchIsUndoneWithoutTheModelBeforeIt) {
+  serve("mockup.yaml");
+  for (const int hole : {10, 40, 80}) ASSERT_EQ(post("/api/touch", {{"hole", hole}}).status, 200);
+  done("/api/calibrate");
+  ASSERT_EQ(post("/api/touch", {{"hole", 60}}).body["undo_words"], "touches");
+  json state = post("/api/undo").body;
+  EXPECT_EQ(state["touches"], 3);
+  EXPECT_EQ(state["model"], 1);
+  state = post("/api/undo").body;
+  EXPECT_EQ(state["model"], 0);
+  EXPECT_EQ(state["touches"], 3);
+  EXPECT_EQ(post("/api/undo").body["touches"], 2);
+  ASSERT_EQ(post("/api/touch", {{"hole", 20}}).status, 200);
+  EXPECT_EQ(post("/api/redo").body["model"], 1) << "the model above the current one stays on the stack";
+}
+
+TEST_F(WorkbenchLoop, aModelOfOneEffectAtManyPlacesHasAShortLabelAndCanBeRenamed) {
+  serve("bench.yaml");
+  simulate();
+  done("/api/add", {{"causes", {"joint-offset@theta2", "joint-offset@theta3", "joint-offset@theta4"}}});
+  EXPECT_EQ(get("/api/state").body["models"][1]["label"], "+ joint-offset at 3 places");
+  EXPECT_EQ(post("/api/models/rename", {{"model", 1}, {"label", "zeros"}}).body["models"][1]["label"], "zeros");
+  EXPECT_EQ(post("/api/models/rename", {{"model", 1}, {"label", " "}}).status, 422);
+  EXPECT_EQ(post("/api/models/rename", {{"model", 9}, {"label", "x"}}).status, 404);
+  EXPECT_EQ(post("/api/undo").body["model"], 0);
+  EXPECT_EQ(post("/api/redo").body["models"][1]["label"], "zeros");
 }
 
 TEST_F(WorkbenchLoop, aTouchThatIsSetAsidePlacesNoBase) {
