@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
 import {after, before, describe} from "node:test";
-import {writeFileSync} from "node:fs";
+import {rmSync, writeFileSync} from "node:fs";
 import path from "node:path";
 import {it} from "./limits.mjs";
 import {ask, begin, closable, errorsOf, finish, openTab, program, serve} from "./workbench.mjs";
@@ -125,6 +125,28 @@ describe("the desk of an outage", () => {
     assert.equal((await ask(server, `outage/log?file=${record}&after=-3`)).status, 422);
     assert.equal(errorsOf(tab).length, 0);
     await close();
+  });
+
+  it("leaves a record that cannot be read, and takes no leg of it along", async () => {
+    const broken = path.join(made.folder, "0.job");
+    const record = makeRecord("whole", "none");
+    writeFileSync(broken, "event,at,who\n");
+    const server = await serve(made.folder, "mockup.yaml");
+    const tab = await openTab(browser, `${server.address}#outage`);
+    const choice = "select[aria-label='Record of the job']";
+    await tab.waitForSelector(choice, LIMIT);
+    assert.equal(await tab.inputValue(choice), "0.job");
+    await tab.selectOption(choice, record);
+    await tab.waitForSelector(".desk-tube[data-tube='A/hot/R9C18']", LIMIT);
+    await tab.selectOption("select[aria-label='Leg']", "A/cold");
+    await tab.waitForSelector(".desk-tube[data-tube^='A/cold']", LIMIT);
+    await tab.selectOption(choice, "0.job");
+    await tab.waitForSelector(".desk-tube", {state: "detached", ...LIMIT}); // no key marks a tube of the other record
+    await tab.selectOption(choice, record);
+    await tab.waitForSelector(".desk-tube[data-tube='A/hot/R9C18']", LIMIT);
+    rmSync(broken);
+    await tab.context().close();
+    await server.stop();
   });
 
   it("refuses a mark of a tube that another desk has changed", async () => {

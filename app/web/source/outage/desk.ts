@@ -1,5 +1,5 @@
 // State of the desk: the job's record, the person, the part of the job, and what the record says.
-import {effect, signal} from "@preact/signals";
+import {batch, effect, signal} from "@preact/signals";
 import {answerTo} from "../server/answers";
 import {get, post} from "../server/requests";
 import {attempt, state} from "../server/workbench";
@@ -97,10 +97,6 @@ export const person = signal(kept.person ?? "");
 export const place = signal(kept.place ?? "");
 
 effect(() => keep(KEPT, {record: record.value, person: person.value, place: place.value}));
-effect(() => {
-  const names = records.value.document?.records ?? [];
-  if (names.length > 0 && !names.includes(record.peek())) record.value = names[0];
-});
 
 export const totals = signal<Totals | null>(null);
 export const next = signal<NextTube | null>(null);
@@ -121,6 +117,21 @@ export function reportAddress(shift: string): string {
 let shownPart = "",
   shownRecord = "",
   plannedAt = "";
+
+/** Opens another record. Nothing of the last one stays on the page, so that no mark of its tubes enters the other. */
+export function chooseRecord(name: string): void {
+  shownRecord = shownPart = "";
+  batch(() => {
+    [record.value, place.value] = [name, ""];
+    totals.value = next.value = plan.value = finding.value = null;
+    events.value = [];
+  });
+}
+
+effect(() => {
+  const names = records.value.document?.records ?? [];
+  if (names.length > 0 && !names.includes(record.peek())) chooseRecord(names[0]);
+});
 
 /** Adds the events that are new, and marks those that they undo. */
 function addEvents(fresh: readonly JobEvent[]): void {

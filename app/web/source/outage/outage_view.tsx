@@ -5,6 +5,7 @@ import {Select} from "../drawing/fields";
 import {Panel} from "../drawing/panel";
 import {Waiting} from "../shell/states";
 import {
+  chooseRecord,
   type JobEvent,
   events,
   next,
@@ -32,7 +33,15 @@ export function OutageView() {
     const timer = setInterval(() => void refresh(), PAUSE);
     return () => clearInterval(timer);
   }, [record.value, place.value]);
-  if (!totals.value || !next.value) return <Waiting words="Reading the job's record" isBusy />;
+  if (!totals.value || !next.value)
+    return (
+      <>
+        <div class="desk-bar">
+          <RecordChoice />
+        </div>
+        <Waiting words="Reading the job's record" isBusy />
+      </>
+    );
   return (
     <div class="desk">
       <Bar />
@@ -47,18 +56,24 @@ export function OutageView() {
   );
 }
 
-function Bar() {
+function RecordChoice() {
   const names = records.value.document?.records ?? [];
+  return (
+    <Select
+      label="Record of the job"
+      value={record.value}
+      choices={names.map((name) => ({value: name, words: name}))}
+      onChoose={chooseRecord}
+    />
+  );
+}
+
+function Bar() {
   const legs = [...new Set(totals.value!.packages.map((of) => `${of.steam_generator}/${of.leg}`))];
   return (
     <div class="desk-bar">
       <h1>{totals.value!.job}</h1>
-      <Select
-        label="Record of the job"
-        value={record.value}
-        choices={names.map((name) => ({value: name, words: name}))}
-        onChoose={(name) => (record.value = name)}
-      />
+      <RecordChoice />
       <Select
         label="Leg"
         value={place.value}
