@@ -1,8 +1,9 @@
 // Tests of the views: their order and keys, and which of them a cell without a sheet offers.
 import assert from "node:assert/strict";
+import {statSync} from "node:fs";
 import {after, before, describe} from "node:test";
 import {it} from "./limits.mjs";
-import {begin, closable, finish, openTab, serve} from "./workbench.mjs";
+import {ask, begin, closable, finish, openTab, serve} from "./workbench.mjs";
 
 let setting;
 before(async () => (setting = await begin()));
@@ -59,6 +60,53 @@ describe("the splitters", () => {
     await tab.reload();
     await tab.waitForSelector(".plan-view .splitter.plan-columns");
     assert.ok(Math.abs((await widthOf()) - moved) < 2);
+    await close();
+  });
+});
+
+describe("the arm", () => {
+  it("opens in its park posture, shows the names of its joints, and is saved as a picture", async () => {
+    const {tab, server, close} = await open("mockup.yaml");
+    const {park, joints} = (await ask(server, "state")).body.cell;
+    await tab.keyboard.press("2");
+    await tab.waitForSelector(".arm-view .slider");
+    for (const [k, value] of park.entries())
+      assert.equal(Number(await tab.inputValue(`.slider input[type=range] >> nth=${k}`)), value);
+    await tab.check(".stage-bar label:has-text('axes') input");
+    await tab.waitForFunction(
+      (count) => document.querySelectorAll(".joint-names span").length === count,
+      joints.length,
+    );
+    assert.deepEqual(
+      await tab.locator(".joint-names span").allTextContents(),
+      joints.map(({name}) => name),
+    );
+    const [download] = await Promise.all([
+      tab.waitForEvent("download"),
+      tab.click(".stage-bar button:has-text('Picture')"),
+    ]);
+    assert.match(download.suggestedFilename(), /-arm\.png$/);
+    assert.ok(statSync(await download.path()).size > 10_000, "the picture is not empty");
+    await close();
+  });
+});
+
+describe("undo", () => {
+  it("takes back a touch, and after it what was done before", async () => {
+    const {tab, server, close} = await open("mockup.yaml");
+    await tab.goto(`${server.address}#calibrate`);
+    await tab.click(".calibrate-view >> text=Suggest");
+    for (let k = 1; k <= 2; ++k) {
+      await tab.click(".touch-row:not(.done) >> text=Simulate >> nth=0", {timeout: 60_000});
+      await tab.waitForFunction((n) => document.querySelectorAll(".touch-row.done").length === n, k);
+    }
+    assert.equal(await tab.getAttribute("button[title^='Undo']", "title"), "Undo: touches (Ctrl+Z)");
+    for (const left of [1, 0]) {
+      await tab.click("button[title^='Undo']");
+      await tab.waitForFunction((n) => document.querySelectorAll(".touch-row.done").length === n, left);
+    }
+    await tab.click("button[title^='Redo']");
+    await tab.waitForFunction(() => document.querySelectorAll(".touch-row.done").length === 1);
     await close();
   });
 });

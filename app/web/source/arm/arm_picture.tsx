@@ -131,6 +131,10 @@ function useErrors(stage: StageRef, errors: ReadingErrors | null): void {
   useEffect(() => {
     if (errors && errors.series.length > 1) stage.current?.fadeErrors(fade.value);
   }, [fade.value]);
+  const isShown = errors !== null;
+  useEffect(() => {
+    if (errors) stage.current?.fit(errors.places);
+  }, [isShown]);
 }
 
 /** Shows the axes of the joints if they are chosen. */
@@ -157,6 +161,13 @@ function StageBar({stage, isSmall}: {stage: StageRef; isSmall: boolean}) {
         value={undefined}
         onChoose={(from) => stage.current?.look(from)}
       />
+      <button
+        class="button small"
+        title="Bring the arm, and the errors if they are shown, into the picture"
+        onClick={() => stage.current?.fit(isFieldShown.value && !isSmall ? (readingErrors.value?.places ?? []) : [])}
+      >
+        Fit
+      </button>
       <Check of={areAxesShown} title="The axis and the name of each joint" kind="stage-check">
         axes
       </Check>

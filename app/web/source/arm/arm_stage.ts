@@ -9,6 +9,7 @@ import {
   MeshStandardMaterial,
   PerspectiveCamera,
   Scene,
+  Sphere,
   Vector3,
   WebGLRenderer,
 } from "three";
@@ -47,8 +48,8 @@ export const pictureReach = signal(1);
 export const openStage = signal<ArmStage | null>(null);
 
 /** Reach of the picture without a sheet, relative to the total length of the arm's members. */
-const BESIDE_ARM = 0.6;
-/** Relative change of the arm's length beyond which the view is reset, as for another arm. */
+const BESIDE_ARM = 0.7;
+/** Relative change of the arm's length beyond which the picture is framed anew, as for another arm. */
 const SAME_ARM = 0.3;
 
 function empty(group: Group): void {
@@ -219,12 +220,26 @@ export class ArmStage {
       front: [0.05, -2.7, -0.2],
     } as const;
     const way = new Vector3(...directions[from]);
-    // Without a sheet, nothing hides the arm when seen from above.
-    if (!this.cell?.sheet && from !== "below") way.z *= -1;
+    if (!this.cell?.sheet && from !== "below") way.z *= -1; // without a sheet, nothing hides the arm from above
     this.controls.target.copy(this.focus);
     this.camera.position
       .copy(this.focus)
       .add(way.multiplyScalar(1.12 * this.reach * Math.max(1, 1.3 / this.camera.aspect)));
+    this.controls.update();
+    this.ask();
+  }
+
+  /** Moves the camera, without turning it, so that the arm and the given places fill the picture. */
+  fit(places: readonly (PoseDocument["tip"]["rigid"] | null)[]): void {
+    const points = places.flatMap((place) => (place ? [vector(place)] : []));
+    if (this.pose)
+      points.push(...this.shownFrames.map((frame) => vector(frame.position)), vector(this.pose.tip.flexible));
+    if (points.length < 2) return;
+    const ball = new Box3().setFromPoints(points).getBoundingSphere(new Sphere());
+    const way = this.camera.position.clone().sub(this.controls.target).normalize();
+    const half = Math.sin((0.5 * this.camera.fov * Math.PI) / 180) * Math.min(1, this.camera.aspect);
+    this.controls.target.copy(ball.center);
+    this.camera.position.copy(ball.center).addScaledVector(way, (1.08 * ball.radius) / half);
     this.controls.update();
     this.ask();
   }

@@ -1,5 +1,5 @@
 // Warnings about the effects of the diagnosed model, one line for each kind, with the effects that can be removed.
-import {effectTitle} from "../../../drawing/explanations.js";
+import {explanationTitle} from "../../../drawing/explanations.js";
 import {plural} from "../../../drawing/numbers.js";
 import type {EffectWarning} from "../server/documents";
 import {pageWords} from "../server/page_words";
@@ -16,6 +16,10 @@ const TOGETHER: Record<string, {words: (count: number) => string; isRemovable?: 
         : `These readings need none of ${count} effects of the model, each tested with the others in it:`,
     isRemovable: true,
   },
+  "beyond-plausible": {
+    words: (count) =>
+      `${count === 1 ? "One effect is" : `${count} effects are`} larger than in real machines, so that something else is compensated for:`,
+  },
   "misfit-remains": {
     words: (count) =>
       `${count === 1 ? "One effect leaves" : `${count} effects leave`} the error above the noise floor, so that something else is missing:`,
@@ -25,11 +29,18 @@ const TOGETHER: Record<string, {words: (count: number) => string; isRemovable?: 
 export function EffectWarnings({warnings}: {warnings: readonly (string | EffectWarning)[]}) {
   return (
     <>
-      {warningGroups(warnings).map((group) => (
-        <Group key={group.kind} {...group} />
-      ))}
+      {warningGroups(warnings)
+        .sort((a, b) => isFirst(b) - isFirst(a))
+        .map((group) => (
+          <Group key={group.kind} {...group} />
+        ))}
     </>
   );
+}
+
+/** Returns 1 for warnings with an action, which come first, otherwise 0. */
+function isFirst({kind}: WarningGroup): number {
+  return TOGETHER[kind]?.isRemovable ? 1 : 0;
 }
 
 function Group({kind, warnings}: WarningGroup) {
@@ -47,18 +58,14 @@ function Group({kind, warnings}: WarningGroup) {
   return (
     <div class="warning">
       {together.words(warnings.length)}{" "}
-      {warnings.map((warning) => (
-        <span class="warned" title={pageWords(warning.sentence)} key={warning.sentence}>
-          {titleOf(warning)}
-        </span>
-      ))}
+      <span title={warnings.map(({sentence}) => pageWords(sentence)).join("\n")}>{titleOf(warnings)}</span>
       {together.isRemovable ? <RemoveButton warnings={warnings} /> : null}
     </div>
   );
 }
 
-function titleOf({effect = "", at}: EffectWarning): string {
-  return effectTitle({effect, at});
+function titleOf(warnings: readonly EffectWarning[]): string {
+  return explanationTitle({effects: warnings.map(({effect = "", at}) => ({effect, at}))});
 }
 
 function RemoveButton({warnings}: {warnings: readonly EffectWarning[]}) {
@@ -69,7 +76,7 @@ function RemoveButton({warnings}: {warnings: readonly EffectWarning[]}) {
       disabled={runningJob("remove", "add") !== null}
       onClick={() => removeCauses(warnings.map(({effect, at}) => `${effect}@${at}`))}
     >
-      Remove {warnings.length === 1 ? titleOf(warnings[0]) : `the ${plural(warnings.length, "effect")} not needed`}
+      Remove {warnings.length === 1 ? titleOf(warnings) : `the ${plural(warnings.length, "effect")} not needed`}
     </button>
   );
 }
