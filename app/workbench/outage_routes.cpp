@@ -79,7 +79,7 @@ Answer events(Workbench& workbench, const Request& request) {
   return answerOf(log);
 }
 
-Answer plan(Workbench& workbench, const Request& request) {
+Answer planOfRecord(Workbench& workbench, const Request& request) {
   JobStore store = storeNamed(workbench, request.asked("file"));
   const std::string plan = store.plan();
   return answerOf({{"plan", plan.empty() ? json() : json::parse(plan)}, {"planned_at", store.plannedAt()}});
@@ -115,7 +115,7 @@ Answer mark(Workbench& workbench, const Request& request) {
   return answerOf({{"event", markTube(store, asked)}});
 }
 
-Answer undo(Workbench& workbench, const Request& request) {
+Answer undoEvent(Workbench& workbench, const Request& request) {
   const json body = objectOf(request);
   JobStore store = storeNamed(workbench, textOf(body, "file"));
   const int event = integerOf(body, "event", 0, 0, std::numeric_limits<int>::max());
@@ -123,9 +123,9 @@ Answer undo(Workbench& workbench, const Request& request) {
 }
 
 constexpr Route kRoutes[] = {
-    {"GET", "outage", records},          {"GET", "outage/totals", totals}, {"GET", "outage/next", next},
-    {"GET", "outage/log", events},       {"GET", "outage/plan", plan},     {"GET", "outage/report", report},
-    {"POST", "outage/confirm", confirm}, {"POST", "outage/mark", mark},    {"POST", "outage/undo", undo}};
+    {"GET", "outage", records},          {"GET", "outage/totals", totals},     {"GET", "outage/next", next},
+    {"GET", "outage/log", events},       {"GET", "outage/plan", planOfRecord}, {"GET", "outage/report", report},
+    {"POST", "outage/confirm", confirm}, {"POST", "outage/mark", mark},        {"POST", "outage/undo", undoEvent}};
 
 }  // namespace
 

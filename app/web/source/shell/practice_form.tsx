@@ -44,7 +44,7 @@ export function PracticeForm() {
   );
 }
 
-/** Returns the effect in the notation of the request, such as "hysteresis@theta4:half_width=0.06". */
+/** Returns the effect in the notation of the request: EFFECT@PLACE:SIZE=VALUE,... */
 export function hiddenText({effect, at, sizes}: Hidden): string {
   const numbers = Object.entries(sizes).flatMap(([name, size]) => (size.trim() ? [`${name}=${withPoint(size)}`] : []));
   return `${effect}@${at}${numbers.length > 0 ? `:${numbers.join(",")}` : ""}`;
