@@ -9,6 +9,8 @@
 namespace tubeplan::planner {
 namespace {
 
+constexpr int kMostTabulated = 1200;  // number of postures up to which the costs of all moves fit the caches
+
 /// Returns values given by posture and joint, rearranged so that the values of one joint for all postures of a node are
 /// adjacent.
 std::vector<double> jointByJoint(const PostureTable& table, const std::vector<double>& values, int stride) {
@@ -76,7 +78,25 @@ void PostureTable::greatestDifferences(const std::vector<double>& by_joint, cons
   for (int j = 1; j < joints_; ++j) greatest = greatest.max((OfJoint(here + j * count, count) - there[j]).abs());
 }
 
+void PostureTable::tabulate() {
+  if (postures() > kMostTabulated) return;
+  const auto count = static_cast<std::size_t>(postures());
+  std::vector<double> costs(count * count);
+  Eigen::ArrayXd times;
+  for (int p = 0; p < postures(); ++p)
+    for (int node = 0; node < nodes(); ++node) {
+      costsTo(node, p, times);
+      std::copy_n(times.data(), times.size(), &costs[static_cast<std::size_t>(p) * count + first(node)]);
+    }
+  costs_ = std::move(costs);
+}
+
 void PostureTable::costsTo(int node, int posture, Eigen::ArrayXd& times) const {
+  if (!costs_.empty()) {
+    const auto row = static_cast<std::size_t>(posture) * static_cast<std::size_t>(postures());
+    times = Eigen::Map<const Eigen::ArrayXd>(&costs_[row + first(node)], last(node) - first(node));
+    return;
+  }
   greatestDifferences(by_joint_, by_speed_, node, posture, times);
   if (one_ratio_) {
     makeDurations(times, ratio_ * times);

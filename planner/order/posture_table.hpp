@@ -39,7 +39,12 @@ class PostureTable {
                             one_ratio_ ? ratio_ * cruise_seconds : greatestDifference(by_acceleration_, a, b));
   }
   /// Returns the time of the straight move plus extra time [s]; a forbidden move costs `kForbiddenTime` in addition.
-  [[nodiscard]] double cost(int a, int b) const { return has_extra_ ? straight(a, b) + extra(a, b) : straight(a, b); }
+  [[nodiscard]] double cost(int a, int b) const {
+    if (!costs_.empty()) return costs_[static_cast<std::size_t>(a) * static_cast<std::size_t>(postures()) + b];
+    return has_extra_ ? straight(a, b) + extra(a, b) : straight(a, b);
+  }
+  /// Computes the costs of all moves once, if there are not too many of them, so that they are looked up from then on.
+  void tabulate();
   /// Computes the costs [s] from `posture` to all postures of `node`, bitwise identical to cost().
   void costsTo(int node, int posture, Eigen::ArrayXd& times) const;
   /// Returns 1 if all postures of `node` are in the set, 0 if none is, -1 if only some are.
@@ -81,6 +86,7 @@ class PostureTable {
   std::vector<char> with_extra_;
   std::vector<double> by_speed_;         // posture x joint: value / max_speed [s]
   std::vector<double> by_acceleration_;  // posture x joint: value / max_acceleration [s^2]
+  std::vector<double> costs_;            // posture x posture: cost [s]; empty unless tabulated
   // Values of `by_speed_` and `by_acceleration_`, for each node as joint x posture.
   std::vector<double> by_joint_, by_joint_acceleration_;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <queue>
 
 namespace tubeplan::planner {
@@ -12,6 +13,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTieShare = 1e-9;
+constexpr double kRounding = 1e-9;  // more than rounding can change a sum of prices [s]
+constexpr int kFewPostures = 3;
 constexpr std::size_t kNoPrice = std::numeric_limits<std::size_t>::max();
 
 bool joinsBothEnds(const PostureTable& table, int a, int b) { return a >= table.visits() && b >= table.visits(); }
@@ -120,9 +123,14 @@ void PairGraph::add(int node_a, int node_b) {
   const std::size_t prices_b = posture_of_price_.size();
   for (int p = table_.first(node_b); p < table_.last(node_b); ++p) posture_of_price_.push_back(p);
   const auto addSense = [&](int from, int to, std::size_t own, std::size_t other) {
-    edges_of_[from].push_back({to, times_.size(), own, other});
+    edges_of_[from].push_back({to, times_.size(), own, other, least_times_.size()});
     for (int p = table_.first(from); p < table_.last(from); ++p) {
-      for (int q = table_.first(to); q < table_.last(to); ++q) times_.push_back(table_.straight(p, q));
+      double least = kInfinity;
+      for (int q = table_.first(to); q < table_.last(to); ++q) {
+        times_.push_back(table_.straight(p, q));
+        least = std::min(least, times_.back());
+      }
+      least_times_.push_back(least);
     }
   };
   addSense(node_a, node_b, prices_a, prices_b);
@@ -143,13 +151,19 @@ void PairGraph::addCut(const std::vector<char>& inside) {
   ++cuts_;
 }
 
-void PairGraph::relaxPair(const Prices& prices, int node, const Edge& edge, Link& link) const {
-  const int p0 = table_.first(node), q0 = table_.first(edge.to);
-  const double* time = &times_[edge.times];
+void PairGraph::relaxPair(const Prices& prices, double most_relief, int node, const Edge& edge, Link& link) const {
+  const int p0 = table_.first(node), q0 = table_.first(edge.to), q1 = table_.last(edge.to);
+  // Rows of postures that cannot give a cheaper link are passed over, where that spares more than it costs.
+  double least_q = q1 - q0 > kFewPostures ? kInfinity : -kInfinity;
+  for (int q = q0; q1 - q0 > kFewPostures && q < q1; ++q)
+    least_q = std::min(least_q, prices.of_posture[q] + prices.of_pair[edge.other_prices + (q - q0)]);
+  least_q -= most_relief + kRounding;
   for (int p = p0; p < table_.last(node); ++p) {
     const std::size_t own = edge.own_prices + (p - p0);
     const double price_p = prices.of_posture[p] + prices.of_pair[own];
-    for (int q = q0; q < table_.last(edge.to); ++q) {
+    if (least_times_[edge.least_times + (p - p0)] + price_p + least_q >= link.price) continue;
+    const double* time = &times_[edge.times + static_cast<std::size_t>(p - p0) * static_cast<std::size_t>(q1 - q0)];
+    for (int q = q0; q < q1; ++q) {
       const std::size_t other = edge.other_prices + (q - q0);
       const double price = *time++ + price_p + prices.of_posture[q] + prices.of_pair[other] - relief(prices, p, q);
       if (price < link.price) link = {price, p, q, own, other};
@@ -170,6 +184,7 @@ void PairGraph::relaxOther(const Prices& prices, int joined, int node, Link& lin
 
 PricedTree PairGraph::tree(const Prices& prices) const {
   Sum sum(*this, prices);
+  const double most_relief = std::accumulate(prices.of_cut.begin(), prices.of_cut.end(), 0.0);
   std::vector<Link> links(table_.nodes());
   std::vector<char> joined(table_.nodes(), 0);
   using Entry = std::pair<double, int>;
@@ -185,7 +200,7 @@ PricedTree PairGraph::tree(const Prices& prices) const {
     for (const Edge& edge : edges_of_[node]) {
       if (joined[edge.to]) continue;
       const double before = links[edge.to].price;
-      relaxPair(prices, node, edge, links[edge.to]);
+      relaxPair(prices, most_relief, node, edge, links[edge.to]);
       if (links[edge.to].price < before) queue.emplace(links[edge.to].price, edge.to);
     }
   }
@@ -195,6 +210,7 @@ PricedTree PairGraph::tree(const Prices& prices) const {
 
 PricedTree PairGraph::completeTree(const Prices& prices) const {
   Sum sum(*this, prices);
+  const double most_relief = std::accumulate(prices.of_cut.begin(), prices.of_cut.end(), 0.0);
   std::vector<Link> links(table_.nodes());
   std::vector<int> outside, paired_with(table_.nodes(), -1);
   for (int node = 1; node < table_.nodes(); ++node) outside.push_back(node);
@@ -202,7 +218,7 @@ PricedTree PairGraph::completeTree(const Prices& prices) const {
   while (!outside.empty()) {
     for (const Edge& edge : edges_of_[joined]) {
       paired_with[edge.to] = joined;
-      relaxPair(prices, joined, edge, links[edge.to]);
+      relaxPair(prices, most_relief, joined, edge, links[edge.to]);
     }
     std::size_t nearest = 0;
     for (std::size_t i = 0; i < outside.size(); ++i) {

@@ -67,6 +67,7 @@ class PairGraph {
     std::size_t times;
     // price indices of this node's first posture and of the other node's first posture
     std::size_t own_prices, other_prices;
+    std::size_t least_times;  // index in `least_times_` of this node's first posture
   };
   struct Link;
   class Sum;
@@ -78,12 +79,14 @@ class PairGraph {
         sum += prices.of_cut[cut];
     return sum;
   }
-  void relaxPair(const Prices& prices, int node, const Edge& edge, Link& link) const;
+  /// `most_relief`: upper bound of relief().
+  void relaxPair(const Prices& prices, double most_relief, int node, const Edge& edge, Link& link) const;
   void relaxOther(const Prices& prices, int joined, int node, Link& link) const;
 
   const PostureTable& table_;
   std::vector<std::vector<Edge>> edges_of_;
   std::vector<double> times_;
+  std::vector<double> least_times_;  ///< for each edge and posture of its node, the least of the edge's times
   std::vector<int> posture_of_price_;
   std::vector<std::uint64_t> inside_;  ///< for each posture, one bit per cut: 1 if the cut contains the posture
   std::size_t cuts_ = 0;

@@ -17,6 +17,7 @@ namespace tubeplan::planner {
 namespace {
 
 constexpr double kTrialShare = 0.08;   // fraction of all kicks for each start tour
+constexpr double kMostFullTrials = 6;  // number of start tours above which each has fewer kicks
 constexpr double kFinishShare = 0.32;  // fraction of all kicks for the best start tour
 constexpr double kFewBranches = 4;     // mean number of branches per visit above which there are fewer kicks
 constexpr long kKicksBetweenStops = 1000;
@@ -62,12 +63,13 @@ Candidate bestOfTrials(const PostureTable& table, const std::vector<std::vector<
                        const VisitOrderOptions& options) {
   auto tours = startTours(table, neighbours);
   if (!options.hint.empty()) tours.push_back(options.hint);
+  const double share = kTrialShare * std::min(1., kMostFullTrials / static_cast<double>(tours.size()));
   std::vector<Candidate> found(tours.size());
   oneapi::tbb::parallel_for(std::size_t{0}, tours.size(), [&](std::size_t k) {
     TourSearch search(table, neighbours);
     std::mt19937_64 random(options.seed + k);
     const Candidate start = settled(table, search, withBestPostures(table, tours[k]));
-    found[k] = kicked(table, search, start, std::lround(kTrialShare * static_cast<double>(kicks)), random, options);
+    found[k] = kicked(table, search, start, std::lround(share * static_cast<double>(kicks)), random, options);
   });
   return std::move(*std::ranges::min_element(found, {}, &Candidate::time));
 }
@@ -150,11 +152,12 @@ VisitOrder orderVisits(const Route& route, const VisitOrderOptions& options) {
     result.reason = problems.front();
     return result;
   }
-  const PostureTable table(route);
+  PostureTable table(route);
   assert(options.start.empty() || options.start.size() == route.visits.size());
   assert(options.hint.empty() || options.hint.size() == route.visits.size());
-  const auto [best, lower_bound] =
-      isForExactOrder(table, options.most_exact_work) ? exact(route, table, options) : searched(route, table, options);
+  const bool is_exact = isForExactOrder(table, options.most_exact_work);
+  if (!is_exact) table.tabulate();
+  const auto [best, lower_bound] = is_exact ? exact(route, table, options) : searched(route, table, options);
   result.order = best.order;
   for (const int visit : best.order) result.branches.push_back(best.posture_of_node[visit] - table.first(visit));
   result.travel_time = best.time;
