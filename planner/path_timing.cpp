@@ -27,8 +27,8 @@ std::vector<PathRow> samplePath(const VisitPlan& plan, const JointSpeeds& speeds
   double start = 0;
   for (std::size_t k = 0; k < plan.segments.size(); ++k) {
     const auto& segment = plan.segments[k];
-    const double stay =
-        segment.kind == SegmentKind::kRetreat ? plan.visits[static_cast<std::size_t>(segment.visit)].dwell : 0;
+    const bool leaves_visit = segment.kind == SegmentKind::kRetreat && segment.visit >= 0;
+    const double stay = leaves_visit ? plan.visits[static_cast<std::size_t>(segment.visit)].dwell : 0;
     start += stay;
     const auto samples = samplesOf(segment, speeds, max_step);
     // Skip the first row of a segment, which repeats the last row of the previous one, unless the arm dwelt there.

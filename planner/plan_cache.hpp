@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,12 @@ struct SegmentProof {
   Clearance tightest;
 };
 
+/// A proved lower bound of the travel time through the tubes of a completed plan.
+struct KnownBound {
+  double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< [s]; NaN if none is known
+  std::optional<Eigen::VectorXd> start, end;  ///< postures between which it holds; any postures if there are none
+};
+
 struct PlanCache {
   std::map<int, TubeReach> reach;             ///< reach of each tube, keyed by tube index
   std::map<MotionEnds, MotionPlan> travels;   ///< travels, keyed by their ends with the smaller end first
@@ -36,15 +43,19 @@ struct PlanCache {
   /// The order found in each round of planning; its visits are indices into the reachable tubes of the current work
   /// list.
   std::vector<VisitOrder> orders;
-  /// Tubes in the order of the last completed plan. The next search starts from this order if most tubes are the same.
+  /// Tubes in the order of the last completed plan. The next search starts from this order if few tubes are new.
   std::vector<int> visiting_order;
+  std::vector<int> visiting_branches;  ///< branch of each tube in `visiting_order`; empty if they are not known
+  KnownBound bound;                    ///< bound for the tubes in `visiting_order` with all their branches in `reach`
 };
 
 /// Numbers of results reused from the cache.
 struct KeptWork {
-  int reach = 0;    ///< number of tubes whose reach was reused
-  int travels = 0;  ///< number of travels along the path that were reused
-  int proofs = 0;   ///< number of segments whose proofs were reused, not counting retreats
+  int reach = 0;       ///< number of tubes whose reach was reused
+  int travels = 0;     ///< number of travels along the path that were reused
+  int proofs = 0;      ///< number of segments whose proofs were reused, not counting retreats
+  bool order = false;  ///< true if the search began with the order of an earlier plan
+  bool bound = false;  ///< true if the lower bound follows from that of an earlier plan
 };
 
 }  // namespace tubeplan::planner

@@ -28,7 +28,8 @@ SegmentProof proofOf(const PlanContext& context, const PathSegment& segment) {
   return proof;
 }
 
-/// Records the proofs in the plan; the proof of an approach also holds for its retreat.
+/// Records the proofs in the plan; the proof of an approach also holds for its retreat. A retreat without a visit, from
+/// the start posture, has a proof of its own.
 void fillIn(const std::vector<MotionEnds>& ends, const PlanCache& cache, VisitPlan& plan) {
   plan.min_margin = kUnbounded;
   for (std::size_t k = 0; k < plan.segments.size(); ++k) {
@@ -47,7 +48,7 @@ bool proveAll(const PlanContext& context, const std::vector<MotionEnds>& ends, V
   auto& proofs = context.cache.proofs;
   std::vector<std::size_t> open;
   for (std::size_t k = 0; k < plan.segments.size(); ++k) {
-    if (plan.segments[k].kind == SegmentKind::kRetreat) continue;
+    if (plan.segments[k].kind == SegmentKind::kRetreat && plan.segments[k].visit >= 0) continue;
     if (proofs.contains(ends[k]))
       ++plan.kept.proofs;
     else

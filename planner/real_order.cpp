@@ -9,11 +9,16 @@
 #include "planner/order/kept_order.hpp"
 #include "planner/order/posture_table.hpp"
 #include "planner/order/zoned_order.hpp"
+#include "planner/remaining_bound.hpp"
 
 namespace tubeplan::planner {
 
 namespace {
 
+// Gap up to which the bound that follows from an earlier plan is taken, as a fraction of it: a tighter one takes longer
+// to find than the order.
+constexpr double kGoodGap = 0.03;
+constexpr int kKicksPerNewNeighbour = 100;  // kicks of an earlier plan's order, for each place where it was changed
 constexpr int kLaterKicksShare = 10;  // divisor of the number of kicks in later rounds, which start from a good order
 
 /// Returns the index within the tube's reach of the `branch`-th branch that may be used; 0 for the start and end
@@ -86,6 +91,17 @@ VisitOrder orderOfRound(const PlanContext& context, const Route& route, const st
   known.push_back(order);
   context.keepCache();
   return order;
+}
+
+/// Sets what an earlier plan says about the order of the visits and its bound.
+void keepFromBefore(const PlanContext& context, const VisitChoice& choice, const Route& route,
+                    VisitOrderOptions& ordering) {
+  const std::vector<int>& before = context.cache.visiting_order;
+  const std::vector<int> tubes = choice.tubes();
+  ordering.known_bound = remainingBound(context, choice);
+  ordering.good_gap = kGoodGap;
+  ordering.start = keptOrder(route, tubes, before);
+  ordering.start_kicks = kKicksPerNewNeighbour * countNewNeighbours(ordering.start, tubes, before);
 }
 
 std::string inTheWay(const MotionPlan& plan) {
@@ -254,7 +270,8 @@ RealOrder orderWithRealMoves(const PlanContext& context, const VisitChoice& choi
   VisitOrderOptions ordering = options.order;
   ordering.seed = options.seed;
   ordering.stop = context.hooks.stop;
-  ordering.start = keptOrder(route, choice.tubes(), context.cache.visiting_order);
+  keepFromBefore(context, choice, route, ordering);
+  best.has_kept_order = !ordering.start.empty();
   EdgePenalties penalties;
   double least = std::numeric_limits<double>::infinity();
   for (int round = 0; round < options.reprice_rounds && !context.isStopped(); ++round) {
@@ -262,7 +279,9 @@ RealOrder orderWithRealMoves(const PlanContext& context, const VisitChoice& choi
     const VisitOrder order = orderOfRound(context, route, zones, rounds_done++, ordering);
     if (round == 0) {
       best.lower_bound = order.lower_bound;
+      best.has_kept_bound = order.lower_bound == ordering.known_bound;
       ordering.with_bound = false;
+      ordering.start_kicks = 0;
       ordering.kicks_per_visit /= kLaterKicksShare;
       ordering.least_kicks /= kLaterKicksShare;
     }

@@ -38,6 +38,8 @@ struct RealOrder {
   std::string reason;       ///< reason why no order was found; empty if there is an order
   /// Proved lower bound of the travel time [s]; it assumes that all moves are straight.
   double lower_bound = std::numeric_limits<double>::quiet_NaN();
+  bool has_kept_order = false;  ///< true if the search began with the order of an earlier plan
+  bool has_kept_bound = false;  ///< true if the bound follows from that of an earlier plan
   /// True if a move of the order leads between parts of the free space that are not connected; the search may then be
   /// abandoned.
   bool is_parted = false;

@@ -34,7 +34,7 @@ std::vector<TrajectoryPoint> trajectoryOf(const VisitPlan& plan, const JointSpee
     if (points.empty() || point.time >= points.back().time + least_step) points.push_back(std::move(point));
   };
   for (const auto& segment : plan.segments) {
-    if (segment.kind == SegmentKind::kRetreat)
+    if (segment.kind == SegmentKind::kRetreat && segment.visit >= 0)
       if (const double stay = plan.visits[static_cast<std::size_t>(segment.visit)].dwell; stay > 0) {
         const Eigen::VectorXd none = Eigen::VectorXd::Zero(segment.waypoints.front().size());
         add({start, segment.waypoints.front(), none, none});

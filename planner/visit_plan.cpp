@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "planner/departure.hpp"
 #include "planner/order/zoned_order.hpp"
 #include "planner/plan_context.hpp"
 #include "planner/plan_proof.hpp"
@@ -55,8 +56,14 @@ PathSegment segmentOf(SegmentKind kind, int visit, std::vector<Eigen::VectorXd> 
 /// Adds the segments along `stops` to the plan; a travel must exist between consecutive stops. Returns the ends of each
 /// segment.
 std::vector<MotionEnds> laySegments(const PlanContext& context, const std::vector<Stop>& stops,
-                                    const VisitChoice& choice, TravelNetwork& network, VisitPlan& plan) {
+                                    const std::optional<Departure>& departure, const VisitChoice& choice,
+                                    TravelNetwork& network, VisitPlan& plan) {
   std::vector<MotionEnds> ends;
+  if (departure) {
+    plan.departed = departure->tube;
+    plan.segments.push_back(segmentOf(SegmentKind::kRetreat, -1, departure->waypoints));
+    ends.push_back({network.postureOf(stops.front()), network.postureOf(stops.front())});
+  }
   for (std::size_t k = 0; k < stops.size(); ++k) {
     const bool is_visit = stops[k].visit >= 0;
     const int visit = static_cast<int>(plan.visits.size()) - (is_visit ? 0 : 1);
@@ -185,9 +192,64 @@ std::set<MotionEnds> keysOf(const std::map<MotionEnds, MotionPlan>& travels) {
   return keys;
 }
 
+/// Keeps what the next plan of a changed list begins with.
+void keepForTheNext(const PlanContext& context, const std::vector<Stop>& stops, const VisitPlan& plan) {
+  PlanCache& cache = context.cache;
+  const VisitConditions& conditions = context.options.conditions;
+  cache.visiting_order.clear();
+  cache.visiting_branches.clear();
+  for (const auto& visit : plan.visits) cache.visiting_order.push_back(visit.tube);
+  for (const Stop& stop : stops)
+    if (stop.visit >= 0) cache.visiting_branches.push_back(stop.branch);
+  cache.bound = {};
+  if (conditions.zones.empty()) cache.bound = {plan.lower_bound, conditions.start, conditions.end};
+}
+
 VisitPlan stopped(VisitPlan plan) {
   plan.status = VisitPlanStatus::kStopped;
   plan.reason = "stopped before the plan was complete";
+  return plan;
+}
+
+/// Plans the visits; the start posture, if there is one, is the end of the departure.
+VisitPlan planTravels(const PlanContext& context, const std::vector<int>& tubes,
+                      const std::optional<Departure>& departure) {
+  const VisitConditions& conditions = context.options.conditions;
+  VisitPlan plan;
+  std::vector<TubeReach> reach = reachAll(context, tubes, plan);
+  if (context.isStopped()) return stopped(plan);
+  for (const auto& tube : reach)
+    if (tube.status == ReachStatus::kUnreachable) plan.unreachable.push_back({tube.tube, tube.reason, tube.blocking});
+  std::erase_if(reach, [](const TubeReach& tube) { return tube.status != ReachStatus::kReachable; });
+  if (reach.empty()) {
+    plan.status = VisitPlanStatus::kNothingReachable;
+    plan.reason = "none of the tubes can be reached";
+    return plan;
+  }
+  if (std::string problem = findEndProblem(context); !problem.empty())
+    return withoutOrder(std::move(plan), std::move(problem));
+  const std::set<MotionEnds> travels_before = keysOf(context.cache.travels);
+  VisitChoice choice = allBranches(std::move(reach));
+  TravelRoadmap roadmap(context);
+  const RealOrder order = orderInOnePart(context, roadmap, choice, plan);
+  if (context.isStopped()) return stopped(plan);
+  if (order.stops.empty())
+    return withoutOrder(std::move(plan),
+                        order.reason.empty() ? "no path was found from the start posture to any tube" : order.reason);
+  plan.lower_bound = order.lower_bound;
+  plan.kept.order = order.has_kept_order;
+  plan.kept.bound = order.has_kept_bound;
+  TravelNetwork network(context, choice.reach, roadmap);
+  const std::vector<Stop> stops = joinRuns(order.stops, choice, network, conditions, plan.unreachable);
+  if (!keepsEnds(stops, conditions))
+    return withoutOrder(std::move(plan), "no path was found between the start or end posture and the tubes");
+  const std::vector<MotionEnds> ends = laySegments(context, stops, departure, choice, network, plan);
+  for (const auto& [a, b] : ends) plan.kept.travels += a != b && travels_before.contains(std::minmax(a, b));
+  if (!proveAll(context, ends, plan) || context.isStopped()) return stopped(plan);
+  timeSegments(context.speeds, plan);
+  compareTimes(context, stops, choice, plan);
+  keepForTheNext(context, stops, plan);
+  plan.status = VisitPlanStatus::kPlanned;
   return plan;
 }
 
@@ -224,41 +286,11 @@ VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const 
 VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const VisitPlanOptions& options,
                      const PlanHooks& hooks, PlanCache& cache) {
   const PlanContext context{cell, options, hooks, cache};
-  VisitPlan plan;
-  std::vector<TubeReach> reach = reachAll(context, tubes, plan);
-  if (context.isStopped()) return stopped(plan);
-  for (const auto& tube : reach)
-    if (tube.status == ReachStatus::kUnreachable) plan.unreachable.push_back({tube.tube, tube.reason, tube.blocking});
-  std::erase_if(reach, [](const TubeReach& tube) { return tube.status != ReachStatus::kReachable; });
-  if (reach.empty()) {
-    plan.status = VisitPlanStatus::kNothingReachable;
-    plan.reason = "none of the tubes can be reached";
-    return plan;
-  }
-  if (std::string problem = findEndProblem(context); !problem.empty())
-    return withoutOrder(std::move(plan), std::move(problem));
-  const std::set<MotionEnds> travels_before = keysOf(cache.travels);
-  VisitChoice choice = allBranches(std::move(reach));
-  TravelRoadmap roadmap(context);
-  const RealOrder order = orderInOnePart(context, roadmap, choice, plan);
-  if (context.isStopped()) return stopped(plan);
-  if (order.stops.empty())
-    return withoutOrder(std::move(plan),
-                        order.reason.empty() ? "no path was found from the start posture to any tube" : order.reason);
-  plan.lower_bound = order.lower_bound;
-  TravelNetwork network(context, choice.reach, roadmap);
-  const std::vector<Stop> stops = joinRuns(order.stops, choice, network, options.conditions, plan.unreachable);
-  if (!keepsEnds(stops, options.conditions))
-    return withoutOrder(std::move(plan), "no path was found between the start or end posture and the tubes");
-  const std::vector<MotionEnds> ends = laySegments(context, stops, choice, network, plan);
-  for (const auto& [a, b] : ends) plan.kept.travels += a != b && travels_before.contains(std::minmax(a, b));
-  if (!proveAll(context, ends, plan) || context.isStopped()) return stopped(plan);
-  timeSegments(context.speeds, plan);
-  compareTimes(context, stops, choice, plan);
-  cache.visiting_order.clear();
-  for (const auto& visit : plan.visits) cache.visiting_order.push_back(visit.tube);
-  plan.status = VisitPlanStatus::kPlanned;
-  return plan;
+  const std::optional<Departure> departure = departureFrom(context);
+  if (!departure) return planTravels(context, tubes, departure);
+  VisitPlanOptions from_below = options;
+  from_below.conditions.start = departure->waypoints.back();
+  return planTravels(PlanContext{cell, from_below, hooks, cache}, tubes, departure);
 }
 
 }  // namespace tubeplan::planner

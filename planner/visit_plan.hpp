@@ -75,7 +75,7 @@ std::string_view nameOf(SegmentKind kind);  ///< name in files: travel, approach
 struct PathSegment {
   SegmentKind kind = SegmentKind::kTravel;
   /// Index of the segment's visit; for a travel, of the visit that it leads to; for a travel to the end posture, of the
-  /// last visit.
+  /// last visit; -1 for a retreat from the start posture.
   int visit = -1;
   std::vector<Eigen::VectorXd> waypoints;
   /// Proved smallest margin beyond the clearance that the scene requires [m].
@@ -104,8 +104,9 @@ struct VisitPlan {
   std::vector<PlannedVisit> visits;  ///< visits in the order of the path
   std::vector<UnreachableTube> unreachable;
   /// Approach, retreat, travel, approach, ...; preceded by a travel from the start posture and followed by a travel to
-  /// the end posture, if these are given.
+  /// the end posture, if these are given. If the arm stands at a hole in the start posture, a retreat comes first.
   std::vector<PathSegment> segments;
+  int departed = -1;  ///< index in the sheet of the hole that the arm leaves first; -1 if it stands at none
   /// Time of all travels between standoffs, and from start and to end postures [s].
   double travel_time = std::numeric_limits<double>::quiet_NaN();
   double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< proved lower bound of `travel_time` [s]

@@ -41,7 +41,7 @@ std::size_t cheapestPlace(const PostureTable& table, const std::vector<int>& ord
 }  // namespace
 
 std::vector<int> keptOrder(const Route& route, const std::vector<int>& tubes, const std::vector<int>& tubes_before,
-                           double most_changed) {
+                           double most_added) {
   assert(tubes.size() == route.visits.size());
   std::map<int, int> visit_of;
   for (std::size_t k = 0; k < tubes.size(); ++k) visit_of[tubes[k]] = static_cast<int>(k);
@@ -51,12 +51,26 @@ std::vector<int> keptOrder(const Route& route, const std::vector<int>& tubes, co
       order.push_back(found->second);
       visit_of.erase(found);
     }
-  const std::size_t gone = tubes_before.size() - order.size();
-  if (static_cast<double>(visit_of.size() + gone) > most_changed * static_cast<double>(tubes.size())) return {};
+  if (order.empty() || static_cast<double>(visit_of.size()) > most_added * static_cast<double>(tubes.size())) return {};
   const PostureTable table(route);
   for (const auto& [tube, visit] : visit_of)
     order.insert(order.begin() + static_cast<std::ptrdiff_t>(cheapestPlace(table, order, visit)), visit);
   return order;
+}
+
+int countNewNeighbours(const std::vector<int>& order, const std::vector<int>& tubes,
+                       const std::vector<int>& tubes_before) {
+  std::map<int, std::size_t> place;
+  for (std::size_t k = 0; k < tubes_before.size(); ++k) place[tubes_before[k]] = k;
+  int count = 0;
+  for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+    const auto a = place.find(tubes[static_cast<std::size_t>(order[k])]);
+    const auto b = place.find(tubes[static_cast<std::size_t>(order[k + 1])]);
+    const bool were_neighbours =
+        a != place.end() && b != place.end() && (a->second + 1 == b->second || b->second + 1 == a->second);
+    count += !were_neighbours;
+  }
+  return count;
 }
 
 }  // namespace tubeplan::planner

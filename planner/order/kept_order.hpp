@@ -8,9 +8,13 @@
 namespace tubeplan::planner {
 
 /// Returns the visits of the route in the order of `tubes_before`, with new tubes inserted where they add the least
-/// time. `tubes` has the tube index of each visit. Empty if more than the fraction `most_changed` of all visits was
-/// added or removed. A new search is then worthwhile.
+/// time. `tubes` has the tube index of each visit. Empty if none of them is in `tubes_before`, or if more tubes were
+/// added than the fraction `most_added` of all visits: a new search is then worthwhile.
 [[nodiscard]] std::vector<int> keptOrder(const Route& route, const std::vector<int>& tubes,
-                                         const std::vector<int>& tubes_before, double most_changed = 0.1);
+                                         const std::vector<int>& tubes_before, double most_added = 0.1);
+
+/// Returns how many neighbours in an order of visits were no neighbours in `tubes_before`.
+[[nodiscard]] int countNewNeighbours(const std::vector<int>& order, const std::vector<int>& tubes,
+                                     const std::vector<int>& tubes_before);
 
 }  // namespace tubeplan::planner

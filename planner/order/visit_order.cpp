@@ -83,10 +83,11 @@ Candidate finished(const PostureTable& table, const std::vector<std::vector<Neig
 }
 
 double boundOf(const Route& route, const VisitOrderOptions& options, double known_time) {
+  if (known_time <= (1 + options.good_gap) * options.known_bound) return options.known_bound;
   OneTreeOptions bound = options.bound;
   bound.known_time = known_time < kForbiddenTime ? known_time : std::numeric_limits<double>::infinity();
   bound.stop = options.stop;
-  return oneTreeBound(route, bound).lower_bound;
+  return std::fmax(oneTreeBound(route, bound).lower_bound, options.known_bound);
 }
 
 struct Searched {
@@ -112,7 +113,11 @@ Searched searched(const Route& route, const PostureTable& table, const VisitOrde
     result.best = bestOfTrials(table, neighbours, kicks, options);
   } else {
     TourSearch search(table, neighbours);
+    std::mt19937_64 random(options.seed);
     result.best = settled(table, search, withBestPostures(table, options.start));
+    const long most = std::lround((kTrialShare + kFinishShare) * static_cast<double>(kicks));
+    const long few = std::min<long>(options.start_kicks, most);
+    if (few > 0) result.best = kicked(table, search, result.best, few, random, options);
   }
   const double known_time = result.best.time;
   oneapi::tbb::parallel_invoke(

@@ -26,9 +26,14 @@ struct VisitOrderOptions {
   /// extra times does not need it again.
   bool with_bound = true;
   OneTreeOptions bound;
-  /// An order of all visits to start from; it is improved by local search alone, without other starts or kicks. May be
-  /// empty.
+  /// A proved lower bound of the travel time that is known already [s]; NaN if there is none. It replaces the bound
+  /// where the order found comes within `good_gap` of it.
+  double known_bound = std::numeric_limits<double>::quiet_NaN();
+  double good_gap = 0.01;  ///< as a fraction of the bound
+  /// An order of all visits to start from; it is improved by local search and `start_kicks` kicks, without other
+  /// starts. May be empty.
   std::vector<int> start;
+  int start_kicks = 0;
   /// An order of all visits found earlier, used as an additional starting order of the search; may be empty.
   std::vector<int> hint;
   /// Called regularly from several threads. Once it returns true, the search ends early with its result so far.

@@ -139,14 +139,18 @@ class Checker {
           apart));
   }
 
-  /// Returns the number of travels before the first approach: 1 if the path has a start posture, else 0.
-  int leading() const { return !plan_.path.empty() && plan_.path.front().kind == SegmentKind::kTravel ? 1 : 0; }
+  /// Returns the number of segments before the first approach: 0 without a start posture; 1, a travel from it; or 2, a
+  /// retreat from a hole at which the arm starts, and a travel.
+  int leading() const {
+    if (plan_.path.empty() || plan_.path.front().kind == SegmentKind::kApproach) return 0;
+    return plan_.path.front().kind == SegmentKind::kTravel ? 1 : 2;
+  }
 
   /// Checks that time increases, and that segments are in order: approach to a tube, retreat from the tube, travel to
   /// the next tube. A path may begin and end in a posture at rest.
   void checkOrder() {
     static constexpr std::array kCycle{SegmentKind::kTravel, SegmentKind::kApproach, SegmentKind::kRetreat};
-    const int first = 1 - leading();
+    const int first = 4 - leading();  // place in the cycle of the first segment, plus a whole cycle
     for (std::size_t k = 0; k < plan_.path.size(); ++k) {
       const PathRow& row = plan_.path[k];
       const int step = row.segment - (k > 0 ? plan_.path[k - 1].segment : 0);
@@ -251,13 +255,34 @@ class Checker {
     if (tube < plan_.tubes.size()) find(fmt::format("the path approaches {} of {} tubes", tube, plan_.tubes.size()));
   }
 
+  /// Checks that a retreat from the start posture begins at a hole and goes straight down, at the rows and midway
+  /// between them.
+  void checkDeparture() {
+    if (leading() < 2) return;
+    StatedTube below;
+    below.hole_W = tipAt(plan_.path.front().q);
+    const bool is_at_hole = std::ranges::any_of(cell_.sheet.tubes, [&](const tubesheets::Tube& tube) {
+      return (holeCentre(tube) - below.hole_W).head<2>().norm() <= cell_.sheet.hole_diameter / 2;
+    });
+    if (!is_at_hole) find("the path begins with a retreat, but the tip is at no hole");
+    for (std::size_t k = 1; k < plan_.path.size() && plan_.path[k].segment == 0; ++k) {
+      const double off =
+          std::max(offAxis(plan_.path[k].q, below), offAxis((plan_.path[k - 1].q + plan_.path[k].q) / 2, below));
+      result_.worst_approach = std::max(result_.worst_approach, off);
+      if (!(off <= options_.approach_tolerance))
+        find(fmt::format("path row {}: the tip does not go straight down from where it starts", k + 1));
+    }
+  }
+
   /// Checks that the tip follows the hole's axis in the approach to a tube and in the retreat, at the rows and midway
   /// between them.
   void checkAxes() {
+    checkDeparture();
     for (std::size_t k = 0; k < plan_.path.size(); ++k) {
       const PathRow& row = plan_.path[k];
       const std::size_t tube = static_cast<std::size_t>(std::max(row.segment - leading(), 0)) / 3;
       if (row.kind == SegmentKind::kTravel || tube >= plan_.tubes.size()) continue;
+      if (row.segment < leading()) continue;
       double off = offAxis(row.q, plan_.tubes[tube]);
       if (k > 0) off = std::max(offAxis((plan_.path[k - 1].q + row.q) / 2, plan_.tubes[tube]), off);
       if (k > 0 && plan_.path[k - 1].kind == SegmentKind::kTravel)

@@ -5,8 +5,11 @@
 #include <oneapi/tbb/global_control.h>
 
 #include <atomic>
+#include <numeric>
 #include <set>
 
+#include "planner/order/branch_choice.hpp"
+#include "planner/remaining_bound.hpp"
 #include "tests/planner/plan_bytes.hpp"
 #include "tests/planner/workcell.hpp"
 
@@ -104,6 +107,107 @@ TEST(PlanCache, AChangedListIsPlannedAroundTheChange) {
   EXPECT_LE(after.travel_time, 1.05 * anew.travel_time);
   EXPECT_GE(after.travel_time, anew.lower_bound);
   for (const auto& segment : after.segments) EXPECT_GE(segment.margin, 0);
+}
+
+/// Plans what is left after the first `done` visits of a plan, from the standoff of the last one of them.
+struct Rest {
+  std::vector<int> tubes;
+  VisitPlanOptions options;
+};
+
+Rest restOf(const VisitPlan& plan, std::size_t done) {
+  Rest rest;
+  for (std::size_t k = done; k < plan.visits.size(); ++k) rest.tubes.push_back(plan.visits[k].tube);
+  std::sort(rest.tubes.begin(), rest.tubes.end());
+  rest.options.conditions.start = plan.visits[done - 1].branch.approach.front();
+  return rest;
+}
+
+std::vector<int> visitedIn(const VisitPlan& plan) {
+  std::vector<int> visited;
+  for (const auto& visit : plan.visits) visited.push_back(visit.tube);
+  return visited;
+}
+
+TEST(PlanCache, WhatIsLeftIsPlannedFromTheOldOrder) {
+  const Workcell cell = mockup();
+  PlanCache cache;
+  const VisitPlan before = planVisits(cell, tubesOf(cell, "spread:120"), {}, {}, cache);
+  ASSERT_EQ(before.status, VisitPlanStatus::kPlanned);
+  for (const std::size_t done : {std::size_t{1}, before.visits.size() / 3, before.visits.size() - 30}) {
+    const Rest rest = restOf(before, done);
+    PlanCache kept = cache;
+    kept.orders.clear();
+    const VisitPlan after = planVisits(cell, rest.tubes, rest.options, {}, kept);
+    ASSERT_EQ(after.status, VisitPlanStatus::kPlanned);
+    std::vector<int> visited = visitedIn(after);
+    std::sort(visited.begin(), visited.end());
+    EXPECT_EQ(visited, rest.tubes);
+    EXPECT_EQ(after.segments.front().waypoints.front(), *rest.options.conditions.start);
+    EXPECT_EQ(after.kept.reach, static_cast<int>(rest.tubes.size()));
+    EXPECT_TRUE(after.kept.order);
+    EXPECT_GE(after.min_margin, 0);
+    const VisitPlan anew = planVisits(cell, rest.tubes, rest.options);
+    EXPECT_LE(after.travel_time, 1.01 * anew.travel_time) << done;
+    EXPECT_LE(after.lower_bound, anew.travel_time) << done;
+  }
+}
+
+TEST(PlanCache, TheBoundOfWhatIsLeftHoldsForEveryOrder) {
+  // What is left of seven tubes is few enough for every order and branch to be tried.
+  const Workcell cell = mockup();
+  PlanCache cache;
+  const VisitPlan before = planVisits(cell, tubesOf(cell, "spread:7"), {}, {}, cache);
+  ASSERT_EQ(before.status, VisitPlanStatus::kPlanned);
+  const PlanHooks hooks;
+  for (std::size_t done = 1; done + 1 < before.visits.size(); ++done) {
+    for (const bool has_start : {true, false}) {
+      Rest rest = restOf(before, done);
+      if (!has_start) rest.options.conditions.start.reset();
+      std::vector<TubeReach> reach;
+      for (const int tube : rest.tubes) reach.push_back(cache.reach.at(tube));
+      const VisitChoice choice = allBranches(std::move(reach));
+      const PlanContext context{cell, rest.options, hooks, cache};
+      const double bound = remainingBound(context, choice);
+      const Route route = routeOf(choice, context.speeds, rest.options.conditions);
+      std::vector<int> order(rest.tubes.size());
+      std::iota(order.begin(), order.end(), 0);
+      double least = std::numeric_limits<double>::infinity();
+      do least = std::min(least, bestBranches(route, order).travel_time);
+      while (std::next_permutation(order.begin(), order.end()));
+      if (!std::isnan(bound)) {
+        EXPECT_LE(bound, least) << done;
+      }
+      // From where the old plan is left, its own bound, which is exact for seven tubes, says nearly all.
+      if (has_start && done == 1) {
+        EXPECT_GE(bound, 0.9 * least);
+      }
+    }
+  }
+}
+
+TEST(PlanCache, NoBoundIsTakenFromAPlanToAnotherEnd) {
+  const Workcell cell = mockup();
+  PlanCache cache;
+  VisitPlanOptions options;
+  const auto tubes = tubesOf(cell, "spread:6");
+  const VisitPlan before = planVisits(cell, tubes, options, {}, cache);
+  const PlanHooks hooks;
+  const auto boundFor = [&] {
+    return remainingBound(PlanContext{cell, options, hooks, cache},
+                          allBranches({cache.reach.at(before.visits[3].tube)}));
+  };
+  cache.bound.lower_bound = 1000;
+  EXPECT_GT(boundFor(), 0);
+  cache.bound.end = before.visits.front().branch.approach.front();
+  EXPECT_TRUE(std::isnan(boundFor()));
+  options.conditions.end = cache.bound.end;
+  EXPECT_GT(boundFor(), 0);
+  cache.bound.lower_bound = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(boundFor()));
+  cache.bound.lower_bound = 1000;
+  cache.reach.erase(before.visits.front().tube);  // the way through a tube of unknown reach is not known
+  EXPECT_TRUE(std::isnan(boundFor()));
 }
 
 TEST(PlanCache, AnOrderOfAnotherArmPlaceIsOnlyAStart) {

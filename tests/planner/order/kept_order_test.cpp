@@ -56,12 +56,30 @@ TEST(KeptOrder, OneNewTubeStandsWhereItCostsLeast) {
   }
 }
 
-TEST(KeptOrder, GivesWayToANewSearchWhereMuchChanged) {
+TEST(KeptOrder, GivesWayToANewSearchWhereMuchIsAdded) {
   std::mt19937_64 random(2);
   const Route route = randomRoute(random, 40, 2, false, false);
-  EXPECT_TRUE(keptOrder(route, countedFrom(0, 40), countedFrom(3, 40)).empty());
-  EXPECT_FALSE(keptOrder(route, countedFrom(0, 40), countedFrom(2, 40)).empty());
+  EXPECT_TRUE(keptOrder(route, countedFrom(0, 40), countedFrom(5, 40)).empty());
+  EXPECT_FALSE(keptOrder(route, countedFrom(0, 40), countedFrom(4, 40)).empty());
   EXPECT_TRUE(keptOrder(route, countedFrom(0, 40), {}).empty());
+}
+
+TEST(KeptOrder, OfWhatIsLeftIsTheOldOrderHoweverMuchIsDone) {
+  std::mt19937_64 random(4);
+  const Route route = randomRoute(random, 10, 2, false, false);
+  std::vector<int> before = countedFrom(0, 400);
+  std::shuffle(before.begin(), before.end(), random);
+  const std::vector<int> order = keptOrder(route, countedFrom(0, 10), before);
+  std::erase_if(before, [](int tube) { return tube >= 10; });
+  EXPECT_EQ(order, before);
+}
+
+TEST(KeptOrder, NewNeighboursAreCounted) {
+  const auto tubes = countedFrom(100, 6);
+  const std::vector<int> before{100, 101, 90, 102, 103, 91, 104};
+  EXPECT_EQ(countNewNeighbours({0, 1, 2, 3, 4, 5}, tubes, before), 3);  // 101-102, 103-104 and 104-105
+  EXPECT_EQ(countNewNeighbours({3, 2}, tubes, before), 0);              // the other way round
+  EXPECT_EQ(countNewNeighbours({}, tubes, before), 0);
 }
 
 }  // namespace

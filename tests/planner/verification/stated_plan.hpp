@@ -17,6 +17,8 @@ inline StatedPlan statedPlan(const Workcell& cell, const VisitPlan& plan) {
     const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(missed.tube)];
     stated.unreachable.emplace_back(tube.row, tube.column);
   }
+  if (plan.segments.front().kind != SegmentKind::kApproach) stated.start = plan.segments.front().waypoints.front();
+  if (plan.segments.back().kind == SegmentKind::kTravel) stated.end = plan.segments.back().waypoints.back();
   stated.path = samplePath(plan, jointSpeedsOf(cell.arm));
   stated.travel_time = plan.travel_time;
   stated.total_time = plan.total_time;

@@ -1,0 +1,69 @@
+#include "planner/remaining_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "planner/order/branch_choice.hpp"
+
+namespace tubeplan::planner {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kRounding = 1e-12;  // rounding error of a sum of times, as a fraction of it
+
+/// Returns the tubes of the earlier plan that are no longer visited, in its order, with all their branches; nothing if
+/// the reach of one of them is not known.
+std::optional<VisitChoice> removedFrom(const PlanCache& cache, const VisitChoice& choice) {
+  std::set<int> left;
+  for (const TubeReach& tube : choice.reach) left.insert(tube.tube);
+  std::vector<TubeReach> removed;
+  for (const int tube : cache.visiting_order) {
+    if (left.contains(tube)) continue;
+    const auto known = cache.reach.find(tube);
+    if (known == cache.reach.end() || known->second.branches.empty()) return std::nullopt;
+    removed.push_back(known->second);
+  }
+  return allBranches(std::move(removed));
+}
+
+/// Returns the longest time that a straight move from `q` to any tube of `route` takes [s].
+double longestMove(const Eigen::VectorXd& q, const Route& route) {
+  double longest = 0;
+  for (const Visit& visit : route.visits)
+    for (const auto& posture : visit.branches) longest = std::max(longest, moveDuration(q, posture, route.speeds));
+  return longest;
+}
+
+/// Returns the time [s] within which the removed tubes can be visited before any route through those left begins.
+double timeBefore(const Route& removed, const Route& left) {
+  std::vector<int> order(removed.visits.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<int>(k);
+  if (order.empty() && !removed.start) return 0;
+  if (order.empty())
+    return left.start ? moveDuration(*removed.start, *left.start, left.speeds) : longestMove(*removed.start, left);
+  const BranchChoice through = bestBranches(removed, order);
+  if (through.status != BranchChoiceStatus::kSolved) return kNone;
+  if (removed.end) return through.travel_time;
+  return through.travel_time +
+         longestMove(removed.visits.back().branches[static_cast<std::size_t>(through.branches.back())], left);
+}
+
+}  // namespace
+
+double remainingBound(const PlanContext& context, const VisitChoice& choice) {
+  const KnownBound& known = context.cache.bound;
+  const VisitConditions& conditions = context.options.conditions;
+  if (!(known.lower_bound > 0) || (known.end && known.end != conditions.end)) return kNone;
+  const auto removed = removedFrom(context.cache, choice);
+  if (!removed) return kNone;
+  Route before = routeOf(*removed, context.speeds, {});
+  before.start = known.start;
+  before.end = conditions.start;
+  const double time = timeBefore(before, routeOf(choice, context.speeds, conditions));
+  const double left = known.lower_bound - time - kRounding * (known.lower_bound + time);
+  return left > 0 ? left : kNone;
+}
+
+}  // namespace tubeplan::planner
