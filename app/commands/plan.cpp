@@ -60,12 +60,8 @@ int explain(const PlanOutcome& outcome) {
 }
 
 std::string keptText(const std::string& from, const PlanOutcome& outcome) {
-  const auto& plan = outcome.plan;
-  const std::size_t tubes = plan.visits.size() + plan.unreachable.size();
-  return fmt::format(
-      "reused from {}: the reach of {} of {} tubes, {} of {} travels, {} of {} proofs; {} tubes added, {} removed\n",
-      from, plan.kept.reach, tubes, plan.kept.travels, plan.visits.size() - 1, plan.kept.proofs,
-      2 * plan.visits.size() - 1, outcome.tubes_added, outcome.tubes_removed);
+  return fmt::format("reused from {}: {}; {} tubes added, {} removed\n", from, reusedText(outcome), outcome.tubes_added,
+                     outcome.tubes_removed);
 }
 
 /// Throws InputError for an output folder in which the plan would overwrite one of its input files.
@@ -138,8 +134,9 @@ Run configurePlan(CLI::App& cli) {
   cli.add_option("--load", request.load, "load hung on the tip, in the cell's unit of force");
   auto& conditions = request.conditions;
   cli.add_option("--start", conditions.start,
-                 "the posture to start from: `park` (the cell's) or joint readings, --start=A,B,...");
-  cli.add_option("--end", conditions.end, "the posture to end in, likewise");
+                 "the posture to start from: `park` (the cell's), joint readings, --start=A,B,..., or with --from the "
+                 "tube at which the arm stands; from a hole the tool is taken straight down first");
+  cli.add_option("--end", conditions.end, "the posture to end in: `park` or joint readings");
   cli.add_option("--first", conditions.first,
                  "tubes to visit before all others, as for --tubes; repeat for the next zone");
   cli.add_option("--dwell", conditions.dwell,

@@ -32,16 +32,21 @@ void checkSheet(const PlanFiles& files, const tubesheets::Sheet& sheet, std::vec
                     files.viewed_from, side));
 }
 
+/// Returns the tube of a path segment. A visit has three segments: the travel to the tube, approach and retreat. The
+/// first visit has no travel if the plan has no start posture. A retreat from the tube at which the arm starts comes
+/// before all visits, and a final travel to the end posture is counted with the last one.
+TubeEcho plannedAt(const PlanFiles& files, int segment) {
+  if (files.start_at && segment <= 0) return *files.start_at;
+  const int counted = std::max(segment, 0) + (files.start_at ? -1 : files.plan.start ? 0 : 1);
+  const auto& tube = files.plan.tubes[std::min(static_cast<std::size_t>(counted / 3), files.plan.tubes.size() - 1)];
+  return {files.leg, tube.row, tube.column};
+}
+
 void checkPath(const PlanFiles& files, std::vector<std::string>& problems) {
   std::size_t found = 0;
   for (std::size_t k = 0; k < files.path_echoes.size() && found < kMostRows; ++k) {
-    // A visit has three path segments: the travel to the tube, approach and retreat. The first visit has no travel
-    // segment if the plan has no start posture. A final travel to the end posture belongs to the last visit.
-    const auto segment = static_cast<std::size_t>(std::max(files.plan.path[k].segment, 0));
-    const std::size_t leading = files.plan.start ? 0 : 1;
     if (files.plan.tubes.empty()) continue;
-    const std::size_t visit = std::min((segment + leading) / 3, files.plan.tubes.size() - 1);
-    const TubeEcho planned{files.leg, files.plan.tubes[visit].row, files.plan.tubes[visit].column};
+    const TubeEcho planned = plannedAt(files, files.plan.path[k].segment);
     if (files.path_echoes[k] == planned) continue;
     ++found;
     problems.push_back(fmt::format("path row {}: approaches {}, but the plan visits {} there", k + 1,

@@ -1,6 +1,7 @@
 #include "app/documents/plan_files.hpp"
 
 #include <fmt/format.h>
+#include <oneapi/tbb/task_group.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -131,7 +132,8 @@ json sheetJson(const PlanOutcome& outcome) {
 std::string goalOf(const PlanOutcome& outcome, int segment) {
   const int visit = outcome.plan.segments[static_cast<std::size_t>(segment)].visit;
   const auto& sheet = outcome.model.sheet;
-  const auto& tube = sheet.tubes[static_cast<std::size_t>(outcome.plan.visits[static_cast<std::size_t>(visit)].tube)];
+  const int index = visit < 0 ? outcome.plan.departed : outcome.plan.visits[static_cast<std::size_t>(visit)].tube;
+  const auto& tube = sheet.tubes[static_cast<std::size_t>(index)];
   return fmt::format("{},{},{}", tubesheets::legName(sheet.leg), tube.row, tube.column);
 }
 
@@ -203,6 +205,10 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
                                                                  : "the likeliest under the probabilities"},
                  {"probabilities", stepChancesJson(outcome.chances, outcome.cell.units)}};
   if (outcome.conditions.start) result["start"] = jointValuesJson(*outcome.conditions.start, outcome.cell);
+  if (plan.departed >= 0) {
+    const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(plan.departed)];
+    result["start_at"] = {{"row", tube.row}, {"column", tube.column}};
+  }
   if (outcome.conditions.end) result["end"] = jointValuesJson(*outcome.conditions.end, outcome.cell);
   if (!outcome.left_out.empty()) result["left_out"] = outcome.left_out;
   if (request.padding > 0)
@@ -239,8 +245,14 @@ std::string pathCsv(const PlanOutcome& outcome) {
 }
 
 void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFolder& folder) {
-  folder.write("plan.json", planFileText(request, outcome));
-  folder.write("path.csv", pathCsv(outcome));
+  // The origin of plan.json is that of the calling thread, so only the path is written by another.
+  std::string path;
+  oneapi::tbb::task_group beside;
+  beside.run([&] { path = pathCsv(outcome); });
+  const std::string plan = planFileText(request, outcome), report = renderPlanReport(reportJson(request, outcome));
+  beside.wait();
+  folder.write("plan.json", plan);
+  folder.write("path.csv", path);
   const auto cell_file = folder.path() / "cell.yaml";
   folder.write("cell.yaml", calibratedText(outcome, cell_file));
   if (!outcome.touches.empty())
@@ -248,7 +260,7 @@ void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFol
   else if (std::filesystem::exists(folder.path() / "plan.json"))
     folder.remove("touches.csv");  // remove the file of an earlier plan
   folder.write(kWorkListFile, workListCsv(outcome));
-  folder.write("report.html", renderPlanReport(reportJson(request, outcome)));
+  folder.write("report.html", report);
   folder.commit();
 }
 

@@ -1,5 +1,7 @@
 #include "app/documents/plan_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -16,6 +18,19 @@ double minClearance(const PlanOutcome& outcome) { return outcome.plan.min_margin
 std::string tightestText(const PlanOutcome& outcome) {
   const auto& tightest = outcome.plan.tightest;
   return tightest.body.empty() ? tightest.other : tightest.body + " to " + tightest.other;
+}
+
+std::string reusedText(const PlanOutcome& outcome) {
+  const auto& plan = outcome.plan;
+  const auto isTravel = [](const auto& segment) { return segment.kind == planner::SegmentKind::kTravel; };
+  const auto isProved = [](const auto& segment) {
+    return segment.kind != planner::SegmentKind::kRetreat || segment.visit < 0;
+  };
+  return fmt::format("the reach of {} of {} tubes, {} of {} travels, {} of {} proofs{}{}", plan.kept.reach,
+                     plan.visits.size() + plan.unreachable.size(), plan.kept.travels,
+                     std::ranges::count_if(plan.segments, isTravel), plan.kept.proofs,
+                     std::ranges::count_if(plan.segments, isProved), plan.kept.order ? ", the order" : "",
+                     plan.kept.bound ? ", the bound" : "");
 }
 
 namespace {
@@ -36,7 +51,8 @@ constexpr TextLine kPlanWords[] = {
      "{row_by_row_time_s:.1f} s); {total_time_s:.1f} s in total, {detours} detours\n"},
     {"travel/on_line", "{} travels with the tip on a straight line, within {line_deviation:.4r units/length} of it\n"},
     {"min_clearance", "clearance at least {:.4r units/length} ({clearance_required:.4r units/length} asked for"},
-    {"+padding/added", ", beyond the padding for the uncertainty of {padding/covers}: up to {:.4r units/length} at the tip"},
+    {"+padding/added",
+     ", beyond the padding for the uncertainty of {padding/covers}: up to {:.4r units/length} at the tip"},
     {"min_clearance", "), tightest {tightest}; proved {base/words}\n"},
     {"least_play",
      "{insertion:.4r units/length} past the face; the tool's play in a tube at least {:.4r units/length}\n"}};

@@ -1,6 +1,7 @@
 #include "app/jobs/plan.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -165,6 +166,27 @@ bool placeBase(PlanOutcome& outcome, std::vector<calibration::Measurement> touch
   return true;
 }
 
+/// Sets the start posture if the arm starts at a tube. Throws InputError unless an earlier plan visits that tube.
+void startAtTube(const PlanRequest& request, const PlanCheckpoint* checkpoint, PlanOutcome& outcome) {
+  const auto tube = startTubeOf(request.conditions, outcome.nominal.sheet);
+  if (!tube) return;
+  outcome.conditions.start = checkpoint ? checkpoint->postureAt(*tube) : std::nullopt;
+  if (outcome.conditions.start) return;
+  throw InputError::saying(
+      "--start",
+      fmt::format("no earlier plan visits {}, so the arm's posture there is not known", request.conditions.start),
+      "write the arm's joint readings, --start=A,B,..., or give the folder of the plan that visits it");
+}
+
+/// Throws InputError if the arm starts in a posture that an earlier plan found for another model.
+void requireSameModel(const PlanRequest& request, const PlanCheckpoint& checkpoint, const PlanOutcome& outcome) {
+  if (checkpoint.modelDifferences().empty() || !startTubeOf(request.conditions, outcome.nominal.sheet)) return;
+  throw InputError::saying("--start",
+                           fmt::format("the earlier plan visits {} with {}", request.conditions.start,
+                                       fmt::join(checkpoint.modelDifferences(), ", ")),
+                           "write the arm's joint readings, --start=A,B,...");
+}
+
 void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::PlanHooks hooks,
           PlanCheckpoint* checkpoint, PlanOutcome& outcome) {
   checkPadding(request, outcome);
@@ -173,12 +195,16 @@ void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::Pl
         rowDeviations(outcome.model, jointUncertaintyOf(outcome.cell, outcome.model, outcome.placedBy()));
   planner::PlanCache forgotten;
   planner::PlanCache& cache = checkpoint ? checkpoint->cache() : forgotten;
+  startAtTube(request, checkpoint, outcome);
   if (checkpoint) {
-    checkpoint->begin(planKeyOf(
-        {outcome.cell, outcome.model, outcome.conditions, request.compensation, standoffOf(request, outcome),
-         request.has_least_standoff, request.padding, request.seed, checkpoint->fromFingerprint(), travelOf(request)},
-        tubes));
-    hooks.keep = [checkpoint](const planner::PlanCache&) { checkpoint->saveNowAndThen(); };
+    checkpoint->begin(planKeyOf({outcome.cell, outcome.model, outcome.conditions, request.compensation,
+                                 standoffOf(request, outcome), request.has_least_standoff, request.padding,
+                                 request.seed, checkpoint->fromFingerprint(), travelOf(request)},
+                                tubes),
+                      tubes);
+    requireSameModel(request, *checkpoint, outcome);
+    if (checkpoint->savesProgress())
+      hooks.keep = [checkpoint](const planner::PlanCache&) { checkpoint->saveNowAndThen(); };
   }
   const std::vector<int> order_before = cache.visiting_order;
   outcome.plan = planner::planVisits(outcome.model, tubes, planOptions(request, outcome), hooks, cache);
@@ -214,7 +240,8 @@ PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, Pla
   return outcome;
 }
 
-PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::PlanHooks hooks) {
+PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::PlanHooks hooks,
+                     PlanCheckpoint* checkpoint) {
   PlanOutcome outcome = begun(cell, request);
   auto selection = tubesheets::selectTubes(outcome.nominal.sheet, request.tubes);
   if (selection.status != tubesheets::SelectionStatus::kSelected)
@@ -223,7 +250,7 @@ PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::Plan
   for (const auto& [tube, stay] : request.stays)
     if (std::ranges::find(selection.tube_indices, tube) != selection.tube_indices.end()) selection.dwell[tube] = stay;
   addConditions(request, selection, outcome);
-  plan(request, selection.tube_indices, std::move(hooks), nullptr, outcome);
+  plan(request, selection.tube_indices, std::move(hooks), checkpoint, outcome);
   return outcome;
 }
 

@@ -13,8 +13,9 @@ namespace tubeplan::app {
 [[nodiscard]] PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, PlanCheckpoint& checkpoint);
 
 /// Plans the visits of a given cell with its current base, and scores them against the request's truth. Of the
-/// request's files only the truth is read, and nothing is stored. `tubes` of the request is a selection, not a file
-/// name.
-[[nodiscard]] PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::PlanHooks hooks);
+/// request's files only the truth is read. `tubes` of the request is a selection, not a file name. `checkpoint`
+/// supplies results of an earlier plan; null if there are none.
+[[nodiscard]] PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::PlanHooks hooks,
+                                   PlanCheckpoint* checkpoint = nullptr);
 
 }  // namespace tubeplan::app

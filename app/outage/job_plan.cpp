@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/documents/plan_text.hpp"
 #include "app/jobs/plan.hpp"
 #include "app/storage/input_error.hpp"
 
@@ -29,14 +30,15 @@ double timeInTube(const WorkPackage& package, const JobTool& tool) {
 }
 
 PlanRequest requestFor(const std::vector<JobItem>& items, const WorkPackage& package, const JobFile& job,
-                       const Cell& cell, std::uint64_t seed) {
+                       const Cell& cell, const JobPlanRequest& asked) {
   std::vector<std::string> tubes;
   for (const JobItem& item : items) tubes.push_back(tubesheets::tubeName(item.tube.row, item.tube.column));
   PlanRequest request;
   request.tubes = fmt::format("{}", fmt::join(tubes, ","));
   request.load = job.toolOf(package).load / cell.units.factor(dimension::kForce);
-  request.conditions.dwell = package.dwell + timeInTube(package, job.toolOf(package));
-  request.seed = seed;
+  request.conditions.dwell = acquisitionTime(package, job.toolOf(package));
+  request.conditions.start = asked.start;
+  request.seed = asked.seed;
   request.has_least_standoff = true;
   return request;
 }
@@ -72,15 +74,24 @@ void record(JobStore& store, const std::vector<JobItem>& items, const PlanOutcom
   });
 }
 
-PackagePlan planPackage(JobStore& store, const Cell& cell, const std::vector<JobItem>& items, std::uint64_t seed,
-                        const planner::PlanHooks& hooks, const KeepPackagePlan& keep) {
+/// Returns the results of an earlier plan of a package, kept in `folder`; none if the package was not planned.
+PlanCheckpoint earlierPlan(const JobPlanRequest& asked, const std::string& folder) {
+  const std::filesystem::path there = asked.earlier / folder;
+  std::error_code error;
+  const bool is_there = !asked.earlier.empty() && std::filesystem::exists(there / kCacheFile, error);
+  return {"", false, is_there ? there.string() : ""};
+}
+
+PackagePlan planPackage(JobStore& store, const Cell& cell, const std::vector<JobItem>& items,
+                        const JobPlanRequest& asked, const planner::PlanHooks& hooks, const KeepPackagePlan& keep) {
   const JobFile& job = store.job();
   const JobItem& first = items.front();
   const WorkPackage& package = job.packageOf(first.package);
   PackagePlan plan{first.package, first.tube.generator, first.tube.leg};
   plan.folder = fmt::format("{}-{}-{}", plan.generator, tubesheets::legName(plan.leg), plan.package);
-  const PlanRequest request = requestFor(items, package, job, cell, seed);
-  const PlanOutcome outcome = planCell(cell, request, hooks);
+  const PlanRequest request = requestFor(items, package, job, cell, asked);
+  PlanCheckpoint checkpoint = earlierPlan(asked, plan.folder);
+  const PlanOutcome outcome = planCell(cell, request, hooks, &checkpoint);
   plan.status = outcome.plan.status;
   plan.reason = outcome.plan.reason;
   if (plan.status == VisitPlanStatus::kStopped) return plan;
@@ -88,22 +99,22 @@ PackagePlan planPackage(JobStore& store, const Cell& cell, const std::vector<Job
   if (plan.status != VisitPlanStatus::kPlanned) return plan;
   plan.visits = static_cast<int>(outcome.plan.visits.size());
   plan.change = job.toolOf(package).change;
-  addTimes(outcome, package, job.toolOf(package), plan);
-  keep(plan.folder, request, outcome);
+  addTimes(outcome, plan);
+  if (!checkpoint.fromFingerprint().empty()) plan.reused = reusedText(outcome);
+  keep(plan.folder, request, outcome, checkpoint);
   return plan;
 }
 
 /// Returns the open and queued items of one leg, one list for each package, in the order of the packages.
 std::vector<std::vector<JobItem>> itemsToPlan(const std::vector<JobItem>& items, const JobSheet& sheet,
-                                              const JobFile& job) {
-  const std::set<TubeAddress> plugged = pluggedEnds(items);
+                                              const JobFile& job, const JobPart& part) {
   std::vector<std::vector<JobItem>> by_package;
   for (const WorkPackage& package : job.packages) {
     std::vector<JobItem> of;
     for (const JobItem& item : items) {
       const bool is_to_do = item.isDue() || (!item.mark && !item.unreachable.empty());
-      if (is_to_do && !plugged.contains(item.tube) && item.package == package.name &&
-          item.tube.generator == sheet.generator && item.tube.leg == sheet.leg.leg)
+      if (is_to_do && part.has(item) && item.package == package.name && item.tube.generator == sheet.generator &&
+          item.tube.leg == sheet.leg.leg)
         of.push_back(item);
     }
     if (!of.empty()) by_package.push_back(std::move(of));
@@ -134,16 +145,22 @@ double LegPlan::total() const {
   return sum;
 }
 
-JobPlan planJob(JobStore& store, std::uint64_t seed, const planner::PlanHooks& hooks, const KeepPackagePlan& keep) {
+JobPlan planJob(JobStore& store, const JobPlanRequest& request, const planner::PlanHooks& hooks,
+                const KeepPackagePlan& keep) {
+  if (!request.start.empty() && (request.part.generator.empty() || !request.part.leg))
+    throw InputError::saying("--start", "the arm stands under one leg, but several are planned",
+                             "name the leg with --sg and --leg");
   JobPlan plan;
   const std::vector<JobItem> items = store.items();
   for (const JobSheet& sheet : store.sheets()) {
-    const auto to_plan = itemsToPlan(items, sheet, store.job());
+    const auto to_plan = itemsToPlan(items, sheet, store.job(), request.part);
     if (to_plan.empty()) continue;
     const Cell cell = cellOfLeg(sheet);
     LegPlan& leg = plan.legs.emplace_back(LegPlan{sheet.generator, sheet.leg.leg, {}, store.job().mount});
+    JobPlanRequest asked = request;
     for (const auto& of_package : to_plan) {
-      leg.packages.push_back(planPackage(store, cell, of_package, seed, hooks, keep));
+      leg.packages.push_back(planPackage(store, cell, of_package, asked, hooks, keep));
+      asked.start.clear();  // the arm stands elsewhere once the first package is done
       if (leg.packages.back().status == VisitPlanStatus::kStopped) {
         leg.packages.pop_back();
         plan.is_stopped = true;

@@ -1,12 +1,15 @@
 // Plan of a whole job: every package on every leg planned and proved, and the time that the outage takes.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/documents/plan_outcome.hpp"
+#include "app/formats/checkpoint/plan_checkpoint.hpp"
+#include "app/outage/job_desk.hpp"
 #include "app/outage/job_schedule.hpp"
 #include "app/outage/job_store.hpp"
 
@@ -19,6 +22,7 @@ struct PackagePlan {
   planner::VisitPlanStatus status = planner::VisitPlanStatus::kNotRun;
   std::string reason = {};  ///< why there is no plan; empty if there is one
   std::string folder = {};  ///< name of the folder with the plan's files
+  std::string reused = {};  ///< what was reused of the earlier plan of this package; empty if there was none
   int visits = 0;
   std::vector<std::pair<TubeAddress, std::string>> unreachable = {};  ///< tubes that are not reached, with the reasons
   double travel = 0;                                                  ///< time between tubes [s]
@@ -46,13 +50,24 @@ struct JobPlan {
   bool is_stopped = false;
 };
 
-/// Writes the files of one package's plan; called as soon as the package is planned.
-using KeepPackagePlan = std::function<void(const std::string& folder, const PlanRequest&, const PlanOutcome&)>;
+struct JobPlanRequest {
+  std::uint64_t seed = 1;
+  JobPart part = {};       ///< what to plan; all other items keep their place in the visiting order
+  std::string start = {};  ///< where the arm stands, as ConditionsRequest::start; empty for any posture
+  std::filesystem::path earlier =
+      {};  ///< folder with the folders of an earlier plan of the job; empty if there is none
+};
+
+/// Writes the files of one package's plan; called as soon as the package is planned. `checkpoint` has what the next
+/// plan of the package can reuse.
+using KeepPackagePlan = std::function<void(const std::string& folder, const PlanRequest&, const PlanOutcome&,
+                                           const PlanCheckpoint& checkpoint)>;
 
 /// Plans the open and queued items of every package on every leg, in the order of the packages, and records their
-/// visiting order and the tubes out of reach. What is planned before a stop stays recorded. Throws InputError if a
-/// cell's sheet is no longer the one that the job was made with.
-[[nodiscard]] JobPlan planJob(JobStore& store, std::uint64_t seed, const planner::PlanHooks& hooks,
+/// visiting order and the tubes out of reach. The first package begins where the arm stands. What is planned before a
+/// stop stays recorded. Throws InputError if a cell's sheet is no longer the one that the job was made with, and for a
+/// start in a part with several legs.
+[[nodiscard]] JobPlan planJob(JobStore& store, const JobPlanRequest& request, const planner::PlanHooks& hooks,
                               const KeepPackagePlan& keep);
 
 }  // namespace tubeplan::app

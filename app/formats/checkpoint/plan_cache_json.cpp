@@ -85,6 +85,55 @@ planner::TubeBranch branchFrom(const json& object) {
   return branch;
 }
 
+json endsJson(const MotionEnds& ends) {
+  return {ends.first.tube, ends.first.branch, ends.second.tube, ends.second.branch};
+}
+
+MotionEnds endsFrom(const json& list) {
+  return {{wholeNumber<int>(list.at(0)), wholeNumber<int>(list.at(1))},
+          {wholeNumber<int>(list.at(2)), wholeNumber<int>(list.at(3))}};
+}
+
+json orderJson(const planner::VisitOrder& order) {
+  return {{"status", static_cast<int>(order.status)},
+          {"reason", order.reason},
+          {"order", order.order},
+          {"branches", order.branches},
+          {"travel_time", numberJson(order.travel_time)},
+          {"lower_bound", numberJson(order.lower_bound)},
+          {"gap", numberJson(order.optimality_gap)}};
+}
+
+planner::VisitOrder orderFrom(const json& object) {
+  planner::VisitOrder order;
+  order.status = static_cast<planner::VisitOrderStatus>(wholeNumber<int>(object.at("status")));
+  order.reason = object.at("reason");
+  order.order = wholeNumbers<int>(object.at("order"));
+  order.branches = wholeNumbers<int>(object.at("branches"));
+  order.travel_time = numberFrom(object.at("travel_time"));
+  order.lower_bound = numberFrom(object.at("lower_bound"));
+  order.optimality_gap = numberFrom(object.at("gap"));
+  return order;
+}
+
+json postureJson(const std::optional<Eigen::VectorXd>& q) { return q ? numbersJson(*q) : json(); }
+
+std::optional<Eigen::VectorXd> postureFrom(const json& list) {
+  return list.is_null() ? std::nullopt : std::optional(vectorFrom(list));
+}
+
+json boundJson(const planner::KnownBound& bound) {
+  return {{"lower_bound", numberJson(bound.lower_bound)},
+          {"start", postureJson(bound.start)},
+          {"end", postureJson(bound.end)}};
+}
+
+planner::KnownBound boundFrom(const json& object) {
+  return {numberFrom(object.at("lower_bound")), postureFrom(object.at("start")), postureFrom(object.at("end"))};
+}
+
+}  // namespace
+
 json reachJson(const planner::TubeReach& reach) {
   json branches = json::array();
   for (const auto& branch : reach.branches) branches.push_back(branchJson(branch));
@@ -102,15 +151,6 @@ planner::TubeReach reachFrom(const json& object) {
   reach.reason = object.at("reason");
   reach.blocking = clearanceFrom(object.at("blocking"));
   return reach;
-}
-
-json endsJson(const MotionEnds& ends) {
-  return {ends.first.tube, ends.first.branch, ends.second.tube, ends.second.branch};
-}
-
-MotionEnds endsFrom(const json& list) {
-  return {{wholeNumber<int>(list.at(0)), wholeNumber<int>(list.at(1))},
-          {wholeNumber<int>(list.at(2)), wholeNumber<int>(list.at(3))}};
 }
 
 json travelJson(const MotionEnds& ends, const planner::MotionPlan& plan) {
@@ -145,56 +185,52 @@ planner::MotionPlan travelFrom(const json& object) {
   return plan;
 }
 
-json orderJson(const planner::VisitOrder& order) {
-  return {{"status", static_cast<int>(order.status)},
-          {"reason", order.reason},
-          {"order", order.order},
-          {"branches", order.branches},
-          {"travel_time", numberJson(order.travel_time)},
-          {"lower_bound", numberJson(order.lower_bound)},
-          {"gap", numberJson(order.optimality_gap)}};
+json proofJson(const MotionEnds& ends, const planner::SegmentProof& proof) {
+  return {{"ends", endsJson(ends)}, {"margin", numberJson(proof.margin)}, {"tightest", clearanceJson(proof.tightest)}};
 }
 
-planner::VisitOrder orderFrom(const json& object) {
-  planner::VisitOrder order;
-  order.status = static_cast<planner::VisitOrderStatus>(wholeNumber<int>(object.at("status")));
-  order.reason = object.at("reason");
-  order.order = wholeNumbers<int>(object.at("order"));
-  order.branches = wholeNumbers<int>(object.at("branches"));
-  order.travel_time = numberFrom(object.at("travel_time"));
-  order.lower_bound = numberFrom(object.at("lower_bound"));
-  order.optimality_gap = numberFrom(object.at("gap"));
-  return order;
+planner::SegmentProof proofFrom(const json& object) {
+  return {numberFrom(object.at("margin")), clearanceFrom(object.at("tightest"))};
 }
 
-}  // namespace
+json wholePlanJson(const planner::PlanCache& cache) {
+  json orders = json::array();
+  for (const auto& order : cache.orders) orders.push_back(orderJson(order));
+  return {{"orders", orders},
+          {"visiting_order", cache.visiting_order},
+          {"visiting_branches", cache.visiting_branches},
+          {"bound", boundJson(cache.bound)}};
+}
+
+planner::PlanCache wholePlanFrom(const json& object) {
+  planner::PlanCache cache;
+  for (const auto& entry : object.at("orders")) cache.orders.push_back(orderFrom(entry));
+  cache.visiting_order = wholeNumbers<int>(object.at("visiting_order"));
+  // Files of version 1.0 have neither the branches nor the bound.
+  if (object.contains("visiting_branches")) cache.visiting_branches = wholeNumbers<int>(object["visiting_branches"]);
+  if (object.contains("bound")) cache.bound = boundFrom(object["bound"]);
+  return cache;
+}
 
 json cacheJson(const planner::PlanCache& cache) {
-  json reach = json::array(), travels = json::array(), proofs = json::array(), orders = json::array();
+  json result = wholePlanJson(cache), reach = json::array(), travels = json::array(), proofs = json::array();
   for (const auto& [tube, found] : cache.reach) reach.push_back(reachJson(found));
   for (const auto& [ends, plan] : cache.travels) travels.push_back(travelJson(ends, plan));
-  for (const auto& [ends, proof] : cache.proofs)
-    proofs.push_back(
-        {{"ends", endsJson(ends)}, {"margin", numberJson(proof.margin)}, {"tightest", clearanceJson(proof.tightest)}});
-  for (const auto& order : cache.orders) orders.push_back(orderJson(order));
-  return {{"reach", reach},
-          {"travels", travels},
-          {"proofs", proofs},
-          {"orders", orders},
-          {"visiting_order", cache.visiting_order}};
+  for (const auto& [ends, proof] : cache.proofs) proofs.push_back(proofJson(ends, proof));
+  result["reach"] = reach;
+  result["travels"] = travels;
+  result["proofs"] = proofs;
+  return result;
 }
 
 planner::PlanCache cacheFrom(const json& object) {
-  planner::PlanCache cache;
+  planner::PlanCache cache = wholePlanFrom(object);
   for (const auto& entry : object.at("reach")) {
     planner::TubeReach reach = reachFrom(entry);
     cache.reach[reach.tube] = std::move(reach);
   }
   for (const auto& entry : object.at("travels")) cache.travels[endsFrom(entry.at("ends"))] = travelFrom(entry);
-  for (const auto& entry : object.at("proofs"))
-    cache.proofs[endsFrom(entry.at("ends"))] = {numberFrom(entry.at("margin")), clearanceFrom(entry.at("tightest"))};
-  for (const auto& entry : object.at("orders")) cache.orders.push_back(orderFrom(entry));
-  cache.visiting_order = wholeNumbers<int>(object.at("visiting_order"));
+  for (const auto& entry : object.at("proofs")) cache.proofs[endsFrom(entry.at("ends"))] = proofFrom(entry);
   return cache;
 }
 

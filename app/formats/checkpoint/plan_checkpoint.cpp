@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "app/formats/checkpoint/checkpoint_file.hpp"
@@ -27,6 +29,24 @@ planner::PlanCache cacheOf(const CheckpointFile& file, const fs::path& path) {
   return cache;
 }
 
+/// Calls `read`. Throws InputError for a damaged file if the entries are not in the form that is written to it.
+void readEntries(const fs::path& path, const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const json::exception&) {
+    refuseDamaged(kPlanFormat, path, "the file's content is of another kind than is written to it");
+  }
+}
+
+/// Returns the tubes whose results are asked for: those of the list and, unless little is left, those of the earlier
+/// plan, from which the bound follows.
+std::set<int> tubesToRead(const std::vector<int>& tubes, const std::vector<int>& before) {
+  constexpr std::size_t kLittle = 10;
+  std::set<int> read(tubes.begin(), tubes.end());
+  if (kLittle * tubes.size() >= before.size()) read.insert(before.begin(), before.end());
+  return read;
+}
+
 bool isThere(const fs::path& path) {
   std::error_code error;
   return fs::exists(path, error);
@@ -36,7 +56,7 @@ bool isThere(const fs::path& path) {
 
 PlanCheckpoint::PlanCheckpoint(fs::path folder, bool must_resume, const std::string& from)
     : folder_(std::move(folder)), must_resume_(must_resume), from_(from) {
-  removeLeftovers(folder_, kProgressFile);
+  if (savesProgress()) removeLeftovers(folder_, kProgressFile);
   if (from.empty()) return;
   const fs::path path = fs::path(from) / kCacheFile;
   if (!isThere(path))
@@ -45,17 +65,29 @@ PlanCheckpoint::PlanCheckpoint(fs::path folder, bool must_resume, const std::str
   const CheckpointFile file = readCheckpoint(kPlanFormat, path);
   from_fingerprint_ = file.checksum;
   from_question_ = file.question;
-  from_cache_ = cacheOf(file, path);
+  readEntries(path, [&] { from_text_ = PlanCacheText(file.payload); });
 }
 
-void PlanCheckpoint::begin(const PlanKey& question) {
+std::optional<Eigen::VectorXd> PlanCheckpoint::postureAt(int tube) const {
+  if (from_.empty()) return std::nullopt;
+  planner::PlanCache known;
+  readEntries(fs::path(from_) / kCacheFile, [&] { known = from_text_.read({tube}); });
+  const auto& order = known.visiting_order;
+  const auto place = static_cast<std::size_t>(std::ranges::find(order, tube) - order.begin());
+  if (place >= known.visiting_branches.size() || !known.reach.contains(tube)) return std::nullopt;
+  const auto branch = static_cast<std::size_t>(known.visiting_branches[place]);
+  const auto& branches = known.reach[tube].branches;
+  return branch < branches.size() ? std::optional(branches[branch].q) : std::nullopt;
+}
+
+void PlanCheckpoint::begin(const PlanKey& question, const std::vector<int>& tubes) {
   question_ = question;
-  if (takeStopped(question)) return;
+  if (savesProgress() && takeStopped(question)) return;
   if (must_resume_ && !takeDone(question))
     throw InputError::saying("--resume",
                              fmt::format("there is no stopped plan ({}) in '{}'", kProgressFile, folder_.string()),
                              "give the folder of the stopped plan, or omit --resume to start again");
-  if (!must_resume_ && !from_.empty()) takeFrom(question);
+  if (!must_resume_ && !from_.empty()) takeFrom(question, tubes);
 }
 
 bool PlanCheckpoint::takeStopped(const PlanKey& question) {
@@ -86,26 +118,25 @@ bool PlanCheckpoint::takeDone(const PlanKey& question) {
   return true;
 }
 
-void PlanCheckpoint::takeFrom(const PlanKey& question) {
+void PlanCheckpoint::takeFrom(const PlanKey& question, const std::vector<int>& tubes) {
   if (partOf(from_question_, "sheet") != partOf(question, "sheet"))
     throw InputError::saying(
         "--from",
         fmt::format("the tube sheet of that plan (fingerprint {}) differs from that of the cell (fingerprint {})",
                     partOf(from_question_, "sheet"), partOf(question, "sheet")),
         "check `leg` and `map` of the cell, or plan without --from");
-  const auto differences = findModelDifferences(from_question_, question);
-  cache_.visiting_order = from_cache_.visiting_order;
-  if (!differences.empty()) {
+  const fs::path path = fs::path(from_) / kCacheFile;
+  model_differences_ = findModelDifferences(from_question_, question);
+  if (!model_differences_.empty()) {
     say(fmt::format("of {} only the order is reused ({}); postures and motions are planned and verified again", from_,
-                    fmt::join(differences, ", ")));
+                    fmt::join(model_differences_, ", ")));
+    readEntries(path, [&] { cache_.visiting_order = from_text_.visitingOrder(); });
     return;
   }
-  cache_ = std::move(from_cache_);
+  text_ = std::move(from_text_);
+  if (partOf(from_question_, kEndsPart) != partOf(question, kEndsPart)) text_.dropEnds();
+  readEntries(path, [&] { cache_ = text_.read(tubesToRead(tubes, text_.visitingOrder())); });
   cache_.orders.clear();
-  if (partOf(from_question_, kEndsPart) == partOf(question, kEndsPart)) return;
-  const auto meetsAnEnd = [](const auto& entry) { return entry.first.first.tube < 0 || entry.first.second.tube < 0; };
-  std::erase_if(cache_.travels, meetsAnEnd);
-  std::erase_if(cache_.proofs, meetsAnEnd);
 }
 
 void PlanCheckpoint::saveNowAndThen() {
@@ -131,6 +162,6 @@ std::string PlanCheckpoint::summary() const {
                      cache_.proofs.size());
 }
 
-std::string PlanCheckpoint::text() const { return checkpointText(kPlanFormat, question_, cacheJson(cache_).dump()); }
+std::string PlanCheckpoint::text() const { return checkpointText(kPlanFormat, question_, text_.with(cache_)); }
 
 }  // namespace tubeplan::app

@@ -31,12 +31,20 @@ std::string numbersText(const std::optional<Eigen::VectorXd>& q) {
 
 }  // namespace
 
+std::optional<int> startTubeOf(const ConditionsRequest& request, const tubesheets::Sheet& sheet) {
+  const auto name = tubesheets::parseTubeName(request.start);
+  if (!name) return std::nullopt;
+  if (const auto tube = sheet.indexOf(name->row, name->column)) return tube;
+  throw InputError::saying("--start", fmt::format("{} is not on this sheet", inQuotes(request.start)),
+                           "name the tube at which the arm stands, or write its joint readings, --start=A,B,...");
+}
+
 planner::VisitConditions conditionsOf(const ConditionsRequest& request, const Cell& cell,
                                       std::map<int, double> dwell_at) {
   planner::VisitConditions conditions;
-  conditions.start = postureOf(request.start, "--start", cell);
-  conditions.end = postureOf(request.end, "--end", cell);
   const auto& sheet = requireSheet(cell, "plan tube visits");
+  if (!startTubeOf(request, sheet)) conditions.start = postureOf(request.start, "--start", cell);
+  conditions.end = postureOf(request.end, "--end", cell);
   for (const auto& zone : request.first)
     conditions.zones.push_back(readTubes(zone, sheet, request.columns, "--first").tube_indices);
   if (!(request.dwell >= 0 && request.dwell <= tubesheets::kLongestStay))

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,15 +13,21 @@
 namespace tubeplan::app {
 
 struct ConditionsRequest {
-  std::string start, end;          ///< `park` (the cell's posture), joint readings "A,B,...", or empty for any posture
-  std::vector<std::string> first;  ///< zones visited first, each given as a selection of tubes or a CSV file
-  double dwell = 0;                ///< dwell time at each hole [s], unless the work list states one
+  /// `park` (the cell's posture), joint readings "A,B,...", or empty for any posture; `start` may also be a tube's
+  /// name, which stands for the posture in which an earlier plan visits it.
+  std::string start, end;
+  std::vector<std::string> first;         ///< zones visited first, each given as a selection of tubes or a CSV file
+  double dwell = 0;                       ///< dwell time at each hole [s], unless the work list states one
   std::vector<std::string> columns = {};  ///< assignments of columns in work lists, for the tubes and the zones
 };
 
-/// Returns the conditions of a plan. `dwell_at` has the dwell times stated by the work list [s], keyed by tube index.
-/// Throws InputError for postures that the arm cannot take, for a missing park posture, for tubes that do not exist,
-/// and for invalid dwell times.
+/// Returns the index of the tube at which the arm starts; nothing if `start` is no tube's name. Throws InputError for a
+/// tube that is not on the sheet.
+[[nodiscard]] std::optional<int> startTubeOf(const ConditionsRequest& request, const tubesheets::Sheet& sheet);
+
+/// Returns the conditions of a plan; a start at a tube is left open. `dwell_at` has the dwell times stated by the work
+/// list [s], keyed by tube index. Throws InputError for postures that the arm cannot take, for a missing park posture,
+/// for tubes that do not exist, and for invalid dwell times.
 [[nodiscard]] planner::VisitConditions conditionsOf(const ConditionsRequest& request, const Cell& cell,
                                                     std::map<int, double> dwell_at);
 

@@ -57,6 +57,9 @@ void readTubesOf(const JsonValue& document, const Cell& cell, PlanFiles& files) 
 
 void readConditionsOf(const JsonValue& document, const Cell& cell, PlanFiles& files) {
   if (document.has("start")) files.plan.start = jointsOf(document.at("start"), cell);
+  if (document.has("start_at"))
+    files.start_at = TubeEcho{files.leg, document.at("start_at").at("row").integer(1, kMost),
+                              document.at("start_at").at("column").integer(1, kMost)};
   if (document.has("end")) files.plan.end = jointsOf(document.at("end"), cell);
   if (document.has("padding")) files.padding_sigmas = document.at("padding").at("sigmas").number(0);
   files.compensation = document.at("compensation").text();
@@ -151,13 +154,13 @@ PlanFiles readPlanFiles(const std::filesystem::path& folder, const Cell& cell) {
     throw InputError(path + " units", text["units"].dump(), unitsJson(cell.units).dump(),
                      "verify the plan with the cell for which it was made");
   PlanFiles files;
-  readTubesOf(document, cell, files);
-  readConditionsOf(document, cell, files);
-  readFiguresOf(document, cell, files);
   const JsonValue sheet = document.at("sheet");
   files.fingerprint = sheet.at("fingerprint").text();
   files.leg = sheet.at("leg").text();
   files.viewed_from = sheet.at("viewed_from").text();
+  readTubesOf(document, cell, files);
+  readConditionsOf(document, cell, files);
+  readFiguresOf(document, cell, files);
   if (document.has("path_fingerprint")) files.stated_path = document.at("path_fingerprint").text();
   const std::string path_csv = (folder / "path.csv").string();
   PathReader(path_csv, cell).read(files);

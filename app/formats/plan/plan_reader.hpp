@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "app/formats/cell/cell_reader.hpp"
 #include "planner/verification/plan_checks.hpp"
@@ -17,8 +18,9 @@ struct TubeEcho {
 
 struct PlanFiles {
   planner::StatedPlan plan;
-  std::string compensation;  ///< kind of compensation: none, goal-point, via-point
-  std::string fingerprint;   ///< fingerprint of the sheet for which the plan was made
+  std::optional<TubeEcho> start_at;  ///< tube at which the arm starts; nothing if it starts at none
+  std::string compensation;          ///< kind of compensation: none, goal-point, via-point
+  std::string fingerprint;           ///< fingerprint of the sheet for which the plan was made
   std::string leg, viewed_from;
   double padding_sigmas = 0;  ///< margin added to the scene's clearance [standard deviations of the base position]
   double load = 0;            ///< suspended load [N]

@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 #include <thread>
 
 #include "tests/app/program.hpp"
@@ -158,6 +159,71 @@ TEST_F(Resume, AFewTubesMoreAndLessKeepTheRestOfThePlan) {
     }
   EXPECT_EQ(shared, static_cast<int>(tubes) - 2);
   EXPECT_GE(same, shared - 10);
+}
+
+/// Returns a work list of the tubes of a plan from the visit `first` on.
+std::string listFrom(const json& plan, std::size_t first) {
+  std::string list = "row,column\n";
+  for (std::size_t k = first; k < plan["tubes"].size(); ++k)
+    list += plan["tubes"][k]["row"].dump() + "," + plan["tubes"][k]["column"].dump() + "\n";
+  return list;
+}
+
+std::string readingsOf(const json& joints) {
+  std::string text;
+  for (const json& value : joints) text += (text.empty() ? "" : ",") + value.dump();
+  return text;
+}
+
+TEST_F(Resume, WhatIsLeftIsPlannedFromWhereTheArmStands) {
+  ASSERT_EQ(run(mockupPlan("--tubes spread:60 --out old")).exit_code, 0);
+  const json old = planOf("old");
+  (void)write("left.csv", listFrom(old, 20));
+  const json& stands = old["tubes"][19];
+  // The arm stands at the hole of the last tube visited: said by the tube's name, or by its readings.
+  const std::string name = stands["name"], readings = readingsOf(stands["joints"]);
+  for (const std::string& start : {name, readings}) {
+    const Outcome outcome = run(mockupPlan("--tubes left.csv --from old --out new --start=" + start));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    expectSays(outcome.out, ", the order");
+    const json made = planOf("new");
+    std::set<std::string> visited, left;
+    for (const auto& tube : made["tubes"]) visited.insert(tube["name"]);
+    for (std::size_t k = 20; k < old["tubes"].size(); ++k) left.insert(old["tubes"][k]["name"]);
+    EXPECT_EQ(visited, left);
+    EXPECT_EQ(made["start"], stands["joints"]);
+    EXPECT_EQ(made["start_at"]["row"], stands["row"]);
+    EXPECT_EQ(made["start_at"]["column"], stands["column"]);
+    const Outcome proof = run("verify " + shipped("mockup.yaml") + " new");
+    EXPECT_EQ(proof.exit_code, 0) << proof.out;
+  }
+  // A retreat that is said to be from another tube is another plan's.
+  std::string altered = contentOf(folder / "new/plan.json");
+  const std::size_t at = altered.find("\"row\"", altered.find("\"start_at\""));
+  (void)write("new/plan.json", altered.replace(at, 6, "\"row\": 1, \"was\":"));
+  const Outcome proof = run("verify " + shipped("mockup.yaml") + " new");
+  EXPECT_EQ(proof.exit_code, 1) << proof.out;
+}
+
+TEST_F(Resume, AStartThatDoesNotFitIsRefused) {
+  ASSERT_EQ(run(mockupPlan("--tubes R20C40,R22C44,R24C40 --out old")).exit_code, 0);
+  const auto startedAt = [&](const std::string& start, const std::string& more) {
+    return run(mockupPlan("--tubes R24C40 --out new --start=" + start + more));
+  };
+  EXPECT_EQ(startedAt("R20C41", " --from old").exit_code, 2);   // no tube of that plan
+  EXPECT_EQ(startedAt("R20C400", " --from old").exit_code, 2);  // no tube of the sheet
+  EXPECT_EQ(startedAt("R20C40", "").exit_code, 2);              // no plan
+  const Outcome load = startedAt("R20C40", " --from old --load 5");
+  EXPECT_EQ(load.exit_code, 2);
+  expectSays(load.err, "another load");
+  EXPECT_EQ(startedAt("0,0,0,0,0,0", " --from old").exit_code, 2);  // another arm
+  EXPECT_EQ(startedAt("0,500,0,0", " --from old").exit_code, 2);    // past a limit
+  const Outcome collides = startedAt("-90,0,0,0", " --from old");
+  EXPECT_EQ(collides.exit_code, 1);
+  expectSays(collides.err, "the start posture: ");
+  EXPECT_FALSE(std::filesystem::exists(folder / "new/plan.json"));
+  (void)write("none.csv", "row,column\n");
+  EXPECT_EQ(run(mockupPlan("--tubes none.csv --from old --out new")).exit_code, 2);
 }
 
 TEST_F(Resume, FromAPlanOfAnotherBaseOnlyTheOrderIsKept) {

@@ -1,0 +1,43 @@
+// A plan's cache as text whose entries are read only where they are asked for, and are written again as they were.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "planner/plan_cache.hpp"
+
+namespace tubeplan::app {
+
+class PlanCacheText {
+ public:
+  PlanCacheText() = default;
+
+  /// Divides the JSON of cacheJson() into its entries. Throws nlohmann::json::exception for any other text.
+  explicit PlanCacheText(const std::string& json);
+
+  /// Returns the entries of the given tubes and of travels between them, and everything that is of no single tube. A
+  /// travel from or to a start or end posture counts as one of its tube. Throws nlohmann::json::exception for an entry
+  /// that cacheJson() does not write.
+  [[nodiscard]] planner::PlanCache read(const std::set<int>& tubes) const;
+
+  /// Returns the whole cache.
+  [[nodiscard]] planner::PlanCache readAll() const;
+
+  /// Returns the tubes in the order of the last completed plan.
+  [[nodiscard]] std::vector<int> visitingOrder() const;
+
+  /// Removes the entries of travels from and to start and end postures.
+  void dropEnds();
+
+  /// Returns the JSON of `cache` with the entries added that only this text has. Entries of both are taken from here.
+  [[nodiscard]] std::string with(const planner::PlanCache& cache) const;
+
+ private:
+  std::map<int, std::string> reach_;
+  std::map<planner::MotionEnds, std::string> travels_, proofs_;
+  std::string rest_ = "{}";  ///< JSON of what is of no single tube
+};
+
+}  // namespace tubeplan::app
