@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "app/storage/input_error.hpp"
+#include "app/storage/missing_file.hpp"
 #include "app/storage/origin.hpp"
 #include "app/storage/utf8.hpp"
 
@@ -34,7 +35,7 @@ std::string bytesOfText(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found)
-    throw InputError::saying(path, "no such file", "check the name and the folder");
+    throw MissingFile(InputError::saying(path, "no such file", "check the name and the folder"));
   if (std::filesystem::is_directory(status)) throw InputError(path, "a folder", "a file", "name a file in this folder");
   std::ifstream stream(path, std::ios::binary);
   if (!stream)

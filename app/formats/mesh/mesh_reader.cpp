@@ -16,6 +16,7 @@
 #include "app/formats/mesh/polygon_mesh.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/lower_case.hpp"
+#include "app/storage/missing_file.hpp"
 #include "app/storage/origin.hpp"
 
 namespace tubeplan::app {
@@ -47,7 +48,8 @@ std::string bytesOf(const std::string& path) {
   std::error_code error;
   const auto status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found)
-    throw InputError::saying(path, "no such file", "check the name, which is relative to the cell's folder");
+    throw MissingFile(
+        InputError::saying(path, "no such file", "check the name, which is relative to the cell's folder"));
   if (!fs::is_regular_file(status))
     throw InputError::saying(path, "this is not a regular file", "give the file of a mesh");
   if (fs::file_size(path, error) > kLargestMesh)
