@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/stop_signal.hpp"
 
@@ -34,16 +35,17 @@ TellStage stageLines() {
 }  // namespace
 
 planner::PlanHooks terminalHooks() {
-  noteStopSignals();
+  auto [progress, stop] = terminalWorkHooks();
   planner::PlanHooks hooks;
-  hooks.progress = stageLines();
-  hooks.stop = stopRequested;
+  hooks.progress = std::move(progress);
+  hooks.stop = std::move(stop);
   return hooks;
 }
 
 calibration::WorkHooks terminalWorkHooks() {
   noteStopSignals();
-  return {stageLines(), stopRequested};
+  const CommandCaller* caller = CalledBy::current();
+  return {caller ? caller->hooks.progress : stageLines(), stopCondition()};
 }
 
 }  // namespace tubeplan::app

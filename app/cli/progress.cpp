@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/cli/caller.hpp"
+
 namespace tubeplan::app {
 
 namespace {
@@ -46,7 +48,8 @@ std::string progressLine(const std::string& label, std::size_t done, std::size_t
 Progress::Progress(std::string label, std::size_t total)
     : label_(std::move(label)),
       total_(total),
-      is_shown_(::isatty(STDERR_FILENO) == 1),
+      caller_(CalledBy::current()),
+      is_shown_(!caller_ && ::isatty(STDERR_FILENO) == 1),
       start_(Clock::now()),
       drawn_(start_ - std::chrono::hours(1)) {}
 
@@ -55,6 +58,7 @@ Progress::~Progress() {
 }
 
 void Progress::update(std::size_t done) {
+  if (caller_ && caller_->hooks.progress) caller_->hooks.progress(label_, done, total_);
   const auto now = Clock::now();
   const bool is_due = now - drawn_ >= std::chrono::milliseconds(100) || (total_ > 0 && done >= total_);
   if (!is_shown_ || !is_due) return;

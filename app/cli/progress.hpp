@@ -7,7 +7,10 @@
 
 namespace tubeplan::app {
 
-/// Progress line on standard error, shown only if standard error is a terminal. Not thread-safe.
+struct CommandCaller;
+
+/// Progress line on standard error, shown only if standard error is a terminal. A
+/// caller other than the terminal is told instead. Not thread-safe.
 class Progress {
  public:
   Progress(std::string label, std::size_t total);
@@ -23,6 +26,7 @@ class Progress {
 
   std::string label_;
   std::size_t total_;
+  const CommandCaller* caller_;
   bool is_shown_;
   Clock::time_point start_, drawn_;
 };

@@ -2,6 +2,8 @@
 
 #include <csignal>
 
+#include "app/cli/caller.hpp"
+
 namespace tubeplan::app {
 
 namespace {
@@ -17,6 +19,7 @@ void noteSignal(int signal_number) {
 }  // namespace
 
 void noteStopSignals() {
+  if (CalledBy::current()) return;
   std::signal(SIGINT, noteSignal);
   std::signal(SIGTERM, noteSignal);
 }

@@ -3,8 +3,8 @@
 
 namespace tubeplan::app {
 
-/// Installs handlers that record SIGINT (Ctrl-C) and SIGTERM. A second signal of the same kind ends the program at
-/// once.
+/// Installs handlers that record SIGINT (Ctrl-C) and SIGTERM; leaves the signals of another calling program alone. A
+/// second signal of the same kind ends the program at once.
 void noteStopSignals();
 
 /// Returns true if SIGINT or SIGTERM was received since noteStopSignals().

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/formats/cell/cell_places.hpp"
@@ -46,11 +47,10 @@ int run(const AddOptions& options) {
                                   : overlapAt({added.cell, options.measurements,
                                                readMeasurements(options.measurements, added.cell, options.sigma)});
   writeFileAtomically(options.out, text, "--out");
-  fmt::print("added {} and freed {}\n", fmt::join(added.names, ", "),
-             added.freed.empty() ? "nothing" : fmt::format("{}", fmt::join(added.freed, ", ")));
-  for (const auto& formula : added.formulas) fmt::print("{}\n", formulaUnitsText(added.cell.arm, formula, cell.units));
-  fmt::print("{}wrote {}\nnext: tubeplan identify {} MEASUREMENTS --out fitted.yaml\n", overlap, options.out,
-             options.out);
+  say("added {} and freed {}\n", fmt::join(added.names, ", "),
+      added.freed.empty() ? "nothing" : fmt::format("{}", fmt::join(added.freed, ", ")));
+  for (const auto& formula : added.formulas) say("{}\n", formulaUnitsText(added.cell.arm, formula, cell.units));
+  say("{}wrote {}\nnext: tubeplan identify {} MEASUREMENTS --out fitted.yaml\n", overlap, options.out, options.out);
   return kDone;
 }
 

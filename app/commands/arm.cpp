@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/commands/action_options.hpp"
 #include "app/commands/option_checks.hpp"
@@ -66,8 +67,8 @@ ShownArm readAnyArm(const std::string& path, const std::string& tip) {
 }
 
 void tell(const char* kind, const std::vector<std::string>& sentences) {
-  constexpr std::size_t kLongest = 500;  // maximum length of a printed sentence [bytes]; names in files may be long
-  for (const auto& what : sentences) fmt::print(stderr, "{}: {}\n", kind, printable(what, kLongest));
+  constexpr std::size_t kLongest = 500;  // maximum length of a printed sentence [bytes]; names from a file may be long
+  for (const auto& what : sentences) remark("{}: {}\n", kind, printable(what, kLongest));
 }
 
 std::string cellText(const UrdfArm& read, const std::string& arm_file) {
@@ -123,7 +124,7 @@ int importCalibration(const ArmOptions& options) {
   const ArmSource calibrated = readArm(parseYaml(text.arm, options.out));
   writeFileAtomically(options.out, text.arm, "--out");
   tell("remark", text.remarks);
-  fmt::print("{}", armText(calibrated.arm, calibrated.units));
+  say("{}", armText(calibrated.arm, calibrated.units));
   return kDone;
 }
 
@@ -139,7 +140,7 @@ int importUrdf(const ArmOptions& options) {
   writeFilesTogether(files, "--out");
   tell("left out", read.left_out);
   tell("remark", read.remarks);
-  fmt::print("{}  the tool is the link {}\n", armText(read.arm, urdfUnits()), nameInLine(read.tip));
+  say("{}  the tool is the link {}\n", armText(read.arm, urdfUnits()), nameInLine(read.tip));
   return kDone;
 }
 
@@ -168,8 +169,8 @@ int exportIntoUrdf(const ArmOptions& options) {
   const UrdfEdit edit = withArmInUrdf(readTextBytes(options.into), options.into, options.tip, arm);
   writeFileAtomically(options.out, edit.text, "--out");
   tell("left out", edit.left_out);
-  for (const auto& what : edit.changed) fmt::print("changed: {}\n", what);
-  if (edit.changed.empty()) fmt::print("nothing changed: {} as it is\n", nameInLine(options.into));
+  for (const auto& what : edit.changed) say("changed: {}\n", what);
+  if (edit.changed.empty()) say("nothing changed: {} as it is\n", nameInLine(options.into));
   return kDone;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/cli/stop_signal.hpp"
@@ -119,7 +120,7 @@ int run(const BasesOptions& options) {
   const BaseChoice choice =
       chooseBases(work, tubes.tube_indices, choiceOptions(options, cell, work), terminalWorkHooks());
   if (choice.is_stopped) {
-    fmt::print(stderr, "stopped before all base positions were tried\n");
+    remark("stopped before all base positions were tried\n");
     return kStoppedExitCode;
   }
   const nlohmann::json figures = basesJson(choice, tubes.tube_indices.size(), cell.units);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/commands/measurement_answer.hpp"
 #include "app/commands/option_groups.hpp"
@@ -46,7 +47,7 @@ int run(const CalibrateOptions& options) {
   addChecks(checks, cell.units, json);
   showFigures(options.figures, json, checksText(checks, cell.units) + calibrationText(result, cell));
   if (printsText(options.figures) && is_written)
-    fmt::print("wrote {}{}\n", options.out, calibration::isFitRefused(result) ? ", with touches that do not fit" : "");
+    say("wrote {}{}\n", options.out, calibration::isFitRefused(result) ? ", with touches that do not fit" : "");
   return answerOver(checks, result.status == CalibrationStatus::kDone && !calibration::isFitRefused(result));
 }
 

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/stop_signal.hpp"
@@ -66,7 +67,7 @@ class CampaignDesk {
     auto progress = std::make_unique<Progress>("runs", static_cast<std::size_t>(runs_ - begun));
     RepeatHooks hooks;
     hooks.progress = [&](std::uint64_t done) { progress->update(static_cast<std::size_t>(done - begun)); };
-    hooks.stop = stopRequested;
+    hooks.stop = stopCondition();
     hooks.keep = [&](bool must) { keep(must); };
     const RepeatStatus status = repeatRuns(*campaign_.experiment, *schedule_, workers, hooks, ranks);
     progress.reset();
@@ -82,8 +83,8 @@ class CampaignDesk {
 
   int explainStop() {
     keep(true);
-    fmt::print(stderr, "stopped; {} of {} runs are kept in {}: the same command continues from there\n",
-               schedule_->done().size(), runs_, keeper_->path().string());
+    remark("stopped; {} of {} runs are kept in {}: the same command continues from there\n", schedule_->done().size(),
+           runs_, keeper_->path().string());
     return kStoppedExitCode;
   }
 
@@ -98,8 +99,8 @@ class CampaignDesk {
     }
     writeFigures(options_.figures, figures);
     if (!printsText(options_.figures)) return;
-    fmt::print("{}", campaign_.text(figures));
-    if (folder_) fmt::print("wrote {}\n", (folder_->path() / "campaign.json").string());
+    say("{}", campaign_.text(figures));
+    if (folder_) say("wrote {}\n", (folder_->path() / "campaign.json").string());
   }
 
   const CampaignOptions& options_;
@@ -211,20 +212,25 @@ void configureCentring(CLI::App& cli, CampaignRequest& request) {
   cli.add_option("--touch-sigma", request.touch_sigmas,
                  "standard deviation of each coordinate of a touch; a list compares several. Default: half the radial "
                  "clearance of the last step")
+      ->type_name("LENGTH")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->group(group);
   cli.add_option("--base-shift", request.base_shift,
                  "standard deviation of the true base's position, per coordinate (0.5 in)")
+      ->type_name("LENGTH")
       ->group(group);
   cli.add_option("--base-turn", request.base_turn, "standard deviation of the true base's rotation, per axis (0.5 deg)")
+      ->type_name("ANGLE")
       ->group(group);
   cli.add_option("--stiffness", request.stiffness, "relative standard deviation of the true arm's stiffnesses (0.02)")
       ->group(group);
   cli.add_option("--unmodelled", request.unmodelled,
                  "standard deviation of the true arm's unmodelled error, per coordinate (0.0197 in)")
+      ->type_name("LENGTH")
       ->group(group);
   cli.add_option("--encoder-sigma", request.encoder_sigma, "encoder noise of a joint (default: that of the arm file)")
+      ->type_name("ANGLE")
       ->group(group);
 }
 

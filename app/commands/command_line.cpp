@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <map>
 
+#include "app/cli/caller.hpp"
 #include "app/commands/command_line_error.hpp"
 #include "app/commands/command_table.hpp"
 #include "app/storage/input_error.hpp"
@@ -51,11 +52,11 @@ void refuseUnknownCommand(const std::string& word) {
 
 int runCommandLine(std::vector<std::string> words) {
   if (asksForOverview(words)) {
-    fmt::print("{}", overview());
+    say("{}", overview());
     return kDone;
   }
   if (words.front() == "--version") {
-    fmt::print("tubeplan {}\n", kVersion);
+    say("tubeplan {}\n", kVersion);
     return kDone;
   }
   const std::string name = words.front();
@@ -72,7 +73,7 @@ int runCommandLine(std::vector<std::string> words) {
     std::vector<std::string> reversed(words.rbegin(), words.rend());  // CLI11 expects the arguments in reverse order
     cli.parse(reversed);
   } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", cli.get_subcommand(name)->help("tubeplan"));
+    say("{}", cli.get_subcommand(name)->help("tubeplan"));
     return kDone;
   } catch (const CLI::ParseError& error) {
     throw commandLineError(error, *cli.get_subcommand(name), words);

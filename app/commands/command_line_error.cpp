@@ -27,6 +27,12 @@ std::string typeOf(const CLI::Option& option) {
   return name.substr(0, name.find(':'));
 }
 
+/// Returns true for the type of a real number: without a unit, or in the file's unit of what the type names.
+bool isReal(const std::string& type) {
+  constexpr std::string_view kReal[] = {"FLOAT", "LENGTH", "ANGLE", "FORCE", "TORQUE", "LENGTH,ANGLE"};
+  return std::ranges::find(kReal, type) != std::end(kReal);
+}
+
 bool isFlag(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
 
 /// Returns a usage line such as "usage: tubeplan improve CELL MEASUREMENTS... --out TEXT, see `tubeplan improve
@@ -105,7 +111,7 @@ std::optional<InputError> wrongValue(CLI::App& command) {
 /// Returns the kind of value that an option takes, such as "a whole number"; empty for a string.
 std::string kindOfValue(const CLI::Option& option) {
   const std::string type = typeOf(option);
-  if (type == "FLOAT") return "a number";
+  if (isReal(type)) return "a number";
   if (type == "INT") return "a whole number";
   return type == "UINT" ? "a whole number of zero or more" : "";
 }
@@ -113,7 +119,7 @@ std::string kindOfValue(const CLI::Option& option) {
 bool isOfKind(const CLI::Option& option, const std::string& value) {
   double number = 0;
   std::int64_t whole = 0;
-  return typeOf(option) == "FLOAT" ? CLI::detail::lexical_cast(value, number) : CLI::detail::lexical_cast(value, whole);
+  return isReal(typeOf(option)) ? CLI::detail::lexical_cast(value, number) : CLI::detail::lexical_cast(value, whole);
 }
 
 std::optional<InputError> unreadableValue(CLI::App& command) {

@@ -13,6 +13,9 @@ OptionWords wordsOf(const CLI::Option& option) {
   words.description = option.get_description();
   words.initial = option.get_default_str();
   words.is_positional = option.get_positional();
+  words.is_required = option.get_required();
+  words.is_list = option.get_items_expected_max() > 1;
+  words.delimiter = option.get_delimiter();
   if (words.is_positional) {
     words.names = {option.get_name(true)};
     return words;

@@ -12,6 +12,9 @@ struct OptionWords {
   std::string description;
   std::string initial;  ///< default value; empty if there is none
   bool is_positional = false;
+  bool is_required = false;
+  bool is_list = false;  ///< takes several values
+  char delimiter = 0;    ///< separates the values in one word; 0: each value is a word of its own
 };
 
 struct CommandWords {

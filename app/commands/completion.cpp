@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/commands/command_words.hpp"
 
@@ -13,7 +14,7 @@ Run configureCompletion(CLI::App& cli) {
   const auto shell = std::make_shared<std::string>();
   cli.add_option("SHELL", *shell, "bash, zsh or fish")->required();
   return [shell] {
-    fmt::print("{}", completionScript(*shell));
+    say("{}", completionScript(*shell));
     return static_cast<int>(kDone);
   };
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/caller.hpp"
 #include "app/documents/figure_list.hpp"
 #include "app/storage/atomic_file.hpp"
 #include "app/storage/input_error.hpp"
@@ -49,19 +50,22 @@ void checkFigures(const FiguresTarget& target) {
 
 bool printsText(const FiguresTarget& target) { return !formatOf(target).write; }
 
-bool wantsFigures(const FiguresTarget& target) { return !target.json.empty() || !printsText(target); }
+bool wantsFigures(const FiguresTarget& target) {
+  return !target.json.empty() || !printsText(target) || CalledBy::current();
+}
 
 void writeFigures(const FiguresTarget& target, const nlohmann::json& figures) {
   if (!wantsFigures(target)) return;
   nlohmann::json stated = figures;
   stateOrigin(stated);
+  if (auto* caller = CalledBy::current()) caller->figures = stated;
   if (!target.json.empty() && target.json != "-") writeFileAtomically(target.json, jsonText(stated), "--json");
-  if (!printsText(target)) fmt::print("{}", formatOf(target).write(stated));
+  if (!printsText(target)) say("{}", formatOf(target).write(stated));
 }
 
 void showFigures(const FiguresTarget& target, const nlohmann::json& figures, const std::string& text) {
   writeFigures(target, figures);
-  if (printsText(target)) fmt::print("{}", text);
+  if (printsText(target)) say("{}", text);
 }
 
 }  // namespace tubeplan::app

@@ -19,7 +19,8 @@ struct FiguresTarget {
 /// called before long work.
 void checkFigures(const FiguresTarget& target);
 
-/// Returns true if the results go to a file or, in a format other than text, to standard output.
+/// Returns true if the results go to a file, to another calling program or, in a format other than text, to standard
+/// output.
 [[nodiscard]] bool wantsFigures(const FiguresTarget& target);
 
 /// Writes the results to all requested destinations, with NaN and infinity as null. Does nothing if only the text is

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/measurement_answer.hpp"
@@ -55,8 +56,8 @@ class Keeper {
     else
       first_ = files;
     if (printsText(options_.figures))
-      fmt::print("{}{}: held-out error {}\n", model.name, withoutText(model.set_aside.size()),
-                 errorText(model.fit.heldout.rms, errorUnitOf(model.fit.after.are_angles, input_.cell.units)));
+      say("{}{}: held-out error {}\n", model.name, withoutText(model.set_aside.size()),
+          errorText(model.fit.heldout.rms, errorUnitOf(model.fit.after.are_angles, input_.cell.units)));
     std::fflush(stdout);
   }
 

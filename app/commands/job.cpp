@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/commands/job_actions.hpp"
 #include "app/commands/option_checks.hpp"
@@ -122,7 +123,7 @@ int exportPackage(const JobOptions& options) {
     throw InputError::saying("--package, --sg, --leg, --csv", "all four options are needed",
                              "a list is of one package on one leg");
   writeFileAtomically(options.csv, packageCsv(store, part.package, part.generator, *part.leg), "--csv");
-  fmt::print("wrote {}\n", options.csv);
+  say("wrote {}\n", options.csv);
   return kDone;
 }
 
@@ -142,7 +143,7 @@ int plan(const JobOptions& options) {
   };
   const JobPlan plan = planJob(store, asked, terminalHooks(), keep);
   if (plan.is_stopped) {
-    fmt::print(stderr, "stopped; the packages planned so far are kept\n");
+    remark("stopped; the packages planned so far are kept\n");
     return kStoppedExitCode;
   }
   const nlohmann::json figures = jobPlanJson(plan, store.job());
@@ -253,6 +254,7 @@ Run configureJob(CLI::App& cli) {
   cli.add_option("--read-back", options->read_back, "confirm: the tube that another person reads at the tool");
   cli.add_option("--position", options->position,
                  "confirm: X,Y of the tool in the sheet frame, measured apart from the arm's encoders")
+      ->type_name("LENGTH")
       ->delimiter(',')
       ->expected(2);
   cli.add_option("--event", options->event, "undo: the number of the mark, as `job log` lists it");

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/commands/command_words.hpp"
 
@@ -10,7 +11,7 @@ namespace tubeplan::app {
 
 Run configureMan(CLI::App&) {
   return [] {
-    fmt::print("{}", manualPage());
+    say("{}", manualPage());
     return static_cast<int>(kDone);
   };
 }

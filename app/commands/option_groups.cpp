@@ -30,6 +30,7 @@ void addFigures(CLI::App& cli, FiguresTarget& target) {
 
 void addSigma(CLI::App& cli, double& sigma, const std::string& when) {
   cli.add_option("--sigma", sigma, "standard deviation of a coordinate, in the cell's unit of length, " + when)
+      ->type_name("LENGTH")
       ->check(lengthAboveZero());
 }
 

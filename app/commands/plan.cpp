@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/browser.hpp"
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/cli/stop_signal.hpp"
@@ -34,27 +35,27 @@ struct PlanOptions {
 int explainStop(PlanCheckpoint& checkpoint, const OutputFolder& folder) {
   const std::string summary = checkpoint.summary();
   if (summary.empty()) {
-    fmt::print(stderr, "stopped before anything was planned\n");
+    remark("stopped before anything was planned\n");
     return kStoppedExitCode;
   }
   checkpoint.save();
-  fmt::print(stderr, "stopped; {} are kept in {}: the same command continues from there\n", summary,
-             (folder.path() / kProgressFile).string());
+  remark("stopped; {} are kept in {}: the same command continues from there\n", summary,
+         (folder.path() / kProgressFile).string());
   return kStoppedExitCode;
 }
 
 int explain(const PlanOutcome& outcome) {
   const auto& plan = outcome.plan;
   if (outcome.calibration && outcome.calibration->flexible.status != calibration::CalibrationStatus::kDone)
-    fmt::print(stderr, "{}", calibrationText(outcome.calibration->flexible, outcome.cell));
+    remark("{}", calibrationText(outcome.calibration->flexible, outcome.cell));
   else
-    fmt::print(stderr, "no plan: {}\n", plan.reason);
+    remark("no plan: {}\n", plan.reason);
   constexpr std::size_t kShown = 5;
-  if (plan.unreachable.size() > kShown) fmt::print(stderr, "{} tubes, among them\n", plan.unreachable.size());
+  if (plan.unreachable.size() > kShown) remark("{} tubes, among them\n", plan.unreachable.size());
   for (std::size_t k = 0; k < std::min(kShown, plan.unreachable.size()); ++k) {
     const auto& missed = plan.unreachable[k];
     const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(missed.tube)];
-    fmt::print(stderr, "  {} {}\n", tubesheets::tubeName(tube.row, tube.column), missed.reason);
+    remark("  {} {}\n", tubesheets::tubeName(tube.row, tube.column), missed.reason);
   }
   return kNegativeAnswer;
 }
@@ -105,9 +106,9 @@ int run(const PlanOptions& options) {
   writePlan(options.request, outcome, folder);
   if (wantsFigures(options.figures)) writeFigures(options.figures, planFileJson(options.request, outcome));
   if (printsText(options.figures))
-    fmt::print("{}{}wrote {}\n", planText(options.request, outcome),
-               options.from.empty() ? "" : keptText(options.from, outcome),
-               (folder.path() / "{plan.json,path.csv,cell.yaml,report.html,worklist.csv}").string());
+    say("{}{}wrote {}\n", planText(options.request, outcome),
+        options.from.empty() ? "" : keptText(options.from, outcome),
+        (folder.path() / "{plan.json,path.csv,cell.yaml,report.html,worklist.csv}").string());
   if (options.open) openInBrowser(std::filesystem::absolute(folder.path() / "report.html").string());
   return kDone;
 }
@@ -131,12 +132,12 @@ Run configurePlan(CLI::App& cli) {
                  "joints: the quickest way from tube to tube; line: the tip straight from standoff to standoff, as a "
                  "camera is moved along a row, wherever that is possible and free")
       ->capture_default_str();
-  cli.add_option("--load", request.load, "load hung on the tip, in the cell's unit of force");
+  cli.add_option("--load", request.load, "load hung on the tip, in the cell's unit of force")->type_name("FORCE");
   auto& conditions = request.conditions;
   cli.add_option("--start", conditions.start,
-                 "the posture to start from: `park` (the cell's), joint readings, --start=A,B,..., or with --from the "
-                 "tube at which the arm stands; from a hole the tool is taken straight down first");
-  cli.add_option("--end", conditions.end, "the posture to end in: `park` or joint readings");
+                 "the posture to start from: `park` (the cell's) or joint readings, --start=A,B,...")
+      ->type_name("POSTURE");
+  cli.add_option("--end", conditions.end, "the posture to end in, likewise")->type_name("POSTURE");
   cli.add_option("--first", conditions.first,
                  "tubes to visit before all others, as for --tubes; repeat for the next zone");
   cli.add_option("--dwell", conditions.dwell,
@@ -146,16 +147,19 @@ Run configurePlan(CLI::App& cli) {
          "--padding", request.padding,
          "extra clearance, in standard deviations of the position of each body under the uncertainty of base and arm")
       ->capture_default_str();
-  cli.add_option(
-      "--standoff", request.standoff,
-      "distance below a hole at which its approach begins, in the cell's unit of length (1 in; padding comes on top)");
+  cli.add_option("--standoff", request.standoff,
+                 "distance below a hole at which its approach begins, in the cell's unit of length (1 in; padding "
+                 "comes on top)")
+      ->type_name("LENGTH");
   cli.add_flag("--least-standoff", request.has_least_standoff,
                "at each hole the smallest standoff from which the way is clear, up to that of --standoff");
   cli.add_option("--insertion", request.insertion,
                  "insertion depth of the tip past a hole's face, in the cell's unit of length")
+      ->type_name("LENGTH")
       ->capture_default_str();
   addSeed(cli, request.seed, "seed of the random numbers");
   cli.add_option("--out", options->out, "the folder for plan.json, path.csv, cell.yaml, worklist.csv and report.html")
+      ->type_name("FOLDER")
       ->required();
   cli.add_flag("--resume", options->resume,
                "continue the plan that was stopped in the folder; refuse if its options differ");

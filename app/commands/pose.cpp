@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/documents/figures.hpp"
@@ -96,7 +97,7 @@ int run(const PoseOptions& options) {
     throw InputError::saying("--joints", shape.reason,
                              "choose a posture at which every formula of the cell has a value");
   if (shape.status != deflection::KinematicsStatus::kConverged) {
-    fmt::print(stderr, "{}\n", shape.reason);
+    remark("{}\n", shape.reason);
     return kNegativeAnswer;
   }
   nlohmann::json json = poseFiguresJson(shape, cell.units);
@@ -113,15 +114,19 @@ int run(const PoseOptions& options) {
 Run configurePose(CLI::App& cli) {
   const auto options = std::make_shared<PoseOptions>();
   addCell(cli, options->cell);
-  cli.add_option("--joints", options->joints, "joint readings A,B,C,D in the cell's unit of angle")->required();
+  cli.add_option("--joints", options->joints, "joint readings A,B,C,D in the cell's unit of angle")
+      ->type_name("POSTURE")
+      ->required();
   cli.add_option("--side-joints", options->side_joints, "joint readings of the arm's side chains (default: zero)");
-  cli.add_option("--load", options->load, "load hung on the tip, in the cell's unit of force");
+  cli.add_option("--load", options->load, "load hung on the tip, in the cell's unit of force")->type_name("FORCE");
   cli.add_option("--force", options->force,
                  "X,Y,Z: a force on the tip beside the load, in the world's axes and the cell's unit of force")
+      ->type_name("FORCE")
       ->delimiter(',')
       ->allow_extra_args(false);
   cli.add_option("--moment", options->moment,
                  "X,Y,Z: a moment on the tip, in the world's axes, units of force and length")
+      ->type_name("TORQUE")
       ->delimiter(',')
       ->allow_extra_args(false);
   cli.add_flag("--all", options->all, "with every frame, force, moment and component's deflection in the JSON");

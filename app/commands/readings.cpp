@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <memory>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
@@ -45,7 +46,7 @@ std::map<UnitKind, const Unit*> unitsOf(const std::vector<std::string>& words) {
 
 void write(const MeasurementsOptions& options, const std::string& text) {
   if (options.out.empty())
-    fmt::print("{}", text);
+    say("{}", text);
   else
     writeFileAtomically(options.out, text, "--out");
 }
@@ -83,7 +84,7 @@ int run(const MeasurementsOptions& options) {
   std::string said;
   for (const auto& taken : measurements.taken) said += fmt::format("  {}\n", taken);
   for (const auto& left : measurements.left_out) said += fmt::format("  left out: {}\n", left);
-  fmt::print(stderr, "{} reading{}\n{}", count, count == 1 ? "" : "s", said);
+  remark("{} reading{}\n{}", count, count == 1 ? "" : "s", said);
   return kDone;
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/browser.hpp"
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/documents/figures.hpp"
@@ -57,9 +58,9 @@ int run(const ReportOptions& options) {
   if (options.open) openInBrowser(std::filesystem::absolute(out).string());
   writeFigures(options.figures, report);
   if (!printsText(options.figures)) return kDone;
-  fmt::print("wrote {}\n", out);
+  say("wrote {}\n", out);
   for (const auto& more : {options.pdf, options.files})
-    if (!more.empty()) fmt::print("wrote {}\n", more);
+    if (!more.empty()) say("wrote {}\n", more);
   return kDone;
 }
 

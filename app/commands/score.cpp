@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
@@ -184,11 +185,11 @@ int run(const ScoreOptions& options) {
   requireWorkList(options.columns, {options.tubes});
   const auto selection = readTubes(tubesOrSpread(options.tubes, model.sheet, spread), model.sheet, options.columns);
   const auto& tubes = selection.tube_indices;
-  for (const auto& note : listNotes(selection)) fmt::print(stderr, "note: {}\n", note);
+  for (const auto& note : listNotes(selection)) remark("note: {}\n", note);
   if (options.runs > 0) return scoreRuns(options, tubes, model, truth, cell);
   const Scored scored = scoreAll(model, truth, tubes, options.seed, cell);
   if (scored.calibration.flexible.status != calibration::CalibrationStatus::kDone) {
-    fmt::print(stderr, "{}", calibrationText(scored.calibration.flexible, cell));
+    remark("{}", calibrationText(scored.calibration.flexible, cell));
     return kNegativeAnswer;
   }
   const nlohmann::json figures = scoredJson(scored, model, cell);
@@ -212,6 +213,7 @@ Run configureScore(CLI::App& cli) {
                    ->check(within(0, 1000000));
   cli.add_option("--unmodelled", options->unmodelled,
                  "with --runs: standard deviation of the true arm's unmodelled error, per coordinate")
+      ->type_name("LENGTH")
       ->needs(runs)
       ->check(notNegative());
   cli.add_option("--stiffness", options->stiffness,

@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/cli/stop_signal.hpp"
@@ -115,8 +116,8 @@ int scoreRuns(const ScoredRunsOptions& options, const std::vector<int>& tubes, c
               const planner::Workcell& truth, const Cell& cell) {
   const CentringHoles holes{touchCandidates(model, tubes), {}};
   if (std::ssize(holes.visited) < std::max(kVisitedHoles, kFittedHoles)) {
-    fmt::print(stderr, "no run was scored: {} of the {} holes can be reached, and {} are needed\n",
-               holes.visited.size(), tubes.size(), std::max(kVisitedHoles, kFittedHoles));
+    remark("no run was scored: {} of the {} holes can be reached, and {} are needed\n", holes.visited.size(),
+           tubes.size(), std::max(kVisitedHoles, kFittedHoles));
     return kNegativeAnswer;
   }
   TruthSpread spread;
@@ -129,8 +130,7 @@ int scoreRuns(const ScoredRunsOptions& options, const std::vector<int>& tubes, c
   const auto scored =
       scoredBy(trialsOf(doubtBeside(cell), kTouchedHoles, TouchRule::kTested), options.runs, terminalHooks());
   if (scored.scores.empty()) {
-    fmt::print(stderr, "no run was scored: {}\n",
-               scored.refused.empty() ? "stopped before the first" : scored.refused.front());
+    remark("no run was scored: {}\n", scored.refused.empty() ? "stopped before the first" : scored.refused.front());
     return kNegativeAnswer;
   }
   const double touch_error = meanTouchError(trialsOf({}, kFittedHoles, TouchRule::kRandom));

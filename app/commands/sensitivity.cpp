@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/commands/measurement_answer.hpp"
 #include "app/commands/option_checks.hpp"
@@ -74,7 +75,7 @@ void findSheetWork(const Cell& cell, const SensitivityOptions& options, Sensitiv
   work.load = task.load;
   const auto selection = readTubes(tubesOrSpread(options.tubes, work.sheet, 60), work.sheet, options.columns);
   const auto& tubes = selection.tube_indices;
-  for (const auto& note : listNotes(selection)) fmt::print(stderr, "note: {}\n", note);
+  for (const auto& note : listNotes(selection)) remark("note: {}\n", note);
   for (const auto& hole : reachHoles(work, tubes, false)) task.work.push_back(hole.q);
   report.work_lost = static_cast<int>(tubes.size() - task.work.size());
   task.hole_axis_W = planner::kHoleAxis_W;
@@ -130,7 +131,7 @@ int run(const SensitivityOptions& options) {
   if (reason.empty()) report.figures = calibration::findSensitivities(cell.arm, cell.X_WB, task);
   if (reason.empty()) reason = report.figures.reason;
   if (!reason.empty()) {
-    fmt::print(stderr, "no sensitivities: {}\n", reason);
+    remark("no sensitivities: {}\n", reason);
     return kNegativeAnswer;
   }
   nlohmann::json json = sensitivityJson(report, cell);
@@ -146,7 +147,8 @@ Run configureSensitivity(CLI::App& cli) {
   addCell(cli, options->cell);
   cli.add_option("--tubes", options->tubes, "tubes at which the accuracy is wanted, as for plan (spread:60)");
   addListColumns(cli, options->columns);
-  cli.add_option("--load", options->load, "load hung on the tip at work, in the cell's unit of force");
+  cli.add_option("--load", options->load, "load hung on the tip at work, in the cell's unit of force")
+      ->type_name("FORCE");
   cli.add_option("--readings", options->measurements,
                  "readings (CSV) that determine the parameters listed under `identify`: errors are then those of one "
                  "standard deviation of each");

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/cli/browser.hpp"
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/cli/stop_signal.hpp"
 #include "app/commands/option_checks.hpp"
@@ -51,17 +52,18 @@ int run(const ServeOptions& options) {
   Workbench workbench(options.workbench);
   HttpServer server(workbench, options.access, options.page);
   noteStopSignals();
-  fmt::print("{}\n", server.address());
+  say("{}\n", server.address());
   std::optional<LineServer> lines;
   if (options.lines) {
     lines.emplace(workbench, *options.lines);
-    fmt::print("postures as lines: 127.0.0.1 port {}\n", lines->port());
+    say("postures as lines: 127.0.0.1 port {}\n", lines->port());
   }
   std::fflush(stdout);
   if (options.open) openInBrowser(server.address());
   std::thread serving([&server] { server.run(); });
   WatchedFile watched(options.watch);
-  while (!stopRequested()) {
+  const auto stop = stopCondition();
+  while (!stop()) {
     std::this_thread::sleep_for(kGlanceAtArm);
     if (!options.watch.empty()) watched.look(workbench);
     joinArrived(workbench);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/stop_signal.hpp"
@@ -29,7 +30,7 @@ struct SimulateOptions {
 calibration::SimulatedCampaign measure(const Cell& cell, const SimulationTask& task, std::uint64_t seed) {
   Progress progress("readings", static_cast<std::size_t>(task.measurements));
   return simulateMeasurements(cell, task, seed,
-                              {[&](std::size_t done, std::size_t) { progress.update(done); }, stopRequested});
+                              {[&](std::size_t done, std::size_t) { progress.update(done); }, stopCondition()});
 }
 
 int run(const SimulateOptions& options) {
@@ -41,18 +42,18 @@ int run(const SimulateOptions& options) {
   folder.requireOwn({"truth.yaml"}, {"measurements.csv"});
   const auto campaign = measure(cell, task, request.seed);
   if (campaign.status != CampaignStatus::kDone) {
-    fmt::print(stderr, "no campaign: {}\n", campaign.reason);
+    remark("no campaign: {}\n", campaign.reason);
     return campaign.status == CampaignStatus::kStopped ? kStoppedExitCode : kNegativeAnswer;
   }
   folder.write("measurements.csv", measurementsCsv(campaign.measurements, cell.arm, cell.units));
   folder.write("truth.yaml", truthYaml({cell, task.design, task.truth, campaign, request.seed, request.spread,
                                         task.base.shift, task.base.turn}));
   folder.commit();
-  fmt::print("{}: {} readings of kind {}, {} held out\nwrote {}\n", task.design.name, campaign.measurements.size(),
-             calibration::kindOf(task.design.kind).name,
-             std::count_if(campaign.measurements.begin(), campaign.measurements.end(),
-                           [](const auto& m) { return m.is_held_out; }),
-             (folder.path() / "{measurements.csv,truth.yaml}").string());
+  say("{}: {} readings of kind {}, {} held out\nwrote {}\n", task.design.name, campaign.measurements.size(),
+      calibration::kindOf(task.design.kind).name,
+      std::count_if(campaign.measurements.begin(), campaign.measurements.end(),
+                    [](const auto& m) { return m.is_held_out; }),
+      (folder.path() / "{measurements.csv,truth.yaml}").string());
   return kDone;
 }
 
@@ -73,17 +74,23 @@ Run configureSimulate(CLI::App& cli) {
   cli.add_option("--readings", options->request.measurements,
                  "number of readings; a design file may state `postures` instead");
   addSeed(cli, options->request.seed, "seed of the random numbers");
-  cli.add_option("--out", options->out, "the folder for measurements.csv and truth.yaml")->required();
+  cli.add_option("--out", options->out, "the folder for measurements.csv and truth.yaml")
+      ->type_name("FOLDER")
+      ->required();
   cli.add_option("--loads", options->request.loads,
                  "loads hung on the tip, in the cell's unit of force: 0,20,40 (0, 20 and 40 lbf where left out)")
+      ->type_name("FORCE")
       ->delimiter(',')
       ->allow_extra_args(false);
   cli.add_option("--push", options->request.push,
-                 "a force of any direction up to this size on the tip as well, in the cell's unit of force");
-  cli.add_option("--sigma", options->request.sigma, "standard deviation of a coordinate, in the cell's unit of length");
+                 "a force of any direction up to this size on the tip as well, in the cell's unit of force")
+      ->type_name("FORCE");
+  cli.add_option("--sigma", options->request.sigma, "standard deviation of a coordinate, in the cell's unit of length")
+      ->type_name("LENGTH");
   cli.add_option("--spread", options->request.spread,
                  "relative error of the true stiffnesses under `identify`: 0.1 is 10 %");
   cli.add_option("--base-error", options->request.base_error, "LENGTH,ANGLE: error of a base pose that is not known")
+      ->type_name("LENGTH,ANGLE")
       ->delimiter(',')
       ->allow_extra_args(false);
   cli.add_option("--hide", options->request.hide,

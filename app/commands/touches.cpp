@@ -85,6 +85,7 @@ Run configureTouches(CLI::App& cli) {
       ->check(within(1, 500));
   cli.add_option("--loads", request.loads,
                  "loads that can be hung, in the cell's unit of force (those of the readings, else none)")
+      ->type_name("FORCE")
       ->delimiter(',');
   cli.add_option("--kind", request.kind, "touch or position (touch under a sheet, else position)")
       ->check(oneOf({"touch", "position"}));

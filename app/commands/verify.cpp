@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/cli/stop_signal.hpp"
@@ -157,8 +158,8 @@ int run(const VerifyOptions& options) {
     checks.limits_tilt = false;
   }
   planner::PlanCheck check = planner::checkPlan(work, files.plan, checks, terminalHooks());
-  if (stopRequested()) {
-    fmt::print(stderr, "stopped; the plan is neither verified nor refuted\n");
+  if (stopCondition()()) {
+    remark("stopped; the plan is neither verified nor refuted\n");
     return kStoppedExitCode;
   }
   for (const auto& difference : armDifferences(cell.filedArm(), planned.filedArm()))

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/cli/stop_signal.hpp"
@@ -95,7 +96,7 @@ int run(const WatchRequest& request) {
   const double model_error = input.cell.model_error ? input.cell.model_error->sigma : 0;
   noteStopSignals();
   calibration::WatchOptions options = request.options;
-  options.stop = stopRequested;
+  options.stop = stopCondition();
   const auto watch =
       calibration::watchForChange({work.arm, work.X_WB, uncertainty, model_error}, input.measurements, options);
   if (watch.status == calibration::WatchStatus::kStopped) return kStoppedExitCode;

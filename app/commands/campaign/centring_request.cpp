@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/cli/caller.hpp"
 #include "app/formats/cell/command_inputs.hpp"
 #include "app/formats/cell/uncertainty_reader.hpp"
 #include "app/formats/cell/workcell.hpp"
@@ -106,7 +107,7 @@ void findHoles(const CampaignRequest& request, CentringTask& task) {
   const std::string tubes = tubesOrSpread(request.tubes, task.model.sheet, kTubes);
   requireWorkList(request.columns, {tubes});
   const auto selection = readTubes(tubes, task.model.sheet, request.columns);
-  for (const auto& note : listNotes(selection)) fmt::print(stderr, "note: {}\n", note);
+  for (const auto& note : listNotes(selection)) remark("note: {}\n", note);
   task.tubes = static_cast<int>(selection.tube_indices.size());
   task.holes.visited = touchCandidates(task.model, selection.tube_indices);
   if (static_cast<int>(task.holes.visited.size()) < request.holes)

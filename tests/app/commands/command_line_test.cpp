@@ -39,7 +39,7 @@ TEST(CommandLine, EveryKindOfMistakeIsASentence) {
        "ladder: CELL is missing; usage: tubeplan ladder MEASUREMENTS CELL..., see `tubeplan ladder --help`"},
       {{"effects"}, "effects: CELL is missing; usage: tubeplan effects CELL [EFFECT], see `tubeplan effects --help`"},
       {{"pose", "a.yaml"},
-       "pose: --joints is missing; usage: tubeplan pose CELL --joints TEXT, see `tubeplan pose --help`"},
+       "pose: --joints is missing; usage: tubeplan pose CELL --joints POSTURE, see `tubeplan pose --help`"},
       {{"touches", "a.yaml", "--optimal", "Q"}, "--optimal: found 'Q', expected D, G or V"},
       {{"serve", "a.yaml", "--port", "99999"}, "--port: found 99999, expected 0 to 65535"},
       {{"serve", "a.yaml", "--port", "http"}, "--port: found 'http', expected 0 to 65535"},

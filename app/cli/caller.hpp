@@ -1,0 +1,60 @@
+// Caller of a command: the terminal, or another program that takes the command's words and results and may stop it.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "calibration/hooks.hpp"
+
+namespace tubeplan::app {
+
+/// Words and results of a command that another program calls, and the hooks of its work.
+struct CommandCaller {
+  calibration::WorkHooks hooks;
+  std::string words;       ///< text that the command prints on standard output
+  std::string remarks;     ///< text that the command prints on standard error
+  nlohmann::json figures;  ///< results, as --json writes them; null if the command has none
+};
+
+/// Scope in which commands of the calling thread have a caller other than the terminal.
+class CalledBy {
+ public:
+  explicit CalledBy(CommandCaller& caller);
+  ~CalledBy();
+  CalledBy(const CalledBy&) = delete;
+  CalledBy& operator=(const CalledBy&) = delete;
+
+  /// Returns the caller of the calling thread's command; null if it is the terminal.
+  [[nodiscard]] static CommandCaller* current();
+
+ private:
+  CommandCaller* before_;
+};
+
+/// Gives text to the caller: to the terminal's standard output, or to `words`.
+void putWords(std::string_view text);
+
+/// Gives text to the caller: to the terminal's standard error, or to `remarks`.
+void putRemark(std::string_view text);
+
+/// Formats text as fmt::print() does and gives it to the caller.
+template <class... Args>
+void say(fmt::format_string<Args...> format, Args&&... args) {
+  putWords(fmt::format(format, std::forward<Args>(args)...));
+}
+
+/// Formats a remark as fmt::print() does and gives it to the caller.
+template <class... Args>
+void remark(fmt::format_string<Args...> format, Args&&... args) {
+  putRemark(fmt::format(format, std::forward<Args>(args)...));
+}
+
+/// Returns the condition on which work of the calling thread's command stops: a signal to the program, or the caller's
+/// wish. Any thread may ask it.
+[[nodiscard]] std::function<bool()> stopCondition();
+
+}  // namespace tubeplan::app
