@@ -23,7 +23,8 @@ constexpr UnitRow kUnitRows[] = {
      "bits/ by_size/size calibrated/ correlations/value false_alarms/ in_all_holes/ inconclusive/ missed/ named/ "
      "prior/sigma probability/ refused/ repeats/ truth_among_answers/ wrong/"},
     {"units/length",
-     "base/sigma compensated/max compensated/rms heldout_rms/with heldout_rms/without mean/sigma "
+     "base/sigma centring_error/median centring_error/p95 compensated/max compensated/rms heldout_rms/with "
+     "heldout_rms/without mean/sigma "
      "mean/value none/max none/rms patterns/size quantiles/ readings/after readings/before readings/explained "
      "scored/goal_point/error scored/none/error scored/via_point/error surfaces/rms "
      "tested/size tip_sigma/ tip_sigma_then/ trend/error worst/error"},
@@ -32,6 +33,8 @@ constexpr UnitRow kUnitRows[] = {
      "error_budget/explained filed high interval joints/encoder_sigma joints/mean joints/spread low modes neutral "
      "noise "
      "off plausible sigma/after sigma/now sigma/random sigma_before start total trend/at value"},
+    {"=of the shift and the turn", "covariance"},
+    {"=of the length, and a fraction", "curve"},
     {"=of the joint", "encoder_sigma/ joint_corrections joints posture/"},
     {"unit error_unit units/length", "remainder sigma size"},
     {"size_unit", "size_after size_before size_explained"},

@@ -8,6 +8,11 @@
 
 namespace tubeplan::app {
 
+/// Units of figures whose parts have different ones: readings of joints, covariances of a shift and a turn, and points
+/// of a distribution.
+inline constexpr std::string_view kOfTheJoint = "of the joint", kOfShiftAndTurn = "of the shift and the turn",
+                                  kOfLengthAndFraction = "of the length, and a fraction";
+
 /// Returns the unit of the value at a path of keys such as "rms/after"; empty for a dimensionless number. `scopes`
 /// holds the document first, then the nested objects that contain the value, outermost first.
 [[nodiscard]] std::string figureUnit(std::string_view path, std::span<const nlohmann::json* const> scopes);
