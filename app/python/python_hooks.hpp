@@ -1,0 +1,87 @@
+// Hooks of long work that Python calls: progress to a Python function, and a stop by Ctrl-C or by an exception of that
+// function.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "calibration/hooks.hpp"
+
+namespace tubeplan::app {
+
+/// Runs `work` without Python's global interpreter lock, so that other Python threads can run.
+template <class Work>
+auto withoutLock(Work&& work) {
+  const pybind11::gil_scoped_release released;
+  return work();
+}
+
+/// Exception of Python that stopped the work: KeyboardInterrupt, or that of the progress function. Created and
+/// destroyed by a thread that holds the lock.
+class __attribute__((visibility("hidden"))) PythonHooks {
+ public:
+  /// `progress` is called with stage, done and total; None: nobody is told.
+  explicit PythonHooks(pybind11::object progress) : progress_(std::move(progress)) {}
+
+  /// Returns the hooks, which must not outlive this object.
+  [[nodiscard]] calibration::WorkHooks hooks() {
+    calibration::WorkHooks hooks;
+    if (!progress_.is_none())
+      hooks.progress = [this](std::string_view stage, std::size_t done, std::size_t total) {
+        tell(stage, done, total);
+      };
+    hooks.stop = [this] { return shouldStop(); };
+    return hooks;
+  }
+
+  [[nodiscard]] const std::optional<pybind11::error_already_set>& error() const { return error_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds kAsked{50}, kTold{100};
+
+  /// Asks Python for signals at most every 50 ms, because that takes the lock. Only the calling thread asks.
+  bool shouldStop() {
+    if (is_stopped_ || std::this_thread::get_id() != caller_) return is_stopped_;
+    if (Clock::now() - asked_ < kAsked) return false;
+    const pybind11::gil_scoped_acquire lock;
+    if (PyErr_CheckSignals() != 0) keepError();
+    asked_ = Clock::now();
+    return is_stopped_;
+  }
+
+  /// Tells the end and the beginning of every stage, and what is between them at most ten times a second.
+  void tell(std::string_view stage, std::size_t done, std::size_t total) {
+    const auto now = Clock::now();
+    if (is_stopped_ || (stage == stage_ && now - told_ < kTold && (total == 0 || done < total))) return;
+    stage_ = stage;
+    told_ = now;
+    const pybind11::gil_scoped_acquire lock;
+    try {
+      progress_(stage_, done, total);
+    } catch (pybind11::error_already_set& error) {
+      error_.emplace(error);
+      is_stopped_ = true;
+    }
+  }
+
+  void keepError() {
+    error_.emplace();
+    is_stopped_ = true;
+  }
+
+  pybind11::object progress_;
+  std::optional<pybind11::error_already_set> error_;
+  std::atomic<bool> is_stopped_ = false;
+  std::thread::id caller_ = std::this_thread::get_id();
+  Clock::time_point asked_, told_;
+  std::string stage_;
+};
+
+}  // namespace tubeplan::app
