@@ -20,7 +20,8 @@ from reference import reference_pages
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 DOCS, CELL = SOURCE / "docs", SOURCE / "app/cells/bench.yaml"
-PAGES = ["tutorial", "recipes", "files", "workbench", "planning", "campaign", "python", "missing_effect", "trust", "limits", "design", "kernel", "blind_trial", "benchmarks",
+NOTEBOOKS = ["missing_effect", "calibrated_arm", "planned_tour"]
+PAGES = ["tutorial", "recipes", "files", "workbench", "planning", "campaign", "python", *NOTEBOOKS, "trust", "limits", "design", "kernel", "blind_trial", "benchmarks",
          "workbench_api", "glossary"]
 CONF = """project = "Tubeplan"
 extensions = ["myst_parser"]
@@ -116,16 +117,17 @@ def effects_page(program, out):
     return "\n".join(parts)
 
 
-def run_notebook(program, out):
-    """Runs the notebook next to app/cells, as its paths require, and returns it as Markdown with its output and
-    figures."""
+def run_notebooks(program, out):
+    """The notebooks run where they were written for, beside app/cells, as Markdown with what they printed and drew."""
     place = out / "notebook"
     place.mkdir()
     (place / "app").symlink_to(SOURCE / "app")
-    shutil.copy(DOCS / "missing_effect.ipynb", place)
+    for name in NOTEBOOKS:
+        shutil.copy(DOCS / f"{name}.ipynb", place)
     folder = pathlib.Path(program).parent
     environment = dict(os.environ, PATH=f"{folder}:{os.environ['PATH']}", PYTHONPATH=str(folder / "python"))
-    subprocess.run(["jupyter-nbconvert", "--log-level=ERROR", "--to", "markdown", "--execute", "--output-dir", str(out / "source"), "missing_effect.ipynb"],
+    subprocess.run(["jupyter-nbconvert", "--log-level=ERROR", "--to", "markdown", "--execute", "--output-dir", str(out / "source"),
+                    *(f"{name}.ipynb" for name in NOTEBOOKS)],
                    cwd=place, env=environment, check=True)
 
 
@@ -146,9 +148,9 @@ def main():
     for file in [*DOCS.glob("*.png"), *DOCS.glob("*.json")]:
         shutil.copy(file, source)
     shutil.copytree(DOCS / "diagrams", source / "diagrams", ignore=shutil.ignore_patterns("*.dot", "*.py"))
-    run_notebook(program, out)
+    run_notebooks(program, out)
     for name in PAGES:
-        if name == "missing_effect":
+        if name in NOTEBOOKS:
             continue
         shutil.copy(DOCS / f"{name}.md", source)
     references = reference_pages(SOURCE)
