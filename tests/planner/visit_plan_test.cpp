@@ -263,13 +263,28 @@ TEST(PlanVisits, StopsWhenAskedAndTellsHowFarItIs) {
     EXPECT_LE(done, total);
   };
   EXPECT_EQ(planVisits(cell, tubes, {}, hooks).status, VisitPlanStatus::kPlanned);
-  EXPECT_EQ(stages, (std::set<std::string>{"order", "proof", "reach", "travel"}));
-  for (const std::string last : {"reach", "order", "travel", "proof"}) {
+  EXPECT_EQ(stages, (std::set<std::string>{"proof", "reach", "travel"}));
+  for (const std::string last : {"reach", "travel", "proof"}) {
     std::atomic<bool> stop = false;
     hooks.progress = [&](std::string_view stage, std::size_t, std::size_t) { stop = stop || stage == last; };
     hooks.stop = [&] { return stop.load(); };
     EXPECT_EQ(planVisits(cell, tubes, {}, hooks).status, VisitPlanStatus::kStopped) << last;
   }
+}
+
+TEST(PlanVisits, TheSearchForTheOrderIsAStageAndCanBeStopped) {
+  const Workcell cell = mockup();
+  const auto tubes = testing::tubesOf(cell, "spread:4");
+  VisitPlanOptions options;
+  options.order.most_exact_work = 0;
+  std::set<std::string> stages;
+  PlanHooks hooks;
+  hooks.progress = [&](std::string_view stage, std::size_t, std::size_t) { stages.emplace(stage); };
+  EXPECT_EQ(planVisits(cell, tubes, options, hooks).status, VisitPlanStatus::kPlanned);
+  EXPECT_TRUE(stages.contains("order"));
+  stages.clear();
+  hooks.stop = [&] { return stages.contains("order"); };
+  EXPECT_EQ(planVisits(cell, tubes, options, hooks).status, VisitPlanStatus::kStopped);
 }
 
 TEST(TravelNetwork, ThereAndBackAreTheSameWay) {

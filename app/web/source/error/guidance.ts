@@ -1,4 +1,4 @@
-// What to do after each verdict of a diagnosis: one table of steps, and one table of the steps for each verdict in
+// The steps after each verdict of a diagnosis: one table of steps, and one table of the steps for each verdict in
 // their order. A step shows its evidence from the documents; a step without evidence does not apply and is left out.
 import {briefTitle} from "../../../drawing/explanations.js";
 import {errorUnit, idsSetAside} from "../../../drawing/error_budget.js";
