@@ -38,7 +38,7 @@ class RealSets(unittest.TestCase):
                 better = corrected(folder, table)
                 run = subprocess.run([PROGRAM, 'improve', 'robot.yaml', table, '--out', 'again.yaml'], cwd=folder,
                                      capture_output=True, text=True, check=False)
-                printed = re.findall(r'held-out error ([\d.]+) (\w+)', run.stdout)[len(better.models) - 1]
+                printed = re.findall(r'held-out error ([\d.e+-]+) (\w+)', run.stdout)[len(better.models) - 1]
                 error = better.models[-1].rms.heldout
                 print(f'{robot}: {better.models[0].rms.as_it_stands:.4g} -> held out {error:.4g} {better.error_unit}, printed {printed}')
                 self.assertEqual((f'{error:.4g}', better.error_unit), (f'{float(printed[0]):.4g}', printed[1]))

@@ -30,7 +30,7 @@ print(found['verdict'], fit.open().joints[0].upper(), poses.converged.all(), bra
 """
 WRONG = {
     'tubeplan.Cell(3)': 'arg-type', "tubeplan.Cell('a').identify('b', robust='Huber')": 'arg-type',
-    "tubeplan.Cell('a').identify('b', fold=3)": 'call-arg', "tubeplan.Cell('a').identify('b').paramters": 'attr-defined',
+    "tubeplan.Cell('a').identify('b', fold=3)": 'call-arg', "tubeplan.Cell('a').identify('b').parametersx": 'attr-defined',
     "tubeplan.Cell('a').identify('b').rms.afterwards": 'attr-defined', "tubeplan.Cell('a', units='cell').identify('b').rms = 3": 'misc',
     "tubeplan.Cell('a').diagnose()": 'call-arg', "x: int = tubeplan.Cell('a').diagnose('b').sentence": 'assignment'}
 
