@@ -62,7 +62,7 @@ std::string shrunkenArm(const Identification& result, const std::vector<Measurem
       per_degree);
 }
 
-void settleCounts(std::vector<Measurement>& measurements, const Cell& cell, const std::string& file) {
+void settleCounts(std::vector<Measurement>& measurements, const Cell& cell, const std::string& file, bool takes_none) {
   const auto counts = [](const Measurement& measurement) { return kindOf(measurement).counts_steps; };
   const auto first = std::find_if(measurements.begin(), measurements.end(), counts);
   if (first == measurements.end()) return;
@@ -70,7 +70,7 @@ void settleCounts(std::vector<Measurement>& measurements, const Cell& cell, cons
     throw InputError::saying(fmt::format("{}:{}", file, first->line),
                              "the reading counts steps, but the cell has no calibration tool",
                              "add `calibration_tool` with its steps and tolerances to " + cell.path);
-  settleSteps(measurements, *cell.tool, file);
+  settleSteps(measurements, *cell.tool, file, takes_none);
 }
 
 /// Sets the sigma of a measurement that measures only angles to the noise of the angles times a lever. Throws
@@ -88,11 +88,12 @@ void stateTurnSigma(Measurement& measurement, const std::string& file, const Cel
 
 }  // namespace
 
-void stateSigma(std::vector<Measurement>& measurements, const Cell& cell, const std::string& file, double sigma) {
+void stateSigma(std::vector<Measurement>& measurements, const Cell& cell, const std::string& file, double sigma,
+                bool takes_none) {
   if (!std::isfinite(sigma) || sigma < 0)
     throw InputError("--sigma", fmt::format("{}", sigma),
                      "a noise of zero or more, in " + std::string(cell.units.length().name));
-  settleCounts(measurements, cell, file);
+  settleCounts(measurements, cell, file, takes_none);
   for (auto& measurement : measurements) {
     stateTurnSigma(measurement, file, cell);
     if (std::isfinite(measurement.sigma)) continue;
@@ -189,7 +190,7 @@ MeasurementTable tableOf(const std::string& text, const std::string& file, const
   checkText(file, text);
   MeasurementTable table = parseMeasurementTable(text, file, cell.arm, cell.sheet ? &*cell.sheet : nullptr, before);
   nameUnits(cell, table.units);
-  stateSigma(table.measurements, cell, file, options.sigma);
+  stateSigma(table.measurements, cell, file, options.sigma, options.takes_no_steps);
   return table;
 }
 

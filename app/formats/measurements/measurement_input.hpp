@@ -13,9 +13,10 @@
 namespace tubeplan::app {
 
 /// Sets the sigma of every measurement that states none: to `sigma` (in the cell's length unit) if it is above zero,
-/// otherwise, for a touch, to the sigma of the cell's calibration tool. Throws InputError if neither is known.
+/// otherwise, for a touch, to the sigma of the cell's calibration tool. Throws InputError if neither is known, and for
+/// a visit without any step unless `takes_none`.
 void stateSigma(std::vector<calibration::Measurement>& measurements, const Cell& cell, const std::string& file,
-                double sigma);
+                double sigma, bool takes_none = false);
 
 /// Throws InputError for the first measurement at which a formula of the cell has no finite value or derivative.
 void requireDefinedFormulas(const std::vector<calibration::Measurement>& measurements, const Cell& cell,
@@ -40,6 +41,7 @@ struct MeasurementOptions {
   double sigma = 0;
   std::vector<std::string> priors;  ///< priors in the syntax of takePriors()
   std::vector<std::string> assume;  ///< assumptions in the syntax of takeAssumptions()
+  bool takes_no_steps = false;      ///< true: visits in which no step of the tool entered are taken, not refused
 };
 
 /// Measurements with the findings of the checks for mistakes.

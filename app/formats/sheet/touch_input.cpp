@@ -38,6 +38,8 @@ void requireNamedHole(const Measurement& measurement, const Cell& cell, const st
                            "correct the name or the coordinates");
 }
 
+constexpr double kNoBound = 1;  // upper limit of the centring error of a visit without any step [m]
+
 void requireOneSetup(const std::vector<Measurement>& measurements, const std::string& file, const std::string& setup) {
   std::set<std::string> setups;
   for (const auto& measurement : measurements)
@@ -56,20 +58,22 @@ void requireOneSetup(const std::vector<Measurement>& measurements, const std::st
 
 }  // namespace
 
-void settleSteps(std::vector<Measurement>& measurements, const tubesheets::SteppedTool& tool, const std::string& file) {
+void settleSteps(std::vector<Measurement>& measurements, const tubesheets::SteppedTool& tool, const std::string& file,
+                 bool takes_none) {
   const auto most = static_cast<double>(tool.steps.size());
   for (auto& measurement : measurements) {
     if (!kindOf(measurement).counts_steps) continue;
     const double steps = measurement.own[0];
-    if (steps < 1 || steps > most || steps != std::round(steps))
+    const int fewest = takes_none ? 0 : 1;
+    if (!(steps >= fewest && steps <= most) || steps != std::round(steps))
       throw InputError(
           fmt::format("{}:{}", file, measurement.line), fmt::format("{} steps", steps),
-          fmt::format("1 to {}, the number of steps that the tool has", tool.steps.size()),
+          fmt::format("{} to {}, the number of steps that the tool has", fewest, tool.steps.size()),
           steps == 0 ? "leave the visit out, because a visit with no step inserted sets no bound on the centring error"
                      : "");
     const auto last = static_cast<std::size_t>(steps);
     measurement.own[1] = last < tool.steps.size() ? tool.steps[last].tolerance : 0;
-    measurement.own[2] = tool.steps[last - 1].tolerance;
+    measurement.own[2] = last > 0 ? tool.steps[last - 1].tolerance : kNoBound;
     measurement.sigma = calibration::steps::sigmaBetween(measurement.own[1], measurement.own[2]);
   }
 }
