@@ -19,7 +19,8 @@ ARROWS = {
     'calibration/estimation': 'calibration calibration/measurements',
     'calibration/design': 'calibration calibration/measurements calibration/estimation calibration/simulation',
     'calibration/forecast': 'calibration calibration/measurements calibration/estimation',
-    'calibration/watch': 'calibration calibration/measurements calibration/estimation',
+    'calibration/watch': 'calibration calibration/measurements calibration/estimation calibration/diagnosis/causes '
+                         'calibration/diagnosis/evidence',
     'calibration/measurement_checks': 'calibration calibration/measurements calibration/estimation',
     'calibration/patterns': 'calibration calibration/measurements calibration/estimation',
     # The stages of a diagnosis; each uses earlier stages, and the function `diagnose` uses all of them (docs/design.md).

@@ -59,6 +59,67 @@ TEST_F(WatchCommand, IsQuietUntilTheBaseMoves) {
   EXPECT_NEAR(std::abs(alarm["base_step"]["shift"][0].get<double>()), 0.15, 0.1);
 }
 
+TEST_F(WatchCommand, TheAnswerDoesNotDependOnTheUnitOfTheReadings) {
+  int id = 0;
+  const std::string inches = visits(4, 0, id) + visits(6, 0.15, id);
+  std::vector<std::string> lines, columns;
+  boost::split(lines, inches, boost::is_any_of("\n"));
+  boost::split(columns, lines.front(), boost::is_any_of(","));
+  const auto x = static_cast<std::size_t>(std::ranges::find(columns, "x_in") - columns.begin());
+  std::string millimetres = boost::replace_all_copy(lines.front(), "_in", "_mm") + "\n";
+  for (std::size_t line = 1; line < lines.size() && !lines[line].empty(); ++line) {
+    std::vector<std::string> fields;
+    boost::split(fields, lines[line], boost::is_any_of(","));
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      if (columns[c].ends_with("_in") && !fields[c].empty()) fields[c] = std::to_string(25.4 * std::stod(fields[c]));
+    millimetres += boost::join(fields, ",") + "\n";
+  }
+  ASSERT_LT(x, columns.size());
+  (void)write("in.csv", inches);
+  (void)write("mm.csv", millimetres);
+  const json one = json::parse(run("watch p/cell.yaml in.csv --assume as-is --json -").out);
+  const json other = json::parse(run("watch p/cell.yaml mm.csv --assume as-is --json -").out);
+  for (const char* key : {"reading", "since", "kind", "test"}) EXPECT_EQ(one["alarm"][key], other["alarm"][key]) << key;
+  EXPECT_NEAR(one["alarm"]["base_step"]["shift"][0].get<double>(),
+              other["alarm"]["base_step"]["shift"][0].get<double>(), 1e-4);
+}
+
+TEST_F(WatchCommand, ReadingsThatAreNotInTheOrderOfTimeAreRefused) {
+  int id = 0;
+  std::vector<std::string> lines;
+  const std::string table = visits(2, 0, id);
+  boost::split(lines, table, boost::is_any_of("\n"));
+  std::string timed = lines.front() + ",time_min\n";
+  for (std::size_t line = 1; line < lines.size() && !lines[line].empty(); ++line)
+    timed += lines[line] + "," + std::to_string(100 - line) + "\n";
+  (void)write("timed.csv", timed);
+  const Outcome outcome = run("watch p/cell.yaml timed.csv --assume as-is");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("timed.csv:3"), std::string::npos) << outcome.err;
+}
+
+TEST_F(WatchCommand, VisitsInWhichNoStepEnteredRaiseTheAlarm) {
+  std::vector<std::string> lines, columns;
+  boost::split(lines, contentOf(folder / "p/touches.csv"), boost::is_any_of("\n"));
+  boost::split(columns, lines.front(), boost::is_any_of(","));
+  const auto kind = static_cast<std::size_t>(std::ranges::find(columns, "kind") - columns.begin());
+  ASSERT_LT(kind, columns.size());
+  std::string table = lines.front() + ",steps\n";
+  int id = 0;
+  for (const int steps : {3, 3, 0, 0, 0, 0})
+    for (std::size_t line = 1; line < lines.size() && !lines[line].empty(); ++line) {
+      std::vector<std::string> fields;
+      boost::split(fields, lines[line], boost::is_any_of(","));
+      fields[0] = "V" + std::to_string(++id);
+      fields[kind] = "steps";
+      table += boost::join(fields, ",") + "," + std::to_string(steps) + "\n";
+    }
+  (void)write("steps.csv", table);
+  const Outcome outcome = run("watch p/cell.yaml steps.csv --assume as-is --json -");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_EQ(json::parse(outcome.out)["alarm"]["test"], "counts");
+}
+
 TEST_F(WatchCommand, AnUncalibratedBaseIsRefused) {
   EXPECT_EQ(run("watch " + shipped("mockup.yaml") + " p/touches.csv").exit_code, 2);
 }

@@ -1,16 +1,20 @@
-// A simulated outage: a calibrated arm that touches holes, with a change of arm or base at one of them.
+// A simulated outage: a calibrated arm that visits holes, with a change of arm or base at one of the visits.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/watch/change_watch.hpp"
 #include "tests/calibration/estimation/cobra_touches.hpp"
 
 namespace tubeplan::calibration {
 
-inline constexpr double kTouchNoise = 0.005;  ///< noise of each coordinate of a touch [in]
+inline constexpr double kTouchNoise = 0.005;   ///< noise of each coordinate of a touch [in]
+inline constexpr double kCameraNoise = 0.005;  ///< noise of each coordinate of an offset seen by a camera [in]
 
 inline ArmUncertainty stiffnessesByTenPercent() {
   ArmUncertainty uncertainty = ArmUncertainty::none();
@@ -18,39 +22,69 @@ inline ArmUncertainty stiffnessesByTenPercent() {
   return uncertainty;
 }
 
+/// True arm and base.
+struct TrueState {
+  deflection::Arm arm;
+  Eigen::Isometry3d X_WB;
+};
+
+/// What is measured at the visits of an outage.
+struct VisitKind {
+  const char* name;
+  MeasurementKind kind;
+  int touch_every = 0;  ///< every so many visits, the hole is touched instead; 0: never
+};
+inline constexpr VisitKind kVisitKinds[] = {
+    {"touch", MeasurementKind::kTouch},
+    {"steps", MeasurementKind::kSteps},
+    {"steps-touch", MeasurementKind::kSteps, 50},
+    {"offset", MeasurementKind::kOffset},
+};
+
 /// An arm at work: its stiffnesses are drawn at random about those of its file, six touches calibrate it, and then it
-/// touches holes in random order.
+/// visits holes in random order.
 class SimulatedOutage {
  public:
   explicit SimulatedOutage(std::uint64_t seed) : random_(seed), cell_(touchedCell({})), nominal_(cell_.arm) {
-    truth_ = drawnArm(nominal_, stiffnessesByTenPercent(), seed);
+    truth_ = {drawnArm(nominal_, stiffnessesByTenPercent(), seed), cell_.X_WB_true};
     planTouches();
     BaseCalibrationOptions options;
     options.arm = stiffnessesByTenPercent();
     std::vector<Measurement> touches;
     const int count = static_cast<int>(cell_.plans.size());
-    for (int k = 0; k < 6; ++k) touches.push_back(touched(k * (count - 1) / 5, truth_, cell_.X_WB_true));
+    for (int k = 0; k < 6; ++k) touches.push_back(touched(k * (count - 1) / 5, truth_));
     found_ = calibrateBase(nominal_, touches, cell_.X_WB_nominal, options);
     if (found_.status != CalibrationStatus::kDone)
       throw std::runtime_error("the arm cannot be calibrated: " + found_.reason);
   }
 
-  /// Returns `count` touches at random holes; from the touch `since` on, arm and base are the given ones.
-  std::vector<Measurement> visits(int count, int since, const deflection::Arm& arm, const Eigen::Isometry3d& X_WB) {
+  /// Returns the state of arm and base at the `n`-th visit since the change, counted from 1.
+  using ChangedState = std::function<TrueState(int n)>;
+
+  /// Returns `count` visits of random holes; from the visit `since` on, the true arm and base are the changed ones.
+  std::vector<Measurement> visits(const VisitKind& kind, int count, int since, const ChangedState& changed) {
     std::vector<Measurement> visits;
     for (int k = 0; k < count; ++k) {
       const int hole = random_.index(static_cast<int>(cell_.plans.size()));
-      visits.push_back(k < since ? touched(hole, truth_, cell_.X_WB_true) : touched(hole, arm, X_WB));
+      const bool touches = kind.touch_every > 0 && (k + 1) % kind.touch_every == 0;
+      const TrueState& now = k < since ? truth_ : (changed_ = changed(k - since + 1));
+      visits.push_back(visited(touches ? MeasurementKind::kTouch : kind.kind, hole, now));
+      visits.back().id = "V" + std::to_string(k + 1);
     }
     return visits;
   }
 
-  [[nodiscard]] Watch watch(const std::vector<Measurement>& visits) const {
-    return watchForChange({found_.arm, found_.X_WB, found_.uncertainty}, visits);
+  /// Returns touches with a change that does not grow.
+  std::vector<Measurement> visits(int count, int since, const deflection::Arm& arm, const Eigen::Isometry3d& X_WB) {
+    return visits(kVisitKinds[0], count, since, [&](int) { return TrueState{arm, X_WB}; });
   }
 
-  [[nodiscard]] const deflection::Arm& truth() const { return truth_; }
-  [[nodiscard]] const Eigen::Isometry3d& base() const { return cell_.X_WB_true; }
+  [[nodiscard]] Watch watch(const std::vector<Measurement>& visits, const WatchOptions& options = {}) const {
+    return watchForChange({found_.arm, found_.X_WB, found_.uncertainty}, visits, options);
+  }
+
+  [[nodiscard]] const deflection::Arm& truth() const { return truth_.arm; }
+  [[nodiscard]] const Eigen::Isometry3d& base() const { return truth_.X_WB; }
   RandomStream& random() { return random_; }
 
  private:
@@ -65,25 +99,65 @@ class SimulatedOutage {
         if (branches.empty() || branches.front().status != deflection::BranchStatus::kConverged) continue;
         const std::string number = std::to_string(cell_.plans.size() + 1);
         const TouchPlan plan{"T" + number, "H" + number, hole, branches.front().q};
-        if (simulateTouches(truth_, cell_.X_WB_true, {plan}, {}).status == TouchSimulationStatus::kDone)
+        if (simulateTouches(truth_.arm, truth_.X_WB, {plan}, {}).status == TouchSimulationStatus::kDone)
           cell_.plans.push_back(plan);
       }
     if (cell_.plans.size() < 10) throw std::runtime_error("too few holes are in reach");
   }
 
-  Measurement touched(int hole, const deflection::Arm& arm, const Eigen::Isometry3d& X_WB) {
+  Measurement visited(MeasurementKind kind, int hole, const TrueState& now) {
+    if (kind == MeasurementKind::kTouch) return touched(hole, now);
+    Measurement visit = commanded(kind, hole);
+    Measurement true_visit = visit;
+    for (Eigen::Index j = 0; j < visit.q.size(); ++j) true_visit.q[j] += random_.normal(now.arm.joint(j).encoder_sigma);
+    const auto tool = toolAt(now.arm, now.X_WB, true_visit);
+    if (!tool) throw std::runtime_error("a visit does not converge");
+    if (kind == MeasurementKind::kSteps) {
+      countSteps((tool->p_W - *visit.p_W).head<2>().norm(), visit);
+    } else {
+      visit.sigma = kCameraNoise * kInch;
+      kindOf(visit).record(*tool, 1, random_.vector(visit.sigma), visit);
+    }
+    return visit;
+  }
+
+  /// Returns a visit at the joint values by which the calibrated model reaches the hole.
+  Measurement commanded(MeasurementKind kind, int hole) {
+    const TouchPlan& plan = cell_.plans[static_cast<std::size_t>(hole)];
+    if (!commands_.contains(hole))
+      commands_[hole] =
+          reachPlaces(found_.arm, found_.X_WB, {plan.p_WH}, {plan.q_start}, 0, Eigen::Vector3d::UnitZ()).front().q;
+    Measurement visit = plannedTouch(plan, commands_[hole], 0, kTouchNoise * kInch);
+    visit.kind = kind;
+    return visit;
+  }
+
+  static void countSteps(double error, Measurement& visit) {
+    constexpr double kTolerances[] = {0.089, 0.058, 0.010};  // of the mock-up's tool, app/cells/mockup.yaml [in]
+    int count = 0;
+    while (count < 3 && error <= kTolerances[count] * kInch) ++count;
+    visit.own[0] = count;
+    visit.own[1] = count < 3 ? kTolerances[count] * kInch : 0;
+    visit.own[2] = count > 0 ? kTolerances[count - 1] * kInch : std::numeric_limits<double>::infinity();
+    visit.sigma = kVisitSigma;
+  }
+
+  Measurement touched(int hole, const TrueState& now) {
     TouchSimulationOptions options;
     options.sigma = kTouchNoise * kInch;
     options.seed = random_.seed();
-    auto touch = simulateTouches(arm, X_WB, {cell_.plans[static_cast<std::size_t>(hole)]}, options).touches.front();
+    auto touch =
+        simulateTouches(now.arm, now.X_WB, {cell_.plans[static_cast<std::size_t>(hole)]}, options).touches.front();
     touch.sigma = kTouchNoise * kInch;
     return touch;
   }
 
   RandomStream random_;
   TouchedCell cell_;
-  deflection::Arm nominal_, truth_;
+  deflection::Arm nominal_;
+  TrueState truth_, changed_;
   BaseCalibration found_;
+  std::map<int, Eigen::VectorXd> commands_;
 };
 
 }  // namespace tubeplan::calibration

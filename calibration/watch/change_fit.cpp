@@ -1,0 +1,232 @@
+#include "calibration/watch/change_fit.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "calibration/watch/disc_probability.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
+
+namespace {
+
+constexpr int kFitSteps = 25;         // maximum number of steps of a fit
+constexpr double kFitSettled = 0.02;  // decrease of the deviance below which a fit ends
+constexpr double kLeastLength = 1e-12;
+
+/// Negative log probability of a ring at the distance `mean`, with its derivative.
+struct RingCost {
+  double cost = 0, slope = 0;
+};
+RingCost ringCost(const CountedRing& ring, double mean) {
+  const RadialProbability ringed = ringProbability(ring.lower, ring.upper, mean);
+  const double p = (1 - kBlunder) * ringed.p + kBlunder;
+  return {-std::log(p), -(1 - kBlunder) * ringed.slope / p};
+}
+
+/// Returns the distance from the axis that a count suggests.
+double middleOf(const CountedRing& ring) {
+  return ring.lower > 0 ? std::min((ring.lower + ring.upper) / 2, 2 * ring.lower) : ring.upper / 2;
+}
+
+}  // namespace
+
+/// Normal equations of the measured values and priors, and the rows of the counts.
+struct ChangeFitter::Problem {
+  struct Count {
+    const CountedRing* ring;
+    double scale;
+    Vector2d u;  // offset at y = 0
+    Eigen::Matrix<double, 2, Eigen::Dynamic> A;
+  };
+  Index errors = 0, numbers = 0;
+  MatrixXd N;  // half the second derivatives of the deviance without counts
+  VectorXd b;  // half the first derivatives at y = 0
+  double c = 0;
+  std::vector<Count> counts;
+
+  [[nodiscard]] double measuredAt(const VectorXd& y) const { return y.dot(N * y) + 2 * b.dot(y) + c; }
+  [[nodiscard]] double at(const VectorXd& y) const {
+    double sum = measuredAt(y);
+    for (const Count& count : counts) sum += 2 * ringCost(*count.ring, (count.u + count.A * y).norm()).cost;
+    return sum;
+  }
+
+  /// Adds the counts' parts to half the derivatives of the deviance.
+  void addCounts(const VectorXd& y, MatrixXd& curvature, VectorXd& slope) const {
+    for (const Count& count : counts) {
+      const Vector2d u = count.u + count.A * y;
+      const double length = std::max(u.norm(), kLeastLength);
+      const RingCost cost = ringCost(*count.ring, length);
+      const VectorXd along = count.A.transpose() * (u / length);
+      slope += cost.slope * along;
+      curvature += cost.slope * cost.slope * along * along.transpose();
+      if (cost.slope <= 0) continue;
+      const VectorXd across = count.A.transpose() * Vector2d(-u.y(), u.x()) / length;
+      curvature += cost.slope / length * across * across.transpose();
+    }
+  }
+
+  [[nodiscard]] VectorXd settle(VectorXd y) const {
+    if (counts.empty()) return -N.ldlt().solve(b);
+    double value = at(y), damping = 1e-3;
+    for (int step = 0; step < kFitSteps; ++step) {
+      MatrixXd curvature = N;
+      VectorXd slope = N * y + b;
+      addCounts(y, curvature, slope);
+      bool is_lower = false;
+      for (; damping < 1e6 && !is_lower; damping *= is_lower ? 0.2 : 5) {
+        MatrixXd damped = curvature;
+        damped.diagonal() *= 1 + damping;
+        const VectorXd next = y - damped.ldlt().solve(slope);
+        const double lower = at(next);
+        is_lower = lower < value;
+        if (!is_lower) continue;
+        const double fall = value - lower;
+        y = next;
+        value = lower;
+        if (fall < kFitSettled) return y;
+      }
+      if (!is_lower) break;
+    }
+    return y;
+  }
+};
+
+ChangeFitter::ChangeFitter(const WatchedRows& rows, const ErrorState& before, int start, int last, ChangeCourse course)
+    : rows_(rows), start_(start), last_(last), course_(course), mean_(before.mean) {
+  const Index n = mean_.size();
+  prior_ = before.covariance.llt().solve(MatrixXd::Identity(n, n));
+  measured_xx_ = MatrixXd::Zero(n, n);
+  int counts = 0;
+  for (int k = start; k <= last; ++k) {
+    const auto H = rows.H.middleRows(rows.first(k), rows.rowsOf(k));
+    if (!rows.isCounted(k)) {
+      measured_xx_ += H.transpose() * H;
+      continue;
+    }
+    reach_ += middleOf(*rows.ring[static_cast<std::size_t>(k)]);
+    ++counts;
+  }
+  if (counts > 0) reach_ /= counts;
+}
+
+double ChangeFitter::courseAt(int k) const {
+  return course_ == ChangeCourse::kStep ? 1 : static_cast<double>(k - start_ + 1) / (last_ - start_ + 1);
+}
+
+ChangeFitter::Problem ChangeFitter::problemOf(const std::vector<int>& columns) const {
+  Problem problem;
+  problem.errors = mean_.size();
+  problem.numbers = static_cast<Index>(columns.size());
+  const Index n = problem.errors, d = problem.numbers;
+  problem.N = MatrixXd::Zero(n + d, n + d);
+  problem.N.topLeftCorner(n, n) = prior_ + measured_xx_;
+  problem.N.bottomRightCorner(d, d).setIdentity();
+  problem.b = VectorXd::Zero(n + d);
+  for (int k = start_; k <= last_; ++k) {
+    const Index first = rows_.first(k), count = rows_.rowsOf(k);
+    const auto H = rows_.H.middleRows(first, count);
+    const VectorXd u = rows_.r.segment(first, count) + H * mean_;
+    MatrixXd C(count, d);
+    for (Index c = 0; c < d; ++c)
+      C.col(c) = courseAt(k) * rows_.changes.col(columns[static_cast<std::size_t>(c)]).segment(first, count);
+    if (rows_.isCounted(k)) {
+      Problem::Count counted{
+          &*rows_.ring[static_cast<std::size_t>(k)], rows_.scale[static_cast<std::size_t>(k)], u, {}};
+      counted.A.resize(2, n + d);
+      counted.A << H, C;
+      problem.counts.push_back(std::move(counted));
+      continue;
+    }
+    problem.N.topRightCorner(n, d) += H.transpose() * C;
+    problem.N.bottomRightCorner(d, d) += C.transpose() * C;
+    problem.b.head(n) += H.transpose() * u;
+    problem.b.tail(d) += C.transpose() * u;
+    problem.c += u.squaredNorm();
+  }
+  problem.N.bottomLeftCorner(d, n) = problem.N.topRightCorner(n, d).transpose();
+  return problem;
+}
+
+/// Returns where a fit begins: no change and, where counts state only distances, changes by each number to both sides
+/// that cause offsets of the size counted.
+std::vector<VectorXd> ChangeFitter::startsOf(const Problem& problem) const {
+  const VectorXd none = VectorXd::Zero(problem.errors + problem.numbers);
+  std::vector<VectorXd> starts{none};
+  if (problem.counts.empty()) return starts;
+  for (Index c = 0; c < problem.numbers; ++c) {
+    double square = 0;
+    for (const auto& count : problem.counts) square += count.A.col(problem.errors + c).squaredNorm();
+    const double size = std::sqrt(square / static_cast<double>(problem.counts.size()));
+    if (!(size > 0)) continue;
+    for (const double side : {-1., 1.}) {
+      starts.push_back(none);
+      starts.back()[problem.errors + c] = side * reach_ / size;
+    }
+  }
+  return starts;
+}
+
+std::optional<ChangeFit> ChangeFitter::fit(const std::vector<int>& columns, const NumberBounds& bounds,
+                                           const VectorXd& near) const {
+  const Problem problem = problemOf(columns);
+  std::vector<VectorXd> starts;
+  if (near.size() == 0 || problem.counts.empty()) {
+    starts = startsOf(problem);
+  } else {
+    starts.push_back(VectorXd::Zero(problem.errors + problem.numbers));
+    starts.back().tail(problem.numbers) = near;
+  }
+  VectorXd best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const VectorXd& start : starts) {
+    const VectorXd y = problem.settle(start);
+    if (problem.numbers > 0 && !bounds.contain(y.tail(problem.numbers))) continue;
+    const double value = problem.at(y);
+    if (value >= least) continue;
+    least = value;
+    best = y;
+  }
+  if (best.size() == 0) return std::nullopt;
+  return resultOf(problem, best);
+}
+
+ChangeFit ChangeFitter::resultOf(const Problem& problem, const VectorXd& y) const {
+  ChangeFit fit;
+  const Index n = problem.errors, d = problem.numbers;
+  fit.deviance = problem.at(y);
+  fit.measured_chi2 = problem.measuredAt(y);
+  for (int k = start_; k <= last_; ++k)
+    if (!rows_.isCounted(k)) fit.measured_rows += static_cast<int>(rows_.rowsOf(k));
+  fit.numbers = y.tail(d);
+  MatrixXd curvature = problem.N;
+  VectorXd slope = VectorXd::Zero(n + d);
+  problem.addCounts(y, curvature, slope);
+  if (d > 0)
+    fit.information =
+        curvature.bottomRightCorner(d, d) -
+        curvature.bottomLeftCorner(d, n) * curvature.topLeftCorner(n, n).llt().solve(curvature.topRightCorner(n, d));
+  double excess = 0, variance = 0;
+  for (const auto& count : problem.counts) {
+    const double length = (count.u + count.A * y).norm();
+    double mean = 0, square = 0;
+    for (std::size_t t = 0; t <= rows_.tolerances.size(); ++t) {
+      const CountedRing ring{
+          t == 0 ? 0 : rows_.tolerances[t - 1] / count.scale,
+          t == rows_.tolerances.size() ? std::numeric_limits<double>::infinity() : rows_.tolerances[t] / count.scale};
+      const double cost = 2 * ringCost(ring, length).cost, p = std::exp(-cost / 2);
+      mean += p * cost;
+      square += p * cost * cost;
+    }
+    excess += 2 * ringCost(*count.ring, length).cost - mean;
+    variance += std::max(square - mean * mean, 0.);
+  }
+  fit.counts_excess = variance > 0 ? excess / std::sqrt(variance) : 0;
+  return fit;
+}
+
+}  // namespace tubeplan::calibration

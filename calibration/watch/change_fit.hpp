@@ -1,0 +1,64 @@
+// Fit of one candidate change to the measurements since its start, together with the errors of base and parameters.
+//
+// Minimises -2 log of the posterior density: |x - m|^2 by the covariance of the errors before the start, |t|^2 with the
+// numbers t in units of the largest change on real machines, |u|^2 for measured values, and -2 log p for counts of
+// steps. For measured values alone the minimum is reached in one step.
+#pragma once
+
+#include "calibration/watch/state_filter.hpp"
+
+namespace tubeplan::calibration {
+
+/// Course of a change from its start on.
+enum class ChangeCourse {
+  kStep,  ///< constant since the start
+  kRamp,  ///< growing in proportion to the number of measurements since the start
+};
+
+struct ChangeFit {
+  double deviance = 0;          ///< minimum of -2 log posterior density, without constants
+  Eigen::VectorXd numbers;      ///< numbers of the change [ChangeNumber::typical]; for a ramp, those at its end
+  Eigen::MatrixXd information;  ///< information on the numbers, their prior included
+  double measured_chi2 = 0;     ///< part of the deviance due to measured values and the errors of the base
+  int measured_rows = 0;
+  double counts_excess = 0;  ///< -2 log p of all counts beyond its mean, in standard deviations; 0 without counts
+};
+
+/// Bounds of the numbers of a change [ChangeNumber::typical]; empty: none.
+struct NumberBounds {
+  Eigen::VectorXd lower, upper;
+  [[nodiscard]] bool contain(const Eigen::VectorXd& numbers) const {
+    return lower.size() == 0 || ((numbers - lower).minCoeff() >= 0 && (upper - numbers).minCoeff() >= 0);
+  }
+};
+
+/// Fits changes that start at one measurement and follow one course, judged by the measurements up to `last`.
+class ChangeFitter {
+ public:
+  ChangeFitter(const WatchedRows& rows, const ErrorState& before, int start, int last, ChangeCourse course);
+
+  /// Fits the numbers whose columns are `columns`; no columns: no change. `near` are numbers near which to begin;
+  /// empty: begins wherever counts, which state no direction, suggest. Of several minima, the lowest between the bounds
+  /// counts; nullopt if none is.
+  [[nodiscard]] std::optional<ChangeFit> fit(const std::vector<int>& columns, const NumberBounds& bounds = {},
+                                             const Eigen::VectorXd& near = {}) const;
+
+  /// Returns the course's value at measurement `k`.
+  [[nodiscard]] double courseAt(int k) const;
+
+ private:
+  struct Problem;
+  [[nodiscard]] Problem problemOf(const std::vector<int>& columns) const;
+  [[nodiscard]] std::vector<Eigen::VectorXd> startsOf(const Problem& problem) const;
+  [[nodiscard]] ChangeFit resultOf(const Problem& problem, const Eigen::VectorXd& y) const;
+
+  const WatchedRows& rows_;
+  int start_, last_;
+  ChangeCourse course_;
+  Eigen::VectorXd mean_;
+  Eigen::MatrixXd prior_;        // information on x before the start
+  Eigen::MatrixXd measured_xx_;  // information on x since the start by measured values
+  double reach_ = 0;             // mean counted offset since the start [standard deviations]; 0: no counts
+};
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,277 @@
+#include "calibration/watch/change_judgement.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "calibration/diagnosis/evidence/linear_evidence.hpp"
+#include "calibration/statistics.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr double kOutdone = 0.05;  // probability that the true change is left out because another fits better by chance
+constexpr double kNoMoreThanNoise = 0.001;  // probability by chance at which a candidate leaves more than noise
+constexpr double kCountsExcess = 3.1;       // the same for counts, in standard deviations
+constexpr double kUnlearned = 0.5;        // standard deviation, relative to the prior's, from which on nothing is known
+constexpr double kSameColumn = 1 - 1e-8;  // cosine from which on two columns count as alike
+// A candidate is tried at further starts if its gain at the first is at least this share of the largest, less
+// kNearGain.
+constexpr double kNearShare = 0.5, kNearGain = 10;
+constexpr ChangeCourse kCourses[] = {ChangeCourse::kStep, ChangeCourse::kRamp};
+
+struct Trial {
+  double gain = 0, log_evidence = 0;
+  ChangeFit fit;
+  int start = 0;
+  ChangeCourse course = ChangeCourse::kStep;
+};
+
+/// Best trial of each course of a candidate, and the log of its mean evidence over starts and courses.
+struct Tried {
+  Trial of_course[std::size(kCourses)];
+  double log_evidence = -std::numeric_limits<double>::infinity();
+  [[nodiscard]] const Trial& best() const {
+    return of_course[0].gain >= of_course[1].gain ? of_course[0] : of_course[1];
+  }
+};
+
+NumberBounds boundsOf(const CandidateChange& candidate) {
+  const auto count = static_cast<Index>(candidate.numbers.size());
+  NumberBounds bounds{VectorXd(count), VectorXd(count)};
+  for (Index k = 0; k < count; ++k) {
+    bounds.lower[k] = candidate.numbers[static_cast<std::size_t>(k)].lower;
+    bounds.upper[k] = candidate.numbers[static_cast<std::size_t>(k)].upper;
+  }
+  return bounds;
+}
+
+/// Returns a number that was fitted as `fitted` [typical]. An effect of a condition that is not stated has its number
+/// times the assumed change of the condition, because only this product is known.
+AnsweredNumber numberOf(const CandidateChange& of, const ChangeNumber& number, double fitted, double sigma) {
+  AnsweredNumber answered{number.name, number.quantity, fitted * number.typical, number.typical, fitted, sigma};
+  if (number.unknown) {
+    answered.value = valueAt(*number.unknown, answered.value) - valueAt(*number.unknown, 0);
+    answered.sigma *= std::abs(slopeAt(*number.unknown, fitted * number.typical));
+  }
+  answered.sigma *= sigma < kUnlearned ? sigma : std::numeric_limits<double>::infinity();
+  if (!of.assumed) return answered;
+  answered.name += std::string("*") + deflection::kindOf(*of.assumed).name;
+  answered.quantity = deflection::Quantity::kNone;
+  answered.value *= of.assumed_change;
+  answered.sigma *= of.assumed_change;
+  return answered;
+}
+
+class Judge {
+ public:
+  Judge(const RowsAndCandidates& watched, const std::vector<ErrorState>& states, int last)
+      : watched_(watched), states_(states), last_(last), tried_(watched.candidates.list.size()) {
+    findLeaders();
+  }
+
+  void tryStart(int start, const StopQuestion& stop) {
+    for (const ChangeCourse course : kCourses) {
+      if (course == ChangeCourse::kRamp && start == last_) continue;  // a ramp of one measurement is a step
+      throwIfStopped(stop);
+      const ChangeFitter fitter(watched_.rows, states_[static_cast<std::size_t>(start)], start, last_, course);
+      const double unchanged = fitter.fit({})->deviance;
+      Fits fits;
+      for (std::size_t c = 0; c < tried_.size(); ++c) {
+        if (is_dropped_[leader_[c]]) continue;
+        if (auto fit = fitAs(c, fitter, fits)) take(c, std::move(*fit), unchanged, start, course);
+      }
+    }
+  }
+
+  /// Drops the candidates that are far from the best so far.
+  void dropFarOnes() {
+    double most = 0;
+    for (const Tried& tried : tried_) most = std::max(most, tried.best().gain);
+    std::vector<bool> is_near(tried_.size(), false);
+    for (std::size_t c = 0; c < tried_.size(); ++c)
+      if (tried_[c].best().gain >= kNearShare * most - kNearGain) is_near[leader_[c]] = true;
+    for (std::size_t c = 0; c < tried_.size(); ++c) is_dropped_[c] = !is_near[leader_[c]];
+  }
+
+  [[nodiscard]] ChangeJudgement judgement() const {
+    ChangeJudgement result;
+    result.tried = static_cast<int>(tried_.size());
+    if (tried_.front().best().gain > 0) result.base = numbersOf(0, tried_.front().best());
+    const auto top = std::ranges::max_element(tried_, {}, [](const Tried& t) { return t.best().gain; });
+    const Trial& best = top->best();
+    if (!(best.gain > 0)) return result;
+    const int freedom = best.fit.measured_rows - static_cast<int>(best.fit.numbers.size());
+    if (freedom > 0) result.p_value = chiSquareTail(best.fit.measured_chi2, freedom);
+    result.is_explained = result.p_value > kNoMoreThanNoise && best.fit.counts_excess < kCountsExcess;
+    if (!result.is_explained) return result;
+    for (std::size_t c = 0; c < tried_.size(); ++c) addAnswer(static_cast<int>(c), best, result.answers);
+    std::ranges::stable_sort(result.answers, std::greater{}, &ChangeAnswer::probability);
+    return result;
+  }
+
+ private:
+  /// Finds for each candidate the one with the longest column of those that are alike up to scale, for which one fit
+  /// suffices.
+  void findLeaders() {
+    const auto& list = watched_.candidates.list;
+    const WatchedRows& rows = watched_.rows;
+    const MatrixXd columns = rows.changes.topRows(rows.first(last_) + rows.rowsOf(last_));
+    is_dropped_.assign(list.size(), false);
+    scale_.assign(list.size(), 1);
+    for (std::size_t c = 0; c < list.size(); ++c) {
+      leader_.push_back(c);
+      if (list[c].columns.size() > 1) continue;
+      const auto own = columns.col(list[c].columns.front());
+      for (std::size_t other = 0; other < list.size(); ++other) {
+        if (list[other].columns.size() > 1) continue;
+        const auto theirs = columns.col(list[other].columns.front());
+        if (std::abs(own.dot(theirs)) < kSameColumn * own.norm() * theirs.norm()) continue;
+        if (theirs.norm() <= columns.col(list[leader_[c]].columns.front()).norm()) continue;
+        leader_[c] = other;
+        scale_[c] = own.dot(theirs) / own.squaredNorm();
+      }
+    }
+  }
+
+  /// Fits by leader, and by whether its numbers are bounded on one side: a play, for instance, is never negative.
+  using Fits = std::map<std::pair<std::size_t, int>, std::optional<ChangeFit>>;
+
+  /// Returns the fit of a candidate, derived from its leader's by the ratio of their columns; nullopt if no change
+  /// within its bounds fits.
+  std::optional<ChangeFit> fitAs(std::size_t c, const ChangeFitter& fitter, Fits& fits) const {
+    const CandidateChange& candidate = watched_.candidates.list[c];
+    NumberBounds bounds = boundsOf(candidate);
+    const std::size_t leader = leader_[c];
+    int side = 0;
+    if (candidate.columns.size() == 1) {
+      if (bounds.lower[0] == 0) side = scale_[c] > 0 ? 1 : -1;
+      if (bounds.upper[0] == 0) side = scale_[c] > 0 ? -1 : 1;
+      bounds.lower[0] = side > 0 ? 0 : -std::numeric_limits<double>::infinity();
+      bounds.upper[0] = side < 0 ? 0 : std::numeric_limits<double>::infinity();
+    }
+    const std::pair key{leader, side};
+    if (!fits.contains(key)) fits[key] = fitter.fit(watched_.candidates.list[leader].columns, bounds, hintFor(c));
+    std::optional<ChangeFit> fit = fits[key];
+    if (fit && leader != c) {
+      fit->deviance -= fit->numbers.squaredNorm();
+      fit->numbers *= scale_[c];
+      fit->deviance += fit->numbers.squaredNorm();
+      fit->information.array() = (fit->information.array() - 1) / (scale_[c] * scale_[c]) + 1;
+    }
+    if (fit && !boundsOf(candidate).contain(fit->numbers)) return std::nullopt;
+    return fit;
+  }
+
+  /// Returns the leader's numbers near which the fit of a candidate begins: those of its best trial; empty if there is
+  /// none.
+  [[nodiscard]] VectorXd hintFor(std::size_t c) const {
+    const Trial& best = tried_[c].best();
+    return best.gain > 0 ? VectorXd(best.fit.numbers / scale_[c]) : VectorXd();
+  }
+
+  void take(std::size_t c, ChangeFit fit, double unchanged, int start, ChangeCourse course) {
+    Trial trial;
+    trial.gain = unchanged - fit.deviance;
+    trial.start = start;
+    trial.course = course;
+    const MatrixXd L = fit.information.llt().matrixL();
+    trial.fit = std::move(fit);
+    trial.log_evidence = trial.gain / 2 - L.diagonal().array().log().sum();
+    tried_[c].log_evidence = logSum(tried_[c].log_evidence, trial.log_evidence);
+    Trial& best = tried_[c].of_course[static_cast<std::size_t>(course)];
+    if (trial.gain > best.gain) best = std::move(trial);
+  }
+
+  void addAnswer(int candidate, const Trial& best, std::vector<ChangeAnswer>& answers) const {
+    const Tried& tried = tried_[static_cast<std::size_t>(candidate)];
+    const CandidateChange& of = watched_.candidates.list[static_cast<std::size_t>(candidate)];
+    const auto mayBe = [&](const Trial& trial) {
+      const auto more = std::max<Index>(1, best.fit.numbers.size() - static_cast<Index>(of.numbers.size()));
+      const double tail = kOutdone / static_cast<double>(tried_.size());
+      return trial.gain > 0 && best.gain - trial.gain <= chiSquareQuantile(tail, static_cast<double>(more));
+    };
+    ChangeAnswer answer;
+    answer.candidate = candidate;
+    answer.effect = of.effect;
+    answer.at = of.at;
+    answer.remedy = of.remedy;
+    answer.may_be_step = mayBe(tried.of_course[0]);
+    answer.may_be_ramp = mayBe(tried.of_course[1]);
+    if (!answer.may_be_step && !answer.may_be_ramp) return;
+    const Trial& trial = tried.best();
+    answer.since = trial.start;
+    answer.gain = trial.gain;
+    answer.probability = probabilityOf(candidate);
+    answer.numbers = numbersOf(candidate, trial);
+    answer.most_shift = mostShift(of, trial);
+    if (of.assumed) answer.assumed = deflection::kindOf(*of.assumed).name;
+    answers.push_back(std::move(answer));
+  }
+
+  [[nodiscard]] double probabilityOf(int candidate) const {
+    double total = -std::numeric_limits<double>::infinity(), own = total;
+    for (std::size_t c = 0; c < tried_.size(); ++c) {
+      const double log = tried_[c].log_evidence + std::log(watched_.candidates.list[c].prior);
+      total = logSum(total, log);
+      if (static_cast<int>(c) == candidate) own = log;
+    }
+    return std::exp(own - total);
+  }
+
+  [[nodiscard]] std::vector<AnsweredNumber> numbersOf(int candidate, const Trial& trial) const {
+    const CandidateChange& of = watched_.candidates.list[static_cast<std::size_t>(candidate)];
+    const MatrixXd covariance =
+        trial.fit.information.llt().solve(MatrixXd::Identity(trial.fit.numbers.size(), trial.fit.numbers.size()));
+    std::vector<AnsweredNumber> numbers;
+    for (std::size_t k = 0; k < of.numbers.size(); ++k) {
+      const auto i = static_cast<Index>(k);
+      numbers.push_back(numberOf(of, of.numbers[k], trial.fit.numbers[i], std::sqrt(covariance(i, i))));
+    }
+    return numbers;
+  }
+
+  /// Returns the largest shift of the measured point since the start: of the rows of a measurement, without whitening.
+  [[nodiscard]] double mostShift(const CandidateChange& of, const Trial& trial) const {
+    const WatchedRows& rows = watched_.rows;
+    double most = 0;
+    for (int k = trial.start; k <= last_; ++k) {
+      const double course =
+          trial.course == ChangeCourse::kStep ? 1. : (k - trial.start + 1.) / (last_ - trial.start + 1.);
+      const VectorXd whitened =
+          rows.changes(Eigen::seqN(rows.first(k), rows.rowsOf(k)), of.columns) * trial.fit.numbers * course;
+      const MatrixXd& whitener = rows.whitener[static_cast<std::size_t>(k)];
+      most = std::max(most, whitener.triangularView<Eigen::Lower>().solve(whitened).norm());
+    }
+    return most;
+  }
+
+  const RowsAndCandidates& watched_;
+  const std::vector<ErrorState>& states_;
+  int last_;
+  std::vector<Tried> tried_;
+  std::vector<std::size_t> leader_;  // candidate whose fit serves for each
+  std::vector<double> scale_;        // number of each candidate for one of its leader's
+  std::vector<bool> is_dropped_;
+};
+
+}  // namespace
+
+ChangeJudgement judgeChange(const RowsAndCandidates& watched, const std::vector<ErrorState>& states,
+                            const std::vector<int>& starts, int last, const StopQuestion& stop) {
+  Judge judge(watched, states, last);
+  const bool has_counts = std::ranges::any_of(watched.rows.ring, [](const auto& ring) { return ring.has_value(); });
+  for (const int start : starts) {
+    judge.tryStart(start, stop);
+    if (has_counts && start == starts.front()) judge.dropFarOnes();
+  }
+  return judge.judgement();
+}
+
+}  // namespace tubeplan::calibration
