@@ -33,9 +33,7 @@ struct CampaignOptions {
   bool resume = false;
 };
 
-const CampaignKind& campaignKindOf(const std::string& name) {
-  return entryNamed(campaignKinds(), name, "--kind");
-}
+const CampaignKind& campaignKindOf(const std::string& name) { return entryNamed(campaignKinds(), name, "--kind"); }
 
 /// Checkpoint and output of a campaign. Only the first rank uses it.
 class CampaignDesk {

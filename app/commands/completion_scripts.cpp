@@ -100,8 +100,6 @@ constexpr std::array<Shell, 3> kShells{{{"bash", bash}, {"zsh", zsh}, {"fish", f
 
 }  // namespace
 
-std::string completionScript(const std::string& shell) {
-  return entryNamed(kShells, shell, "SHELL").script();
-}
+std::string completionScript(const std::string& shell) { return entryNamed(kShells, shell, "SHELL").script(); }
 
 }  // namespace tubeplan::app

@@ -34,9 +34,7 @@ MeasurementKind readKind(const YamlNode& node) {
   refuseWord(node, calibration::measurementKindNames());
 }
 
-CampaignPlace readPlace(const YamlNode& node) {
-  return entryNamed(kPlaces, node.text(), node.where()).place;
-}
+CampaignPlace readPlace(const YamlNode& node) { return entryNamed(kPlaces, node.text(), node.where()).place; }
 
 bool readPointsKnown(const YamlNode& node) {
   if (node.text() != "known" && node.text() != "unknown") refuseWord(node, {"known", "unknown"});

@@ -19,8 +19,10 @@ using planner::MotionEnds, planner::TubePosture;
 /// Returns the place behind the string that begins at `at`.
 std::size_t endOfString(std::string_view text, std::size_t at) {
   for (++at; at < text.size(); ++at) {
-    if (text[at] == '\\') ++at;
-    else if (text[at] == '"') return at + 1;
+    if (text[at] == '\\')
+      ++at;
+    else if (text[at] == '"')
+      return at + 1;
   }
   refuse("a string without an end");
 }
@@ -30,9 +32,13 @@ std::size_t endOfValue(std::string_view text, std::size_t at) {
   int depth = 0;
   while (at < text.size()) {
     switch (text[at]) {
-      case '"': at = endOfString(text, at); break;
+      case '"':
+        at = endOfString(text, at);
+        break;
       case '[':
-      case '{': ++depth, ++at; break;
+      case '{':
+        ++depth, ++at;
+        break;
       case ']':
       case '}':
         if (depth == 0) return at;
@@ -41,7 +47,9 @@ std::size_t endOfValue(std::string_view text, std::size_t at) {
       case ',':
         if (depth == 0) return at;
         [[fallthrough]];
-      default: ++at; continue;
+      default:
+        ++at;
+        continue;
     }
     if (depth == 0) return at;
   }
@@ -64,8 +72,10 @@ void forEachMember(std::string_view text, char open, char close, const Take& tak
     if (end == at || end >= text.size()) refuse("a value without an end");
     take(text.substr(begin, end - begin));
     at = end;
-    if (text[at] == ',') ++at;
-    else if (at + 1 != text.size()) refuse("members without a comma between them");
+    if (text[at] == ',')
+      ++at;
+    else if (at + 1 != text.size())
+      refuse("members without a comma between them");
   }
 }
 
@@ -76,7 +86,7 @@ std::size_t readNumber(std::string_view text, std::size_t at, int& number) {
   return static_cast<std::size_t>(end - text.data());
 }
 
-int tubeOf(std::string_view entry) {
+int tubeInEntry(std::string_view entry) {
   constexpr std::string_view kKey = "\"tube\":";
   const std::size_t at = entry.rfind(kKey);
   int tube = 0;
@@ -98,7 +108,8 @@ MotionEnds endsOf(std::string_view entry) {
 template <class Key, class KeyOf>
 std::map<Key, std::string> entriesOf(std::string_view list, const KeyOf& key_of) {
   std::map<Key, std::string> entries;
-  forEachMember(list, '[', ']', [&](std::string_view entry) { entries.emplace_hint(entries.end(), key_of(entry), entry); });
+  forEachMember(list, '[', ']',
+                [&](std::string_view entry) { entries.emplace_hint(entries.end(), key_of(entry), entry); });
   return entries;
 }
 
@@ -117,8 +128,10 @@ void appendList(const char* key, const std::map<Key, std::string>& texts, const 
   auto text = texts.begin();
   for (const auto& [at, value] : known) {
     for (; text != texts.end() && text->first < at; ++text) append(text->second);
-    if (text == texts.end() || at < text->first) append(text_of(at, value));
-    else append((text++)->second);
+    if (text == texts.end() || at < text->first)
+      append(text_of(at, value));
+    else
+      append((text++)->second);
   }
   for (; text != texts.end(); ++text) append(text->second);
   out += ']';
@@ -131,10 +144,14 @@ PlanCacheText::PlanCacheText(const std::string& text) {
   forEachMember(text, '{', '}', [&](std::string_view member) {
     const std::size_t colon = endOfString(member, 0);
     const std::string_view key = member.substr(1, colon - 2), value = member.substr(colon + 1);
-    if (key == "reach") reach_ = entriesOf<int>(value, tubeOf);
-    else if (key == "travels") travels_ = entriesOf<MotionEnds>(value, endsOf);
-    else if (key == "proofs") proofs_ = entriesOf<MotionEnds>(value, endsOf);
-    else rest[std::string(key)] = json::parse(value);
+    if (key == "reach")
+      reach_ = entriesOf<int>(value, tubeInEntry);
+    else if (key == "travels")
+      travels_ = entriesOf<MotionEnds>(value, endsOf);
+    else if (key == "proofs")
+      proofs_ = entriesOf<MotionEnds>(value, endsOf);
+    else
+      rest[std::string(key)] = json::parse(value);
   });
   rest_ = rest.dump();
 }
@@ -170,14 +187,16 @@ void PlanCacheText::dropEnds() {
 std::string PlanCacheText::with(const planner::PlanCache& cache) const {
   const json whole = wholePlanJson(cache);
   std::string out = "{\"bound\":" + whole["bound"].dump() + ",\"orders\":" + whole["orders"].dump() + ",";
-  appendList("proofs", proofs_, cache.proofs,
-             [](const MotionEnds& ends, const planner::SegmentProof& proof) { return proofJson(ends, proof).dump(); }, out);
+  appendList(
+      "proofs", proofs_, cache.proofs,
+      [](const MotionEnds& ends, const planner::SegmentProof& proof) { return proofJson(ends, proof).dump(); }, out);
   out += ',';
-  appendList("reach", reach_, cache.reach,
-             [](int, const planner::TubeReach& reach) { return reachJson(reach).dump(); }, out);
+  appendList(
+      "reach", reach_, cache.reach, [](int, const planner::TubeReach& reach) { return reachJson(reach).dump(); }, out);
   out += ',';
-  appendList("travels", travels_, cache.travels,
-             [](const MotionEnds& ends, const planner::MotionPlan& plan) { return travelJson(ends, plan).dump(); }, out);
+  appendList(
+      "travels", travels_, cache.travels,
+      [](const MotionEnds& ends, const planner::MotionPlan& plan) { return travelJson(ends, plan).dump(); }, out);
   return out + ",\"visiting_branches\":" + whole["visiting_branches"].dump() +
          ",\"visiting_order\":" + whole["visiting_order"].dump() + "}";
 }
