@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/cli/stop_signal.hpp"
@@ -119,7 +120,7 @@ int exportPackage(const JobOptions& options) {
     throw InputError::saying("--package, --sg, --leg, --csv", "all four options are needed",
                              "a list is of one package on one leg");
   writeFileAtomically(options.csv, packageCsv(store, part.package, part.generator, *part.leg), "--csv");
-  fmt::print("wrote {}\n", options.csv);
+  say("wrote {}\n", options.csv);
   return kDone;
 }
 
@@ -136,18 +137,26 @@ int plan(const JobOptions& options) {
   checkWritableFile(page, "--out");
   noteStopSignals();
   JobStore store(options.file);
-  const auto keep = [&](const std::string& name, const PlanRequest& request, const PlanOutcome& outcome) {
+  const JobPlanRequest asked{options.seed, partOf(options, store.job()), options.start,
+                             options.from.empty() ? options.out : options.from};
+  const auto keep = [&](const std::string& name, const PlanRequest& request, const PlanOutcome& outcome,
+                        const PlanCheckpoint& checkpoint) {
     OutputFolder folder(std::filesystem::path(options.out) / name, "--out");
     folder.requireOwn({"plan.json"}, {std::begin(kPlanFiles), std::end(kPlanFiles)});
+    folder.write(kCacheFile, checkpoint.text());
     writePlan(request, outcome, folder);
   };
-  const JobPlan plan = planJob(store, options.seed, terminalHooks(), keep);
+  const JobPlan plan = planJob(store, asked, terminalHooks(), keep);
   if (plan.is_stopped) {
-    fmt::print(stderr, "stopped; the packages planned so far are kept\n");
+    remark("stopped; the packages planned so far are kept\n");
     return kStoppedExitCode;
   }
   const nlohmann::json figures = jobPlanJson(plan, store.job());
-  store.setPlan(figures.dump());
+  if (plan.legs.empty()) {
+    showFigures(options.figures, figures, "nothing is left to plan\n");
+    return kNegativeAnswer;
+  }
+  if (asked.part.isWhole()) store.setPlan(figures.dump());  // a plan of a part does not replace that of the job
   writeFileAtomically(page, renderJobPlanReport(jobPlanReport(figures)), "--out");
   showFigures(options.figures, figures, jobPlanText(figures) + fmt::format("wrote {}\n", page.string()));
   return kDone;
@@ -178,7 +187,9 @@ const std::vector<JobAction>& jobActions() {
   static const std::vector<JobAction> kActions{
       {{"create", {"--out"}}, "makes the record from a job file", create},
       {{"status", {}}, "shows the totals of all packages, and warnings", status},
-      {{"plan", {"--out", "--seed"}}, "plans all that is left, and the schedule of the arms", plan},
+      {{"plan", {"--out", "--from", "--start", "--package", "--sg", "--leg", "--seed"}},
+       "plans all that is left, and the schedule of the arms",
+       plan},
       {{"next", {"--package", "--sg", "--leg"}}, "names the tube to visit next", next},
       {{"confirm", {"TUBE", "--package", "--read-back", "--position", "--by", "--at"}},
        "records which tube the tool is at",

@@ -13,7 +13,7 @@
 namespace tubeplan::app {
 
 struct JobOptions {
-  std::string action, file, tube, out, csv, mark, read_back, leg, pdf;
+  std::string action, file, tube, out, from, start, csv, mark, read_back, leg, pdf;
   std::vector<double> position;
   EventEntry entry;
   JobPart part;

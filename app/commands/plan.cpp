@@ -135,9 +135,10 @@ Run configurePlan(CLI::App& cli) {
   cli.add_option("--load", request.load, "load hung on the tip, in the cell's unit of force")->type_name("FORCE");
   auto& conditions = request.conditions;
   cli.add_option("--start", conditions.start,
-                 "the posture to start from: `park` (the cell's) or joint readings, --start=A,B,...")
+                 "the posture to start from: `park` (the cell's), joint readings, --start=A,B,..., or with --from the "
+                 "tube at which the arm stands; from a hole the tool is taken straight down first")
       ->type_name("POSTURE");
-  cli.add_option("--end", conditions.end, "the posture to end in, likewise")->type_name("POSTURE");
+  cli.add_option("--end", conditions.end, "the posture to end in: `park` or joint readings")->type_name("POSTURE");
   cli.add_option("--first", conditions.first,
                  "tubes to visit before all others, as for --tubes; repeat for the next zone");
   cli.add_option("--dwell", conditions.dwell,

@@ -15,6 +15,8 @@ struct JobPart {
   std::optional<tubesheets::Leg> leg;
 
   [[nodiscard]] bool has(const JobItem& item) const;
+  /// Returns true for the part that is the whole job.
+  [[nodiscard]] bool isWhole() const { return package.empty() && generator.empty() && !leg; }
 };
 
 /// Throws InputError for a package or a steam generator that the job does not have; messages name the options.

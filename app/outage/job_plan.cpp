@@ -36,7 +36,7 @@ PlanRequest requestFor(const std::vector<JobItem>& items, const WorkPackage& pac
   PlanRequest request;
   request.tubes = fmt::format("{}", fmt::join(tubes, ","));
   request.load = job.toolOf(package).load / cell.units.factor(dimension::kForce);
-  request.conditions.dwell = acquisitionTime(package, job.toolOf(package));
+  request.conditions.dwell = package.dwell + timeInTube(package, job.toolOf(package));
   request.conditions.start = asked.start;
   request.seed = asked.seed;
   request.has_least_standoff = true;
@@ -99,7 +99,7 @@ PackagePlan planPackage(JobStore& store, const Cell& cell, const std::vector<Job
   if (plan.status != VisitPlanStatus::kPlanned) return plan;
   plan.visits = static_cast<int>(outcome.plan.visits.size());
   plan.change = job.toolOf(package).change;
-  addTimes(outcome, plan);
+  addTimes(outcome, package, job.toolOf(package), plan);
   if (!checkpoint.fromFingerprint().empty()) plan.reused = reusedText(outcome);
   keep(plan.folder, request, outcome, checkpoint);
   return plan;
@@ -108,13 +108,14 @@ PackagePlan planPackage(JobStore& store, const Cell& cell, const std::vector<Job
 /// Returns the open and queued items of one leg, one list for each package, in the order of the packages.
 std::vector<std::vector<JobItem>> itemsToPlan(const std::vector<JobItem>& items, const JobSheet& sheet,
                                               const JobFile& job, const JobPart& part) {
+  const std::set<TubeAddress> plugged = pluggedEnds(items);
   std::vector<std::vector<JobItem>> by_package;
   for (const WorkPackage& package : job.packages) {
     std::vector<JobItem> of;
     for (const JobItem& item : items) {
       const bool is_to_do = item.isDue() || (!item.mark && !item.unreachable.empty());
-      if (is_to_do && part.has(item) && item.package == package.name && item.tube.generator == sheet.generator &&
-          item.tube.leg == sheet.leg.leg)
+      if (is_to_do && part.has(item) && !plugged.contains(item.tube) && item.package == package.name &&
+          item.tube.generator == sheet.generator && item.tube.leg == sheet.leg.leg)
         of.push_back(item);
     }
     if (!of.empty()) by_package.push_back(std::move(of));

@@ -22,10 +22,12 @@ constexpr TimePart kTimeParts[] = {{"mount_s", "mounting"},       {"change_s", "
                                    {"in_tubes_s", "in the tube"}, {"dwell_s", "dwell"}};
 
 json packageJson(const PackagePlan& plan) {
-  json result = {{"package", plan.package}, {"folder", plan.folder},           {"reason", plan.reason},
-                 {"visits", plan.visits},   {"reused", plan.reused},           {"unreachable", json::array()},
-                 {"travel_s", plan.travel}, {"approaches_s", plan.approaches}, {"acquisition_s", plan.acquisition},
-                 {"change_s", plan.change}, {"total_s", plan.total()},         {"total_h", plan.total() / kHour}};
+  json result = {
+      {"package", plan.package}, {"folder", plan.folder},           {"reason", plan.reason},
+      {"reused", plan.reused},   {"visits", plan.visits},           {"unreachable", json::array()},
+      {"travel_s", plan.travel}, {"approaches_s", plan.approaches}, {"in_tubes_s", plan.in_tubes},
+      {"dwell_s", plan.dwell},   {"change_s", plan.change},         {"acquisition_s", plan.in_tubes + plan.dwell},
+      {"total_s", plan.total()}, {"total_h", plan.total() / kHour}};
   for (const auto& [tube, reason] : plan.unreachable)
     result["unreachable"].push_back({{"tube", addressText(tube)}, {"reason", reason}});
   return result;
@@ -58,12 +60,30 @@ json legJson(const LegPlan& leg, const ScheduledLeg& at, const std::vector<LegPl
   return result;
 }
 
+/// Returns the time of every part, over all legs.
+json timesJson(const json& legs) {
+  json times = json::array();
+  double all = 0;
+  for (const TimePart& part : kTimeParts) {
+    double sum = 0;
+    for (const json& leg : legs) {
+      sum += leg.value(part.key, 0.);
+      for (const json& package : leg["packages"]) sum += package.value(part.key, 0.);
+    }
+    all += sum;
+    times.push_back({{"key", part.key}, {"words", part.words}, {"time_s", sum}, {"time_h", sum / kHour}});
+  }
+  for (json& time : times) time["share"] = all > 0 ? time["time_s"].get<double>() / all : 0.;
+  return times;
+}
+
 constexpr TextLine kReusedWords[] = {{"reused", "    reused: {}\n"}};
-constexpr TextLine kPackageWords[] = {
+constexpr TextLine kLegWords[] = {
+    {"wait", "  waits for {for}: {words}\n"},
+    {"+wait/idle_h", "  its arm is idle for {:.2f} h before\n"},
     {"packages",
      "  {package:<16} {visits:>6} visits {#unreachable:>5} out of reach {total_h:>8.2f} h: travel {travel_s:.0f} s, up "
-     "and "
-     "down {approaches_s:.0f} s, in the tubes {acquisition_s:.0f} s, tool {change_s:.0f} s\n",
+     "and down {approaches_s:.0f} s, in the tubes {in_tubes_s:.0f} s, dwell {dwell_s:.0f} s, tool {change_s:.0f} s\n",
      kReusedWords},
 };
 constexpr TextLine kWords[] = {
