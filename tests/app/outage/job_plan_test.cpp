@@ -179,7 +179,7 @@ TEST_F(PlannedJob, LegsThatAreApartHaveNoTwoArmsAtOnce) {
   const std::string path = (folder / "apart.record").string();
   JobStore::create(readJobFile(file), path);
   JobStore store(path);
-  const JobPlan plan = planJob(store, 1, {}, [](const std::string&, const PlanRequest&, const PlanOutcome&) {});
+  const JobPlan plan = planJob(store, {}, {}, kIgnore);
   ASSERT_EQ(plan.legs.size(), 2u);
   EXPECT_EQ(plan.schedule.status, ScheduleStatus::kOptimal);
   EXPECT_NEAR(plan.schedule.end, plan.legs[0].total() + plan.legs[1].total(), 1e-6);
