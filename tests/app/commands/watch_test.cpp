@@ -61,20 +61,24 @@ TEST_F(WatchCommand, IsQuietUntilTheBaseMoves) {
 
 TEST_F(WatchCommand, TheAnswerDoesNotDependOnTheUnitOfTheReadings) {
   int id = 0;
-  const std::string inches = visits(4, 0, id) + visits(6, 0.15, id);
+  std::string inches = visits(4, 0, id);
+  inches += visits(6, 0.15, id);
   std::vector<std::string> lines, columns;
   boost::split(lines, inches, boost::is_any_of("\n"));
   boost::split(columns, lines.front(), boost::is_any_of(","));
-  const auto x = static_cast<std::size_t>(std::ranges::find(columns, "x_in") - columns.begin());
+  int converted = 0;
   std::string millimetres = boost::replace_all_copy(lines.front(), "_in", "_mm") + "\n";
   for (std::size_t line = 1; line < lines.size() && !lines[line].empty(); ++line) {
     std::vector<std::string> fields;
     boost::split(fields, lines[line], boost::is_any_of(","));
     for (std::size_t c = 0; c < columns.size(); ++c)
-      if (columns[c].ends_with("_in") && !fields[c].empty()) fields[c] = std::to_string(25.4 * std::stod(fields[c]));
+      if (columns[c].ends_with("_in") && !fields[c].empty()) {
+        fields[c] = std::to_string(25.4 * std::stod(fields[c]));
+        ++converted;
+      }
     millimetres += boost::join(fields, ",") + "\n";
   }
-  ASSERT_LT(x, columns.size());
+  ASSERT_GT(converted, 0);
   (void)write("in.csv", inches);
   (void)write("mm.csv", millimetres);
   const json one = json::parse(run("watch p/cell.yaml in.csv --assume as-is --json -").out);
