@@ -174,8 +174,11 @@ nlohmann::json alarmJson(const calibration::WatchAlarm& alarm, const std::vector
           {"base_step", baseJson(alarm.judgement.base, units)}};
 }
 
+constexpr TextLine kDeterminedNumber[] = {
+    {"sigma", "      {name}: {change:+.3r} {unit} (sigma {sigma:.2r})\n"},
+};
 constexpr TextLine kNumberWords[] = {
-    {"numbers", "      {name}: {change:+.3r} {unit} (sigma {sigma:.2r})\n"},
+    {"numbers", "", kDeterminedNumber},
 };
 constexpr TextLine kAnswerWords[] = {
     {"answers",
@@ -195,9 +198,7 @@ constexpr TextLine kWatchWords[] = {
      "within "
      "{within} readings (none: not at all)\n"},
     {"not_seen_count", "{not_seen_count} of the changes that are looked for cannot show in these readings at all\n"},
-    {"alarm",
-     "ALARM at reading {reading}: the model ceased to hold since about reading {since} (test {test}, {chi2:.4r} on "
-     "{degrees_of_freedom})\n"},
+    {"alarm", "ALARM at reading {reading}: the model ceased to hold since about reading {since} (test {test})\n"},
     {"base_moved", "", kBaseWords},
     {"other_change", "none of the {alarm/candidates} changes that are looked for explains it\n"},
     {"several", "{#alarm/answers} changes explain it, which these readings cannot tell apart:\n"},

@@ -14,7 +14,8 @@ namespace {
 constexpr double kUninformed = 1e-9;   // information, relative to the largest, below which a direction is undetermined
 constexpr int kAlikeStarts = 4;        // number of latest measurements that are all tried as the start of a change
 constexpr double kSameWay = 1 - 1e-8;  // cosine from which on two columns count as the same direction
-constexpr Index kNumbersOfBase = 6;    // largest number of numbers of a candidate
+constexpr double kBeyondRounding = 1 + 1e-9;  // ratio of two levels from which on the larger counts as larger
+constexpr Index kNumbersOfBase = 6;           // largest number of numbers of a candidate
 
 /// Returns the generalised likelihood ratio of numbers with this information and score, and their count as far as they
 /// are determined.
@@ -110,7 +111,7 @@ void MeasuredTests::testStart(int start, TestedLevel& nearest) {
   const int rows = now.rows - before.rows;
   if (rows == 0) return;
   const double innovations = now.innovations - before.innovations;
-  if (const double level = innovations / innovation_limit_(rows); level > nearest.level)
+  if (const double level = innovations / innovation_limit_(rows); level > kBeyondRounding * nearest.level)
     nearest = {"innovations", level, start, innovations, rows};
   cross_ = now.zc - before.zc;
   solved_ = all_.solve(cross_);
@@ -139,7 +140,7 @@ void MeasuredTests::testDirection(Direction& direction, const char* test, int st
     std::tie(chi2, determined) = likelihoodRatio(information, score);
   }
   if (determined == 0) return;
-  if (const double level = chi2 / direction.limit(determined); level > nearest.level)
+  if (const double level = chi2 / direction.limit(determined); level > kBeyondRounding * nearest.level)
     nearest = {test, level, start, chi2, determined};
 }
 

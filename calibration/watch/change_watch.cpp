@@ -9,8 +9,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Offsets from the estimated start of a change at which starts are tried, where the model of counts needs many steps.
-constexpr int kCountedStarts[] = {-24, -12, -4, 2};
+/// Offsets from the estimated start of a change at which starts are tried if there are counts. A start that is off by
+/// one visit contradicts that visit's count.
+constexpr int kCountedStarts[] = {-24, -12, -6, -4, -3, -2, -1, 1, 2, 3, 4};
 constexpr const char* kCountsTest = "counts";
 
 class ChangeWatch {
