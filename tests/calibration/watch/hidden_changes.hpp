@@ -79,7 +79,7 @@ inline const std::vector<HiddenChange>& hiddenChanges() {
          const TrueState state = unchangedState(outage);
          return [state](int n) { return withEffect(state, "backlash", "forearm.z", 0.1 / 25 * n * kDegree); };
        }},
-      {"base creeping by 0.02 in in 25 visits", "base-step", "base", true,
+      {"base creeping by 0.02 in over 25 visits", "base-step", "base", true,
        [](SimulatedOutage& outage) {
          const TrueState state = unchangedState(outage);
          const Eigen::Vector3d way = outage.random().vector(1).normalized();
