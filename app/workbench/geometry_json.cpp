@@ -1,6 +1,7 @@
 #include "app/workbench/geometry_json.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -9,6 +10,7 @@
 #include "app/documents/sheet_json.hpp"
 #include "app/formats/units.hpp"
 #include "app/formats/units_json.hpp"
+#include "planner/scene/outline.hpp"
 #include "planner/scene/scene_shapes.hpp"
 
 namespace tubeplan::app {
@@ -87,13 +89,30 @@ json shapeJson(const YamlNode& node) {
   return json::object();
 }
 
-json namedShape(const YamlNode& node, const std::string& otherwise) {
+/// Returns the coordinates of points, one point after another, to 1e-4 of a unit.
+json coordinatesJson(const std::vector<Eigen::Vector3d>& points, const Units& units) {
+  json coordinates = json::array();
+  for (const Eigen::Vector3d& point : points)
+    for (const double coordinate : point) coordinates.push_back(std::round(lengthOf(coordinate, units) * 1e4) / 1e4);
+  return coordinates;
+}
+
+/// Returns an entry of the cell file with the outline of the shape that was made of it; null for a region.
+json namedShape(const YamlNode& node, const planner::Shape& made, const std::string& otherwise, const Units& units) {
   json shape = shapeJson(node);
+  const auto* solid = dynamic_cast<const planner::Solid*>(&made);
+  shape["outline"] = solid ? coordinatesJson(planner::outlineOf(*solid), units) : json(nullptr);
   const YamlNode* name = node.find("name");
   shape["name"] = name ? name->text() : otherwise;
   shape["allow"] = json::array();
   if (const YamlNode* allow = node.find("allow")) shape["allow"] = allow->texts();
   return shape;
+}
+
+std::vector<Eigen::Vector3d> cornersOf(const Eigen::AlignedBox3d& box) {
+  std::vector<Eigen::Vector3d> corners;
+  for (int k = 0; k < 8; ++k) corners.push_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k)));
+  return corners;
 }
 
 /// Replaces the shape of a mesh by its bounding box. The key "mesh" describes the mesh, with the corners of all
@@ -118,6 +137,7 @@ void addMesh(const SceneMesh& mesh, const Units& units, json& shape) {
            {"center", vectorJson(box.center(), units, dimension::kLength)},
            {"size", vectorJson(box.sizes(), units, dimension::kLength)},
            {"rpy", {0, 0, 0}},
+           {"outline", coordinatesJson(cornersOf(box), units)},
            {"mesh", description}};
 }
 
@@ -161,18 +181,20 @@ json sceneDrawing(const Cell& cell) {
   json shapes = json::array(), arm = json::array();
   if (const YamlNode* scene = cell.source.root.find("scene"))
     for (const YamlNode& node : scene->items) {
-      shapes.push_back(namedShape(node, ""));
+      shapes.push_back(namedShape(node, *cell.scene.obstacles.at(shapes.size()).shape, "", cell.units));
       const auto name = shapes.back()["name"].get<std::string>();
       const auto mesh =
           std::find_if(cell.meshes.begin(), cell.meshes.end(), [&](const SceneMesh& m) { return m.obstacle == name; });
       if (mesh != cell.meshes.end()) addMesh(*mesh, cell.units, shapes.back());
     }
   const YamlNode* link_shapes = cell.source.root.find("link_shapes");
+  auto body = cell.scene.bodies.begin();  // bodies are in the order of the links and of their entries
   for (std::size_t row = 0; row < cell.arm.rows.size(); ++row) {
     const auto& link = cell.arm.rows[row];
     json bodies = json::array();
     if (const YamlNode* of_link = link_shapes ? link_shapes->find(link.name) : nullptr)
-      for (const YamlNode& node : of_link->items) bodies.push_back(namedShape(node, link.name));
+      for (const YamlNode& node : of_link->items)
+        bodies.push_back(namedShape(node, *body++->shape, link.name, cell.units));
     arm.push_back({{"row", row},
                    {"name", link.name},
                    {"moves", link.joint.type != deflection::JointType::kPassive},

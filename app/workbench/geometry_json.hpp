@@ -13,9 +13,10 @@ namespace tubeplan::app {
 /// the sheet's holes; u, v are drawing coordinates seen from the viewing side.
 [[nodiscard]] nlohmann::json sheetDrawing(const Cell& cell, const tubesheets::Sheet& sheet);
 
-/// Returns {units, clearance, shapes: [{name, kind, allow, and the fields of the kind as in a cell file}], warnings,
-/// arm: [{row, name, moves, bodies: [{name, kind, fields, in the row's frame}]}], tip: [3] in the last row's frame}. A
-/// mesh appears as its bounding box, with mesh: {file, solid, triangles, positions if they are few}.
+/// Returns {units, clearance, shapes: [{name, kind, allow, the fields of the kind as in a cell file, and outline}],
+/// warnings, arm: [{row, name, moves, bodies: [the same in the row's frame]}], tip: [3] in the last row's frame}. The
+/// outline of a solid has the coordinates of points on its surface; it is null for a region. A mesh appears as its
+/// bounding box, with mesh: {file, solid, triangles, positions if they are few}.
 [[nodiscard]] nlohmann::json sceneDrawing(const Cell& cell);
 
 }  // namespace tubeplan::app

@@ -167,11 +167,19 @@ planner::Obstacle readObstacle(const YamlNode& node, SceneMeasurement& measureme
   return obstacle;
 }
 
+/// Returns the keys of the shapes that a link can have.
+std::vector<std::string> bodyShapes() {
+  std::vector<std::string> keys;
+  for (const ShapeRow& row : planner::sceneShapes())
+    if (row.may_be_body) keys.emplace_back(row.key);
+  return keys;
+}
+
 planner::Body readBody(const YamlNode& node, SceneMeasurement& measurement) {
   const NamedShape shape = findShape(node, "", {"name", "allow"});
   if (!shape.row->may_be_body)
     shape.fields->failSaying("a link cannot have this shape, because the body of a link must be convex",
-                             "write a box, sphere, capsule or cylinder");
+                             "write one of these: " + alternatives(bodyShapes()));
   planner::Body body;
   body.shape = makeShape(shape, measurement);
   body.allow = readAllow(node);

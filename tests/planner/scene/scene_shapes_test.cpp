@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <ranges>
 #include <set>
 
+#include "planner/scene/outline.hpp"
 #include "tests/planner/scene/meshes.hpp"
 #include "tests/planner/toy_arm.hpp"
 
@@ -61,6 +64,26 @@ TEST(SceneShapes, EverySolidKeepsItsPromises) {
       if (solid.pointDistance(inside) > 0) continue;
       EXPECT_LE(direction.dot(inside), direction.dot(support) + 1e-12);
       EXPECT_LE((inside - p).norm(), (farthest - p).norm() + 1e-12);
+    }
+  }
+}
+
+TEST(SceneShapes, TheHullOfAnOutlineIsTheSolid) {
+  std::mt19937_64 generator(6);
+  for (const ShapeRow& row : sceneShapes()) {
+    if (!row.may_be_body) continue;
+    SCOPED_TRACE(row.key);
+    const auto made = makeShape(row, plainNumbers(row));
+    const auto& solid = dynamic_cast<const Solid&>(*made.shape);
+    const auto points = outlineOf(solid);
+    if (solid.box()) EXPECT_EQ(points.size(), 8u);
+    for (const Eigen::Vector3d& point : points) EXPECT_NEAR(solid.pointDistance(point), 0, 1e-12);
+    for (int i = 0; i < 500; ++i) {
+      const Eigen::Vector3d direction = testing::uniformVector(generator, -1, 1).normalized();
+      const auto along = [&](const Eigen::Vector3d& point) { return direction.dot(point); };
+      const double reach = along(solid.support(direction)),
+                   farthest = std::ranges::max(points | std::views::transform(along));
+      EXPECT_NEAR(farthest, reach, 0.02 * solid.around().radius);
     }
   }
 }

@@ -26,7 +26,7 @@ export function makeArm(document: SceneDocument, material: MeshStandardMaterial,
   for (const row of document.arm) {
     const frame = new Group();
     for (const body of row.bodies) {
-      const solid = solidOf(body, material, document.units);
+      const solid = solidOf(body, material);
       if (solid) frame.add(solid);
     }
     const rod = row.bodies.length === 0 ? new Mesh(new CapsuleGeometry(ROD, 1, 6, 16), material) : null;

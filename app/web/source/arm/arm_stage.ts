@@ -185,8 +185,7 @@ export class ArmStage {
     const wall = document.shapes.find((shape) => shape.kind === "keep_side" && Math.abs(shape.normal?.[1] ?? 0) > 0.5);
     const side = Math.sign(wall?.normal?.[1] ?? 0) as -1 | 0 | 1;
     for (const shape of document.shapes) {
-      const object =
-        shape.kind === "inside_of.sphere" ? bowlOf(shape, side, colours) : obstacleOf(shape, document.units, colours);
+      const object = shape.kind === "inside_of.sphere" ? bowlOf(shape, side, colours) : obstacleOf(shape, colours);
       if (object) this.statics.add(object);
     }
     if (sheet) this.statics.add(plateOf(sheet, palette));

@@ -1,10 +1,7 @@
 // Meshes for the shapes of a cell file and for the arm's members.
 import {
-  BoxGeometry,
   BufferGeometry,
-  CapsuleGeometry,
   CircleGeometry,
-  CylinderGeometry,
   DoubleSide,
   EdgesGeometry,
   Float32BufferAttribute,
@@ -20,7 +17,12 @@ import {
   Vector3,
   type Material,
 } from "three";
-import type {SolidShape, Units, Vector3 as Triple} from "../server/documents";
+import {ConvexGeometry} from "three/examples/jsm/geometries/ConvexGeometry.js";
+import {toCreasedNormals} from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import type {SolidShape, Vector3 as Triple} from "../server/documents";
+
+/** Least angle between faces that meet in a visible edge [rad]. */
+const CREASE = 0.5;
 
 const UP = new Vector3(0, 1, 0);
 
@@ -35,42 +37,24 @@ export function layAlong(object: Object3D, a: Vector3, b: Vector3): void {
   object.quaternion.copy(new Quaternion().setFromUnitVectors(UP, along.lengthSq() > 0 ? along.normalize() : UP));
 }
 
-/**
- * Returns the mesh of a solid shape in the shape's own frame; null for half spaces and insides, which are drawn as
- * boundaries of the scene.
- */
-export function solidOf(shape: SolidShape, material: Material, units: Units | undefined): Object3D | null {
+/** Returns the mesh of a solid shape in the world or its row's frame; null for regions, drawn as boundaries of the scene. */
+export function solidOf(shape: SolidShape, material: Material): Object3D | null {
   const geometry = geometryOf(shape);
   if (!geometry) return null;
-  const mesh = new Mesh(geometry, material);
-  if (shape.mesh?.positions) return mesh; // in the world frame already
-  if (shape.from && shape.to) layAlong(mesh, vector(shape.from), vector(shape.to));
-  else if (shape.center) mesh.position.set(...shape.center);
-  if (shape.rpy) mesh.rotation.set(...(shape.rpy.map((angle) => inRadians(angle, units)) as Triple), "ZYX");
-  return mesh;
-}
-
-function inRadians(angle: number, units: Units | undefined): number {
-  return units?.angle === "rad" ? angle : (angle * Math.PI) / 180;
+  return new Mesh(geometry, material);
 }
 
 function geometryOf(shape: SolidShape): BufferGeometry | null {
   if (shape.mesh?.positions) return meshOf(shape.mesh.positions);
-  switch (shape.kind) {
-    case "box":
-      return new BoxGeometry(...(shape.size ?? [1, 1, 1]));
-    case "sphere":
-      return new SphereGeometry(shape.radius ?? 1, 32, 20);
-    case "capsule":
-    case "cylinder": {
-      if (!shape.from || !shape.to) return null;
-      const long = vector(shape.to).distanceTo(vector(shape.from)),
-        r = shape.radius ?? 1;
-      return shape.kind === "capsule" ? new CapsuleGeometry(r, long, 8, 22) : new CylinderGeometry(r, r, long, 28);
-    }
-    default:
-      return null;
-  }
+  return shape.outline ? hullOf(shape.outline) : null;
+}
+
+/** Returns the convex hull of points, given by their coordinates, one point after another; round where it is round. */
+function hullOf(coordinates: readonly number[]): BufferGeometry {
+  const points = [];
+  for (let at = 0; at < coordinates.length; at += 3)
+    points.push(new Vector3(coordinates[at], coordinates[at + 1], coordinates[at + 2]));
+  return toCreasedNormals(new ConvexGeometry(points), CREASE);
 }
 
 /** Returns triangles from the coordinates of their corners, one triangle after another. */
@@ -81,13 +65,9 @@ function meshOf(positions: readonly number[]): BufferGeometry {
 }
 
 /** Returns the mesh of an obstacle, filled and with its edges, visible in any light. */
-export function obstacleOf(
-  shape: SolidShape,
-  units: Units | undefined,
-  colours: {fill: string; edge: string},
-): Object3D | null {
+export function obstacleOf(shape: SolidShape, colours: {fill: string; edge: string}): Object3D | null {
   const look = {color: colours.fill, roughness: 0.9, transparent: true, opacity: 0.85};
-  const solid = solidOf(shape, new MeshStandardMaterial(look), units);
+  const solid = solidOf(shape, new MeshStandardMaterial(look));
   if (!(solid instanceof Mesh)) return null;
   solid.add(new LineSegments(new EdgesGeometry(solid.geometry, 30), new LineBasicMaterial({color: colours.edge})));
   return solid;

@@ -33,19 +33,17 @@ export interface SheetDocument {
   };
 }
 
-/** Shape in a cell file: its kind and the fields of that kind, in the world frame or in the frame of its row. */
+/** Shape in a cell file, in the world frame or in the frame of its row: its kind, and the fields that regions are drawn by. */
 export interface SolidShape {
   kind: string;
   name: string;
-  from?: Vector3;
-  to?: Vector3;
   radius?: number;
   center?: Vector3;
-  size?: Vector3;
-  rpy?: Vector3;
   point?: Vector3;
   normal?: Vector3;
-  /** Mesh whose bounding box the other fields describe; the corners of its triangles are missing if there are too many. */
+  /** Coordinates of points on a solid's surface whose convex hull is drawn, one point after another. */
+  outline?: number[] | null;
+  /** Mesh whose bounding box the outline is; the corners of its triangles are missing if there are too many. */
   mesh?: {triangles: number; positions?: number[]};
 }
 

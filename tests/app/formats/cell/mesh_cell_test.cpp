@@ -96,6 +96,7 @@ TEST_F(MeshCell, IsDrawnAsABoxAndGivesItsTriangles) {
   EXPECT_EQ(shape["name"], "nozzle-dam");
   EXPECT_NEAR(shape["center"][2].get<double>(), -47, 1e-5);
   EXPECT_NEAR(shape["size"][0].get<double>(), 12, 1e-5);
+  EXPECT_EQ(shape["outline"].size(), 8u * 3);
   EXPECT_EQ(shape["mesh"]["file"], "dam.stl");
   EXPECT_EQ(shape["mesh"]["solid"], true);
   EXPECT_EQ(shape["mesh"]["positions"].size(), 9 * shape["mesh"]["triangles"].get<std::size_t>());
