@@ -23,17 +23,15 @@ constexpr StageRow kStages[] = {
     {EffectStage::kBase, Remedy::kCalibrateBase},          {EffectStage::kMeasurement, Remedy::kRemeasureArm},
 };
 
-Remedy remedyOf(const Cause& cause) {
-  if (cause.effects.empty()) return Remedy::kInspectJoint;
-  const auto& kind = kindOf(cause.effects.front());
-  const auto conditions = deflection::conditionsOf(kind);
-  if (std::ranges::find(conditions, Condition::kTemperature) != conditions.end()) return Remedy::kAwaitWarmth;
-  return std::ranges::find(kStages, kind.stage, &StageRow::stage)->remedy;
-}
-
 bool dependsOn(const deflection::Effect& effect, Condition condition) {
   const auto conditions = deflection::conditionsOf(kindOf(effect));
   return std::ranges::find(conditions, condition) != conditions.end();
+}
+
+Remedy remedyOf(const Cause& cause) {
+  if (cause.effects.empty()) return Remedy::kInspectJoint;
+  if (dependsOn(cause.effects.front(), Condition::kTemperature)) return Remedy::kAwaitWarmth;
+  return std::ranges::find(kStages, kindOf(cause.effects.front()).stage, &StageRow::stage)->remedy;
 }
 
 /// Measurements in which each condition that none of them states differs from its usual value, so that effects of the
