@@ -1,4 +1,5 @@
 # Installs the public `headers` and the headers that they include into the folder `include` of the prefix.
+cmake_minimum_required(VERSION 3.25)
 set(installed)
 while(headers)
   list(POP_FRONT headers header)
