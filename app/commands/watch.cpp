@@ -15,6 +15,7 @@
 #include "app/commands/option_groups.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/figures_text.hpp"
+#include "app/documents/measurement_checks_json.hpp"
 #include "app/formats/cell/workcell.hpp"
 #include "app/formats/measurements/measurement_input.hpp"
 #include "app/formats/units_json.hpp"
@@ -238,6 +239,11 @@ int run(const WatchRequest& request) {
   const CellMeasurements input = readCellMeasurements(request.cell, request.measurement_files, request.given);
   requirePlaced(input.cell);
   requireOrder(input.measurements, input.file);
+  if (const int given = static_cast<int>(input.measurements.size());
+      request.options.planned != 0 && request.options.planned < given)
+    throw InputError::saying("--planned",
+                             fmt::format("{} readings are planned, but {} are given", request.options.planned, given),
+                             "state how many are planned in all, or leave the option out");
   checkFigures(request.figures);
   const planner::Workcell work = workcellOf(input.cell, "watch its visits");
   const auto uncertainty = jointUncertaintyOf(input.cell, work, nullptr);
@@ -250,8 +256,9 @@ int run(const WatchRequest& request) {
   if (watch.status == calibration::WatchStatus::kStopped) return kStoppedExitCode;
   if (watch.status == calibration::WatchStatus::kNotComputed)
     throw InputError::saying(input.file, watch.reason, "watch touches of holes, positions, offsets or steps");
-  const nlohmann::json figures = figuresOf(watch, input, options.false_alarms);
-  showFigures(request.figures, figures, textOf(figures, kWatchWords));
+  nlohmann::json figures = figuresOf(watch, input, options.false_alarms);
+  addChecks(input.checks, input.cell.units, figures);
+  showFigures(request.figures, figures, checksText(input.checks, input.cell.units) + textOf(figures, kWatchWords));
   return watch.alarm ? kNegativeAnswer : kDone;
 }
 

@@ -12,7 +12,8 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Returns the values that are all equal in a measurement and its copy.
+/// Returns the values that are all equal in a measurement and its copy. A row that was logged again has a later time;
+/// only a second count of steps at a later time is a measurement of its own.
 auto contentOf(const Measurement& m) {
   const Eigen::Vector3d p = m.p_W.value_or(Eigen::Vector3d::Zero());
   const Eigen::Vector3d tool = m.p_TQ.value_or(Eigen::Vector3d::Zero());
@@ -20,7 +21,9 @@ auto contentOf(const Measurement& m) {
   const TipWrench wrench = m.wrench.value_or(TipWrench{});
   const auto number = [](double value) { return std::isfinite(value) ? value : 0; };
   std::vector<double> conditions;
-  for (const auto& kind : deflection::kConditionKinds) conditions.push_back(number(m.conditions[kind.condition]));
+  for (const auto& kind : deflection::kConditionKinds)
+    if (kind.course != deflection::Course::kSlow || kindOf(m).counts_steps)
+      conditions.push_back(number(m.conditions[kind.condition]));
   return std::tuple{static_cast<int>(m.kind),
                     m.row,
                     m.point,
