@@ -97,7 +97,6 @@ std::vector<int> allTubes(const Sheet& sheet) {
   return all;
 }
 
-bool takesNoTool(TubeState state) { return state == TubeState::kPlugged || state == TubeState::kStabilised; }
 
 // Returns true for states in which a tube may be unreachable or misidentified. Such tubes are selected only by name.
 bool isDoubtful(TubeState state) { return state == TubeState::kInaccessible || state == TubeState::kUnresolved; }

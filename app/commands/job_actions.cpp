@@ -48,7 +48,7 @@ int create(const JobOptions& options) {
   if (options.out.empty())
     throw InputError::saying("--out", "the option is missing",
                              "name the file that keeps the record, such as spring.job");
-  JobStore::create(readJobFile(options.file), options.out);
+  for (const std::string& note : JobStore::create(readJobFile(options.file), options.out)) remark("note: {}\n", note);
   JobStore store(options.out);
   return showStatus(options, store);
 }
@@ -70,7 +70,8 @@ int confirm(const JobOptions& options) {
   JobStore store(options.file);
   ConfirmationRequest request{tubeOf(options), options.part.package, options.read_back, std::nullopt, options.entry};
   if (options.read_back.empty() == options.position.empty())
-    throw InputError::saying("--read-back, --position", "one of these options is needed",
+    throw InputError::saying("--read-back, --position",
+                             options.position.empty() ? "one of these options is needed" : "both options are given",
                              "say which tube another person reads, or where an independent measurement finds the tool");
   const double length = store.job().units.factor(dimension::kLength);
   if (!options.position.empty()) request.xy = {options.position[0] * length, options.position[1] * length};

@@ -87,7 +87,10 @@ void Database::fail(int code) const {
     throw InputError::saying(path_, "this file cannot be opened for writing", "check its folder and permissions");
   if (kind == SQLITE_FULL || kind == SQLITE_IOERR)
     throw InputError::saying(path_, "this file cannot be written", "check the space left on the disk");
-  throw std::logic_error(path_ + ": " + sqlite3_errmsg(database_.get()));
+  const std::string said = sqlite3_errmsg(database_.get());
+  if (said.starts_with("no such "))
+    throw InputError::saying(path_, "the record is damaged: " + said, "restore it from a copy");
+  throw std::logic_error(path_ + ": " + said);
 }
 
 void Database::execute(const std::string& sql) {

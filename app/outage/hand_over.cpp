@@ -84,30 +84,12 @@ std::vector<TotalsBy> allTotals(const std::vector<JobItem>& items, const Zones& 
   return totals;
 }
 
-ItemCounts countsOf(const std::vector<JobItem>& items) {
-  ItemCounts counts;
-  for (const JobItem& item : items) counts.add(item.standing());
-  return counts;
-}
-
-std::vector<ShiftBalance> balancesOf(const std::vector<JobItem>& items, const std::vector<JobEvent>& events,
-                                     const std::vector<JobShift>& shifts) {
-  std::map<std::string, ShiftBalance> balances;  // by their beginnings
-  for (const JobEvent& event : events) {
-    const ShiftOfDay shift = shiftAt(event.at, shifts);
-    ShiftBalance& balance = balances[startOf(shift, shifts) + shift.name];
-    balance.shift = shift;
-    const Mark* mark = event.kind == "mark" && !event.is_undone ? findMark(event.value) : nullptr;
-    if (!mark) continue;
-    ++balance.marks;
-    balance.done += mark->standing == ItemStanding::kDone;
-  }
-  std::vector<ShiftBalance> in_order;
-  for (auto& [start, balance] : balances) {
-    balance.at_end = countsOf(itemsAt(items, events, endOf(balance.shift, shifts)));
-    in_order.push_back(balance);
-  }
-  return in_order;
+/// Takes back what undos that are no longer among the events did.
+void withoutLaterUndos(std::vector<JobEvent>& events) {
+  std::set<std::int64_t> undone;
+  for (const JobEvent& event : events)
+    if (event.undoes) undone.insert(*event.undoes);
+  for (JobEvent& event : events) event.is_undone = undone.contains(event.id);
 }
 
 std::vector<PersonsWork> peopleOf(const std::vector<JobEvent>& events) {
@@ -141,34 +123,26 @@ std::vector<MarkedItem> itemsWith(ItemStanding standing, const std::vector<JobIt
 
 }  // namespace
 
-std::vector<JobItem> itemsAt(std::vector<JobItem> items, const std::vector<JobEvent>& events, const std::string& time) {
-  std::set<std::int64_t> undone;
-  for (const JobEvent& event : events)
-    if (event.undoes && event.at < time) undone.insert(*event.undoes);
-  std::map<std::int64_t, const Mark*> marks;
-  for (const JobEvent& event : events)
-    if (event.kind == "mark" && event.at < time && !undone.contains(event.id))
-      marks[event.item] = findMark(event.value);
-  for (JobItem& item : items) {
-    const auto mark = marks.find(item.id);
-    item.mark = mark == marks.end() ? nullptr : mark->second;
-  }
-  return items;
-}
-
 HandOver handOverOf(JobStore& store, const HandOverRequest& request) {
-  const std::vector<JobItem> items = store.items();
-  const std::vector<JobEvent> events = store.events();
+  std::vector<JobItem> items = store.items();
+  std::vector<JobEvent> events = store.events();
   const JobFile& job = store.job();
   HandOver of;
   of.shift = chosenShift(events, job, request);
+  of.shifts = balancesOf(items, events, job.shifts);
+  if (of.shift) {  // what happened later is of no concern to this hand-over
+    const std::string end = endOf(*of.shift, job.shifts);
+    items = itemsAt(std::move(items), events, end);
+    of.later_events = static_cast<int>(std::erase_if(events, [&](const JobEvent& event) { return event.at >= end; }));
+    withoutLaterUndos(events);
+  }
   for (const JobEvent& event : events)
     if (of.shift && shiftAt(event.at, job.shifts) == *of.shift) of.events.push_back(event);
   for (const JobEvent& event : of.events)
     if (event.kind == "confirm" && event.value != "same") of.wrong.push_back(event);
   of.people = peopleOf(of.events);
+  of.total = countsOf(items);
   of.totals = allTotals(items, zonesOf(store));
-  of.shifts = balancesOf(items, events, job.shifts);
   of.held = itemsWith(ItemStanding::kHeld, items, events);
   of.retests = itemsWith(ItemStanding::kQueued, items, events);
   return of;

@@ -21,14 +21,6 @@ struct TotalsBy {
   std::vector<std::pair<std::string, ItemCounts>> rows;
 };
 
-/// Work of one shift, and the standing of all items at its end.
-struct ShiftBalance {
-  ShiftOfDay shift;
-  int marks = 0;  ///< marks recorded in the shift that were not undone
-  int done = 0;   ///< marks among them that finished an item
-  ItemCounts at_end;
-};
-
 /// Events of one person in the shift.
 struct PersonsWork {
   std::string who;
@@ -47,6 +39,8 @@ struct HandOver {
   std::optional<ShiftOfDay> shift;  ///< nothing if no shift that fits the request has an event
   std::vector<JobEvent> events;     ///< of the shift
   std::vector<PersonsWork> people;
+  int later_events = 0;  ///< number of events after the end of the shift
+  ItemCounts total;      ///< of all items at the end of the shift, as all that follows but `shifts`
   std::vector<TotalsBy> totals;
   std::vector<ShiftBalance> shifts;  ///< every shift with an event, in the order of their beginnings
   std::vector<MarkedItem> held;      ///< by decision or because the plan does not reach them
@@ -57,10 +51,5 @@ struct HandOver {
 /// Returns the hand-over of a shift. Throws InputError for a shift that the job does not have, and for a malformed
 /// date.
 [[nodiscard]] HandOver handOverOf(JobStore& store, const HandOverRequest& request);
-
-/// Returns the items as they stood at a time: later marks and undos are left out. Tubes that the plan does not reach
-/// have no time; they are as they are now.
-[[nodiscard]] std::vector<JobItem> itemsAt(std::vector<JobItem> items, const std::vector<JobEvent>& events,
-                                           const std::string& time);
 
 }  // namespace tubeplan::app

@@ -50,6 +50,7 @@ json balancesJson(const std::vector<ShiftBalance>& shifts) {
     row["name"] = shiftWords(balance.shift.date, balance.shift.name);
     row["marks"] = balance.marks;
     row["done_in_shift"] = balance.done;
+    row["reopened_in_shift"] = balance.reopened;
     list.push_back(std::move(row));
   }
   return list;
@@ -127,6 +128,8 @@ constexpr TextLine kHandOverWords[] = {
     {"", "{title}\n"},
     {"shift", "shift {words}, from {from} to {to}\n"},
     {"!shift", "nothing is recorded yet for {asked}\n"},
+    {"later_events", "its totals are of its end; warnings and maps are of the present, after {} later events\n"},
+    {"!events", "no event is recorded in this shift\n"},
     {"people", "  {who}: marked {marked}, confirmed {confirmed}, found another tube {wrong} times, undid {undone}\n"},
     {"wrong_tubes", "warning: at {tube} {who} found {found} ({at})\n"},
     {"plugged_at_one_end", "warning: {} is plugged at this end only\n"},
@@ -153,7 +156,8 @@ json handOverJson(JobStore& store, const HandOver& of, const HandOverRequest& re
       {"last_event", store.lastEvent()},
       {"shift", shiftJson(of.shift, job)},
       {"asked", request.shift.empty() && request.date.empty() ? "any shift" : shiftWords(request.date, request.shift)},
-      {"total", warnings["total"]},
+      {"later_events", of.later_events},
+      {"total", countsJson(of.total)},
       {"totals", totalsByJson(of.totals)},
       {"shifts", balancesJson(of.shifts)},
       {"people", peopleJson(of.people)},

@@ -65,7 +65,7 @@ std::string findMissingConfirmation(const WorkPackage& package, const std::vecto
   if (package.confirm == ConfirmationMethod::kNone) return "";
   const JobEvent* latest = nullptr;
   for (const JobEvent& event : events_of_item) {
-    if (event.kind == "mark") latest = nullptr;
+    if (event.kind == "mark" || event.kind == "undo") latest = nullptr;
     if (event.kind == "confirm") latest = &event;
   }
   if (!latest) return "the identity of the tube is not confirmed";
@@ -73,7 +73,7 @@ std::string findMissingConfirmation(const WorkPackage& package, const std::vecto
     return fmt::format("the package {} asks for a confirmation by {}, but the last one is by {}", package.name,
                        confirmationName(package.confirm), latest->method);
   if (latest->value != "same") return fmt::format("the last confirmation found {}", latest->value);
-  if (package.confirm == ConfirmationMethod::kReadBack && latest->who == who)
+  if (package.confirm == ConfirmationMethod::kReadBack && isSamePerson(latest->who, who))
     return fmt::format("the tube was read back by {}, who marks it too; another person must read it", who);
   return "";
 }

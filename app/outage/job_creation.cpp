@@ -11,6 +11,7 @@
 #include "app/outage/job_store.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/origin.hpp"
+#include "app/storage/suggestion.hpp"
 #include "app/storage/text_file.hpp"
 #include "tubesheets/work_list.hpp"
 
@@ -54,10 +55,25 @@ Sheet sheetOf(const JobLeg& leg) {
   return sheet;
 }
 
-/// Sets the states of tubes that a table states. Throws InputError for a tube that the sheet does not have.
-void applyStates(const std::string& path, Sheet& sheet) {
-  const tubesheets::WorkList list = tubesheets::parseWorkListCsv(readTextFile(path));
+/// Throws InputError for a table that states nothing, or that is of another steam generator.
+void requireStates(const std::string& path, const tubesheets::WorkList& list, const std::string& generator) {
   if (list.problem) refuseText(path, *list.problem);
+  for (const auto& item : list.items)
+    if (!item.steam_generator.empty() && item.steam_generator != generator)
+      throw InputError::saying(
+          fmt::format("{}:{}", path, item.line),
+          fmt::format("{} is of steam generator {}, but the job names the table for {}",
+                      tubesheets::tubeName(item.row, item.column), item.steam_generator, generator),
+          "name the table under its own steam generator");
+  std::vector<std::string> states;
+  for (const auto state : tubesheets::tubeStates()) states.emplace_back(tubesheets::tubeStateName(state));
+  if (std::ranges::none_of(list.items, [](const auto& item) { return item.state.has_value(); }))
+    throw InputError::saying(path, "the table has no state of any tube",
+                             "write each tube's state in a column named `state`: " + alternatives(states));
+}
+
+/// Sets the states of tubes that a table states. Throws InputError for a tube that the sheet does not have.
+void applyStates(const tubesheets::WorkList& list, const std::string& path, Sheet& sheet) {
   for (const auto& item : list.items) {
     const auto tube = sheet.indexOf(item.row, item.column);
     if (!tube)
@@ -84,13 +100,19 @@ void requireSameTubes(const ReadLeg& one, const ReadLeg& other) {
           "give both legs sheets with the same rows and columns");
 }
 
-std::vector<ReadLeg> readLegsOf(const JobFile& job) {
+std::vector<ReadLeg> readLegsOf(const JobFile& job, std::vector<std::string>& notes) {
   std::vector<ReadLeg> legs;
   for (const SteamGenerator& generator : job.generators) {
     const std::size_t first = legs.size();
+    tubesheets::WorkList states;
+    if (!generator.states.empty()) {
+      states = tubesheets::parseWorkListCsv(readTextFile(generator.states));
+      requireStates(generator.states, states, generator.name);
+      for (const std::string& note : states.notes) notes.push_back(generator.states + ": " + note);
+    }
     for (const JobLeg& leg : generator.legs) {
       legs.push_back({generator.name, leg, sheetOf(leg)});
-      if (!generator.states.empty()) applyStates(generator.states, legs.back().sheet);
+      applyStates(states, generator.states, legs.back().sheet);
       if (legs.size() > first + 1) requireSameTubes(legs[first], legs.back());
     }
   }
@@ -105,7 +127,39 @@ bool isMeantFor(const tubesheets::WorkList& list, const ReadLeg& leg) {
          (first.steam_generator.empty() || first.steam_generator == leg.generator);
 }
 
+/// Throws InputError for a tube that a work list opens although it is plugged or stabilised according to the sheet: one
+/// of the two is wrong, and a tool must not enter a plugged tube.
+void requireNoneReopened(const tubesheets::WorkList& list, const ReadLeg& leg, const std::string& path) {
+  for (const auto& item : list.items) {
+    const auto tube = leg.sheet.indexOf(item.row, item.column);
+    if (!tube || !item.state) continue;
+    const auto on_sheet = leg.sheet.tubes[static_cast<std::size_t>(*tube)].state;
+    if (tubesheets::takesNoTool(on_sheet) && !tubesheets::takesNoTool(*item.state))
+      throw InputError::saying(fmt::format("{}:{}", path, item.line),
+                               fmt::format("{} is {} according to the list, but {} before the job",
+                                           tubesheets::tubeName(item.row, item.column),
+                                           tubesheets::tubeStateName(*item.state), tubesheets::tubeStateName(on_sheet)),
+                               "correct the list, or the states of the steam generator");
+  }
+}
+
 bool contains(const auto& values, const auto& value) { return std::ranges::find(values, value) != values.end(); }
+
+std::vector<std::string> addressesOf(const std::vector<ReadLeg>& legs) {
+  std::vector<std::string> addresses;
+  for (const ReadLeg& leg : legs) addresses.push_back(addressText(LegName{leg.generator, leg.leg.leg}));
+  return addresses;
+}
+
+/// Returns ", whose list is of B/hot" for a list that names its steam generator or leg; empty for any other.
+std::string placeOf(const std::optional<tubesheets::WorkList>& list) {
+  if (!list || list->items.empty()) return "";
+  const auto& first = list->items.front();
+  const std::string leg = first.leg ? fmt::format(" ({} leg)", tubesheets::legName(*first.leg)) : "";
+  if (first.steam_generator.empty() && leg.empty()) return "";
+  return fmt::format(", whose list is of {}{}",
+                     first.steam_generator.empty() ? "any steam generator" : first.steam_generator, leg);
+}
 
 /// Selects the tubes of one package on all legs that it is for.
 std::vector<PackageOnLeg> selectPackage(const WorkPackage& package, std::int64_t key, const JobFile& job,
@@ -117,13 +171,18 @@ std::vector<PackageOnLeg> selectPackage(const WorkPackage& package, std::int64_t
   for (const ReadLeg& leg : legs) {
     if (!contains(package.generators, leg.generator) || !contains(package.legs, leg.leg.leg)) continue;
     if (list && !isMeantFor(*list, leg)) continue;
+    if (list) requireNoneReopened(*list, leg, package.tubes);
     selected.push_back(
         {key, &leg, readTubes(package.tubes, leg.sheet, {}, fmt::format("{} (package {})", job.path, package.name))});
   }
   if (selected.empty())
-    throw InputError::saying(fmt::format("{} (package {})", job.path, package.name),
-                             "no leg of the job belongs to this package",
-                             "check its `steam_generators` and `legs`, and the columns `sg` and `leg` of its list");
+    throw InputError::saying(
+        fmt::format("{} (package {})", job.path, package.name),
+        "no leg of the job belongs to this package" + placeOf(list),
+        fmt::format(
+            "the job has {}: check `steam_generators` and `legs` of the package, and the columns `sg` and `leg` "
+            "of its list",
+            enumeration(addressesOf(legs))));
   return selected;
 }
 
@@ -174,23 +233,35 @@ void fill(Database& database, const JobFile& job, const std::vector<ReadLeg>& le
 
 }  // namespace
 
-void JobStore::create(const JobFile& job, const std::string& path) {
-  const std::vector<ReadLeg> legs = readLegsOf(job);
+std::vector<std::string> JobStore::create(const JobFile& job, const std::string& path) {
+  std::vector<std::string> notes;
+  const std::vector<ReadLeg> legs = readLegsOf(job, notes);
   std::vector<std::vector<PackageOnLeg>> packages;
   for (std::size_t k = 0; k < job.packages.size(); ++k)
     packages.push_back(selectPackage(job.packages[k], static_cast<std::int64_t>(k) + 1, job, legs));
+  for (const WorkPackage& package : job.packages)
+    if (const std::string note = untimedText(package, job); !note.empty()) notes.push_back(note);
+  for (const auto& of_package : packages)
+    for (const std::string& note : listNotes(of_package.front().selection)) notes.push_back(note);
   claimOutput(path, "--out");
   std::error_code none;
   if (std::filesystem::exists(path, none))
     throw InputError::saying(path, "the file exists, and what it records must not be lost", "choose another name");
   const std::string scratch = path + ".new";
-  for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(scratch + suffix, none);
-  {
+  const auto removeScratch = [&] {
+    for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(scratch + suffix, none);
+  };
+  removeScratch();
+  try {
     Database database(scratch, Database::Mode::kCreate);
     database.execute(kJobSchema);
     database.transact([&] { fill(database, job, legs, packages); });
+  } catch (...) {
+    removeScratch();
+    throw;
   }
   std::filesystem::rename(scratch, path);
+  return notes;
 }
 
 }  // namespace tubeplan::app

@@ -65,6 +65,15 @@ bool JobPart::has(const JobItem& item) const {
 void requirePart(const JobFile& job, const JobPart& part) {
   requireName("--package", part.package, job.packages);
   requireName("--sg", part.generator, job.generators);
+  if (!part.leg) return;
+  std::vector<std::string> legs;
+  for (const SteamGenerator& generator : job.generators)
+    for (const JobLeg& leg : generator.legs)
+      if (part.generator.empty() || part.generator == generator.name) legs.emplace_back(tubesheets::legName(leg.leg));
+  std::ranges::sort(legs);
+  legs.erase(std::ranges::unique(legs).begin(), legs.end());
+  const std::string leg(tubesheets::legName(*part.leg));
+  if (std::ranges::find(legs, leg) == legs.end()) throw InputError("--leg", inQuotes(leg), alternatives(legs));
 }
 
 std::vector<const JobItem*> itemsToVisit(const std::vector<JobItem>& items, const JobPart& part) {
@@ -140,6 +149,8 @@ IdentityFinding confirmTube(JobStore& store, const ConfirmationRequest& request)
 }
 
 std::int64_t undoMark(JobStore& store, std::int64_t event, const EventEntry& entry) {
+  if (event == 0)
+    throw InputError::saying("--event", "the event is missing", "`tubeplan job log` lists them with their numbers");
   if (entry.reason.empty()) throw InputError::saying("--reason", "an undo needs a reason", "write --reason TEXT");
   std::int64_t undo = 0;
   store.transact([&] {

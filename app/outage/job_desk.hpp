@@ -19,7 +19,7 @@ struct JobPart {
   [[nodiscard]] bool isWhole() const { return package.empty() && generator.empty() && !leg; }
 };
 
-/// Throws InputError for a package or a steam generator that the job does not have; messages name the options.
+/// Throws InputError for a package, a steam generator or a leg that the job does not have; messages name the options.
 void requirePart(const JobFile& job, const JobPart& part);
 
 /// Returns the items of the part that are to be visited, in their order: open or queued, and not at an end that was

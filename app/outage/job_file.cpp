@@ -21,6 +21,8 @@ using tubesheets::Leg;
 
 constexpr const char* kMirrored = "mirrored";
 
+std::string timeOfDay(int minutes) { return fmt::format("{:02}:{:02}", minutes / 60, minutes % 60); }
+
 struct ConfirmationRow {
   std::string_view name;
   ConfirmationMethod method;
@@ -191,6 +193,39 @@ int readMinutes(const YamlNode& node) {
   return 60 * hours + minutes;
 }
 
+/// Returns the shift of every minute of the day; null where there is none. Throws InputError, at `node`, if two shifts
+/// have a minute in common.
+std::array<const JobShift*, kMinutesPerDay> minutesOf(const std::vector<JobShift>& shifts, const std::string& where) {
+  std::array<const JobShift*, kMinutesPerDay> minutes{};
+  for (const JobShift& shift : shifts)
+    for (int k = 0; k < lengthOf(shift); ++k) {
+      const JobShift*& owner = minutes[static_cast<std::size_t>((shift.from + k) % kMinutesPerDay)];
+      if (owner)
+        throw InputError::saying(where,
+                                 fmt::format("the shifts {} and {} overlap at {}", owner->name, shift.name,
+                                             timeOfDay((shift.from + k) % kMinutesPerDay)),
+                                 "let each shift end when the next begins");
+      owner = &shift;
+    }
+  return minutes;
+}
+
+/// Adds a shift, named after its times, for every part of the day that no shift has, so that each time is in one shift.
+void fillGaps(std::vector<JobShift>& shifts, const std::string& where) {
+  if (shifts.empty()) return;
+  const auto minutes = minutesOf(shifts, where);
+  std::vector<JobShift> gaps;
+  for (int k = 0; k < kMinutesPerDay; ++k) {
+    const auto at = [&](int minute) { return minutes[static_cast<std::size_t>(minute % kMinutesPerDay)]; };
+    if (at(k) || !at(k + kMinutesPerDay - 1)) continue;
+    int end = k;
+    while (!at(end)) ++end;
+    end %= kMinutesPerDay;
+    gaps.push_back({timeOfDay(k) + "-" + timeOfDay(end), k, end});
+  }
+  shifts.insert(shifts.end(), gaps.begin(), gaps.end());
+}
+
 }  // namespace
 
 std::string addressText(const LegName& name) {
@@ -242,8 +277,11 @@ JobFile parseJobFile(const std::string& text, const std::string& path) {
       job.shifts.push_back({readPlainName(node.at("name")), readMinutes(node.at("from")), readMinutes(node.at("to"))});
       requireNewName(node, job.shifts);
     }
+  fillGaps(job.shifts, path + ": shifts");
   return job;
 }
+
+int lengthOf(const JobShift& shift) { return (shift.to - shift.from + kMinutesPerDay - 1) % kMinutesPerDay + 1; }
 
 Cell readCellOf(const JobLeg& leg) {
   Cell cell = readCell(leg.cell);
@@ -251,5 +289,13 @@ Cell readCellOf(const JobLeg& leg) {
 }
 
 JobFile readJobFile(const std::string& path) { return parseJobFile(readTextFile(path), path); }
+
+std::string untimedText(const WorkPackage& package, const JobFile& job) {
+  const JobTool& tool = job.toolOf(package);
+  if ((tool.speed > 0) == (package.length > 0)) return "";
+  return fmt::format("the package {} counts no time in the tubes: {}", package.name,
+                     tool.speed > 0 ? fmt::format("its tool {} has a speed, but the package has no length", tool.name)
+                                    : fmt::format("it has a length, but its tool {} has no speed", tool.name));
+}
 
 }  // namespace tubeplan::app

@@ -66,13 +66,18 @@ struct JobShift {
   int from = 0, to = 0;  ///< start and end [minutes after midnight]; a shift may end on the next day
 };
 
+inline constexpr int kMinutesPerDay = 24 * 60;
+
+/// Returns the length of a shift [min]: a day if it ends when it begins.
+[[nodiscard]] int lengthOf(const JobShift& shift);
+
 struct JobFile {
   std::string path, text, name;
   Units units;
   std::vector<SteamGenerator> generators = {};
   std::vector<JobTool> tools = {};
-  std::vector<WorkPackage> packages = {};  ///< in the order of their priority
-  std::vector<JobShift> shifts = {};
+  std::vector<WorkPackage> packages = {};        ///< in the order of their priority
+  std::vector<JobShift> shifts = {};             ///< shifts of the file, and one for each time of day that no shift has
   std::vector<std::vector<LegName>> apart = {};  ///< groups of legs of which at most one has an arm at any time
   int arms = 1;      ///< number of arms that work at the same time, each in a leg of its own
   double mount = 0;  ///< time to mount an arm in a leg and calibrate its base [s]
@@ -88,6 +93,10 @@ struct JobFile {
 /// Reads a job file. Throws InputError, with file, line and key, for anything that docs/outage.md does not describe.
 /// Paths are relative to the folder of the job file.
 [[nodiscard]] JobFile readJobFile(const std::string& path);
+
+/// Returns a sentence on a package whose time in the tubes is zero because only its length, or only the speed of its
+/// tool is stated; empty for any other.
+[[nodiscard]] std::string untimedText(const WorkPackage& package, const JobFile& job);
 
 /// Parses the text of a job file that was read from `path`.
 [[nodiscard]] JobFile parseJobFile(const std::string& text, const std::string& path);

@@ -20,6 +20,8 @@ json eventJson(const JobEvent& event) {
   return result;
 }
 
+constexpr TextLine kReopenedWords[] = {{"reopened", ", {} done no longer"}, {"", "\n"}};
+
 constexpr TextLine kTotalsWords[] = {
     {"", "{job}\npackage          sg       leg    planned    done  excluded  unresolved  (open, queued, held)\n"},
     {"packages",
@@ -30,7 +32,7 @@ constexpr TextLine kTotalsWords[] = {
      "{@:<31} {planned:>8} {done:>7} {excluded:>9} {unresolved:>11}  ({open}, {queued}, {held})  {percent:.1f} %\n",
      {},
      "all"},
-    {"shifts", "{date} {shift}: {done} done\n"},
+    {"shifts", "{date} {shift}: {done} done", kReopenedWords},
     {"plugged_at_one_end",
      "warning: {} is plugged at this end only: plug the other end too, or check which tube it is\n"},
     {"plugged_in_the_meantime",
@@ -80,8 +82,9 @@ json totalsJson(const JobTotals& totals, const JobFile& job) {
     row["leg"] = tubesheets::legName(total.leg);
     result["packages"].push_back(std::move(row));
   }
-  for (const ShiftTotal& shift : totals.shifts)
-    result["shifts"].push_back({{"date", shift.shift.date}, {"shift", shift.shift.name}, {"done", shift.done}});
+  for (const ShiftBalance& of : totals.shifts)
+    result["shifts"].push_back(
+        {{"date", of.shift.date}, {"shift", of.shift.name}, {"done", of.done}, {"reopened", of.reopened}});
   for (const TubeAddress& tube : totals.plugged_at_one_end) result["plugged_at_one_end"].push_back(addressText(tube));
   for (const JobItem& item : totals.plugged_in_the_meantime)
     result["plugged_in_the_meantime"].push_back({{"tube", addressText(item.tube)}, {"package", item.package}});

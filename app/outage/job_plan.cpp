@@ -159,8 +159,12 @@ JobPlan planJob(JobStore& store, const JobPlanRequest& request, const planner::P
     const Cell cell = cellOfLeg(sheet);
     LegPlan& leg = plan.legs.emplace_back(LegPlan{sheet.generator, sheet.leg.leg, {}, store.job().mount});
     JobPlanRequest asked = request;
+    std::string mounted;  // tool on the arm; none when the arm enters the leg
     for (const auto& of_package : to_plan) {
       leg.packages.push_back(planPackage(store, cell, of_package, asked, hooks, keep));
+      const std::string& tool = store.job().packageOf(of_package.front().package).tool;
+      if (tool == mounted) leg.packages.back().change = 0;
+      mounted = tool;
       asked.start.clear();  // the arm stands elsewhere once the first package is done
       if (leg.packages.back().status == VisitPlanStatus::kStopped) {
         leg.packages.pop_back();

@@ -89,6 +89,7 @@ constexpr TextLine kLegWords[] = {
 constexpr TextLine kWords[] = {
     {"", "{job}\n"},
     {"legs", "{steam_generator}/{leg}: arm {arm}, {start_h:.2f} to {end_h:.2f} h\n", kLegWords},
+    {"notes", "note: {}\n"},
     {"times", "{words:<12} {time_h:>8.2f} h {share:>6.1%} %\n"},
     {"",
      "{visits} visits, {unreachable} out of reach; {arms} arms end after {end_h:.2f} h ({schedule}; no schedule ends "
@@ -101,6 +102,7 @@ constexpr TextLine kWords[] = {
 json jobPlanJson(const JobPlan& plan, const JobFile& job) {
   json result = {{"job", job.name},
                  {"legs", json::array()},
+                 {"notes", json::array()},
                  {"arms", job.arms},
                  {"end_s", plan.schedule.end},
                  {"end_h", plan.schedule.end / kHour},
@@ -115,6 +117,8 @@ json jobPlanJson(const JobPlan& plan, const JobFile& job) {
       unreachable += package.unreachable.size();
     }
   }
+  for (const WorkPackage& package : job.packages)
+    if (const std::string note = untimedText(package, job); !note.empty()) result["notes"].push_back(note);
   result["times"] = timesJson(result["legs"]);
   result["visits"] = visits;
   result["unreachable"] = unreachable;

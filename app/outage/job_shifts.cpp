@@ -12,8 +12,6 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr int kMinutesPerDay = 24 * 60;
-
 std::chrono::year_month_day dayOf(const std::string& date) {
   int year = 0;
   unsigned month = 0, day = 0;
@@ -33,9 +31,6 @@ std::string timeAt(const std::string& date, int minutes) {
   return fmt::format("{}T{:02}:{:02}:00Z", shifted(date, minutes / kMinutesPerDay), minutes % kMinutesPerDay / 60,
                      minutes % 60);
 }
-
-/// Returns the length of a shift [min]: a day if it ends when it begins.
-int lengthOf(const JobShift& shift) { return (shift.to - shift.from + kMinutesPerDay - 1) % kMinutesPerDay + 1; }
 
 }  // namespace
 

@@ -68,16 +68,7 @@ std::string presentTime() {
                      fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
 }
 
-/// Throws InputError unless the text is a time in UTC, such as "2027-04-02T06:15:30Z".
 namespace {
-
-void requireTime(const std::string& text) {
-  constexpr std::string_view kPattern = "dddd-dd-ddTdd:dd:ddZ";
-  bool fits = text.size() == kPattern.size();
-  for (std::size_t k = 0; fits && k < text.size(); ++k)
-    fits = kPattern[k] == 'd' ? std::isdigit(static_cast<unsigned char>(text[k])) != 0 : text[k] == kPattern[k];
-  if (!fits) throw InputError("--at", inQuotes(text), "a time in UTC, such as 2027-04-02T06:15:30Z");
-}
 
 /// Returns the value of a key of the table `job`. Throws InputError if the file is no record of a job.
 std::string valueOf(Database& database, const std::string& key) {
@@ -186,10 +177,9 @@ void JobStore::setPlan(const std::string& plan) {
 }
 
 std::int64_t JobStore::addEvent(const std::string& kind, std::int64_t item, const std::string& value,
-                                const std::string& method, const EventEntry& entry,
+                                const std::string& method, const EventEntry& given,
                                 std::optional<std::int64_t> undoes) {
-  if (!entry.at.empty()) requireTime(entry.at);
-  if (entry.who.empty()) throw InputError::saying("--by", "the name of the person is missing", "write --by NAME");
+  const EventEntry entry = checkedEntry(given);
   database_.query(
       "INSERT INTO event (at, who, kind, item, value, method, reason, undoes) "
       "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)",

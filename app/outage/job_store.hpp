@@ -11,6 +11,7 @@
 
 #include "app/outage/database.hpp"
 #include "app/outage/job_file.hpp"
+#include "app/outage/log_entry.hpp"
 #include "app/outage/marks.hpp"
 #include "app/outage/tube_address.hpp"
 
@@ -53,11 +54,6 @@ struct JobEvent {
   bool is_undone = false;
 };
 
-/// What is recorded of an item; `at` is the present time if it is empty.
-struct EventEntry {
-  std::string who, reason, at;
-};
-
 /// Returns the present time in UTC, "2027-04-02T06:15:30Z".
 [[nodiscard]] std::string presentTime();
 
@@ -79,8 +75,9 @@ struct JobSheet {
 class JobStore {
  public:
   /// Makes the record of a job: reads its cells, selects the tubes of every package, and writes the file completely or
-  /// not at all. Throws InputError for input that the cells, the lists or the selections refuse.
-  static void create(const JobFile& job, const std::string& path);
+  /// not at all. Returns notes on what the tables have and the record has not. Throws InputError for input that the
+  /// cells, the tables or the selections refuse.
+  static std::vector<std::string> create(const JobFile& job, const std::string& path);
 
   /// Opens a record. Throws InputError for a file that is no record of a job, or one of another format.
   explicit JobStore(const std::string& path);
@@ -132,7 +129,7 @@ class JobStore {
   /// Returns the value of a key of the table `job`; empty if there is none.
   [[nodiscard]] std::string noteOf(const std::string& key);
   std::int64_t addEvent(const std::string& kind, std::int64_t item, const std::string& value, const std::string& method,
-                        const EventEntry& entry, std::optional<std::int64_t> undoes);
+                        const EventEntry& given, std::optional<std::int64_t> undoes);
 
   Database database_;
   JobFile job_;

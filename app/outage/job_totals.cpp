@@ -10,19 +10,6 @@ namespace {
 
 using tubesheets::Leg, tubesheets::TubeState;
 
-std::vector<ShiftTotal> shiftTotals(const std::vector<JobEvent>& events, const std::vector<JobShift>& shifts) {
-  std::map<std::string, ShiftTotal> totals;  // by their beginnings
-  for (const JobEvent& event : events) {
-    const Mark* mark = event.kind == "mark" && !event.is_undone ? findMark(event.value) : nullptr;
-    if (!mark || mark->standing != ItemStanding::kDone) continue;
-    const ShiftOfDay shift = shiftAt(event.at, shifts);
-    ++totals.try_emplace(startOf(shift, shifts) + shift.name, ShiftTotal{shift, 0}).first->second.done;
-  }
-  std::vector<ShiftTotal> in_order;
-  for (const auto& [start, total] : totals) in_order.push_back(total);
-  return in_order;
-}
-
 using TubeKey = std::tuple<std::string, int, int>;
 
 /// Returns the legs at which each tube is plugged, by the state that the job began with or by a mark.
@@ -74,6 +61,52 @@ int ItemCounts::of(ItemStanding standing) const {
 
 int ItemCounts::unresolved() const { return planned - of(ItemStanding::kDone) - of(ItemStanding::kExcluded); }
 
+ItemCounts countsOf(const std::vector<JobItem>& items) {
+  ItemCounts counts;
+  for (const JobItem& item : items) counts.add(item.standing());
+  return counts;
+}
+
+std::vector<JobItem> itemsAt(std::vector<JobItem> items, const std::vector<JobEvent>& events, const std::string& time) {
+  std::set<std::int64_t> undone;
+  for (const JobEvent& event : events)
+    if (event.undoes && event.at < time) undone.insert(*event.undoes);
+  std::map<std::int64_t, const Mark*> marks;
+  for (const JobEvent& event : events)
+    if (event.kind == "mark" && event.at < time && !undone.contains(event.id))
+      marks[event.item] = findMark(event.value);
+  for (JobItem& item : items) {
+    const auto mark = marks.find(item.id);
+    item.mark = mark == marks.end() ? nullptr : mark->second;
+  }
+  return items;
+}
+
+std::vector<ShiftBalance> balancesOf(const std::vector<JobItem>& items, const std::vector<JobEvent>& events,
+                                     const std::vector<JobShift>& shifts) {
+  std::map<std::string, ShiftBalance> balances;  // by their beginnings
+  for (const JobEvent& event : events) {
+    const ShiftOfDay shift = shiftAt(event.at, shifts);
+    ShiftBalance& balance = balances[startOf(shift, shifts) + shift.name];
+    balance.shift = shift;
+    balance.marks += event.kind == "mark" && !event.is_undone;
+  }
+  std::vector<ShiftBalance> in_order;
+  std::vector<JobItem> before = itemsAt(items, events, "");
+  for (auto& [start, balance] : balances) {
+    std::vector<JobItem> after = itemsAt(items, events, endOf(balance.shift, shifts));
+    for (std::size_t k = 0; k < items.size(); ++k) {
+      const bool was = before[k].standing() == ItemStanding::kDone, is = after[k].standing() == ItemStanding::kDone;
+      balance.done += is && !was;
+      balance.reopened += was && !is;
+    }
+    balance.at_end = countsOf(after);
+    in_order.push_back(balance);
+    before = std::move(after);
+  }
+  return in_order;
+}
+
 JobTotals totalsOf(JobStore& store) {
   JobTotals totals;
   const std::vector<JobItem> items = store.items();
@@ -86,7 +119,7 @@ JobTotals totalsOf(JobStore& store) {
     totals.all.add(item.standing());
   }
   const std::vector<JobEvent> events = store.events();
-  totals.shifts = shiftTotals(events, store.job().shifts);
+  totals.shifts = balancesOf(items, events, store.job().shifts);
   totals.plugged_at_one_end = pluggedAtOneEnd(store, items);
   const std::set<TubeAddress> plugged = pluggedEnds(items);
   for (const JobItem& item : items)

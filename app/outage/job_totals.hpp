@@ -26,16 +26,20 @@ struct PackageTotal {
   ItemCounts counts;
 };
 
-/// Marks that finished an item, recorded during one shift.
-struct ShiftTotal {
+/// Work of one shift, and the standing of all items at its end. Over all shifts, `done` less `reopened` is the number
+/// of items that are done.
+struct ShiftBalance {
   ShiftOfDay shift;
-  int done = 0;
+  int marks = 0;     ///< marks recorded in the shift that were not undone
+  int done = 0;      ///< items that are done at its end and were not at its beginning
+  int reopened = 0;  ///< items that were done at its beginning and are not at its end
+  ItemCounts at_end;
 };
 
 struct JobTotals {
   std::vector<PackageTotal> packages;
   ItemCounts all;
-  std::vector<ShiftTotal> shifts;
+  std::vector<ShiftBalance> shifts;  ///< every shift with an event, in the order of their beginnings
   /// Tubes that are plugged at one end only: the other end is still to be plugged, or the wrong tube was.
   std::vector<TubeAddress> plugged_at_one_end;
   /// Items that are to be visited, at ends that were plugged in the meantime: nobody can visit them any more.
@@ -45,5 +49,16 @@ struct JobTotals {
 };
 
 [[nodiscard]] JobTotals totalsOf(JobStore& store);
+
+[[nodiscard]] ItemCounts countsOf(const std::vector<JobItem>& items);
+
+/// Returns the items as they stood at a time: later marks and undos are left out. Tubes that the plan does not reach
+/// have no time; they are as they are now.
+[[nodiscard]] std::vector<JobItem> itemsAt(std::vector<JobItem> items, const std::vector<JobEvent>& events,
+                                           const std::string& time);
+
+[[nodiscard]] std::vector<ShiftBalance> balancesOf(const std::vector<JobItem>& items,
+                                                   const std::vector<JobEvent>& events,
+                                                   const std::vector<JobShift>& shifts);
 
 }  // namespace tubeplan::app

@@ -67,7 +67,9 @@ TEST_F(HandOverOf, AShiftEndsWithWhatStoodThen) {
   ASSERT_EQ(of.shifts.size(), 2u);
   EXPECT_EQ(of.shifts[0].shift, (ShiftOfDay{"2027-04-02", "day"}));
   EXPECT_EQ(of.shifts[0].at_end.of(ItemStanding::kDone), 1);  // the undo came later
-  EXPECT_EQ(of.shifts[0].done, 0);                            // but it did not last
+  EXPECT_EQ(of.shifts[0].done, 1);
+  EXPECT_EQ(of.shifts[1].done, 1);
+  EXPECT_EQ(of.shifts[1].reopened, 1);
   EXPECT_EQ(of.shifts[1].at_end.of(ItemStanding::kDone), 1);
   EXPECT_EQ(of.shifts[1].marks, 2);
   for (const ShiftBalance& balance : of.shifts) expectBalanced(balance.at_end, 62);
@@ -76,6 +78,24 @@ TEST_F(HandOverOf, AShiftEndsWithWhatStoodThen) {
   ASSERT_EQ(of.people.size(), 1u);
   EXPECT_EQ(of.people[0].who, "Maria");
   EXPECT_EQ(of.people[0].undone, 1);
+}
+
+TEST_F(HandOverOf, AnEarlierShiftIsReportedAsItEnded) {
+  JobStore store(record());
+  (void)mark(store, 18, "done", "2027-04-02T07:00:00Z", {"Tom", "", ""});
+  const auto first = mark(store, 19, "done", "2027-04-02T09:00:00Z", {"Tom", "", ""});
+  const HandOver then = handOverOf(store, {"day", "2027-04-02"});
+  (void)undoMark(store, first, {"Maria", "extent too short", "2027-04-02T22:00:00Z"});
+  (void)mark(store, 18, "retest", "2027-04-02T23:00:00Z", {"Maria", "noisy", ""});
+  const HandOver now = handOverOf(store, {"day", "2027-04-02"});
+  EXPECT_EQ(now.total.with, then.total.with);
+  EXPECT_EQ(now.total.of(ItemStanding::kDone), 2);
+  EXPECT_TRUE(now.retests.empty());
+  EXPECT_EQ(now.later_events, 2);
+  EXPECT_EQ(then.later_events, 0);
+  ASSERT_EQ(now.people.size(), 1u);
+  EXPECT_EQ(now.people[0].marks.at("done"), 2);
+  EXPECT_EQ(handOverOf(store, {}).retests.size(), 1u);
 }
 
 TEST_F(HandOverOf, TheShiftIsTheLatestThatFits) {

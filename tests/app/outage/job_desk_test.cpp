@@ -170,11 +170,72 @@ TEST_F(JobDesk, ShiftsCountWhatTheyFinished) {
   markAt(21, "2027-04-03T05:59:59Z");
   const auto shifts = totalsOf(store).shifts;
   ASSERT_EQ(shifts.size(), 2u);
-  for (const ShiftTotal& shift : shifts) {
+  for (const ShiftBalance& shift : shifts) {
     EXPECT_EQ(shift.shift.date, "2027-04-02");
     EXPECT_EQ(shift.done, 2);
   }
-  expectSays(messageOf([&] { markAt(22, "yesterday"); }), "--at");
+  for (const char* at : {"yesterday", "2027-02-30T06:00:00Z", "2027-02-28T24:00:00Z", "2027-02-28T23:59:60Z",
+                         "1970-01-01T00:00:00Z", "9999-01-01T00:00:00Z"}) {
+    SCOPED_TRACE(at);
+    expectSays(messageOf([&] { markAt(22, at); }), "--at");
+  }
+}
+
+TEST_F(JobDesk, TheShiftsAddUpToTheTotalHoweverOftenATubeIsMarked) {
+  JobStore store(made(kFree));
+  const auto markAt = [&](int column, const char* as, const char* at) {
+    (void)markTube(store, {hot(9, column), "", as, {"Tom", "again", at}, std::nullopt});
+  };
+  markAt(18, "done", "2027-04-02T07:00:00Z");
+  markAt(18, "done", "2027-04-02T08:00:00Z");
+  markAt(19, "done", "2027-04-02T09:00:00Z");
+  markAt(18, "done", "2027-04-02T20:00:00Z");
+  markAt(19, "retest", "2027-04-02T21:00:00Z");
+  const JobTotals totals = totalsOf(store);
+  ASSERT_EQ(totals.shifts.size(), 2u);
+  EXPECT_EQ(totals.shifts[0].done, 2);
+  EXPECT_EQ(totals.shifts[0].reopened, 0);
+  EXPECT_EQ(totals.shifts[1].done, 0);
+  EXPECT_EQ(totals.shifts[1].reopened, 1);
+  int net = 0;
+  for (const ShiftBalance& shift : totals.shifts) net += shift.done - shift.reopened;
+  EXPECT_EQ(net, totals.all.of(ItemStanding::kDone));
+}
+
+TEST_F(JobDesk, APersonIsTheSameHoweverTheNameIsWritten) {
+  JobStore store(made(kRows));
+  (void)confirmTube(store, {hot(9, 18), "", "A/hot/R9C18", std::nullopt, {"Tom", "", ""}});
+  for (const char* who : {"Tom", "tom", "TOM", " Tom ", "Tom.", "T o m"}) {
+    SCOPED_TRACE(who);
+    expectSays(messageOf([&] {
+                 (void)markTube(store, {hot(9, 18), "", "done", {who, "", ""}, std::nullopt});
+               }),
+               "another person");
+  }
+  for (const char* who : {"", " ", "\t", "--", "To\nm"}) {
+    SCOPED_TRACE(who);
+    expectSays(messageOf([&] {
+                 (void)confirmTube(store, {hot(9, 18), "", "A/hot/R9C18", std::nullopt, {who, "", ""}});
+               }),
+               "--by");
+  }
+}
+
+TEST_F(JobDesk, APartOfTheJobMustExist) {
+  JobStore store(made(kRows));
+  EXPECT_NO_THROW(requirePart(store.job(), {"", "A", Leg::kCold}));
+  expectSays(messageOf([&] { requirePart(store.job(), {"", "A", Leg::kFull}); }), "cold or hot");
+}
+
+TEST_F(JobDesk, AConfirmationFromBeforeAnUndoConfirmsNothing) {
+  JobStore store(made(kRows));
+  const auto read = [&] { (void)confirmTube(store, {hot(9, 18), "", "A/hot/R9C18", std::nullopt, {"Maria", "", ""}}); };
+  const MarkRequest done{hot(9, 18), "", "done", {"Tom", "", ""}, std::nullopt};
+  read();
+  const auto event = markTube(store, done);
+  read();
+  (void)undoMark(store, event, {"Tom", "extent too short", ""});
+  expectSays(messageOf([&] { (void)markTube(store, done); }), "not confirmed");
 }
 
 TEST_F(JobDesk, TheLogRefusesToForget) {

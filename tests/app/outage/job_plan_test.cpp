@@ -172,6 +172,16 @@ TEST_F(PlannedJob, TheScheduleCoversAllLegs) {
   EXPECT_NEAR(shares, 1, 1e-12);
 }
 
+TEST_F(PlannedJob, TwoPackagesWithOneToolMountItOnceInALeg) {
+  JobStore store(made(kPackages));
+  const JobPlan plan = planJob(store, {}, {}, kIgnore);
+  for (const LegPlan& leg : plan.legs) {
+    double changes = 0;
+    for (const PackagePlan& package : leg.packages) changes += package.change;
+    EXPECT_EQ(changes, 900);
+  }
+}
+
 TEST_F(PlannedJob, LegsThatAreApartHaveNoTwoArmsAtOnce) {
   (void)write("states.csv", "row,column,state\n10,20,plugged\n");
   const std::string file =

@@ -36,7 +36,7 @@ export interface Totals {
   job: string;
   packages: PackageCounts[];
   total: Counts;
-  shifts: {date: string; shift: string; done: number}[];
+  shifts: {date: string; shift: string; done: number; reopened: number}[];
   plugged_at_one_end: string[];
   plugged_in_the_meantime: {tube: string; package: string}[];
   wrong_tubes: {tube: string; found: string; who: string; at: string}[];

@@ -72,9 +72,10 @@ export function TotalsTable({totals}: {totals: Totals}) {
   return (
     <>
       <CountsTable what="package" rows={[...rows, {...totals.total, name: "all"}]} />
-      {totals.shifts.map(({date, shift, done}) => (
+      {totals.shifts.map(({date, shift, done, reopened}) => (
         <p class="muted" key={date + shift}>
           {date} {shift}: {done} done
+          {reopened > 0 ? `, ${reopened} done no longer` : ""}
         </p>
       ))}
     </>

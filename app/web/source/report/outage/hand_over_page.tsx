@@ -186,7 +186,12 @@ function TotalsSection({report}: OfReport) {
   const shifts = list(report.shifts) as NamedCounts[];
   return (
     <>
-      <p class="note">Planned = done + excluded + unresolved, in every row.</p>
+      <p class="note">
+        Planned = done + excluded + unresolved, in every row.
+        {isNumber(report.later_events) && report.later_events > 0
+          ? ` Totals, held and queued tubes are of the end of the shift; warnings and maps are of the present, after ${report.later_events} later events.`
+          : ""}
+      </p>
       {list(report.totals).map(({by, rows}) => (
         <Card title={`By ${textOf(by)}`}>
           <CountsTable what={textOf(by)} rows={[...(list(rows) as NamedCounts[]), all]} />
@@ -200,6 +205,7 @@ function TotalsSection({report}: OfReport) {
             more={[
               {head: "marks in it", of: (row) => whole((row as Report).marks)},
               {head: "done in it", of: (row) => whole((row as Report).done_in_shift)},
+              {head: "done no longer", of: (row) => whole((row as Report).reopened_in_shift)},
             ]}
           />
         </Card>

@@ -1,0 +1,60 @@
+#include "app/outage/log_entry.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <cstdio>
+
+#include "app/storage/input_error.hpp"
+#include "tubesheets/csv_table.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+constexpr int kFirstYear = 2000, kLastYear = 2099;
+
+/// Returns the letters and digits of a name in lower case; bytes beyond ASCII are kept as they are.
+std::string lettersOf(const std::string& name) {
+  std::string letters;
+  for (const unsigned char c : name)
+    if (std::isalnum(c) != 0 || c > 127) letters += static_cast<char>(std::tolower(c));
+  return letters;
+}
+
+/// Returns the text without blanks around it. Throws InputError if it has several lines.
+std::string lineOf(const std::string& text, const char* option) {
+  const std::string line(tubesheets::trimBlanks(text));
+  if (std::ranges::any_of(line, [](unsigned char c) { return std::iscntrl(c) != 0; }))
+    throw InputError::saying(option, "the text has a tabulator, a line break or another control character",
+                             "write one line of plain text");
+  return line;
+}
+
+bool isTime(const std::string& text) {
+  constexpr std::string_view kPattern = "dddd-dd-ddTdd:dd:ddZ";
+  bool fits = text.size() == kPattern.size();
+  for (std::size_t k = 0; fits && k < text.size(); ++k)
+    fits = kPattern[k] == 'd' ? std::isdigit(static_cast<unsigned char>(text[k])) != 0 : text[k] == kPattern[k];
+  if (!fits) return false;
+  int year = 0, hour = 0, minute = 0, second = 0;
+  unsigned month = 0, day = 0;
+  (void)std::sscanf(text.c_str(), "%4d-%2u-%2uT%2d:%2d:%2d", &year, &month, &day, &hour, &minute, &second);
+  const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(month), std::chrono::day(day)};
+  return date.ok() && year >= kFirstYear && year <= kLastYear && hour < 24 && minute < 60 && second < 60;
+}
+
+}  // namespace
+
+EventEntry checkedEntry(const EventEntry& entry) {
+  if (!entry.at.empty() && !isTime(entry.at))
+    throw InputError("--at", inQuotes(entry.at), "a time in UTC, such as 2027-04-02T06:15:30Z");
+  const EventEntry checked{lineOf(entry.who, "--by"), lineOf(entry.reason, "--reason"), entry.at};
+  if (lettersOf(checked.who).empty())
+    throw InputError::saying("--by", "the name of the person is missing", "write --by NAME");
+  return checked;
+}
+
+bool isSamePerson(const std::string& one, const std::string& other) { return lettersOf(one) == lettersOf(other); }
+
+}  // namespace tubeplan::app
