@@ -108,6 +108,32 @@ async function blueShare(tab) {
   }, bytes);
 }
 
+describe("the way back", () => {
+  it("leads to the park posture, where nothing collides, and each figure of the read-out has its unit", async () => {
+    const {tab, server, close} = await open("mockup.yaml");
+    const {park, joints, units} = (await ask(server, "state")).body.cell;
+    await tab.waitForSelector(".sheet-view");
+    await tab.keyboard.press("2");
+    await tab.waitForSelector(".arm-view .slider");
+    const first = tab.getByLabel(`${joints[0].name}, as a number`);
+    await first.fill(String(park[0] + 30));
+    await first.press("Enter");
+    await tab.waitForFunction((k) => Number(document.querySelector(".slider .number-box").value) === k, park[0] + 30);
+    await tab.click(".arm-view button:has-text('park')");
+    await tab.waitForFunction((k) => Number(document.querySelector(".slider .number-box").value) === k, park[0]);
+    await tab.waitForTimeout(500);
+    const {clearance} = (await ask(server, "pose", {joints: park})).body;
+    assert.ok(clearance.distance > 0, "the park posture is free");
+    assert.equal(await tab.locator(".arm-view dd .bad").count(), 0);
+    for (const name of ["sag", "from rigid", "clearance"])
+      assert.match(
+        await tab.locator(`.arm-view dt:text-is("${name}") + dd`).first().innerText(),
+        new RegExp(`[0-9] ${units.length}$`),
+      );
+    await close();
+  });
+});
+
 describe("the arm as a skeleton", () => {
   it("is drawn thinner than by its shapes, with the names of its joints, also in another view", async () => {
     const {tab, server, close} = await open("mockup.yaml");

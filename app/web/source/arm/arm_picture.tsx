@@ -184,9 +184,11 @@ function StageBar({stage, isSmall}: {stage: StageRef; isSmall: boolean}) {
           onChoose={(look) => (armLook.value = look)}
         />
       ) : null}
-      <Check of={areAxesShown} title="The axis and the name of each joint" kind="stage-check">
-        axes
-      </Check>
+      {armLook.value === "skeleton" ? null : (
+        <Check of={areAxesShown} title="The axis and the name of each joint" kind="stage-check">
+          axes
+        </Check>
+      )}
       <button
         class="button small"
         title="Save this picture as a PNG"
