@@ -176,7 +176,7 @@ function StageBar({stage, isSmall}: {stage: StageRef; isSmall: boolean}) {
       >
         Fit
       </button>
-      {sceneDocument.value.document?.arm.some((row) => row.bodies.length > 0) ? (
+      {!isSmall && sceneDocument.value.document?.arm.some((row) => row.bodies.length > 0) ? (
         <Segments
           label="Arm drawn by"
           choices={choicesOf(LOOKS)}
