@@ -93,6 +93,84 @@ describe("the arm", () => {
   });
 });
 
+/** Returns the fraction of the 3-D picture's pixels that are clearly blue, as the arm is. */
+async function blueShare(tab) {
+  await tab.waitForTimeout(900); // until a sharp picture is drawn
+  const bytes = [...(await tab.locator(".arm-picture canvas").screenshot())];
+  return tab.evaluate(async (png) => {
+    const picture = await createImageBitmap(new Blob([new Uint8Array(png)], {type: "image/png"}));
+    const context = new OffscreenCanvas(picture.width, picture.height).getContext("2d");
+    context.drawImage(picture, 0, 0);
+    const {data} = context.getImageData(0, 0, picture.width, picture.height);
+    let blue = 0;
+    for (let i = 0; i < data.length; i += 4) if (data[i + 2] - data[i] > 80) ++blue;
+    return (4 * blue) / data.length;
+  }, bytes);
+}
+
+describe("the way back", () => {
+  it("leads to the park posture, where nothing collides, and each figure of the read-out has its unit", async () => {
+    const {tab, server, close} = await open("mockup.yaml");
+    const {park, joints, units} = (await ask(server, "state")).body.cell;
+    await tab.waitForSelector(".sheet-view");
+    await tab.keyboard.press("2");
+    await tab.waitForSelector(".arm-view .slider");
+    const first = tab.getByLabel(`${joints[0].name}, as a number`);
+    await first.fill(String(park[0] + 30));
+    await first.press("Enter");
+    await tab.waitForFunction((k) => Number(document.querySelector(".slider .number-box").value) === k, park[0] + 30);
+    await tab.click(".arm-view button:has-text('park')");
+    await tab.waitForFunction((k) => Number(document.querySelector(".slider .number-box").value) === k, park[0]);
+    await tab.waitForTimeout(500);
+    const {clearance} = (await ask(server, "pose", {joints: park})).body;
+    assert.ok(clearance.distance > 0, "the park posture is free");
+    assert.equal(await tab.locator(".arm-view dd .bad").count(), 0);
+    for (const name of ["sag", "from rigid", "clearance"])
+      assert.match(
+        await tab.locator(`.arm-view dt:text-is("${name}") + dd`).first().innerText(),
+        new RegExp(`[0-9] ${units.length}$`),
+      );
+    await close();
+  });
+});
+
+describe("the arm as a skeleton", () => {
+  it("is drawn thinner than by its shapes, with the names of its joints, also in another view", async () => {
+    const {tab, server, close} = await open("mockup.yaml");
+    const {joints} = (await ask(server, "state")).body.cell;
+    await tab.waitForSelector(".sheet-view");
+    await tab.keyboard.press("2");
+    await tab.waitForSelector(".arm-view .slider");
+    const shapes = await blueShare(tab);
+    await tab.click(".stage-bar button:has-text('Skeleton')");
+    await tab.waitForFunction(
+      (count) => document.querySelectorAll(".joint-names span").length === count,
+      joints.length,
+    );
+    const skeleton = await blueShare(tab);
+    assert.ok(skeleton > 0 && skeleton < 0.8 * shapes, `${shapes} of the picture become ${skeleton}`);
+    await tab.keyboard.press("6");
+    await tab.waitForFunction(
+      (count) => document.querySelectorAll(".plan-view .joint-names span").length === count,
+      joints.length,
+    );
+    await tab.keyboard.press("2");
+    await tab.click(".stage-bar button:has-text('Shapes')");
+    await tab.waitForFunction(() => document.querySelectorAll(".joint-names span").length === 0);
+    assert.ok(Math.abs((await blueShare(tab)) - shapes) < 0.1 * shapes, "the shapes are back");
+    await close();
+  });
+
+  it("is not offered for an arm without shapes", async () => {
+    const {tab, close} = await open("bench.yaml");
+    await tab.waitForSelector(".view-error");
+    await tab.keyboard.press("1");
+    await tab.waitForSelector(".stage-bar");
+    assert.equal(await tab.locator(".stage-bar button:has-text('Skeleton')").count(), 0);
+    await close();
+  });
+});
+
 describe("undo", () => {
   it("takes back a touch, and after it what was done before", async () => {
     const {tab, server, close} = await open("mockup.yaml");

@@ -19,17 +19,26 @@ export interface ArmBodies {
   reach: number;
 }
 
-export function makeArm(document: SceneDocument, material: MeshStandardMaterial, reach: number): ArmBodies {
+/** How the arm is drawn: by the bodies that collision checks use, or by rods from joint to joint. */
+export type ArmLook = "shapes" | "skeleton";
+
+export function makeArm(
+  document: SceneDocument,
+  material: MeshStandardMaterial,
+  reach: number,
+  look: ArmLook,
+): ArmBodies {
   const group = new Group(),
     rows: Group[] = [],
     rods: (Mesh | null)[] = [];
   for (const row of document.arm) {
     const frame = new Group();
-    for (const body of row.bodies) {
+    const bodies = look === "shapes" ? row.bodies : [];
+    for (const body of bodies) {
       const solid = solidOf(body, material);
       if (solid) frame.add(solid);
     }
-    const rod = row.bodies.length === 0 ? new Mesh(new CapsuleGeometry(ROD, 1, 6, 16), material) : null;
+    const rod = bodies.length === 0 ? new Mesh(new CapsuleGeometry(ROD, 1, 6, 16), material) : null;
     if (rod) group.add(rod);
     rows.push(frame);
     rods.push(rod);

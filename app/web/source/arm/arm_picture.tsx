@@ -11,6 +11,7 @@ import type {PoseDocument} from "../server/documents";
 import {cell, sceneDocument, units} from "../server/workbench";
 import {sheet, view} from "../shell/page_state";
 import {ProblemWords} from "../shell/states";
+import type {ArmLook} from "./arm_bodies";
 import {ArmStage, openStage, pictureReach} from "./arm_stage";
 import {readingErrors, type ReadingErrors} from "../error/residuals";
 import {factorOf} from "./error_arrow";
@@ -20,7 +21,12 @@ import {poseRequest, type ShownReading} from "./pose_link";
 
 const TIMES = [1, 10, 50].map((times) => ({value: times, words: `×${times}`, hint: `Deflection drawn ${times} times`}));
 export const magnified = signal(1);
-/** Display of the joint axes with the names of the joints. */
+const LOOKS: readonly (readonly [ArmLook, string])[] = [
+  ["shapes", "Shapes"],
+  ["skeleton", "Skeleton"],
+];
+const armLook = signal<ArmLook>("shapes");
+/** Display of the joint axes with the names of the joints, which a skeleton always has. */
 const areAxesShown = signal(false);
 /** Display of the errors of all readings: on or off, and the blend from before (0) to after (1). */
 const isFieldShown = signal(false);
@@ -48,7 +54,7 @@ export function ArmPicture({tour = null, isSmall = false}: {tour?: Vector3[] | n
   useScene(stage, tour);
   usePose(stage);
   useErrors(stage, errors);
-  useAxes(stage);
+  useLook(stage);
   return (
     <div class="arm-picture">
       <div class="fill">
@@ -137,12 +143,14 @@ function useErrors(stage: StageRef, errors: ReadingErrors | null): void {
   }, [isShown]);
 }
 
-/** Shows the axes of the joints if they are chosen. */
-function useAxes(stage: StageRef): void {
-  const joints = cell.value?.joints;
+/** Draws the arm by its shapes or as a skeleton, with the axes of the joints where they are chosen. */
+function useLook(stage: StageRef): void {
+  const joints = cell.value?.joints,
+    hasAxes = areAxesShown.value || armLook.value === "skeleton";
+  useEffect(() => stage.current?.setLook(armLook.value), [armLook.value]);
   useEffect(() => {
-    stage.current?.setAxes(areAxesShown.value && joints ? joints : []);
-  }, [areAxesShown.value, joints, palette.value, sceneDocument.value.document]);
+    stage.current?.setAxes(hasAxes && joints ? joints : []);
+  }, [hasAxes, joints, palette.value, sceneDocument.value.document]);
 }
 
 function StageBar({stage, isSmall}: {stage: StageRef; isSmall: boolean}) {
@@ -168,9 +176,19 @@ function StageBar({stage, isSmall}: {stage: StageRef; isSmall: boolean}) {
       >
         Fit
       </button>
-      <Check of={areAxesShown} title="The axis and the name of each joint" kind="stage-check">
-        axes
-      </Check>
+      {!isSmall && sceneDocument.value.document?.arm.some((row) => row.bodies.length > 0) ? (
+        <Segments
+          label="Arm drawn by"
+          choices={choicesOf(LOOKS)}
+          value={armLook.value}
+          onChoose={(look) => (armLook.value = look)}
+        />
+      ) : null}
+      {armLook.value === "skeleton" ? null : (
+        <Check of={areAxesShown} title="The axis and the name of each joint" kind="stage-check">
+          axes
+        </Check>
+      )}
       <button
         class="button small"
         title="Save this picture as a PNG"

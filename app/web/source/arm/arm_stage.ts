@@ -20,7 +20,7 @@ import type {Palette} from "../drawing/colours";
 import type {ReadingErrors} from "../error/residuals";
 import type {Frame, JointInfo, PoseDocument, SceneDocument} from "../server/documents";
 import type {SheetModel} from "../sheet/sheet_model";
-import {magnifiedFrame, makeArm, placeArm, type ArmBodies} from "./arm_bodies";
+import {magnifiedFrame, makeArm, placeArm, type ArmBodies, type ArmLook} from "./arm_bodies";
 import {errorArrows} from "./error_arrow";
 import {errorField, fadeField} from "./error_field";
 import {axesOf, axisLines, type JointAxis} from "./joint_axes";
@@ -75,6 +75,7 @@ export class ArmStage {
   private shownFrames: Frame[] = [];
   /** Axes drawn now, whose ends carry the names of the joints. */
   axes: JointAxis[] = [];
+  private armLook: ArmLook = "shapes";
   private ghost: ArmBodies | null = null;
   private solid: ArmBodies | null = null;
   private isDisposed = false;
@@ -202,9 +203,14 @@ export class ArmStage {
       this.scene.remove(arm.group);
     }
     const faint = {transparent: true, opacity: 0.2, depthWrite: false, roughness: 1};
-    this.ghost = makeArm(document, new MeshStandardMaterial({color: palette.case0, ...faint}), this.reach);
+    this.ghost = makeArm(
+      document,
+      new MeshStandardMaterial({color: palette.case0, ...faint}),
+      this.reach,
+      this.armLook,
+    );
     const look = new MeshStandardMaterial({color: palette.accent, roughness: 0.55, metalness: 0.1});
-    this.solid = makeArm(document, look, this.reach);
+    this.solid = makeArm(document, look, this.reach, this.armLook);
     this.scene.add(this.ghost.group, this.solid.group);
   }
 
@@ -278,6 +284,16 @@ export class ArmStage {
     const {clearance} = pose;
     if (!clearance || !clearance.to || this.magnified !== 1) return;
     this.marks.add(clearanceLine(vector(clearance.from), vector(clearance.to), this.reach, palette));
+  }
+
+  /** Draws the arm by its bodies or as a skeleton. */
+  setLook(look: ArmLook): void {
+    if (look === this.armLook) return;
+    this.armLook = look;
+    if (!this.cell || !this.palette) return;
+    this.replaceArms(this.cell.document, this.palette);
+    if (this.pose) this.setPose(this.pose, this.magnified);
+    this.ask();
   }
 
   /** Shows the axes of these joints; an empty list hides them. */

@@ -11,7 +11,7 @@ import {ArmPicture} from "./arm_picture";
 import {pictureReach} from "./arm_stage";
 import {isFollowing, isLive} from "./live";
 import {useOpeningPosture} from "./opening_posture";
-import {poseRequest, setJoint, showHole, whyNot} from "./pose_link";
+import {bringArm, poseRequest, setJoint, showHole, whyNot} from "./pose_link";
 import {ToolInset} from "./tool_inset";
 
 export default function ArmView() {
@@ -55,7 +55,10 @@ function ReadOut() {
       <Figures
         rows={[
           ["sag", change ? lengthAndUnit(Math.hypot(...change), length) : MISSING],
-          ["from rigid", change?.map((value) => lengthFigure(value, length)).join("  ") ?? MISSING],
+          [
+            "from rigid",
+            change ? `${change.map((value) => lengthFigure(value, length)).join("  ")} ${length}` : MISSING,
+          ],
           [
             "clearance",
             <span class={(clearance?.distance ?? 1) < 0 ? "bad" : ""}>
@@ -101,13 +104,14 @@ function Sliders() {
   const found = (answer?.branches ?? []).flatMap(({status}, index) =>
     status === "found" ? [{value: index, words: String(index + 1)}] : [],
   );
-  const home = (
-    <button class="link" onClick={() => (poseRequest.joints.value = joints.map((joint) => joint.home))}>
-      home
+  const park = cell.value?.park;
+  const rest = (
+    <button class="link" onClick={() => bringArm(park ?? joints.map((joint) => joint.home), poseRequest.load.value)}>
+      {park ? "park" : "home"}
     </button>
   );
   return (
-    <Panel title="Joints and load" end={home} kind="grow" body="sliders">
+    <Panel title="Joints and load" end={rest} kind="grow" body="sliders">
       {cell.value?.has_sheet ? <HoleBox /> : null}
       {joints.map((joint, index) => (
         <JointSlider key={joint.name} joint={joint} index={index} />
