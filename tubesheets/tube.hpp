@@ -55,10 +55,6 @@ struct RowAndColumn {
 /// Return all legs and all tube states, in the order of their enumerations.
 [[nodiscard]] std::vector<Leg> legs();
 [[nodiscard]] std::vector<TubeState> tubeStates();
-/// Returns true for plugged and stabilised tubes, which no tool can enter.
-[[nodiscard]] constexpr bool takesNoTool(TubeState state) {
-  return state == TubeState::kPlugged || state == TubeState::kStabilised;
-}
 
 /// Return the value with the given name; std::nullopt if the name is unknown. A leg may also be written HL, CL or "Hot
 /// leg", in upper or lower case.

@@ -78,6 +78,11 @@ struct Selection {
 /// sheet, another leg or sheet, and an empty result.
 [[nodiscard]] Selection selectTubes(const Sheet& sheet, const std::string& request);
 
+/// Returns true for plugged and stabilised tubes, which no tool can enter.
+[[nodiscard]] constexpr bool takesNoTool(TubeState state) {
+  return state == TubeState::kPlugged || state == TubeState::kStabilised;
+}
+
 /// Returns true for plugged, stabilised, inaccessible and unresolved: tubes in these states are visited only if the
 /// tube or its state is named.
 [[nodiscard]] bool isLeftOutUnlessNamed(TubeState state);

@@ -102,6 +102,7 @@ class Inverse(unittest.TestCase):
 class Holes(unittest.TestCase):
     def test_holes_of_the_sheet(self):
         holes, figures = tubeplan.Cell(MOCKUP).holes(), program('map', MOCKUP)
+        self.assertLess(len(repr(holes)), 400)
         self.assertEqual(len(holes), figures['holes'])
         np.testing.assert_allclose([holes.centres[:, 0].min(), holes.centres[:, 0].max()],
                                    np.array(figures['extents']['x']) * INCH, atol=1e-9)

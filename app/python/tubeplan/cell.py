@@ -5,6 +5,7 @@ import dataclasses
 import json
 import os
 import pathlib
+import reprlib
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -25,8 +26,16 @@ Array = npt.NDArray[np.float64]
 _AT_ONCE = 4096  # postures or goals between two moments at which Ctrl-C is seen
 
 
-@dataclasses.dataclass(frozen=True)
-class Poses:
+class _Brief:
+    """Prints the fields of a dataclass with long arrays and tuples cut short."""
+
+    def __repr__(self) -> str:
+        fields = (f'{name}={reprlib.repr(value)}' for name, value in vars(self).items())
+        return f"{type(self).__name__}({', '.join(fields)})"
+
+
+@dataclasses.dataclass(frozen=True, repr=False)
+class Poses(_Brief):
     """Poses of the tool frame at the deflected tip, in the world."""
 
     matrices: Array  # n x 4 x 4
@@ -47,8 +56,8 @@ class Poses:
         return np.asarray(self.matrices, dtype)
 
 
-@dataclasses.dataclass(frozen=True)
-class Branches:
+@dataclasses.dataclass(frozen=True, repr=False)
+class Branches(_Brief):
     """All branches of the inverse kinematics of n goals, one entry for each branch; those that converged come first."""
 
     goal: npt.NDArray[np.int64]  # index of the goal
@@ -72,8 +81,8 @@ class Branches:
         return len(self.goal)
 
 
-@dataclasses.dataclass(frozen=True)
-class Holes:
+@dataclasses.dataclass(frozen=True, repr=False)
+class Holes(_Brief):
     """Holes of a tube sheet, in its order."""
 
     row: npt.NDArray[np.int32]
