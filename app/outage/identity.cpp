@@ -74,7 +74,7 @@ std::string findMissingConfirmation(const WorkPackage& package, const std::vecto
                        confirmationName(package.confirm), latest->method);
   if (latest->value != "same") return fmt::format("the last confirmation found {}", latest->value);
   if (package.confirm == ConfirmationMethod::kReadBack && isSamePerson(latest->who, who))
-    return fmt::format("the tube was read back by {}, who marks it too; another person must read it", who);
+    return fmt::format("the tube was read back by {}, who marks it too; another person must read it", latest->who);
   return "";
 }
 

@@ -92,8 +92,9 @@ TEST_F(PlannedJob, PlannedAgainAfterMarksHoldsOnlyWhatIsLeft) {
   (void)markTube(store, {{"A", Leg::kHot, 9, 18}, "few", "done", {"Tom", "", ""}, std::nullopt});
   (void)markTube(store, {{"A", Leg::kHot, 9, 19}, "few", "retest", {"Tom", "", ""}, std::nullopt});
   const JobPlan again = planJob(store, {}, {}, kIgnore);
-  for (const LegPlan& leg : again.legs)
+  for (const LegPlan& leg : again.legs) {
     if (leg.leg == Leg::kHot) EXPECT_EQ(leg.packages.front().visits, 7);
+  }
 }
 
 TEST_F(PlannedJob, PlannedAgainItReusesWhatIsStillValid) {
