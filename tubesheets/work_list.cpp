@@ -97,7 +97,6 @@ std::vector<int> allTubes(const Sheet& sheet) {
   return all;
 }
 
-
 // Returns true for states in which a tube may be unreachable or misidentified. Such tubes are selected only by name.
 bool isDoubtful(TubeState state) { return state == TubeState::kInaccessible || state == TubeState::kUnresolved; }
 
