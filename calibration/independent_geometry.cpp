@@ -103,7 +103,7 @@ std::optional<int> rankOf(const Parameter& number, const PlacedArm& placed) {
   return moves(placed.arm.rows[static_cast<std::size_t>(number.path.row)].joint) ? 2 : 3;
 }
 
-/// Takes the parameters of one rank, one after another, until the newness of all remaining ones is below `least`.
+/// Takes the parameters of one rank, one after another, until newnessOf() is below `least` for all others.
 void takeAll(std::vector<Index> columns, double least, Span& span, std::vector<Index>& taken) {
   while (!columns.empty()) {
     double newest = 0;

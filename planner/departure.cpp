@@ -8,7 +8,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-/// Returns the waypoints straight down from `start` to the standoff that is `share` of the largest; empty if that way
+/// Returns the waypoints straight down from `start` to `share` of the largest standoff; empty if this path
 /// is not clear.
 std::vector<Eigen::VectorXd> wayDown(const PlanContext& context, const Eigen::VectorXd& start, int tube, double share) {
   const Workcell& cell = context.cell;

@@ -32,8 +32,8 @@ struct SegmentProof {
 
 /// A proved lower bound of the travel time through the tubes of a completed plan.
 struct KnownBound {
-  double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< [s]; NaN if none is known
-  std::optional<Eigen::VectorXd> start, end;  ///< postures between which it holds; any postures if there are none
+  double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< lower bound [s]; NaN if unknown
+  std::optional<Eigen::VectorXd> start, end;  ///< end postures for which the bound holds; any if std::nullopt
 };
 
 struct PlanCache {

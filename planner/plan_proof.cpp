@@ -29,7 +29,7 @@ SegmentProof proofOf(const PlanContext& context, const PathSegment& segment) {
 }
 
 /// Records the proofs in the plan; the proof of an approach also holds for its retreat. A retreat without a visit, from
-/// the start posture, has a proof of its own.
+/// the start posture, is proved separately.
 void fillIn(const std::vector<MotionEnds>& ends, const PlanCache& cache, VisitPlan& plan) {
   plan.min_margin = kUnbounded;
   for (std::size_t k = 0; k < plan.segments.size(); ++k) {

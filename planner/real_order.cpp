@@ -15,7 +15,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-// Gap up to which the bound that follows from an earlier plan is taken, as a fraction of it: a tighter one takes longer
+// Largest relative gap at which the bound of an earlier plan is reused: a tighter bound takes longer
 // to find than the order.
 constexpr double kGoodGap = 0.03;
 constexpr int kKicksPerNewNeighbour = 100;  // kicks of an earlier plan's order, for each place where it was changed
@@ -93,7 +93,7 @@ VisitOrder orderOfRound(const PlanContext& context, const Route& route, const st
   return order;
 }
 
-/// Sets what an earlier plan says about the order of the visits and its bound.
+/// Takes the order of the visits and its lower bound from an earlier plan.
 void keepFromBefore(const PlanContext& context, const VisitChoice& choice, const Route& route,
                     VisitOrderOptions& ordering) {
   const std::vector<int>& before = context.cache.visiting_order;

@@ -28,7 +28,7 @@ struct VisitChoice {
 
 /// Reduces `choice` to branches in one part of the free space that the roadmap connects: the part of the start posture
 /// or, without one, the part with the most tubes. Branches that the roadmap connects to nothing are kept, because a
-/// search may still find a path. Returns the tubes that are left without a branch; The reason given is `between`, the
+/// search may still find a path. Returns the tubes that are left without a branch. The stated reason is `between`, the
 /// obstacle on the way to one of them.
 [[nodiscard]] std::vector<UnreachableTube> keepOnePart(VisitChoice& choice, const Roadmap& roadmap,
                                                        const VisitConditions& conditions, const Clearance& between);

@@ -13,7 +13,7 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kRounding = 1e-12;  // rounding error of a sum of times, as a fraction of it
 
-/// Returns the tubes of the earlier plan that are no longer visited, in its order, with all their branches; nothing if
+/// Returns the tubes removed from the earlier plan, in its order, with all their branches; std::nullopt if
 /// the reach of one of them is not known.
 std::optional<VisitChoice> removedFrom(const PlanCache& cache, const VisitChoice& choice) {
   std::set<int> left;
@@ -36,7 +36,7 @@ double longestMove(const Eigen::VectorXd& q, const Route& route) {
   return longest;
 }
 
-/// Returns the time [s] within which the removed tubes can be visited before any route through those left begins.
+/// Returns the time [s] that suffices to visit the removed tubes before any route through the remaining tubes.
 double timeBefore(const Route& removed, const Route& left) {
   std::vector<int> order(removed.visits.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<int>(k);

@@ -47,7 +47,7 @@ struct PlanHooks {
   std::function<void(const PlanCache& cache)> keep;
 };
 
-/// How the arm travels between the standoffs of two tubes.
+/// Kind of travel between the standoffs of two tubes.
 enum class TravelKind {
   kJoints,  ///< straight in joint space, or a detour around obstacles
   kLine,    ///< the deflected tip stays on the line between the standoffs, if that is possible and free
@@ -106,7 +106,7 @@ struct VisitPlan {
   /// Approach, retreat, travel, approach, ...; preceded by a travel from the start posture and followed by a travel to
   /// the end posture, if these are given. If the arm stands at a hole in the start posture, a retreat comes first.
   std::vector<PathSegment> segments;
-  int departed = -1;  ///< index in the sheet of the hole that the arm leaves first; -1 if it stands at none
+  int departed = -1;  ///< index in the sheet of the hole at the start posture; -1 if there is none
   /// Time of all travels between standoffs, and from start and to end postures [s].
   double travel_time = std::numeric_limits<double>::quiet_NaN();
   double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< proved lower bound of `travel_time` [s]

@@ -27,7 +27,7 @@ namespace tubeplan::tubesheets {
 
 struct HoleMap;
 
-/// Description of a sheet, from which makeSheet() makes its holes; all lengths are in m.
+/// Description of a sheet, from which makeSheet() generates the holes; all lengths are in m.
 struct SheetDescription {
   std::string name;
   Layout layout;
@@ -72,11 +72,11 @@ struct Sheet {
 /// contradicts the layout.
 [[nodiscard]] std::vector<Problem> findDescriptionProblems(const SheetDescription& description);
 
-/// Makes a sheet from a layout: the hot leg as generated, the cold leg mirrored (y -> -y). The description must have no
+/// Builds a sheet of a layout: the hot leg as generated, the cold leg mirrored (y -> -y). The description must have no
 /// problems.
 [[nodiscard]] Sheet makeSheet(const SheetDescription& description);
 
-/// Makes a sheet from given holes, with their positions unchanged; of the layout, only type and pitch are used. The
+/// Builds a sheet from given holes, with their positions unchanged; of the layout, only type and pitch are used. The
 /// result may have problems: see findSheetProblems().
 [[nodiscard]] Sheet makeSheet(const SheetDescription& description, std::vector<Tube> tubes);
 

@@ -12,7 +12,7 @@
 
 namespace tubeplan::app {
 
-/// Words and results of a command that another program calls, and the hooks of its work.
+/// Printed text and results of a command that another program calls, and the hooks of its work.
 struct CommandCaller {
   calibration::WorkHooks hooks;
   std::string words;       ///< text that the command prints on standard output
@@ -35,10 +35,10 @@ class CalledBy {
   CommandCaller* before_;
 };
 
-/// Gives text to the caller: to the terminal's standard output, or to `words`.
+/// Writes text to the terminal's standard output or, for another caller, to `words`.
 void putWords(std::string_view text);
 
-/// Gives text to the caller: to the terminal's standard error, or to `remarks`.
+/// Writes text to the terminal's standard error or, for another caller, to `remarks`.
 void putRemark(std::string_view text);
 
 /// Formats text as fmt::print() does and gives it to the caller.
@@ -54,7 +54,7 @@ void remark(fmt::format_string<Args...> format, Args&&... args) {
 }
 
 /// Returns the condition on which work of the calling thread's command stops: a signal to the program, or the caller's
-/// wish. Any thread may ask it.
+/// request. The returned function may be called from any thread.
 [[nodiscard]] std::function<bool()> stopCondition();
 
 }  // namespace tubeplan::app

@@ -10,7 +10,7 @@ namespace tubeplan::app {
 struct CommandCaller;
 
 /// Progress line on standard error, shown only if standard error is a terminal. A
-/// caller other than the terminal is told instead. Not thread-safe.
+/// caller other than the terminal receives the progress through its hooks. Not thread-safe.
 class Progress {
  public:
   Progress(std::string label, std::size_t total);

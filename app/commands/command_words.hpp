@@ -14,7 +14,7 @@ struct OptionWords {
   bool is_positional = false;
   bool is_required = false;
   bool is_list = false;  ///< takes several values
-  char delimiter = 0;    ///< separates the values in one word; 0: each value is a word of its own
+  char delimiter = 0;    ///< separator of the values in one word; 0 if each value is a separate word
 };
 
 struct CommandWords {

@@ -15,8 +15,8 @@ struct FiguresTarget {
 
 [[nodiscard]] std::vector<std::string> figureFormats();
 
-/// Throws InputError unless the --json file can be written and only one document goes to standard output. Meant to be
-/// called before long work.
+/// Throws InputError unless the --json file can be written and only one document goes to standard output. Call it
+/// before long work.
 void checkFigures(const FiguresTarget& target);
 
 /// Returns true if the results go to a file, to another calling program or, in a format other than text, to standard

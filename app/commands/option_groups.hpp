@@ -43,7 +43,7 @@ struct ReportTarget {
 /// Adds --report and --open; `words` describe the page for --help.
 void addReportOptions(CLI::App& cli, ReportTarget& target, const std::string& words);
 
-/// Throws InputError if the page cannot be written. Meant to be called before long work.
+/// Throws InputError if the page cannot be written. Call it before long work.
 void checkReportTarget(const ReportTarget& target);
 
 /// Writes the page and, with --open, opens it in a browser.

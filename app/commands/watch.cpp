@@ -68,7 +68,7 @@ constexpr KindRow kKinds[] = {{ChangeKind::kBaseStep, "base-step"},
                               {ChangeKind::kSeveral, "several"},
                               {ChangeKind::kOther, "other"}};
 
-/// What to do about a change, by the remedy of all its answers.
+/// Instruction for a change, by the remedy of all its answers.
 struct RemedyRow {
   Remedy remedy;
   const char *name, *words;

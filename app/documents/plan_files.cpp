@@ -146,7 +146,7 @@ std::string pathFingerprintOf(const PlanOutcome& outcome) {
   return numbers.fingerprint();
 }
 
-/// Returns how the tool travels between tubes. For straight lines, also the number of lines and the deviation of the
+/// Returns the kind of travel between tubes. For straight lines, also the number of lines and the deviation of the
 /// deflected tip from the lines.
 json travelJson(const PlanRequest& request, const planner::VisitPlan& plan, const Units& units) {
   json travel = {{"kind", request.travel}};

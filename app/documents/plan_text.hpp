@@ -13,7 +13,7 @@ namespace tubeplan::app {
 /// Returns the pair of bodies with the smallest distance along the path, such as "link4 to divider".
 [[nodiscard]] std::string tightestText(const PlanOutcome& outcome);
 
-/// Returns what was reused of an earlier plan: "the reach of 4 of 6 tubes, 3 of 5 travels, 7 of 11 proofs, the order".
+/// Returns the parts reused of an earlier plan: "the reach of 4 of 6 tubes, 3 of 5 travels, 7 of 11 proofs, the order".
 [[nodiscard]] std::string reusedText(const PlanOutcome& outcome);
 
 /// Returns a summary of the plan that fits on one screen.

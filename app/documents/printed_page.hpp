@@ -9,7 +9,7 @@ namespace tubeplan::app {
 /// takes more than a minute.
 void printPage(const std::filesystem::path& page, const std::filesystem::path& pdf);
 
-/// Throws InputError if no Chromium is installed. Meant to be called before long work.
+/// Throws InputError if no Chromium is installed. Call it before long work.
 void requirePrinter();
 
 }  // namespace tubeplan::app

@@ -16,8 +16,8 @@ struct SiUnit {
 };
 
 /// Returns the SI unit for the name of a unit of files, such as "lbf*in/deg" or "1/(lbf*in)": N*m/rad, with the factor.
-/// Temperatures by themselves stay in the file's unit, because a figure does not say if it is a difference. Nothing for
-/// names that are no products of units, such as "percent".
+/// Temperatures alone keep the file's unit, because a figure may be a difference. std::nullopt for
+/// names that are not products of units, such as "percent".
 [[nodiscard]] std::optional<SiUnit> siUnitOf(std::string_view name);
 
 /// Joint of the arm to which figures belong whose unit is that of the joint.

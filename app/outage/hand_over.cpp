@@ -23,7 +23,7 @@ void requireShift(const std::string& name, const std::vector<JobShift>& shifts) 
   throw InputError("--shift", inQuotes(name), alternatives(names), suggestion(name, names));
 }
 
-/// Returns the shift that was asked for, if it is known which.
+/// Returns the requested shift; std::nullopt if the request does not determine one.
 std::optional<ShiftOfDay> chosenShift(const std::vector<JobEvent>& events, const JobFile& job,
                                       const HandOverRequest& request) {
   requireShift(request.shift, job.shifts);
@@ -84,7 +84,7 @@ std::vector<TotalsBy> allTotals(const std::vector<JobItem>& items, const Zones& 
   return totals;
 }
 
-/// Takes back what undos that are no longer among the events did.
+/// Marks as undone only those events whose undo is among the events.
 void withoutLaterUndos(std::vector<JobEvent>& events) {
   std::set<std::int64_t> undone;
   for (const JobEvent& event : events)
@@ -130,7 +130,7 @@ HandOver handOverOf(JobStore& store, const HandOverRequest& request) {
   HandOver of;
   of.shift = chosenShift(events, job, request);
   of.shifts = balancesOf(items, events, job.shifts);
-  if (of.shift) {  // what happened later is of no concern to this hand-over
+  if (of.shift) {  // later events are not part of this hand-over
     const std::string end = endOf(*of.shift, job.shifts);
     items = itemsAt(std::move(items), events, end);
     of.later_events = static_cast<int>(std::erase_if(events, [&](const JobEvent& event) { return event.at >= end; }));

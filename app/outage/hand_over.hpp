@@ -1,4 +1,4 @@
-// Hand-over of a shift: what it did, what the next one must know first, and what is left.
+// Hand-over of a shift: its work, the open issues for the next shift, and the remaining work.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace tubeplan::app {
 
-/// The shift that a hand-over is of. Without a date, the latest one with an event; without a name, any shift.
+/// Selects the shift of a hand-over: the latest shift with an event if no date is given, any shift if no name is given.
 struct HandOverRequest {
   std::string shift, date;
 };
@@ -25,8 +25,8 @@ struct TotalsBy {
 struct PersonsWork {
   std::string who;
   std::map<std::string, int> marks;  ///< number of marks that were not undone, by the name of the mark
-  int confirmed = 0, wrong = 0;      ///< confirmations that found the tube that was meant, or another one
-  int undone = 0;                    ///< marks of anybody that this person undid
+  int confirmed = 0, wrong = 0;      ///< numbers of confirmations of the intended tube, and of another tube
+  int undone = 0;                    ///< number of marks, of any person, that this person undid
 };
 
 /// An item with its latest mark that was not undone; the event is null for items without one.
@@ -36,15 +36,15 @@ struct MarkedItem {
 };
 
 struct HandOver {
-  std::optional<ShiftOfDay> shift;  ///< nothing if no shift that fits the request has an event
-  std::vector<JobEvent> events;     ///< of the shift
+  std::optional<ShiftOfDay> shift;  ///< the shift; std::nullopt if no shift of the request has an event
+  std::vector<JobEvent> events;     ///< events of the shift
   std::vector<PersonsWork> people;
   int later_events = 0;  ///< number of events after the end of the shift
-  ItemCounts total;      ///< of all items at the end of the shift, as all that follows but `shifts`
+  ItemCounts total;      ///< counts of all items at the end of the shift, like all later members except `shifts`
   std::vector<TotalsBy> totals;
-  std::vector<ShiftBalance> shifts;  ///< every shift with an event, in the order of their beginnings
-  std::vector<MarkedItem> held;      ///< by decision or because the plan does not reach them
-  std::vector<MarkedItem> retests;   ///< queued, the longest waiting first
+  std::vector<ShiftBalance> shifts;  ///< all shifts with an event, in order of their start
+  std::vector<MarkedItem> held;      ///< items held by decision, or because the plan does not reach them
+  std::vector<MarkedItem> retests;   ///< queued items, in descending order of waiting time
   std::vector<JobEvent> wrong;       ///< confirmations of the shift that found another tube
 };
 

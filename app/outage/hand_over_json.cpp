@@ -78,7 +78,7 @@ json marksJson() {
   return list;
 }
 
-/// Returns why an item is held: its mark and the reason of the mark, or what the plan says.
+/// Returns the reason why an item is held: its mark and the reason of the mark, or the reason stated by the plan.
 std::string heldReason(const MarkedItem& of) {
   if (!of.event) return fmt::format("out of reach of the plan: {}", of.item.unreachable);
   return of.event->reason.empty() ? fmt::format("{}, no reason stated", of.event->value)
@@ -86,7 +86,7 @@ std::string heldReason(const MarkedItem& of) {
 }
 
 json heldJson(const std::vector<MarkedItem>& held) {
-  std::map<std::pair<bool, std::string>, json> by_reason;  // decisions before what the plan does not reach
+  std::map<std::pair<bool, std::string>, json> by_reason;  // decisions come before tubes that the plan does not reach
   for (const MarkedItem& of : held)
     by_reason.try_emplace({!of.event, heldReason(of)}, json::array())
         .first->second.push_back(addressText(of.item.tube) + " " + of.item.package);

@@ -15,7 +15,7 @@ std::string countText(int count, const char* word) {
   return fmt::format("{} {}{}", std::abs(count), word, std::abs(count) == 1 ? "" : "s");
 }
 
-/// Returns how a tube differs from the meant one, by their addresses alone.
+/// Returns a description of the difference between the addresses of a tube and of the intended tube.
 std::string differenceOf(const TubeAddress& meant, const TubeAddress& found) {
   if (found.generator != meant.generator) return "it is in another steam generator";
   if (found.leg != meant.leg) return "it is in the other leg";
@@ -31,7 +31,7 @@ const TubeEnd* findEnd(const std::vector<TubeEnd>& ends, const TubeAddress& tube
   return nullptr;
 }
 
-/// Returns true if the found hole is the mirror image of the meant hole in the plane x = 0.
+/// Returns true if the found hole is the mirror image of the intended hole in the plane x = 0.
 bool isMirrorImage(const std::vector<TubeEnd>& ends, const TubeAddress& meant, const TubeEnd& found, double near) {
   const TubeEnd* of_meant = findEnd(ends, meant);
   return of_meant && std::hypot(found.x + of_meant->x, found.y - of_meant->y) < near;

@@ -1,5 +1,5 @@
-// Independent confirmation of a tube's identity: somebody or something other than the arm's encoders says which tube
-// the tool is at. An offset from the centre of a hole confirms nothing, because every hole has a centre.
+// Independent confirmation of a tube's identity: a person or an instrument, not the arm's encoders, identifies the tube
+// at the tool. An offset from the centre of a hole confirms nothing, because every hole has a centre.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace tubeplan::app {
 
-/// Tube that was found where another was meant.
+/// Tube that was identified at the tool, if it is not the intended tube.
 struct IdentityFinding {
   bool is_same = false;
   std::string found;   ///< address of the tube that was found; empty if the position is at no hole
-  std::string reason;  ///< how the found tube differs from the meant one, such as "the legs are exchanged"
+  std::string reason;  ///< difference between found and intended tube, such as "the legs are exchanged"
 };
 
-/// Compares a tube that was read back with the tube that is meant.
+/// Compares a tube that was read back with the intended tube.
 [[nodiscard]] IdentityFinding compareRead(const TubeAddress& meant, const TubeAddress& read);
 
 /// Compares a measured position of the tool [m], in the frame of the meant tube's sheet, with the holes of that sheet
@@ -24,9 +24,9 @@ struct IdentityFinding {
 [[nodiscard]] IdentityFinding comparePosition(const TubeAddress& meant, double x, double y,
                                               const std::vector<TubeEnd>& ends, double pitch);
 
-/// Returns why the tool may not enter the tube: its package demands a confirmation, and the latest one of this item is
+/// Returns the reason why the tool must not enter: the package requires a confirmation, and the item's latest one is
 /// missing, older than the latest mark, by another method, of another tube, or by the person who marks it. Returns an
-/// empty text if it may.
+/// empty text if the tool may enter.
 [[nodiscard]] std::string findMissingConfirmation(const WorkPackage& package,
                                                   const std::vector<JobEvent>& events_of_item, const std::string& who);
 

@@ -1,4 +1,4 @@
-// Makes the record of a job: reads the cells and lists that the job file names, and selects the tubes of every package.
+// Creates the record of a job: reads the cells and lists of the job file, and selects the tubes of every package.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,14 +21,14 @@ namespace {
 
 using tubesheets::Leg, tubesheets::Sheet;
 
-/// The sheet of one leg, with the states that the job file states for its steam generator.
+/// The sheet of one leg, with the tube states from the job file's table for its steam generator.
 struct ReadLeg {
   std::string generator;
   JobLeg leg;
   Sheet sheet;
 };
 
-/// Returns how pictures show a sheet: {viewed_from, hole_diameter_m, manway: direction [x, y] or null}.
+/// Returns the drawing data of a sheet: {viewed_from, hole_diameter_m, manway: direction [x, y] or null}.
 nlohmann::json sheetLookJson(const Sheet& sheet) {
   nlohmann::json manway;
   if (sheet.manway) manway = {sheet.manway->direction().x(), sheet.manway->direction().y()};
@@ -55,7 +55,7 @@ Sheet sheetOf(const JobLeg& leg) {
   return sheet;
 }
 
-/// Throws InputError for a table that states nothing, or that is of another steam generator.
+/// Throws InputError for a table without tube states, or of another steam generator.
 void requireStates(const std::string& path, const tubesheets::WorkList& list, const std::string& generator) {
   if (list.problem) refuseText(path, *list.problem);
   for (const auto& item : list.items)
@@ -161,7 +161,7 @@ std::string placeOf(const std::optional<tubesheets::WorkList>& list) {
                      first.steam_generator.empty() ? "any steam generator" : first.steam_generator, leg);
 }
 
-/// Selects the tubes of one package on all legs that it is for.
+/// Selects the tubes of one package on all legs to which it applies.
 std::vector<PackageOnLeg> selectPackage(const WorkPackage& package, std::int64_t key, const JobFile& job,
                                         const std::vector<ReadLeg>& legs) {
   const bool is_list = package.tubes.ends_with(".csv");

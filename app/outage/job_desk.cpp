@@ -28,7 +28,7 @@ const Mark& requireMark(const std::string& name) {
   throw InputError("--as", inQuotes(name), alternatives(names), suggestion(name, names));
 }
 
-/// Throws InputError for a mark that contradicts the present standing of the item.
+/// Throws InputError for a mark that contradicts the current standing of the item.
 void requireFitting(const JobItem& item, const Mark& mark, const MarkRequest& request) {
   const std::string where = addressText(item.tube);
   const ItemStanding standing = item.standing();

@@ -1,4 +1,4 @@
-// The shift's desk: which tube comes next, its confirmation, and marks with the rules that keep the record right.
+// Operations of a shift: selection of the next tube, its confirmation, and marks with the rules for their consistency.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace tubeplan::app {
 
-/// Part of the job that a request is about; empty members take everything.
+/// Part of the job to which a request applies; an empty member means no restriction.
 struct JobPart {
   std::string package, generator;
   std::optional<tubesheets::Leg> leg;
 
   [[nodiscard]] bool has(const JobItem& item) const;
-  /// Returns true for the part that is the whole job.
+  /// Returns true if the part is the whole job.
   [[nodiscard]] bool isWhole() const { return package.empty() && generator.empty() && !leg; }
 };
 
@@ -26,8 +26,8 @@ void requirePart(const JobFile& job, const JobPart& part);
 /// plugged in the meantime. Pointers are into `items`, which are all items of a record.
 [[nodiscard]] std::vector<const JobItem*> itemsToVisit(const std::vector<JobItem>& items, const JobPart& part);
 
-/// Return the next of itemsToVisit(): the first open one, or else the queued one that has waited longest; nothing if
-/// none is left.
+/// Return the next of itemsToVisit(): the first open item, otherwise the queued item with the longest wait;
+/// std::nullopt if no item is left.
 [[nodiscard]] std::optional<JobItem> findNext(const std::vector<JobItem>& items, const JobPart& part);
 [[nodiscard]] inline std::optional<JobItem> findNext(JobStore& store, const JobPart& part) {
   return findNext(store.items(), part);
@@ -38,10 +38,10 @@ void requirePart(const JobFile& job, const JobPart& part);
 
 struct MarkRequest {
   TubeAddress tube;
-  std::string package;  ///< may be empty if the tube is in one package only
+  std::string package;  ///< name of the package; may be empty if the tube is in only one package
   std::string mark;
   EventEntry entry;
-  std::optional<std::int64_t> after;  ///< last event that the person has seen of this item; nothing: any
+  std::optional<std::int64_t> after;  ///< latest event of the item that the person has seen; std::nullopt: no check
 };
 
 /// Records a mark and returns the key of its event. Throws InputError, and records nothing, for an unknown mark, a tube
@@ -57,11 +57,11 @@ struct ConfirmationRequest {
   EventEntry entry;
 };
 
-/// Records a confirmation, whether or not it finds the tube that is meant, and returns what it found.
+/// Records a confirmation of the intended tube or of another tube, and returns the tube found.
 [[nodiscard]] IdentityFinding confirmTube(JobStore& store, const ConfirmationRequest& request);
 
-/// Undoes a mark: the item gets the standing that it had before. Throws InputError for an event that is no mark, is
-/// undone already or is not the latest mark of its item, and for a missing reason.
+/// Undoes a mark, which restores the item's previous standing. Throws InputError if the event is not a mark, has
+/// already been undone or is not the latest mark of its item, and for a missing reason.
 std::int64_t undoMark(JobStore& store, std::int64_t event, const EventEntry& entry);
 
 }  // namespace tubeplan::app

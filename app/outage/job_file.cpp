@@ -31,7 +31,7 @@ constexpr std::array<ConfirmationRow, 3> kConfirmations{{{"none", ConfirmationMe
                                                          {"read-back", ConfirmationMethod::kReadBack},
                                                          {"position", ConfirmationMethod::kPosition}}};
 
-/// Reads a name: letters, digits, dots, dashes and underscores, so that it can stand in addresses and file names.
+/// Reads a name of letters, digits, dots, dashes and underscores, which is valid in addresses and file names.
 std::string readPlainName(const YamlNode& node) {
   const std::string name = node.text();
   const bool is_plain = std::ranges::all_of(

@@ -15,10 +15,10 @@ namespace tubeplan::app {
 struct JobLeg {
   tubesheets::Leg leg = tubesheets::Leg::kHot;
   std::string cell;          ///< path of the leg's cell, or of the other leg's cell if this leg is its mirror image
-  bool is_mirrored = false;  ///< true: the cell is the mirror image of the other leg's cell
+  bool is_mirrored = false;  ///< true if the cell is the mirror image of the other leg's cell
 };
 
-/// Name of a leg: its steam generator and which leg of it.
+/// Name of a leg: the steam generator and the side (hot, cold or full).
 struct LegName {
   std::string generator;
   tubesheets::Leg leg = tubesheets::Leg::kHot;
@@ -37,12 +37,12 @@ struct SteamGenerator {
 
 struct JobTool {
   std::string name;
-  double speed = 0;   ///< speed of the probe in the tube [m/s]; 0: the visit takes no time in the tube
+  double speed = 0;   ///< speed of the probe in the tube [m/s]; 0 if the time in the tube is neglected
   double change = 0;  ///< time to mount the tool [s]
-  double load = 0;    ///< weight that the tool hangs on the tip [N]
+  double load = 0;    ///< weight of the tool at the tip [N]
 };
 
-/// How the identity of a tube is confirmed before the tool enters.
+/// Method by which the identity of a tube is confirmed before the tool enters.
 enum class ConfirmationMethod { kNone, kReadBack, kPosition };
 
 [[nodiscard]] std::string_view confirmationName(ConfirmationMethod method);
@@ -68,7 +68,7 @@ struct JobShift {
 
 inline constexpr int kMinutesPerDay = 24 * 60;
 
-/// Returns the length of a shift [min]: a day if it ends when it begins.
+/// Returns the duration of a shift [min]; a shift with equal start and end lasts one day.
 [[nodiscard]] int lengthOf(const JobShift& shift);
 
 struct JobFile {
@@ -76,11 +76,11 @@ struct JobFile {
   Units units;
   std::vector<SteamGenerator> generators = {};
   std::vector<JobTool> tools = {};
-  std::vector<WorkPackage> packages = {};        ///< in the order of their priority
+  std::vector<WorkPackage> packages = {};        ///< packages, in order of priority
   std::vector<JobShift> shifts = {};             ///< shifts of the file, and one for each time of day that no shift has
   std::vector<std::vector<LegName>> apart = {};  ///< groups of legs of which at most one has an arm at any time
-  int arms = 1;      ///< number of arms that work at the same time, each in a leg of its own
-  double mount = 0;  ///< time to mount an arm in a leg and calibrate its base [s]
+  int arms = 1;                                  ///< number of arms that work at the same time, each in a different leg
+  double mount = 0;                              ///< time to mount an arm in a leg and calibrate its base [s]
 
   [[nodiscard]] const JobTool& toolOf(const WorkPackage& package) const;
   /// Returns the package of that name, which must exist.

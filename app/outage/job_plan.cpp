@@ -44,7 +44,7 @@ PlanRequest requestFor(const std::vector<JobItem>& items, const WorkPackage& pac
 }
 
 void addTimes(const PlanOutcome& outcome, const WorkPackage& package, const JobTool& tool, PackagePlan& plan) {
-  double stays = 0;  // of the planner: the tool's travel in the tubes, and the package's own stays
+  double stays = 0;  // dwell times of the planner: the tool's travel in the tubes, and the package's dwell times
   for (const auto& visit : outcome.plan.visits) stays += visit.dwell;
   plan.travel = outcome.plan.travel_time;
   plan.in_tubes = timeInTube(package, tool) * static_cast<double>(outcome.plan.visits.size());
@@ -159,13 +159,13 @@ JobPlan planJob(JobStore& store, const JobPlanRequest& request, const planner::P
     const Cell cell = cellOfLeg(sheet);
     LegPlan& leg = plan.legs.emplace_back(LegPlan{sheet.generator, sheet.leg.leg, {}, store.job().mount});
     JobPlanRequest asked = request;
-    std::string mounted;  // tool on the arm; none when the arm enters the leg
+    std::string mounted;  // tool on the arm; empty when the arm enters the leg
     for (const auto& of_package : to_plan) {
       leg.packages.push_back(planPackage(store, cell, of_package, asked, hooks, keep));
       const std::string& tool = store.job().packageOf(of_package.front().package).tool;
       if (tool == mounted) leg.packages.back().change = 0;
       mounted = tool;
-      asked.start.clear();  // the arm stands elsewhere once the first package is done
+      asked.start.clear();  // the start position applies only to the first package
       if (leg.packages.back().status == VisitPlanStatus::kStopped) {
         leg.packages.pop_back();
         plan.is_stopped = true;

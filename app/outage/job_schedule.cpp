@@ -41,7 +41,7 @@ class ArmSearch {
   }
 
  private:
-  /// Gives each leg, the longest first, to the arm that is free first.
+  /// Assigns each leg, the longest first, to the arm that is available first.
   void takeLongestFirst() {
     for (const std::size_t leg : order_) {
       const auto free = std::ranges::min_element(loads_);
@@ -95,7 +95,7 @@ class ArmSearch {
   double lower_bound_ = 0, best_ = 0;
 };
 
-/// Returns a time before which no schedule ends [s]: that of the legs without those that are apart, or the work of a
+/// Returns a lower bound of every schedule's end [s]: that without exclusions, or the total work of a
 /// group.
 double lowerBound(const Schedule& without, const std::vector<LegWork>& legs, const std::vector<ApartLegs>& apart) {
   double bound = without.lower_bound;
@@ -120,7 +120,7 @@ Schedule withApart(const Schedule& without, const std::vector<LegWork>& legs, in
   return schedule;
 }
 
-/// Sets what each leg waits for: the leg that ends when it begins, of the same arm or else of the same group.
+/// Sets the predecessor of each leg: the leg that ends when it begins, of the same arm or otherwise of the same group.
 void nameWaits(Schedule& schedule, const std::vector<ApartLegs>& apart) {
   const auto areApart = [&](int one, int other) {
     return std::ranges::any_of(apart, [&](const ApartLegs& group) {

@@ -1,4 +1,4 @@
-// Schedule of the arms: legs are shared out among arms so that the last one ends as early as possible.
+// Schedule of the arms: legs are assigned to arms so that the last leg ends as early as possible (minimum makespan).
 #pragma once
 
 #include <vector>
@@ -10,14 +10,14 @@ struct LegWork {
   double duration = 0;  ///< [s]
 };
 
-/// Legs, by their indices, of which at most one has an arm at any time.
+/// Indices of mutually exclusive legs: at most one of them has an arm at any time.
 using ApartLegs = std::vector<int>;
 
-/// Reason for which a leg does not begin at once.
+/// Reason why a leg does not begin at time zero.
 enum class WaitReason {
-  kNone,   ///< begins at once
+  kNone,   ///< no wait: the leg begins at time zero
   kArm,    ///< its arm is in another leg
-  kApart,  ///< it must not have an arm while another leg has one
+  kApart,  ///< another leg, which excludes this one, has an arm
 };
 
 /// One leg in the schedule.
@@ -26,20 +26,20 @@ struct ScheduledLeg {
   int arm = 0;                ///< index of the arm
   double start = 0, end = 0;  ///< [s]
   WaitReason wait = WaitReason::kNone;
-  int waits_for = -1;  ///< index of the leg at whose end this one begins; -1 if it begins at once
-  double idle = 0;     ///< time that the arm is in no leg before this one [s]
+  int waits_for = -1;  ///< index of the leg at whose end this leg begins; -1 if it begins at time zero
+  double idle = 0;     ///< idle time of the arm before this leg [s]
 };
 
 enum class ScheduleStatus { kNotRun, kOptimal, kFeasible };
 
 struct Schedule {
   ScheduleStatus status = ScheduleStatus::kNotRun;
-  std::vector<ScheduledLeg> legs;  ///< in the order of the given legs
+  std::vector<ScheduledLeg> legs;  ///< scheduled legs, in input order
   double end = 0;                  ///< end of the last leg [s]
-  double lower_bound = 0;          ///< no schedule ends before this time [s]
+  double lower_bound = 0;          ///< lower bound of the end of every schedule [s]
 };
 
-/// Shares out the legs among `arms` arms (identical machines without precedence; legs that are apart exclude each
+/// Assigns the legs to `arms` arms (identical machines without precedence; legs that are apart exclude each
 /// other). The result is proved optimal for up to 16 legs, by branch and bound from the longest leg down (Graham 1969
 /// gives the first solution), and for up to 12 legs of which some are apart, by branch and bound over the order in
 /// which they begin. For more legs it is the first solution, which is optimal if it ends at the lower bound. Without

@@ -5,7 +5,7 @@ namespace tubeplan::app {
 
 inline constexpr int kJobFormat = 1;  ///< format of the record; a record of another format is refused
 
-/// Statements that make the tables. The log is append-only: the database itself refuses changes of it.
+/// Statements that create the tables. The log is append-only: triggers of the database reject changes.
 inline constexpr const char* kJobSchema = R"(
 CREATE TABLE job (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE sheet (

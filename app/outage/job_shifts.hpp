@@ -1,4 +1,4 @@
-// Shifts of a job: in which one a time falls, and when each begins and ends.
+// Shifts of a job: the shift that contains a time, and the start and end of each shift.
 #pragma once
 
 #include <compare>
@@ -9,10 +9,10 @@
 
 namespace tubeplan::app {
 
-/// One shift of one day, or the rest of a day that no shift has.
+/// One shift of one day, or a part of a day outside all shifts.
 struct ShiftOfDay {
   std::string date;  ///< day on which it began, in UTC, "2027-04-02"
-  std::string name;  ///< empty: no shift of the job
+  std::string name;  ///< name of the shift; empty outside the shifts of the job
 
   [[nodiscard]] auto operator<=>(const ShiftOfDay&) const = default;
 };
@@ -25,7 +25,7 @@ struct ShiftOfDay {
 [[nodiscard]] std::string startOf(const ShiftOfDay& shift, const std::vector<JobShift>& shifts);
 [[nodiscard]] std::string endOf(const ShiftOfDay& shift, const std::vector<JobShift>& shifts);
 
-/// Throws InputError, naming --date, for a text that is no date of the form "2027-04-02".
+/// Throws InputError, naming --date, for a text that is not a date of the form "2027-04-02".
 void requireDate(const std::string& date);
 
 }  // namespace tubeplan::app

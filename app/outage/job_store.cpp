@@ -70,7 +70,7 @@ std::string presentTime() {
 
 namespace {
 
-/// Returns the value of a key of the table `job`. Throws InputError if the file is no record of a job.
+/// Returns the value of a key of the table `job`. Throws InputError if the file is not the record of a job.
 std::string valueOf(Database& database, const std::string& key) {
   const auto tables = database.query("SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'job'");
   const auto rows = tables.empty() ? tables : database.query("SELECT value FROM job WHERE key = ?1", {key});

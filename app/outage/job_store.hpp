@@ -22,11 +22,11 @@ struct JobItem {
   std::int64_t id = 0;
   std::string package;
   TubeAddress tube;
-  std::string excluded;               ///< why the plan never contained the tube, such as "plugged"; empty if it does
-  std::optional<std::int64_t> place;  ///< position in the visiting order; nothing before the package is planned
+  std::string excluded;               ///< reason for the tube's exclusion, such as "plugged"; empty if not excluded
+  std::optional<std::int64_t> place;  ///< position in the visiting order; std::nullopt before planning
   const Mark* mark = nullptr;         ///< latest mark that was not undone; null if there is none
   std::int64_t last_event = 0;        ///< key of the latest event of this item; 0 if there is none
-  std::string unreachable;            ///< why the plan does not reach the tube; empty if it does, or without a plan
+  std::string unreachable;            ///< reason why the plan does not reach the tube; empty if reached or not planned
 
   [[nodiscard]] ItemStanding standing() const;
   /// Returns true if a visit is due: the item is open or queued.
@@ -74,18 +74,18 @@ struct JobSheet {
 
 class JobStore {
  public:
-  /// Makes the record of a job: reads its cells, selects the tubes of every package, and writes the file completely or
-  /// not at all. Returns notes on what the tables have and the record has not. Throws InputError for input that the
-  /// cells, the tables or the selections refuse.
+  /// Creates the record of a job: reads its cells, selects the tubes of every package, and writes the complete file or
+  /// none. Returns notes on ignored content of the tables. Throws InputError for input that the
+  /// readers of cells, tables or selections reject.
   static std::vector<std::string> create(const JobFile& job, const std::string& path);
 
-  /// Opens a record. Throws InputError for a file that is no record of a job, or one of another format.
+  /// Opens a record. Throws InputError for a file that is not the record of a job, or has another format.
   explicit JobStore(const std::string& path);
 
   [[nodiscard]] const JobFile& job() const { return job_; }
 
   /// Returns all items in the order in which they are to be visited: by package, steam generator and leg, then by place
-  /// in the visiting order, or by row and column where there is none.
+  /// in the visiting order or, for items without a place, by row and column.
   [[nodiscard]] std::vector<JobItem> items();
   /// Returns the items of one end of a tube, in the order of their packages.
   [[nodiscard]] std::vector<JobItem> itemsOf(const TubeAddress& tube);
@@ -99,10 +99,10 @@ class JobStore {
   [[nodiscard]] TubeEnd endOf(const TubeAddress& tube);
   /// Returns all ends of tubes on one leg, in the order of rows and columns.
   [[nodiscard]] std::vector<TubeEnd> endsOf(const std::string& generator, tubesheets::Leg leg);
-  /// Returns the text of the work list that an item's package was read from; empty if it is not from a list.
+  /// Returns the text of the work list from which a package was read; empty if it was not read from a list.
   [[nodiscard]] std::string listOf(const std::string& package, const std::string& generator, tubesheets::Leg leg);
 
-  /// Returns how pictures show the sheet of a leg, as JSON: {viewed_from, hole_diameter_m, manway: direction [x, y] or
+  /// Returns the drawing data of a leg's sheet, as JSON: {viewed_from, hole_diameter_m, manway: direction [x, y] or
   /// null}; an empty object for a record without it.
   [[nodiscard]] std::string lookOf(const LegName& leg);
   /// Return the latest plan of the job, and the time at which it was recorded; empty before the first plan.
@@ -111,7 +111,7 @@ class JobStore {
   /// Records the plan of the job, as jobPlanJson() returns it, in place of the one before.
   void setPlan(const std::string& plan);
 
-  /// Calls `work` in a transaction, so that what it reads cannot change before it writes.
+  /// Calls `work` in a transaction, so that the data it reads cannot change before it writes.
   void transact(const std::function<void()>& work) { database_.transact(work); }
 
   /// Record an event and return its key. Called within transact().
@@ -122,7 +122,7 @@ class JobStore {
 
   /// Sets the visiting order of items that were planned together. Called within transact().
   void setPlaces(const std::vector<std::int64_t>& items_in_order);
-  /// Sets why an item cannot be reached; an empty reason says that it can. Called within transact().
+  /// Sets the reason why an item cannot be reached; empty if it can be reached. Called within transact().
   void setUnreachable(std::int64_t item, const std::string& reason);
 
  private:

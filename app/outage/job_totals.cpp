@@ -84,7 +84,7 @@ std::vector<JobItem> itemsAt(std::vector<JobItem> items, const std::vector<JobEv
 
 std::vector<ShiftBalance> balancesOf(const std::vector<JobItem>& items, const std::vector<JobEvent>& events,
                                      const std::vector<JobShift>& shifts) {
-  std::map<std::string, ShiftBalance> balances;  // by their beginnings
+  std::map<std::string, ShiftBalance> balances;  // balances, keyed by the start of the shift
   for (const JobEvent& event : events) {
     const ShiftOfDay shift = shiftAt(event.at, shifts);
     ShiftBalance& balance = balances[startOf(shift, shifts) + shift.name];

@@ -31,8 +31,8 @@ struct PackageTotal {
 struct ShiftBalance {
   ShiftOfDay shift;
   int marks = 0;     ///< marks recorded in the shift that were not undone
-  int done = 0;      ///< items that are done at its end and were not at its beginning
-  int reopened = 0;  ///< items that were done at its beginning and are not at its end
+  int done = 0;      ///< items done at the end of the shift, but not at its start
+  int reopened = 0;  ///< items done at the start of the shift, but not at its end
   ItemCounts at_end;
 };
 
@@ -40,9 +40,9 @@ struct JobTotals {
   std::vector<PackageTotal> packages;
   ItemCounts all;
   std::vector<ShiftBalance> shifts;  ///< every shift with an event, in the order of their beginnings
-  /// Tubes that are plugged at one end only: the other end is still to be plugged, or the wrong tube was.
+  /// Tubes plugged at only one end: the other end is not yet plugged, or the wrong tube was plugged.
   std::vector<TubeAddress> plugged_at_one_end;
-  /// Items that are to be visited, at ends that were plugged in the meantime: nobody can visit them any more.
+  /// Items to be visited whose tube end has been plugged in the meantime, so that no visit is possible.
   std::vector<JobItem> plugged_in_the_meantime;
   /// Items whose latest confirmation found another tube.
   std::vector<JobEvent> wrong_tubes;
@@ -53,7 +53,7 @@ struct JobTotals {
 [[nodiscard]] ItemCounts countsOf(const std::vector<JobItem>& items);
 
 /// Returns the items as they stood at a time: later marks and undos are left out. Tubes that the plan does not reach
-/// have no time; they are as they are now.
+/// have no time; their current state is used.
 [[nodiscard]] std::vector<JobItem> itemsAt(std::vector<JobItem> items, const std::vector<JobEvent>& events,
                                            const std::string& time);
 

@@ -67,8 +67,8 @@ json standingsJson(const std::vector<const JobItem*>& items, const std::vector<T
   return list;
 }
 
-/// Returns the time of the visits that are left on a leg by the mean time of the planned ones [s]; null if a package
-/// with visits left has no plan.
+/// Estimates the time of a leg's remaining visits from the mean time of planned visits [s]; null if a package
+/// with remaining visits has no plan.
 json timeLeft(const json& plan, const LegName& leg, const std::vector<const JobItem*>& to_visit) {
   std::map<std::string, double> mean;
   if (plan.is_object())

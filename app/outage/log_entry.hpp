@@ -1,11 +1,11 @@
-// What a person may enter in the log: names, reasons and times.
+// Log entries made by a person: name, reason and time.
 #pragma once
 
 #include <string>
 
 namespace tubeplan::app {
 
-/// What is recorded of an item; `at` is the present time if it is empty.
+/// Entry for an item; an empty `at` means the current time.
 struct EventEntry {
   std::string who, reason, at;
 };
@@ -14,7 +14,7 @@ struct EventEntry {
 /// letter or digit, for a text of several lines, and for a time that the calendar does not have.
 [[nodiscard]] EventEntry checkedEntry(const EventEntry& entry);
 
-/// Returns true if two names are of one person: the same letters and digits, in upper or lower case.
+/// Returns true if two names denote the same person: equal letters and digits, ignoring case.
 [[nodiscard]] bool isSamePerson(const std::string& one, const std::string& other);
 
 }  // namespace tubeplan::app

@@ -11,12 +11,12 @@ namespace {
 
 constexpr std::size_t kMostOrdered = 12;  // largest number of legs for which the search is exhaustive
 
-/// Beginnings of some of the legs: what the other legs can still use, and when.
+/// Partial schedule: the legs already placed, and the times at which arms and groups become available.
 struct Begun {
   std::uint64_t legs = 0;      ///< set of the legs that have begun
   double last = 0;             ///< latest beginning [s]; none of the other legs begins earlier
-  std::vector<double> arms;    ///< when each arm is free [s]
-  std::vector<double> groups;  ///< when each group of legs that are apart is free [s]
+  std::vector<double> arms;    ///< time at which each arm becomes available [s]
+  std::vector<double> groups;  ///< time at which each group of exclusive legs becomes available [s]
 };
 
 class StartOrderSearch {
@@ -59,7 +59,7 @@ class StartOrderSearch {
     return longest;
   }
 
-  /// Begins a leg as early as possible, on the arm that has been free for the shortest time.
+  /// Starts a leg as early as possible, on the arm with the shortest idle time.
   void begin(std::size_t leg) {
     const double start = earliest(leg), end = start + legs_[leg].duration;
     std::size_t arm = begun_.arms.size();
@@ -97,7 +97,7 @@ class StartOrderSearch {
     if (best_.legs.empty() || end < best_.end) best_ = {order_, end, false};
   }
 
-  /// Returns a time before which the legs that have not begun do not all end [s].
+  /// Returns a lower bound of the time at which all remaining legs have ended [s].
   [[nodiscard]] double bound() const {
     double work = 0, least = 0;
     std::vector<double> of_group(apart_.size(), 0), group_from(apart_.size(), 1e300);
@@ -117,7 +117,7 @@ class StartOrderSearch {
     return std::max(least, work / static_cast<double>(begun_.arms.size()));
   }
 
-  /// Returns true if the same legs were begun before with everything free at least as early; remembers them otherwise.
+  /// Returns true if a stored partial schedule with the same legs dominates this one; otherwise stores this one.
   bool isDominated() {
     std::vector<double> free = begun_.arms;
     std::ranges::sort(free);

@@ -7,7 +7,7 @@ namespace tubeplan::app {
 
 /// A schedule as the order in which the legs begin, each as early as the legs before it allow.
 struct StartOrder {
-  std::vector<ScheduledLeg> legs;  ///< in the order of their beginnings
+  std::vector<ScheduledLeg> legs;  ///< scheduled legs, in order of their start
   double end = 0;                  ///< end of the last leg [s]
   bool is_optimal = false;         ///< true if no order ends earlier
 };

@@ -21,7 +21,7 @@ class CellArrays {
 
   [[nodiscard]] std::string name() const { return cell_.name; }
   [[nodiscard]] Eigen::Matrix4d base() const { return cell_.X_WB.matrix(); }
-  /// Returns how the base was placed, as JSON.
+  /// Returns the source of the base pose, as JSON.
   [[nodiscard]] std::string baseStanding() const;
   [[nodiscard]] std::vector<std::string> joints() const;
   /// Returns the direction in which the tool enters a hole, in the tool frame.
@@ -33,8 +33,8 @@ class CellArrays {
   /// x joints, `load` has N entries.
   [[nodiscard]] pybind11::tuple poses(const Rows& q, const Eigen::VectorXd& load) const;
 
-  /// Returns all branches of N goals, each a place and the direction of the tool's axis there. Of each branch: the
-  /// index of its goal, the readings, the status, the distance from the place and the angle to the direction. Of each
+  /// Returns all branches of N goals, each a position and a direction of the tool's axis. For each branch: the
+  /// index of its goal, the joint values, the status, and the errors of position and direction. For each
   /// goal: status and reason.
   [[nodiscard]] pybind11::tuple inverse(const Rows& places, const Rows& axes, double load) const;
 

@@ -34,7 +34,7 @@ int runFor(CommandCaller& caller, const std::vector<std::string>& words) {
   }
 }
 
-/// Throws the exception that stopped the work. An interruption tells what was kept.
+/// Throws the exception that stopped the work. An interruption states which results were kept.
 [[noreturn]] void raise(const py::error_already_set& error, const std::string& remarks) {
   if (!error.matches(PyExc_KeyboardInterrupt) || remarks.empty()) throw error;
   PyErr_SetString(PyExc_KeyboardInterrupt, remarks.substr(0, remarks.find_last_not_of('\n') + 1).c_str());
@@ -53,7 +53,7 @@ std::vector<JointInFile> jointsOfFile(const std::string& file) {
   try {
     return jointsOf(readCell(file).arm);
   } catch (const InputError&) {
-    return {};  // a project or another file that the command read
+    return {};  // the command's input was a project or another file, not a cell
   }
 }
 

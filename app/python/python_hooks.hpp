@@ -26,7 +26,7 @@ auto withoutLock(Work&& work) {
 /// destroyed by a thread that holds the lock.
 class __attribute__((visibility("hidden"))) PythonHooks {
  public:
-  /// `progress` is called with stage, done and total; None: nobody is told.
+  /// `progress` is called with stage, done and total; if it is None, no progress is reported.
   explicit PythonHooks(pybind11::object progress) : progress_(std::move(progress)) {}
 
   /// Returns the hooks, which must not outlive this object.
@@ -46,7 +46,7 @@ class __attribute__((visibility("hidden"))) PythonHooks {
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::milliseconds kAsked{50}, kTold{100};
 
-  /// Asks Python for signals at most every 50 ms, because that takes the lock. Only the calling thread asks.
+  /// Polls Python's signals at most every 50 ms, because this acquires the lock. Only the calling thread polls.
   bool shouldStop() {
     if (is_stopped_ || std::this_thread::get_id() != caller_) return is_stopped_;
     if (Clock::now() - asked_ < kAsked) return false;
@@ -56,7 +56,7 @@ class __attribute__((visibility("hidden"))) PythonHooks {
     return is_stopped_;
   }
 
-  /// Tells the end and the beginning of every stage, and what is between them at most ten times a second.
+  /// Reports the start and the end of every stage, and intermediate progress at most ten times a second.
   void tell(std::string_view stage, std::size_t done, std::size_t total) {
     const auto now = Clock::now();
     if (is_stopped_ || (stage == stage_ && now - told_ < kTold && (total == 0 || done < total))) return;

@@ -17,7 +17,7 @@ struct TextFile {
 
 /// Throws InputError, naming the option, unless a file can be written at the path. Its folder must exist, or it must be
 /// possible to create it. The path must not be a folder, a file that the command reads or the output of another option
-/// (InputRecord). Leaves no files behind, and removes temporary files of killed programs. Meant to be called before
+/// (InputRecord). Leaves no files behind, and removes temporary files of killed programs. Call it before
 /// long work.
 void checkWritableFile(const std::filesystem::path& path, const std::string& option);
 

@@ -1,4 +1,4 @@
-// Error for an input file that does not exist, for which some languages have an exception of their own.
+// Error for an input file that does not exist, for which some languages have a separate exception.
 #pragma once
 
 #include "app/storage/input_error.hpp"

@@ -29,7 +29,7 @@ std::vector<std::string> namesOf(const Table& table) {
   return names;
 }
 
-/// Returns the error for a name that is none of `names`, with all of them and the most similar one.
+/// Returns the error for a name that is not in `names`; it lists all names and suggests the most similar one.
 [[nodiscard]] inline InputError unknownName(const std::string& where, const std::string& name,
                                             const std::vector<std::string>& names) {
   return InputError(where, inQuotes(name), alternatives(names), suggestion(name, names));

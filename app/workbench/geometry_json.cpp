@@ -97,7 +97,7 @@ json coordinatesJson(const std::vector<Eigen::Vector3d>& points, const Units& un
   return coordinates;
 }
 
-/// Returns an entry of the cell file with the outline of the shape that was made of it; null for a region.
+/// Returns an entry of the cell file with the outline of its shape; the outline is null for a region.
 json namedShape(const YamlNode& node, const planner::Shape& made, const std::string& otherwise, const Units& units) {
   json shape = shapeJson(node);
   const auto* solid = dynamic_cast<const planner::Solid*>(&made);

@@ -59,7 +59,7 @@ void push(Steps& steps, std::string words, SessionPart part) {
   steps.push_back(std::make_shared<const HistoryStep>(HistoryStep{std::move(words), std::move(part)}));
 }
 
-/// Makes the model of the part current. Models above it stay on the stack if the part knows no others in their places.
+/// Makes the model of the part current. Models above it stay if the stack begins with the part's models.
 void restoreModels(const SessionPart& part, Session& session) {
   const auto is_same = [](const ModelPointer& one, const ModelPointer& other) { return one->id == other->id; };
   const bool is_prefix = part.models.size() <= session.models.size() &&

@@ -22,7 +22,7 @@ struct SessionPart {
 
 /// Step that can be undone or redone.
 struct HistoryStep {
-  std::string words;  ///< what the step changed, such as "marks of readings"
+  std::string words;  ///< description of the change, such as "marks of readings"
   SessionPart part;
 };
 
@@ -35,7 +35,7 @@ void noteStep(const Session& before, Session& after);
 bool stepBack(Session& session);
 bool stepForward(Session& session);
 
-/// Returns what the next undo or redo would change; empty if there is nothing.
+/// Returns a description of the next undo or redo; empty if there is none.
 [[nodiscard]] std::string undoWords(const Session& session);
 [[nodiscard]] std::string redoWords(const Session& session);
 

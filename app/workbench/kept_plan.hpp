@@ -15,7 +15,7 @@ class Workbench;
 /// Returns the request with this JSON. Throws nlohmann::json::exception for other JSON.
 [[nodiscard]] PlanRequest planRequestOf(const nlohmann::json& json);
 
-/// Begins a job that makes the session's kept plan again; does nothing if the session has none.
+/// Begins a job that recomputes the session's stored plan; does nothing if the session has none.
 void restorePlan(Workbench& workbench);
 
 }  // namespace tubeplan::app

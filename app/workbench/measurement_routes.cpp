@@ -59,7 +59,7 @@ Answer leverage(Workbench& workbench, const Request& request) {
   return answerOf(leverageJson(currentModel(session).cell, session.measurements->measurements, namesAt(request)));
 }
 
-/// Loads the measurements; `also` makes further changes in the same step.
+/// Loads the measurements; `also` applies further changes in the same undoable step.
 void take(
     Workbench& workbench, std::shared_ptr<MeasurementSet> set,
     const std::function<void(Session&)>& also = [](Session&) {}) {

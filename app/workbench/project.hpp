@@ -16,11 +16,11 @@ inline constexpr const char* kProjectExtension = ".tubeplan";
 [[nodiscard]] std::string projectText(const Session& session);
 
 /// Reads the session in a project file. Hole maps and meshes that the cell names are read from their original paths.
-/// Throws InputError if the file is no project, is damaged, or names missing files.
+/// Throws InputError if the file is not a project, is damaged, or names missing files.
 [[nodiscard]] Session readProject(const std::filesystem::path& file);
 
 /// Returns {file, program, cell, "cell file", measurements, models, saved}, read from the first line of the file; null
-/// if the file is no project.
+/// if the file is not a project.
 [[nodiscard]] nlohmann::json projectSummary(const std::filesystem::path& file);
 
 /// Returns true if two sessions have the same text of the first cell and the same measurements.

@@ -46,7 +46,7 @@ Answer redo(Workbench& workbench, const Request&) {
   return answerOf(stateJson(workbench));
 }
 
-/// Gives a model of the stack another label, for the request {"model": id, "label"}.
+/// Renames a model of the stack, for the request {"model": id, "label"}.
 Answer rename(Workbench& workbench, const Request& request) {
   constexpr std::size_t kLongest = 120;
   const auto body = objectOf(request);

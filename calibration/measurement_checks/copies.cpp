@@ -13,7 +13,7 @@ namespace tubeplan::calibration {
 namespace {
 
 /// Returns the values that are all equal in a measurement and its copy. A row that was logged again has a later time;
-/// only a second count of steps at a later time is a measurement of its own.
+/// only a second count of steps at a later time is an independent measurement.
 auto contentOf(const Measurement& m) {
   const Eigen::Vector3d p = m.p_W.value_or(Eigen::Vector3d::Zero());
   const Eigen::Vector3d tool = m.p_TQ.value_or(Eigen::Vector3d::Zero());

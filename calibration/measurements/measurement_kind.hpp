@@ -104,7 +104,7 @@ struct MeasurementKindRow {
   /// `noise` [m] added.
   void (*record)(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& measurement);
 
-  /// Returns what a measurement lacks in addition to its measured values; `kind` is the kind's name. Null for kinds
+  /// Returns the missing data of a measurement other than measured values; `kind` is the kind's name. Null for kinds
   /// whose values depend on the arm alone.
   std::optional<MeasurementLack> (*lack)(const Measurement& measurement, const std::string& kind) = lackOfPlace;
   double usual_sigma = kPositionSigma;

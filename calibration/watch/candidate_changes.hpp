@@ -1,4 +1,4 @@
-// Changes of a calibrated arm at work that a watch can name: a displacement of the base, and every cause of the
+// Changes of a calibrated arm in service that a watch can identify: a displacement of the base, and every cause of the
 // diagnosis at each of its places.
 #pragma once
 
@@ -14,13 +14,13 @@ namespace tubeplan::calibration {
 /// Value of CandidateChange::effect for a displacement of the base.
 inline constexpr const char* kBaseMoved = "base-step";
 
-/// What to do about a change; one row of the table of remedies for each.
+/// Remedy for a change; each has one row in the table of remedies.
 enum class Remedy {
-  kCalibrateBase,   ///< touch three holes again and calibrate the base
-  kReferenceJoint,  ///< reference the joint's zero again
-  kInspectJoint,    ///< look for play or softness at the named place
-  kRemeasureArm,    ///< the arm's geometry, weights or measuring system changed: identify them
-  kAwaitWarmth,     ///< wait until the temperature is steady, or state it, and calibrate again
+  kCalibrateBase,   ///< base calibration with three new touches
+  kReferenceJoint,  ///< new reference of the joint's zero
+  kInspectJoint,    ///< inspection of the named place for play or compliance
+  kRemeasureArm,    ///< new identification of the arm's geometry, weights or measuring system
+  kAwaitWarmth,     ///< calibration at a steady or stated temperature
 };
 
 /// A number of a candidate change.
@@ -39,15 +39,15 @@ struct CandidateChange {
   Remedy remedy = Remedy::kRemeasureArm;
   std::vector<ChangeNumber> numbers;
   std::vector<int> columns;  ///< column of each number in the matrix of all candidates
-  /// Condition that no measurement states, and which the change assumes to differ by `assumed_change`; empty: none.
+  /// Condition that no measurement states and that the change assumes to differ by `assumed_change`; may be empty.
   std::optional<deflection::Condition> assumed;
   double assumed_change = 0;
 };
 
 struct CandidateChanges {
-  std::vector<CandidateChange> list;  ///< the displacement of the base first
+  std::vector<CandidateChange> list;  ///< candidates; the displacement of the base comes first
   Eigen::MatrixXd columns;            ///< whitened derivatives, rows of `weights` x numbers
-  std::vector<std::string> not_seen;  ///< candidates that these measurements cannot show at all
+  std::vector<std::string> not_seen;  ///< candidates without any effect on these measurements
 };
 
 /// Returns the candidates with their columns at these measurements, whose rows are those of `weights`; `by_base` are

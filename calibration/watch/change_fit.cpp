@@ -152,8 +152,8 @@ ChangeFitter::Problem ChangeFitter::problemOf(const std::vector<int>& columns) c
   return problem;
 }
 
-/// Returns where a fit begins: no change and, where counts state only distances, changes by each number to both sides
-/// that cause offsets of the size counted.
+/// Returns the start values of a fit: no change and, because counts state only distances, changes of both signs of each
+/// number that cause offsets of the counted magnitude.
 std::vector<VectorXd> ChangeFitter::startsOf(const Problem& problem) const {
   const VectorXd none = VectorXd::Zero(problem.errors + problem.numbers);
   std::vector<VectorXd> starts{none};

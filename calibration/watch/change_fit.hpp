@@ -11,8 +11,8 @@ namespace tubeplan::calibration {
 
 /// Course of a change from its start on.
 enum class ChangeCourse {
-  kStep,  ///< constant since the start
-  kRamp,  ///< growing in proportion to the number of measurements since the start
+  kStep,  ///< change that is constant from its start on
+  kRamp,  ///< change proportional to the number of measurements since its start
 };
 
 struct ChangeFit {
@@ -24,7 +24,7 @@ struct ChangeFit {
   double counts_excess = 0;  ///< -2 log p of all counts beyond its mean, in standard deviations; 0 without counts
 };
 
-/// Bounds of the numbers of a change [ChangeNumber::typical]; empty: none.
+/// Bounds of the numbers of a change [ChangeNumber::typical]; empty if there are none.
 struct NumberBounds {
   Eigen::VectorXd lower, upper;
   [[nodiscard]] bool contain(const Eigen::VectorXd& numbers) const {
@@ -37,9 +37,9 @@ class ChangeFitter {
  public:
   ChangeFitter(const WatchedRows& rows, const ErrorState& before, int start, int last, ChangeCourse course);
 
-  /// Fits the numbers whose columns are `columns`; no columns: no change. `near` are numbers near which to begin;
-  /// empty: begins wherever counts, which state no direction, suggest. Of several minima, the lowest between the bounds
-  /// counts; nullopt if none is.
+  /// Fits the numbers whose columns are `columns`; without columns, there is no change. `near` are start values;
+  /// if empty, the fit starts at all values that the counts suggest. Of several minima, the lowest within the bounds
+  /// is returned; nullopt if none is within them.
   [[nodiscard]] std::optional<ChangeFit> fit(const std::vector<int>& columns, const NumberBounds& bounds = {},
                                              const Eigen::VectorXd& near = {}) const;
 
@@ -58,7 +58,7 @@ class ChangeFitter {
   Eigen::VectorXd mean_;
   Eigen::MatrixXd prior_;        // information on x before the start
   Eigen::MatrixXd measured_xx_;  // information on x since the start by measured values
-  double reach_ = 0;             // mean counted offset since the start [standard deviations]; 0: no counts
+  double reach_ = 0;             // mean counted offset since the start [standard deviations]; 0 without counts
 };
 
 }  // namespace tubeplan::calibration

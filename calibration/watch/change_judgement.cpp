@@ -18,9 +18,9 @@ namespace {
 
 constexpr double kOutdone = 0.05;  // probability that the true change is left out because another fits better by chance
 constexpr double kNoMoreThanNoise = 0.001;  // probability by chance at which a candidate leaves more than noise
-constexpr double kCountsExcess = 3.1;       // the same for counts, in standard deviations
-constexpr double kUnlearned = 0.5;        // standard deviation, relative to the prior's, from which on nothing is known
-constexpr double kSameColumn = 1 - 1e-8;  // cosine from which on two columns count as alike
+constexpr double kCountsExcess = 3.1;       // limit of ChangeFit::counts_excess, in standard deviations
+constexpr double kUnlearned = 0.5;        // posterior-to-prior sigma ratio above which a number counts as undetermined
+constexpr double kSameColumn = 1 - 1e-8;  // cosine above which two columns count as parallel
 // A candidate is tried at further starts if its gain at the first is at least this share of the largest, less
 // kNearGain.
 constexpr double kNearShare = 0.5, kNearGain = 10;
@@ -90,7 +90,7 @@ class Judge {
     }
   }
 
-  /// Drops the candidates that are far from the best so far.
+  /// Removes the candidates whose gain is far below the best gain so far.
   void dropFarOnes() {
     double most = 0;
     for (const Tried& tried : tried_) most = std::max(most, tried.best().gain);
@@ -117,7 +117,7 @@ class Judge {
   }
 
  private:
-  /// Finds for each candidate the one with the longest column of those that are alike up to scale, for which one fit
+  /// Finds the leader of each candidate: the longest of the columns that are equal up to scale, for which one fit
   /// suffices.
   void findLeaders() {
     const auto& list = watched_.candidates.list;
@@ -140,7 +140,7 @@ class Judge {
     }
   }
 
-  /// Fits by leader, and by whether its numbers are bounded on one side: a play, for instance, is never negative.
+  /// Fits, keyed by leader and by one-sided bounds of its numbers: a play, for instance, is never negative.
   using Fits = std::map<std::pair<std::size_t, int>, std::optional<ChangeFit>>;
 
   /// Returns the fit of a candidate, derived from its leader's by the ratio of their columns; nullopt if no change
@@ -169,7 +169,7 @@ class Judge {
     return fit;
   }
 
-  /// Returns the leader's numbers near which the fit of a candidate begins: those of its best trial; empty if there is
+  /// Returns the start values of a candidate's fit, which are the leader's numbers in its best trial; empty if there is
   /// none.
   [[nodiscard]] VectorXd hintFor(std::size_t c) const {
     const Trial& best = tried_[c].best();
@@ -256,8 +256,8 @@ class Judge {
   const std::vector<ErrorState>& states_;
   int last_;
   std::vector<Tried> tried_;
-  std::vector<std::size_t> leader_;  // candidate whose fit serves for each
-  std::vector<double> scale_;        // number of each candidate for one of its leader's
+  std::vector<std::size_t> leader_;  // index of each candidate's leader, whose fit it shares
+  std::vector<double> scale_;        // factor from the leader's number to the candidate's number
   std::vector<bool> is_dropped_;
 };
 

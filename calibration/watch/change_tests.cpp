@@ -12,9 +12,9 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr double kUninformed = 1e-9;   // information, relative to the largest, below which a direction is undetermined
-constexpr int kAlikeStarts = 4;        // number of latest measurements that are all tried as the start of a change
-constexpr double kSameWay = 1 - 1e-8;  // cosine from which on two columns count as the same direction
-constexpr double kBeyondRounding = 1 + 1e-9;  // ratio of two levels from which on the larger counts as larger
+constexpr int kAlikeStarts = 4;        // number of latest measurements of which each is tried as the start of a change
+constexpr double kSameWay = 1 - 1e-8;  // cosine above which two columns count as one direction
+constexpr double kBeyondRounding = 1 + 1e-9;  // ratio above which two levels differ by more than rounding
 constexpr Index kNumbersOfBase = 6;           // largest number of numbers of a candidate
 
 /// Returns the generalised likelihood ratio of numbers with this information and score, and their count as far as they
@@ -51,8 +51,8 @@ MeasuredTests::MeasuredTests(const RowsAndCandidates& watched, double share, int
                    VectorXd::Zero(c)});
 }
 
-/// Groups the candidates with one number whose columns are alike; each candidate with several numbers is a direction of
-/// its own. The limits share out the false alarms by prior probability, the base's apart from all others'.
+/// Groups one-number candidates with parallel columns; each candidate with several numbers is a separate direction.
+/// False alarms are allotted to the limits by prior probability, separately for the base and for all other candidates.
 void MeasuredTests::findDirections(double share, int tests) {
   const auto& list = watched_.candidates.list;
   MatrixXd measured = watched_.rows.changes;

@@ -13,13 +13,13 @@ namespace tubeplan::calibration {
 /// Largest statistic of a test after a measurement.
 struct TestedLevel {
   const char* test = "";
-  double level = 0;  ///< statistic as a fraction of its limit; above 1: alarm
+  double level = 0;  ///< statistic as a fraction of its limit; an alarm if above 1
   int since = 0;     ///< first measurement after the change that the statistic supposes
   double chi2 = 0;
   int degrees_of_freedom = 0;
 };
 
-/// Returns the earlier measurements that are tried as the last one before a change: the latest ones, then ever sparser
+/// Returns the measurements that are tried as the last one before a change: the latest ones, then increasingly sparse
 /// ones, down to -1.
 [[nodiscard]] std::vector<int> startsBefore(int measurement);
 
@@ -43,7 +43,7 @@ class MeasuredTests {
   /// candidates' columns.
   struct Sums {
     Eigen::MatrixXd zz, zc;
-    Eigen::MatrixXd own;  ///< products of each column with the columns of its own direction
+    Eigen::MatrixXd own;  ///< products of each column with the columns of the same direction
     Eigen::VectorXd ze, ce;
     double ee = 0, innovations = 0;
     int rows = 0;
@@ -55,11 +55,11 @@ class MeasuredTests {
   void testDirection(Direction& direction, const char* test, int start, TestedLevel& nearest);
 
   const RowsAndCandidates& watched_;
-  std::vector<Direction> directions_;  // the displacement of the base first
+  std::vector<Direction> directions_;  // directions; the displacement of the base comes first
   ChiSquareLimit innovation_limit_;
   std::vector<Sums> sums_;           // sums_[k]: over the first k measurements
   Eigen::LLT<Eigen::MatrixXd> all_;  // factor of the information on z from all measurements so far
-  Eigen::MatrixXd cross_, solved_;   // of the start being tested
+  Eigen::MatrixXd cross_, solved_;   // products for the tested start
   Eigen::VectorXd score_;
 };
 

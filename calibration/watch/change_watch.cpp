@@ -90,7 +90,7 @@ class ChangeWatch {
     return once;
   }
 
-  /// Judges by all measurements since the change, those after the alarm too, what has changed.
+  /// Judges the change by all measurements since its start, including those after the alarm.
   void judge(WatchAlarm& alarm) {
     alarm.judged_to = std::min(watched_.rows.count() - 1, alarm.measurement + options_.judged_after);
     alarm.judgement = judgeChange(watched_, states_, startsOf(alarm), alarm.judged_to, options_.stop);
@@ -109,7 +109,7 @@ class ChangeWatch {
   StateFilter filter_;
   MeasuredTests measured_;
   CountWatch counts_;
-  std::vector<ErrorState> states_;  // before each measurement
+  std::vector<ErrorState> states_;  // filter state before each measurement
 };
 
 }  // namespace

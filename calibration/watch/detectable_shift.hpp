@@ -1,5 +1,5 @@
-// Smallest sudden shifts of the base that a quiet watch would probably have found, which says how much its silence
-// means.
+// Smallest sudden shifts of the base that a watch without alarm would probably have detected: the power of its
+// tests.
 #pragma once
 
 #include "calibration/watch/change_tests.hpp"

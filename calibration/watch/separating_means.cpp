@@ -68,7 +68,7 @@ constexpr MeansRow kMeans[] = {
 /// An answer as it predicts the virtual measurements.
 struct Predicted {
   VectorXd shift;
-  MatrixXd spread;  // columns times the root of the numbers' covariance
+  MatrixXd spread;  // columns times a square root of the numbers' covariance
 };
 
 bool isSeparated(const Predicted& a, const Predicted& b, const MatrixXd& noise) {
@@ -89,7 +89,7 @@ Predicted predictedBy(const ChangeAnswer& answer, const RowsAndCandidates& at) {
     }
     return predicted;
   }
-  return Predicted{VectorXd::Zero(at.rows.r.size()), MatrixXd(at.rows.r.size(), 0)};  // does not show at all
+  return Predicted{VectorXd::Zero(at.rows.r.size()), MatrixXd(at.rows.r.size(), 0)};  // no effect on these rows
 }
 
 int separatedPairs(const RowsAndCandidates& at, const ErrorState& state, std::span<const ChangeAnswer> answers) {

@@ -1,5 +1,5 @@
-// Measurements that would tell apart the changes that a watch could not: a table of means, tried in the order of their
-// cost.
+// Measurements that discriminate between changes that a watch cannot distinguish: a table of means, in order of
+// their cost.
 //
 // For answers a and b with their fitted numbers, the means' measurements differ by d = C_a t_a - C_b t_b in standard
 // deviations of their noise. The covariance of what b predicts is S = I + H P H^T + C_b T_b C_b^T, with the errors P of
@@ -13,12 +13,12 @@ namespace tubeplan::calibration {
 
 struct SeparatingMeans {
   const char* name;   ///< key of the means
-  const char* words;  ///< what to do, for a reader
-  int pairs = 0;      ///< pairs of answers that these measurements would probably tell apart
-  int of_pairs = 0;   ///< pairs of answers
+  const char* words;  ///< instruction to the user
+  int pairs = 0;      ///< number of pairs of answers that these measurements probably separate
+  int of_pairs = 0;   ///< number of all pairs of answers
 };
 
-/// Returns the means that would tell apart the most pairs of the answers, the cheapest first of several; nullopt if
+/// Returns the means that separates the most pairs of answers, and of equal ones the cheapest; nullopt if
 /// there are fewer than two answers or no means separates any pair. `visits` are the measurements since the change.
 [[nodiscard]] std::optional<SeparatingMeans> separatingMeans(const WatchedArm& watched,
                                                              const std::vector<Measurement>& visits,

@@ -36,7 +36,7 @@ class StateFilter {
  public:
   explicit StateFilter(const WatchedRows& rows);
 
-  /// Takes measurement `k` into account. Returns the probabilities of a count before it was.
+  /// Updates the state by measurement `k`. Returns the predictive probabilities of a count.
   CountChances add(int k);
 
   [[nodiscard]] const ErrorState& state() const { return state_; }
@@ -61,7 +61,7 @@ class CountWatch {
   [[nodiscard]] int since() const { return since_[best_]; }
 
  private:
-  double log_weight_;                           // of one start and one size
+  double log_weight_;                           // log weight of one pair of start and size
   std::array<double, kSpreads.size()> sums_{};  // log of the sum over starts for each size
   std::array<double, kSpreads.size()> rise_{};  // log ratio since the best start
   std::array<int, kSpreads.size()> since_{};

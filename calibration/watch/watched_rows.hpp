@@ -1,5 +1,5 @@
-// Rows of the watched measurements: whitened residuals and their derivatives with respect to what may be off and to
-// what may change.
+// Rows of the watched measurements: whitened residuals and their derivatives with respect to the errors of the
+// calibration and to the candidate changes.
 //
 // A measured value has the residual u = r + H x + C t with unit variance, where x is the error of base and parameters
 // (prior: standard normal) and t a change. A count of steps has two such rows, the offset from the hole's axis divided
@@ -31,7 +31,7 @@ struct CountedRing {
 };
 
 struct WatchedRows {
-  std::string reason;  ///< why there are no rows; empty otherwise
+  std::string reason;  ///< reason why there are no rows; empty on success
   Eigen::VectorXd r;
   Eigen::MatrixXd H;        ///< derivatives with respect to x
   Eigen::MatrixXd changes;  ///< derivatives with respect to the numbers of all candidate changes

@@ -129,7 +129,7 @@ struct MadeEffect {
   Effect effect;                   ///< the effect at neutral values
 };
 
-/// Makes an effect at neutral values from its name and its place, such as "backlash" and "tool.z".
+/// Returns an effect with neutral values for a name and a place, such as "backlash" and "tool.z".
 [[nodiscard]] MadeEffect makeEffect(const Arm& arm, std::string_view name, std::string_view at);
 
 /// Returns the parameters of an effect's kind or formula, in the order of the effect's values.

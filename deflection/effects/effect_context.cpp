@@ -28,7 +28,7 @@ void copyWithoutEffects(const ArmOf<S>& from, ArmOf<S>& to) {
   to.tip_load = from.tip_load;
 }
 
-/// Makes the rows rigid that the arm declares rigid in the posture's set-up. An example is the flexible mounting of an
+/// Removes the flexibility of rows that the posture's set-up declares rigid. An example is the flexible mounting of an
 /// arm that is now bolted to a bench.
 template <class S>
 void makeMountingRigid(EffectContext<S>& context) {

@@ -1,4 +1,4 @@
-// Flexible elements of a row. Each deflects under its load by a law that is stated in a file of its own.
+// Flexible elements of a row. Each deflects under its load by a law that is stated in a separate file.
 #pragma once
 
 #include <span>

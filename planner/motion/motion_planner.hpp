@@ -36,7 +36,7 @@ struct MotionPlannerOptions {
   std::uint64_t seed = 1;
   /// Largest number of iterations of the search; no clock is used, so that a plan depends on its seed alone.
   int max_iterations = 3000;
-  double range = 0;  ///< longest step of the search, as travel [m]; 0: a fifth of the diagonal of the joint space
+  double range = 0;  ///< longest step of the search, as travel [m]; 0 selects a fifth of the joint space's diagonal
   int shortcut_attempts = 100;
   int shaping_attempts = 1500;  ///< number of attempts to shape a detour with each step size
   MotionCheckOptions check = {};

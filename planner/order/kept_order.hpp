@@ -13,7 +13,7 @@ namespace tubeplan::planner {
 [[nodiscard]] std::vector<int> keptOrder(const Route& route, const std::vector<int>& tubes,
                                          const std::vector<int>& tubes_before, double most_added = 0.1);
 
-/// Returns how many neighbours in an order of visits were no neighbours in `tubes_before`.
+/// Returns the number of neighbouring pairs in an order of visits that were not neighbours in `tubes_before`.
 [[nodiscard]] int countNewNeighbours(const std::vector<int>& order, const std::vector<int>& tubes,
                                      const std::vector<int>& tubes_before);
 

@@ -19,9 +19,9 @@ struct BaseCoverOptions {
 
 enum class BaseCoverStatus {
   kNotRun,
-  kProved,          ///< no other choice is better
+  kProved,          ///< optimum proved: no other choice is better
   kNotProved,       ///< the search ended at its limit; the bounds hold
-  kNothingReached,  ///< no candidate reaches a tube
+  kNothingReached,  ///< empty problem: no candidate reaches a tube
 };
 
 struct BaseCover {

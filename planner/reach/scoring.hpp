@@ -22,7 +22,7 @@ struct Centring {
   int steps = -1;
 };
 
-/// Returns how well the true arm centres the tool in one visit. `tip_error_W` [m] is the error of the true tip in this
+/// Returns the centring of the true arm's tool in one visit. `tip_error_W` [m] is the error of the true tip in this
 /// posture that `truth`, the model of the true arm, does not include.
 [[nodiscard]] Centring scoreVisit(const Workcell& truth, const Eigen::Vector3d& hole_W, const TubeBranch& visit,
                                   const Eigen::Vector3d& tip_error_W = Eigen::Vector3d::Zero());

@@ -87,7 +87,7 @@ class SegmentedArm {
     }
   }
 
-  /// Makes one pass: places all steps, then turns each spring. Returns the largest change of a spring's rotation [rad].
+  /// Iterates once: places all steps, then turns each spring. Returns the largest change of a spring's rotation [rad].
   double pass() {
     place();
     const Vector3d& g = posture_.gravity_B;

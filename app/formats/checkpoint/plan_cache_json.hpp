@@ -14,7 +14,7 @@ namespace tubeplan::app {
 [[nodiscard]] nlohmann::json travelJson(const planner::MotionEnds& ends, const planner::MotionPlan& plan);
 [[nodiscard]] nlohmann::json proofJson(const planner::MotionEnds& ends, const planner::SegmentProof& proof);
 
-/// Returns the JSON of what the cache has beside these lists, an object with some of its keys.
+/// Returns the JSON of the cache without these lists: an object with the remaining keys.
 [[nodiscard]] nlohmann::json wholePlanJson(const planner::PlanCache& cache);
 
 /// Return one entry from its JSON. Throw nlohmann::json::exception for JSON that the functions above do not write.

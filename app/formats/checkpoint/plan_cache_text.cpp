@@ -16,7 +16,7 @@ using planner::MotionEnds, planner::TubePosture;
 
 [[noreturn]] void refuse(const char* what) { throw json::other_error::create(501, what, nullptr); }
 
-/// Returns the place behind the string that begins at `at`.
+/// Returns the index after the string that begins at `at`.
 std::size_t endOfString(std::string_view text, std::size_t at) {
   for (++at; at < text.size(); ++at) {
     if (text[at] == '\\')
@@ -27,7 +27,7 @@ std::size_t endOfString(std::string_view text, std::size_t at) {
   refuse("a string without an end");
 }
 
-/// Returns the place behind the value that begins at `at`.
+/// Returns the index after the value that begins at `at`.
 std::size_t endOfValue(std::string_view text, std::size_t at) {
   int depth = 0;
   while (at < text.size()) {
@@ -79,7 +79,7 @@ void forEachMember(std::string_view text, char open, char close, const Take& tak
   }
 }
 
-/// Reads a whole number at `at` and returns the place behind it.
+/// Reads a whole number at `at` and returns the index after it.
 std::size_t readNumber(std::string_view text, std::size_t at, int& number) {
   const auto [end, error] = std::from_chars(text.data() + std::min(at, text.size()), text.data() + text.size(), number);
   if (error != std::errc{}) refuse("no whole number");

@@ -1,4 +1,4 @@
-// A plan's cache as text whose entries are read only where they are asked for, and are written again as they were.
+// A plan's cache as text: entries are parsed only on request, and are otherwise written back unchanged.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@ class PlanCacheText {
   /// Divides the JSON of cacheJson() into its entries. Throws nlohmann::json::exception for any other text.
   explicit PlanCacheText(const std::string& json);
 
-  /// Returns the entries of the given tubes and of travels between them, and everything that is of no single tube. A
+  /// Returns the entries of the given tubes and of travels between them, and all data not tied to a single tube. A
   /// travel from or to a start or end posture counts as one of its tube. Throws nlohmann::json::exception for an entry
   /// that cacheJson() does not write.
   [[nodiscard]] planner::PlanCache read(const std::set<int>& tubes) const;
@@ -31,13 +31,13 @@ class PlanCacheText {
   /// Removes the entries of travels from and to start and end postures.
   void dropEnds();
 
-  /// Returns the JSON of `cache` with the entries added that only this text has. Entries of both are taken from here.
+  /// Returns the JSON of `cache`, with the entries that only this text has. Common entries are taken from this text.
   [[nodiscard]] std::string with(const planner::PlanCache& cache) const;
 
  private:
   std::map<int, std::string> reach_;
   std::map<planner::MotionEnds, std::string> travels_, proofs_;
-  std::string rest_ = "{}";  ///< JSON of what is of no single tube
+  std::string rest_ = "{}";  ///< JSON of all data not tied to a single tube
 };
 
 }  // namespace tubeplan::app

@@ -38,7 +38,7 @@ void readEntries(const fs::path& path, const std::function<void()>& read) {
   }
 }
 
-/// Returns the tubes whose results are asked for: those of the list and, unless little is left, those of the earlier
+/// Returns the tubes whose results are needed: those of the list and, unless few of them remain, those of the earlier
 /// plan, from which the bound follows.
 std::set<int> tubesToRead(const std::vector<int>& tubes, const std::vector<int>& before) {
   constexpr std::size_t kLittle = 10;

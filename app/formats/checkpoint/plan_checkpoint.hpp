@@ -29,8 +29,8 @@ class PlanCheckpoint {
   /// Returns true if intermediate results are to be saved during planning.
   [[nodiscard]] bool savesProgress() const { return !folder_.empty(); }
 
-  /// Returns the posture in which the earlier plan visits a tube (index in the sheet); nothing if it does not, or if
-  /// there is no earlier plan.
+  /// Returns the posture in which the earlier plan visits a tube (index in the sheet); std::nullopt if it does not, or
+  /// if there is no earlier plan.
   [[nodiscard]] std::optional<Eigen::VectorXd> postureAt(int tube) const;
 
   /// Loads the results for these inputs and tubes (indices in the sheet) from a stopped plan in the folder, otherwise
@@ -69,7 +69,7 @@ class PlanCheckpoint {
   std::string from_, from_fingerprint_;
   PlanKey from_question_, question_;
   PlanCacheText from_text_;  ///< results of the earlier plan
-  PlanCacheText text_;       ///< results of the earlier plan that still hold, of all its tubes
+  PlanCacheText text_;       ///< results of the earlier plan that are still valid, for all its tubes
   planner::PlanCache cache_;
   std::vector<std::string> model_differences_;
   Clock::time_point saved_ = Clock::now();

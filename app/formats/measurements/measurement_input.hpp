@@ -41,7 +41,7 @@ struct MeasurementOptions {
   double sigma = 0;
   std::vector<std::string> priors;  ///< priors in the syntax of takePriors()
   std::vector<std::string> assume;  ///< assumptions in the syntax of takeAssumptions()
-  bool takes_no_steps = false;      ///< true: visits in which no step of the tool entered are taken, not refused
+  bool takes_no_steps = false;      ///< true if visits in which no step entered are accepted
 };
 
 /// Measurements with the findings of the checks for mistakes.

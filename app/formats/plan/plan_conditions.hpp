@@ -21,7 +21,7 @@ struct ConditionsRequest {
   std::vector<std::string> columns = {};  ///< assignments of columns in work lists, for the tubes and the zones
 };
 
-/// Returns the index of the tube at which the arm starts; nothing if `start` is no tube's name. Throws InputError for a
+/// Returns the index of the start tube; std::nullopt if `start` is not a tube's name. Throws InputError for a
 /// tube that is not on the sheet.
 [[nodiscard]] std::optional<int> startTubeOf(const ConditionsRequest& request, const tubesheets::Sheet& sheet);
 

@@ -19,7 +19,7 @@ export interface ArmBodies {
   reach: number;
 }
 
-/** How the arm is drawn: by the bodies that collision checks use, or by rods from joint to joint. */
+/** Style in which the arm is drawn: bodies as in collision checks, or rods from joint to joint. */
 export type ArmLook = "shapes" | "skeleton";
 
 export function makeArm(

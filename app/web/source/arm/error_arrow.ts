@@ -16,7 +16,7 @@ export function factorOf(reading: ShownReading, reach: number): number {
   return most > 0 ? Math.max(1, roundDown125((LONGEST * reach) / most)) : 1;
 }
 
-/** Returns a wire ball at the end of an arrow, where the tip was measured, beside the full ball where it is modelled. */
+/** Returns a wireframe sphere at the arrow's end, the measured tip; a solid sphere marks the modelled tip. */
 function measuredTip(place: Vector3, reach: number, colour: string): Mesh {
   const ball = new Mesh(
     new SphereGeometry(0.013 * reach, 10, 7),

@@ -45,7 +45,7 @@ export interface Film {
   end: () => void;
 }
 
-/** Begins a film of the stage; null if this browser records none. */
+/** Starts a video recording of the stage; returns null if the browser does not support recording. */
 export function beginFilm(stage: ArmStage, pictures = 30): Film | null {
   const kind = filmKind();
   if (!kind) return null;

@@ -79,7 +79,7 @@ export function withPoint(text: string): string {
   return text.trim().replace("−", "-").replace(",", ".");
 }
 
-/** Returns true if a key goes to a field, and is therefore no command. */
+/** Returns true if a key press is input to a field and therefore not a command. */
 export function isTyping(event: KeyboardEvent): boolean {
   const target = event.target as HTMLElement | null;
   return (

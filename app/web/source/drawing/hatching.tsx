@@ -1,4 +1,4 @@
-// Fills of bars that are distinct without colour: each has a pattern beside its colour, so that they also work in
+// Fills of bars that are distinct without colour: each has a pattern in addition to its colour, so that they work in
 // monochrome print and for colour-blind readers.
 import type {ColourName} from "./colours";
 

@@ -13,7 +13,7 @@ export interface Known {
   variables: readonly Variable[];
   /** Sentences on columns that the readings lack. */
   missingColumns: readonly string[];
-  /** Formula suggested from the errors; empty: none. */
+  /** Formula suggested from the errors; empty if there is none. */
   formula: string;
   /** Names of the fitted numbers of the model. */
   free: readonly string[];

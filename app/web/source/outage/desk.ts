@@ -1,4 +1,4 @@
-// State of the desk: the job's record, the person, the part of the job, and what the record says.
+// State of the desk: the job's record, its contents, the person, and the selected part of the job.
 import {batch, effect, signal} from "@preact/signals";
 import {answerTo} from "../server/answers";
 import {get, post} from "../server/requests";
@@ -75,7 +75,7 @@ export interface NextTube {
   units: {length: string};
 }
 
-/** What an independent confirmation of a tube found. */
+/** Result of an independent confirmation of a tube. */
 export interface Finding {
   tube: string;
   found: string;
@@ -93,7 +93,7 @@ const kept = keptObject<string>(KEPT);
 
 export const record = signal(kept.record ?? "");
 export const person = signal(kept.person ?? "");
-/** Leg that the desk works in, "A/hot"; empty: every leg. */
+/** Leg shown by the desk, such as "A/hot"; empty for all legs. */
 export const place = signal(kept.place ?? "");
 
 effect(() => keep(KEPT, {record: record.value, person: person.value, place: place.value}));
@@ -102,23 +102,23 @@ export const totals = signal<Totals | null>(null);
 export const next = signal<NextTube | null>(null);
 export const events = signal<JobEvent[]>([]);
 export const plan = signal<JobPlan | null>(null);
-/** The last confirmation of the tube that is next; null before it. */
+/** Latest confirmation of the next tube; null if there is none. */
 export const finding = signal<Finding | null>(null);
 
 const inFile = () => `file=${encodeURIComponent(record.value)}`;
 
-/** Returns the address of the hand-over of a shift, "2027-04-02 day"; of the latest one for an empty text. */
+/** Returns the URL of a shift's hand-over, such as "2027-04-02 day"; of the latest shift for an empty text. */
 export function reportAddress(shift: string): string {
   const [date, name = ""] = shift.split(" ");
   return `/api/outage/report?${inFile()}${shift === "" ? "" : `&date=${date}&shift=${encodeURIComponent(name)}`}`;
 }
 
-/** Record and part of the job that the signals are about, and the time of the plan that is shown. */
+/** Record and part of the job to which the signals refer, and the time of the displayed plan. */
 let shownPart = "",
   shownRecord = "",
   plannedAt = "";
 
-/** Opens another record. Nothing of the last one stays on the page, so that no mark of its tubes enters the other. */
+/** Opens another record and clears the page, so that no mark of the previous record enters the new one. */
 export function chooseRecord(name: string): void {
   shownRecord = shownPart = "";
   batch(() => {
@@ -142,7 +142,7 @@ function addEvents(fresh: readonly JobEvent[]): void {
   ];
 }
 
-/** Asks the program for what has been recorded since the last time, and for totals and the next tube if they may differ. */
+/** Requests the events since the last request, and totals and next tube if they may have changed. */
 export async function refresh(): Promise<void> {
   if (record.value === "") return;
   const [sg, leg] = place.value.split("/");
@@ -173,7 +173,7 @@ export async function refresh(): Promise<void> {
 
 const common = () => ({file: record.value, tube: next.value?.tube, package: next.value?.package});
 
-/** Records a confirmation by `by`, and shows what it found. */
+/** Records a confirmation by the person `by`, and shows its result. */
 export function confirm(by: string, evidence: {read_back: string} | {position: [number, number]}): Promise<boolean> {
   return attempt("The tube is not confirmed", async () => {
     finding.value = await post<Finding>("/api/outage/confirm", {...common(), by, ...evidence});
@@ -181,7 +181,7 @@ export function confirm(by: string, evidence: {read_back: string} | {position: [
   });
 }
 
-/** Records what became of the visit, unless somebody else has changed the tube in the meantime. */
+/** Records the outcome of the visit, unless another person has changed the tube in the meantime. */
 export function mark(kind: MarkKind, reason: string): Promise<boolean> {
   return attempt(`${next.value?.tube} is not marked`, async () => {
     const after = next.value?.last_event;

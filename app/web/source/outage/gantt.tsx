@@ -1,4 +1,4 @@
-// Chart of a job's plan: the arms over the time, with legs, mounting, tool changes and the work of each package.
+// Gantt chart of a job's plan: legs, mounting, tool changes and packages of each arm over time.
 import {duration, fixed} from "../../../drawing/numbers.js";
 import {type Fill, FillIcon, fillOf, FillPatterns} from "../drawing/hatching";
 import {hours, type JobPlan, legName, type LegPlan, packageFills, timeFill} from "./job_plan";
@@ -37,7 +37,7 @@ function blocksOf(leg: LegPlan, fills: Map<string, Fill>): Block[] {
   return blocks;
 }
 
-/** Returns the time that the leg's arm waits in no leg before it, as a block; null if it does not. */
+/** Returns the idle time of the arm before the leg as a block; null if there is none. */
 function idleBlock(leg: LegPlan): Block | null {
   if (!leg.wait || leg.wait.idle_s <= 0) return null;
   const words = `waits for ${leg.wait.for}`;
@@ -101,7 +101,7 @@ export function Gantt({plan}: {plan: JobPlan}) {
   );
 }
 
-/** Bar of one leg below its name, with the time that its arm waits before. */
+/** Bar of one leg below its name, with the arm's preceding idle time. */
 function Leg({leg, fills, at}: {leg: LegPlan; fills: Map<string, Fill>; at: (seconds: number) => number}) {
   const idle = idleBlock(leg),
     name = `${legName(leg)}, ${fixed(hours(leg.total_s), 1)} h`,
@@ -138,7 +138,7 @@ function Bar({block: {start, end, fill, words, title}, at}: {block: Block; at: (
   );
 }
 
-/** Sentences that say which leg waits for which, and what the schedule is worth. */
+/** Sentences that state which leg waits for which, and the end of the schedule with its lower bound. */
 function Waits({plan}: {plan: JobPlan}) {
   const isProved = plan.schedule === "optimal";
   return (

@@ -1,4 +1,4 @@
-// The plan of a job as a document, and how its parts look in pictures.
+// The plan of a job as a document, with the fill patterns of its parts in charts.
 import type {Fill} from "../drawing/hatching";
 
 export interface PackagePlan {

@@ -1,4 +1,4 @@
-// The next tube in large letters, the confirmation of its identity, and what became of the visit.
+// The next tube in large letters, the confirmation of its identity, and the outcome of the visit.
 import {useSignal} from "@preact/signals";
 import {useEffect} from "preact/hooks";
 import {isTyping, submitting, withPoint} from "../drawing/fields";
@@ -33,7 +33,7 @@ export function NextPanel({tube}: {tube: NextTube}) {
   );
 }
 
-/** Form for the confirmation that the package demands, and what the last one found. */
+/** Form for the confirmation that the package requires, with the result of the latest one. */
 function Confirmation({tube}: {tube: NextTube}) {
   if (tube.confirm === "none") return null;
   const isRead = tube.confirm === "read-back";

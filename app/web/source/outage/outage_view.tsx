@@ -1,4 +1,4 @@
-// The desk of a shift: the next tube, its confirmation, marks by one key each, totals and the log.
+// Page of a shift: the next tube, its confirmation, marks with one key each, totals and the log.
 import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
 import {Select} from "../drawing/fields";
@@ -24,7 +24,7 @@ import {NextPanel} from "./next_panel";
 import {TimeShares} from "./time_shares";
 import {TotalsTable} from "./totals_table";
 
-/** Time between two looks at the record, which other desks may change [ms]. */
+/** Polling interval of the record, which other desks may change [ms]. */
 const PAUSE = 5000;
 
 export function OutageView() {
@@ -94,7 +94,7 @@ function Bar() {
   );
 }
 
-/** Button for the hand-over of a shift: the latest, or one in which something was finished. */
+/** Button for the hand-over of a shift: the latest shift, or a shift in which items were finished. */
 function HandOver() {
   const shift = useSignal("");
   const shifts = totals.value!.shifts.map(({date, shift: name}) => `${date} ${name}`.trim());

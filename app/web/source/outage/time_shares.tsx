@@ -1,4 +1,4 @@
-// Bars that show where the time of a job goes: all legs together, and each leg.
+// Bars that show the shares of a job's time: for all legs together, and for each leg.
 import {fixed, percent} from "../../../drawing/numbers.js";
 import {FillIcon, fillOf, FillPatterns} from "../drawing/hatching";
 import {hours, type JobPlan, legName, type LegPlan, timeFill} from "./job_plan";
@@ -16,7 +16,7 @@ interface Part {
   time_s: number;
 }
 
-/** Returns the time of every part in one leg; its packages have the parts that the leg itself has not. */
+/** Returns the time of every part in one leg, summed over the leg itself and its packages. */
 function partsOf(leg: LegPlan, plan: JobPlan): Part[] {
   const timeOf = (of: object, key: string) => (of as Record<string, number>)[key] ?? 0;
   return plan.times.map(({key, words}) => ({
@@ -52,7 +52,7 @@ export function TimeShares({plan}: {plan: JobPlan}) {
   );
 }
 
-/** Smallest share that has its number on the bar. */
+/** Smallest share whose number is printed on the bar. */
 const NUMBERED = 0.045;
 
 function Row({name, parts}: {name: string; parts: readonly Part[]}) {

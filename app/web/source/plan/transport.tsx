@@ -24,7 +24,7 @@ function keys(event: KeyboardEvent): void {
 let film: Film | null = null;
 const isFilmed = signal(false);
 
-/** Begins a film of the playback, or ends it. */
+/** Starts or stops a video recording of the playback. */
 function toggleFilm(): void {
   if (isFilmed.value) {
     isPlaying.value = false;

@@ -55,7 +55,7 @@ export async function openList(list: TableText): Promise<void> {
   }
 }
 
-/** Asks for the meanings of the columns, unless all headings are understood and the refusal has another reason. */
+/** Opens the dialog for column meanings, unless all headings are known and the list was rejected for another reason. */
 async function askAfter(list: TableText, refused: unknown): Promise<void> {
   try {
     const document = await post<ListColumnsDocument>(COLUMNS, {tables: [list]});

@@ -138,7 +138,7 @@ export interface WorkbenchState {
   model: number;
   can_undo: boolean;
   can_redo: boolean;
-  /** What undo and redo would change next; empty if there is nothing. */
+  /** Descriptions of the next undo and redo; empty if there is none. */
   undo_words: string;
   redo_words: string;
   measurements: ReadingsInfo | null;

@@ -11,7 +11,7 @@ import {simulate} from "./load";
 
 type Effect = CatalogueDocument["effects"][number];
 
-/** Hidden effect of the form: its kind and place, and the sizes as typed, keyed by parameter; no kind: none. */
+/** Hidden effect of the form: kind, place and sizes as typed, keyed by parameter; no effect if the kind is empty. */
 interface Hidden {
   effect: string;
   at: string;

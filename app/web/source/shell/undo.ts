@@ -22,7 +22,7 @@ async function step(title: string, path: string): Promise<void> {
 }
 
 /**
- * Makes a change that returns the state, and compares the readings with the model if that has not been done before.
+ * Sends a change that returns the state, and compares the readings with the model if not yet compared.
  */
 export async function changeAndCompare(title: string, change: () => Promise<WorkbenchState>): Promise<void> {
   if (await attempt(title, async () => takeState(await change()))) await compareIfNeeded();

@@ -1,4 +1,4 @@
-// Tubes with the same reason as one entry of a list; long lists are folded, and counted on paper.
+// Tubes with the same reason as one list entry; long lists are collapsed, and only counted on paper.
 import {plural, whole} from "../../../../drawing/numbers.js";
 import {Reasons} from "../parts";
 

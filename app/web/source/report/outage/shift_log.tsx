@@ -5,9 +5,9 @@ import {list, type Report, textOf} from "../values";
 
 interface LogLine {
   event: Report;
-  /** Confirmation that the mark stands on; null if there is none. */
+  /** Confirmation on which the mark relies; null if there is none. */
   confirmation: Report | null;
-  /** True for a confirmation that a mark has as its own. */
+  /** True if the confirmation is shown with its mark. */
   isJoined: boolean;
 }
 

@@ -1,4 +1,4 @@
-// Maps of the legs: every hole by the standing of its items, with what is left of the leg.
+// Maps of the legs: the standing of each hole's items, with the remaining work on each leg.
 import {useSignal} from "@preact/signals";
 import {useCallback, useMemo} from "preact/hooks";
 import {NOT_PLANNED, standingMark} from "../../../../drawing/kinds.js";
@@ -26,7 +26,7 @@ export function MapsSection({report}: OfReport) {
   );
 }
 
-/** Returns the marks of a leg's holes by their standing, and the holes that no package has. */
+/** Returns the marks of a leg's holes by their standing, and the holes that are in no package. */
 function groupsOf(report: Report, sheet: SheetModel, holes: string): MarkGroup[] {
   const places = (letter: string): Place[] => {
     const found: Place[] = [];
