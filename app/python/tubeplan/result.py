@@ -29,7 +29,8 @@ class Folder:
 
 
 class Result(Figures):
-    """Result of a command. Its figures are attributes; `print(result)` shows the command's own text.
+    """Result of a command. Its figures are attributes; `print(result)` shows the command's own text and then its remarks,
+    as a terminal does.
 
     A work that found no solution or did not converge is a result with `answer` False, not an exception; `status`,
     `reason`, `verdict` and `remarks` say why. Text is always in the units of the file.
@@ -53,7 +54,7 @@ class Result(Figures):
             object.__setattr__(self, name, value)
 
     def __str__(self) -> str:
-        return self.text or self.remarks
+        return self.text + self.remarks
 
     def __fspath__(self) -> str:
         if self.out is None:
