@@ -47,11 +47,36 @@ std::vector<JobEvent> wrongTubes(const std::vector<JobEvent>& events) {
   return wrong;
 }
 
+using EventsByItem = std::map<std::int64_t, std::vector<const JobEvent*>>;
+
+/// Returns the events of every item that has any, in the order of the log.
+EventsByItem eventsByItem(const std::vector<JobEvent>& events) {
+  EventsByItem by_item;
+  for (const JobEvent& event : events) by_item[event.item].push_back(&event);
+  return by_item;
+}
+
+/// Returns the latest mark of an item before a time that no undo before this time undid; null if there is none.
+const Mark* markAt(const std::vector<const JobEvent*>& events_of_item, const std::string& time) {
+  std::set<std::int64_t> undone;
+  for (const JobEvent* event : events_of_item)
+    if (event->undoes && event->at < time) undone.insert(*event->undoes);
+  const Mark* mark = nullptr;
+  for (const JobEvent* event : events_of_item)
+    if (event->kind == "mark" && event->at < time && !undone.contains(event->id)) mark = findMark(event->value);
+  return mark;
+}
+
 }  // namespace
 
 void ItemCounts::add(ItemStanding standing) {
   ++planned;
   ++with[standing];
+}
+
+void ItemCounts::move(ItemStanding from, ItemStanding to) {
+  --with[from];
+  ++with[to];
 }
 
 int ItemCounts::of(ItemStanding standing) const {
@@ -68,41 +93,44 @@ ItemCounts countsOf(const std::vector<JobItem>& items) {
 }
 
 std::vector<JobItem> itemsAt(std::vector<JobItem> items, const std::vector<JobEvent>& events, const std::string& time) {
-  std::set<std::int64_t> undone;
-  for (const JobEvent& event : events)
-    if (event.undoes && event.at < time) undone.insert(*event.undoes);
-  std::map<std::int64_t, const Mark*> marks;
-  for (const JobEvent& event : events)
-    if (event.kind == "mark" && event.at < time && !undone.contains(event.id))
-      marks[event.item] = findMark(event.value);
+  const EventsByItem by_item = eventsByItem(events);
   for (JobItem& item : items) {
-    const auto mark = marks.find(item.id);
-    item.mark = mark == marks.end() ? nullptr : mark->second;
+    const auto of = by_item.find(item.id);
+    item.mark = of == by_item.end() ? nullptr : markAt(of->second, time);
   }
   return items;
 }
 
 std::vector<ShiftBalance> balancesOf(const std::vector<JobItem>& items, const std::vector<JobEvent>& events,
                                      const std::vector<JobShift>& shifts) {
-  std::map<std::string, ShiftBalance> balances;  // balances, keyed by the start of the shift
+  const EventsByItem by_item = eventsByItem(events);
+  std::map<std::string, ShiftBalance> balances;                     // keyed by the start of the shift
+  std::map<std::string, std::set<std::int64_t>> items_with_events;  // keys of items, by the same key
   for (const JobEvent& event : events) {
     const ShiftOfDay shift = shiftAt(event.at, shifts);
-    ShiftBalance& balance = balances[startOf(shift, shifts) + shift.name];
-    balance.shift = shift;
-    balance.marks += event.kind == "mark" && !event.is_undone;
+    const std::string start = startOf(shift, shifts) + shift.name;
+    balances[start].shift = shift;
+    balances[start].marks += event.kind == "mark" && !event.is_undone;
+    items_with_events[start].insert(event.item);
   }
+  std::vector<JobItem> now = itemsAt(items, {}, "");
+  ItemCounts counts = countsOf(now);
+  std::map<std::int64_t, JobItem*> by_key;
+  for (JobItem& item : now) by_key[item.id] = &item;
   std::vector<ShiftBalance> in_order;
-  std::vector<JobItem> before = itemsAt(items, events, "");
   for (auto& [start, balance] : balances) {
-    std::vector<JobItem> after = itemsAt(items, events, endOf(balance.shift, shifts));
-    for (std::size_t k = 0; k < items.size(); ++k) {
-      const bool was = before[k].standing() == ItemStanding::kDone, is = after[k].standing() == ItemStanding::kDone;
-      balance.done += is && !was;
-      balance.reopened += was && !is;
+    const std::string end = endOf(balance.shift, shifts);
+    for (const std::int64_t key : items_with_events.at(start)) {  // no other item changes in the shift
+      JobItem& item = *by_key.at(key);
+      const ItemStanding before = item.standing();
+      item.mark = markAt(by_item.at(key), end);
+      const ItemStanding after = item.standing();
+      counts.move(before, after);
+      balance.done += after == ItemStanding::kDone && before != ItemStanding::kDone;
+      balance.reopened += before == ItemStanding::kDone && after != ItemStanding::kDone;
     }
-    balance.at_end = countsOf(after);
+    balance.at_end = counts;
     in_order.push_back(balance);
-    before = std::move(after);
   }
   return in_order;
 }

@@ -15,6 +15,7 @@ struct ItemCounts {
   std::map<ItemStanding, int> with;  ///< number of items with each standing
 
   void add(ItemStanding standing);
+  void move(ItemStanding from, ItemStanding to);  ///< counts an item with another standing than before
   [[nodiscard]] int of(ItemStanding standing) const;
   [[nodiscard]] int unresolved() const;
 };

@@ -1,6 +1,8 @@
 // The desk of a shift: totals that balance, marks that need a confirmed identity, and undo.
 #include "app/outage/job_desk.hpp"
 
+#include <fmt/format.h>
+
 #include <random>
 
 #include "app/outage/job_export.hpp"
@@ -200,6 +202,38 @@ TEST_F(JobDesk, TheShiftsAddUpToTheTotalHoweverOftenATubeIsMarked) {
   int net = 0;
   for (const ShiftBalance& shift : totals.shifts) net += shift.done - shift.reopened;
   EXPECT_EQ(net, totals.all.of(ItemStanding::kDone));
+}
+
+TEST_F(JobDesk, AShiftsBalanceIsThatOfTheItemsAsTheyStoodAtItsEnd) {
+  JobStore store(made(kFree));
+  std::mt19937 random(7);
+  const auto below = [&](int limit) { return static_cast<int>(random() % static_cast<unsigned>(limit)); };
+  for (int k = 0; k < 120; ++k) {
+    const std::string at = fmt::format("2027-04-{:02}T{:02}:{:02}:00Z", 2 + below(4), below(24), below(60));
+    const auto events = store.events();
+    try {
+      if (below(4) == 0 && !events.empty())
+        (void)undoMark(store, events[static_cast<std::size_t>(below(static_cast<int>(events.size())))].id,
+                       {"Tom", "undone", at});
+      else
+        (void)markTube(store,
+                       {hot(9, 18 + below(5)), "", below(3) ? "done" : "retest", {"Tom", "again", at}, std::nullopt});
+    } catch (const InputError&) {  // not every event can be undone
+    }
+  }
+  const auto items = store.items();
+  const auto events = store.events();
+  const auto& shifts = store.job().shifts;
+  int net = 0;
+  for (const ShiftBalance& balance : balancesOf(items, events, shifts)) {
+    const ItemCounts then = countsOf(itemsAt(items, events, endOf(balance.shift, shifts)));
+    EXPECT_EQ(balance.at_end.planned, then.planned);
+    for (const auto standing : {ItemStanding::kOpen, ItemStanding::kQueued, ItemStanding::kHeld, ItemStanding::kDone})
+      EXPECT_EQ(balance.at_end.of(standing), then.of(standing)) << balance.shift.date << balance.shift.name;
+    net += balance.done - balance.reopened;
+  }
+  EXPECT_EQ(net, totalsOf(store).all.of(ItemStanding::kDone));
+  EXPECT_GT(events.size(), 80u);
 }
 
 TEST_F(JobDesk, APersonIsTheSameHoweverTheNameIsWritten) {
