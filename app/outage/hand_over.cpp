@@ -5,7 +5,7 @@
 #include <set>
 
 #include "app/storage/input_error.hpp"
-#include "app/storage/suggestion.hpp"
+#include "app/storage/named_entry.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::app {
@@ -15,12 +15,10 @@ namespace {
 using Zones = std::map<TubeAddress, std::string>;
 
 void requireShift(const std::string& name, const std::vector<JobShift>& shifts) {
-  std::vector<std::string> names;
-  for (const JobShift& shift : shifts) names.push_back(shift.name);
-  if (name.empty() || std::ranges::find(names, name) != names.end()) return;
-  if (names.empty())
+  if (name.empty()) return;
+  if (shifts.empty())
     throw InputError::saying("--shift", "the job file names no shifts", "leave it out: the report is then of a day");
-  throw InputError("--shift", inQuotes(name), alternatives(names), suggestion(name, names));
+  (void)entryNamed(shifts, name, "--shift");
 }
 
 /// Returns the requested shift; std::nullopt if the request does not determine one.

@@ -7,25 +7,16 @@
 #include <utility>
 
 #include "app/storage/input_error.hpp"
-#include "app/storage/suggestion.hpp"
+#include "app/storage/named_entry.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
+/// Throws InputError, naming the option, for a name that no entry has; an empty name stands for all entries.
 template <class Entry>
 void requireName(const char* option, const std::string& name, const std::vector<Entry>& entries) {
-  std::vector<std::string> names;
-  for (const Entry& entry : entries) names.push_back(entry.name);
-  if (!name.empty() && std::ranges::find(names, name) == names.end())
-    throw InputError(option, inQuotes(name), alternatives(names), suggestion(name, names));
-}
-
-const Mark& requireMark(const std::string& name) {
-  if (const Mark* mark = findMark(name)) return *mark;
-  std::vector<std::string> names;
-  for (const Mark& mark : marks()) names.emplace_back(mark.name);
-  throw InputError("--as", inQuotes(name), alternatives(names), suggestion(name, names));
+  if (!name.empty()) (void)entryNamed(entries, name, option);
 }
 
 /// Throws InputError for a mark that contradicts the current standing of the item.
@@ -109,7 +100,7 @@ JobItem requireItem(JobStore& store, const TubeAddress& tube, const std::string&
 }
 
 std::int64_t markTube(JobStore& store, const MarkRequest& request) {
-  const Mark& mark = requireMark(request.mark);
+  const Mark& mark = entryNamed(marks(), request.mark, "--as");
   std::int64_t event = 0;
   store.transact([&] {
     const JobItem item = requireItem(store, request.tube, request.package);
