@@ -10,7 +10,8 @@
 #include "app/formats/cell/mirrored_cell.hpp"
 #include "app/formats/quantities.hpp"
 #include "app/formats/yaml/strict_yaml.hpp"
-#include "app/storage/suggestion.hpp"
+#include "app/outage/job_shifts.hpp"
+#include "app/storage/named_entry.hpp"
 #include "app/storage/text_file.hpp"
 
 namespace tubeplan::app {
@@ -20,8 +21,6 @@ namespace {
 using tubesheets::Leg;
 
 constexpr const char* kMirrored = "mirrored";
-
-std::string timeOfDay(int minutes) { return fmt::format("{:02}:{:02}", minutes / 60, minutes % 60); }
 
 struct ConfirmationRow {
   std::string_view name;
@@ -46,13 +45,6 @@ void requireNewName(const YamlNode& node, const std::vector<Entry>& entries) {
   const auto has_name = [&](const Entry& entry) { return entry.name == entries.back().name; };
   if (std::ranges::count_if(entries, has_name) > 1)
     node.failSaying(fmt::format("the name '{}' is given twice", entries.back().name), "give each entry its own name");
-}
-
-template <class Entry>
-std::vector<std::string> namesOf(const std::vector<Entry>& entries) {
-  std::vector<std::string> names;
-  for (const Entry& entry : entries) names.push_back(entry.name);
-  return names;
 }
 
 /// Reads a name that must be one of `names`.
@@ -193,39 +185,6 @@ int readMinutes(const YamlNode& node) {
   return 60 * hours + minutes;
 }
 
-/// Returns the shift of every minute of the day; null where there is none. Throws InputError, at `node`, if two shifts
-/// have a minute in common.
-std::array<const JobShift*, kMinutesPerDay> minutesOf(const std::vector<JobShift>& shifts, const std::string& where) {
-  std::array<const JobShift*, kMinutesPerDay> minutes{};
-  for (const JobShift& shift : shifts)
-    for (int k = 0; k < lengthOf(shift); ++k) {
-      const JobShift*& owner = minutes[static_cast<std::size_t>((shift.from + k) % kMinutesPerDay)];
-      if (owner)
-        throw InputError::saying(where,
-                                 fmt::format("the shifts {} and {} overlap at {}", owner->name, shift.name,
-                                             timeOfDay((shift.from + k) % kMinutesPerDay)),
-                                 "let each shift end when the next begins");
-      owner = &shift;
-    }
-  return minutes;
-}
-
-/// Adds a shift, named after its times, for every part of the day that no shift has, so that each time is in one shift.
-void fillGaps(std::vector<JobShift>& shifts, const std::string& where) {
-  if (shifts.empty()) return;
-  const auto minutes = minutesOf(shifts, where);
-  std::vector<JobShift> gaps;
-  for (int k = 0; k < kMinutesPerDay; ++k) {
-    const auto at = [&](int minute) { return minutes[static_cast<std::size_t>(minute % kMinutesPerDay)]; };
-    if (at(k) || !at(k + kMinutesPerDay - 1)) continue;
-    int end = k;
-    while (!at(end)) ++end;
-    end %= kMinutesPerDay;
-    gaps.push_back({timeOfDay(k) + "-" + timeOfDay(end), k, end});
-  }
-  shifts.insert(shifts.end(), gaps.begin(), gaps.end());
-}
-
 }  // namespace
 
 std::string addressText(const LegName& name) {
@@ -277,18 +236,21 @@ JobFile parseJobFile(const std::string& text, const std::string& path) {
       job.shifts.push_back({readPlainName(node.at("name")), readMinutes(node.at("from")), readMinutes(node.at("to"))});
       requireNewName(node, job.shifts);
     }
-  fillGaps(job.shifts, path + ": shifts");
+  for (JobShift& gap : gapsBetween(job.shifts)) job.shifts.push_back(std::move(gap));
   return job;
 }
-
-int lengthOf(const JobShift& shift) { return (shift.to - shift.from + kMinutesPerDay - 1) % kMinutesPerDay + 1; }
 
 Cell readCellOf(const JobLeg& leg) {
   Cell cell = readCell(leg.cell);
   return leg.is_mirrored ? mirroredCell(cell) : cell;
 }
 
-JobFile readJobFile(const std::string& path) { return parseJobFile(readTextFile(path), path); }
+JobFile readJobFile(const std::string& path) {
+  JobFile job = parseJobFile(readTextFile(path), path);
+  if (const std::string overlap = overlapText(job.shifts); !overlap.empty())
+    throw InputError::saying(path + ": shifts", overlap, "let each shift end when the next begins");
+  return job;
+}
 
 std::string untimedText(const WorkPackage& package, const JobFile& job) {
   const JobTool& tool = job.toolOf(package);

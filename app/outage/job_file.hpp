@@ -66,11 +66,6 @@ struct JobShift {
   int from = 0, to = 0;  ///< start and end [minutes after midnight]; a shift may end on the next day
 };
 
-inline constexpr int kMinutesPerDay = 24 * 60;
-
-/// Returns the duration of a shift [min]; a shift with equal start and end lasts one day.
-[[nodiscard]] int lengthOf(const JobShift& shift);
-
 struct JobFile {
   std::string path, text, name;
   Units units;
@@ -90,8 +85,8 @@ struct JobFile {
 /// Reads the cell of a leg, or the mirror image of the other leg's cell.
 [[nodiscard]] Cell readCellOf(const JobLeg& leg);
 
-/// Reads a job file. Throws InputError, with file, line and key, for anything that docs/outage.md does not describe.
-/// Paths are relative to the folder of the job file.
+/// Reads a job file. Throws InputError, with file, line and key, for anything that docs/outage.md does not describe,
+/// and for shifts that overlap. Paths are relative to the folder of the job file.
 [[nodiscard]] JobFile readJobFile(const std::string& path);
 
 /// Returns a sentence on a package whose time in the tubes is zero because only its length, or only the speed of its

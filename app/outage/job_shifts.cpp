@@ -12,6 +12,23 @@ namespace tubeplan::app {
 
 namespace {
 
+constexpr int kMinutesPerDay = 24 * 60;
+
+/// Returns the duration of a shift [min]; a shift with equal start and end lasts one day.
+int lengthOf(const JobShift& shift) { return (shift.to - shift.from + kMinutesPerDay - 1) % kMinutesPerDay + 1; }
+
+bool contains(const JobShift& shift, int minute) {
+  return (minute - shift.from + kMinutesPerDay) % kMinutesPerDay < lengthOf(shift);
+}
+
+/// Returns the first shift that contains a minute of the day; null if there is none.
+const JobShift* shiftAtMinute(int minute, const std::vector<JobShift>& shifts) {
+  const auto found = std::ranges::find_if(shifts, [&](const JobShift& shift) { return contains(shift, minute); });
+  return found == shifts.end() ? nullptr : &*found;
+}
+
+std::string timeOfDay(int minute) { return fmt::format("{:02}:{:02}", minute / 60, minute % 60); }
+
 std::chrono::year_month_day dayOf(const std::string& date) {
   int year = 0;
   unsigned month = 0, day = 0;
@@ -28,20 +45,40 @@ std::string shifted(const std::string& date, int days) {
 
 /// Returns the time that lies `minutes` after the midnight with which a date begins.
 std::string timeAt(const std::string& date, int minutes) {
-  return fmt::format("{}T{:02}:{:02}:00Z", shifted(date, minutes / kMinutesPerDay), minutes % kMinutesPerDay / 60,
-                     minutes % 60);
+  return fmt::format("{}T{}:00Z", shifted(date, minutes / kMinutesPerDay), timeOfDay(minutes % kMinutesPerDay));
 }
 
 }  // namespace
 
+std::vector<JobShift> gapsBetween(const std::vector<JobShift>& shifts) {
+  std::vector<JobShift> gaps;
+  const auto isGap = [&](int minute) { return !shiftAtMinute(minute % kMinutesPerDay, shifts); };
+  for (int from = 0; from < kMinutesPerDay && !shifts.empty(); ++from) {
+    if (!isGap(from) || isGap(from + kMinutesPerDay - 1)) continue;
+    int to = from;
+    while (isGap(to)) ++to;
+    to %= kMinutesPerDay;
+    gaps.push_back({timeOfDay(from) + "-" + timeOfDay(to), from, to});
+  }
+  return gaps;
+}
+
+std::string overlapText(const std::vector<JobShift>& shifts) {
+  for (int minute = 0; minute < kMinutesPerDay; ++minute) {
+    const JobShift* first = shiftAtMinute(minute, shifts);
+    for (const JobShift& other : shifts)
+      if (&other != first && contains(other, minute))
+        return fmt::format("the shifts {} and {} overlap at {}", first->name, other.name, timeOfDay(minute));
+  }
+  return "";
+}
+
 ShiftOfDay shiftAt(const std::string& at, const std::vector<JobShift>& shifts) {
   const int minute = 60 * std::stoi(at.substr(11, 2)) + std::stoi(at.substr(14, 2));
   const std::string date = at.substr(0, 10);
-  for (const JobShift& shift : shifts) {
-    const int since = (minute - shift.from + kMinutesPerDay) % kMinutesPerDay;
-    if (since < lengthOf(shift)) return {minute >= shift.from ? date : shifted(date, -1), shift.name};
-  }
-  return {date, ""};
+  const JobShift* shift = shiftAtMinute(minute, shifts);
+  if (!shift) return {date, ""};
+  return {minute >= shift->from ? date : shifted(date, -1), shift->name};
 }
 
 std::string startOf(const ShiftOfDay& shift, const std::vector<JobShift>& shifts) {
@@ -54,9 +91,10 @@ std::string endOf(const ShiftOfDay& shift, const std::vector<JobShift>& shifts) 
   return timeAt(shift.date, found == shifts.end() ? kMinutesPerDay : found->from + lengthOf(*found));
 }
 
+bool isDate(const std::string& date) { return date.size() == 10 && dayOf(date).ok() && shifted(date, 0) == date; }
+
 void requireDate(const std::string& date) {
-  if (date.size() != 10 || !dayOf(date).ok() || shifted(date, 0) != date)
-    throw InputError("--date", inQuotes(date), "a day in UTC, such as 2027-04-02");
+  if (!isDate(date)) throw InputError("--date", inQuotes(date), "a day in UTC, such as 2027-04-02");
 }
 
 }  // namespace tubeplan::app

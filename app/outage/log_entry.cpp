@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cctype>
-#include <chrono>
-#include <cstdio>
+#include <string_view>
 
+#include "app/outage/job_shifts.hpp"
 #include "app/storage/input_error.hpp"
 #include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
 
 namespace {
-
-constexpr int kFirstYear = 2000, kLastYear = 2099;
 
 /// Returns the letters and digits of a name in lower case; bytes beyond ASCII are kept as they are.
 std::string lettersOf(const std::string& name) {
@@ -31,17 +29,14 @@ std::string lineOf(const std::string& text, const char* option) {
   return line;
 }
 
+/// Returns true for a time of this century in UTC, of the form "2027-04-02T06:15:30Z".
 bool isTime(const std::string& text) {
-  constexpr std::string_view kPattern = "dddd-dd-ddTdd:dd:ddZ";
+  constexpr std::string_view kPattern = "20dd-dd-ddTdd:dd:ddZ";
   bool fits = text.size() == kPattern.size();
   for (std::size_t k = 0; fits && k < text.size(); ++k)
     fits = kPattern[k] == 'd' ? std::isdigit(static_cast<unsigned char>(text[k])) != 0 : text[k] == kPattern[k];
-  if (!fits) return false;
-  int year = 0, hour = 0, minute = 0, second = 0;
-  unsigned month = 0, day = 0;
-  (void)std::sscanf(text.c_str(), "%4d-%2u-%2uT%2d:%2d:%2d", &year, &month, &day, &hour, &minute, &second);
-  const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(month), std::chrono::day(day)};
-  return date.ok() && year >= kFirstYear && year <= kLastYear && hour < 24 && minute < 60 && second < 60;
+  const auto numberAt = [&](std::size_t place) { return std::stoi(text.substr(place, 2)); };
+  return fits && isDate(text.substr(0, 10)) && numberAt(11) < 24 && numberAt(14) < 60 && numberAt(17) < 60;
 }
 
 }  // namespace

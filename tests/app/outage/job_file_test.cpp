@@ -63,6 +63,13 @@ TEST_F(JobFiles, EveryTimeOfDayIsInOneShift) {
   EXPECT_EQ(endOf({"2027-04-02", "18:00-20:00"}, job.shifts), "2027-04-02T20:00:00Z");
 }
 
+TEST_F(JobFiles, ARecordWhoseShiftsOverlapIsStillRead) {
+  const std::string text = changed(valid(), "from: \"06:00\"", "from: \"05:00\"");
+  EXPECT_NE(messageOf([&] { (void)readJobFile(write("overlap.yaml", text)); }), "");
+  const JobFile job = parseJobFile(text, "overlap.yaml");
+  EXPECT_EQ(shiftAt("2027-04-02T05:30:00Z", job.shifts).name, "day");
+}
+
 TEST_F(JobFiles, ATableOfStatesMustStateThemForItsOwnSteamGenerator) {
   const char* package = "  - {name: rows, tubes: R9C18, tool: bobbin}\n";
   const std::pair<const char*, const char*> faults[] = {
