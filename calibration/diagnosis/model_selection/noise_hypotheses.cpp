@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "calibration/diagnosis/causes/repeated_numbers.hpp"
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -221,6 +222,9 @@ double logDensityOf(const MeasurementWeights& weights) {
 bool linearize(DiagnosisWork& work) {
   work.causes = listCauses(work.basis.fitted, work.basis.measurements, work.basis.unknowns, work.options.hooks);
   work.signatures = std::make_unique<Signatures>(work.basis.fitted, work.causes.causes);
+  if (removeRepeated(work.basis.fitted, work.basis.measurements, work.basis.unknowns, *work.signatures, work.causes,
+                     work.basis.stop))
+    work.signatures = std::make_unique<Signatures>(work.basis.fitted, work.causes.causes);
   work.discrepancy = std::make_unique<Discrepancy>(work.basis.fitted, work.basis.measurements);
   if (!addNoise(work, 0, 0)) return false;
   const double more = errorBeyondRichest(work);
