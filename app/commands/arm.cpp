@@ -1,6 +1,7 @@
 // `tubeplan arm`: imports arms from URDF or a controller's calibration, exports them to URDF or to rows of another
 // convention, and shows an arm file for checking.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,6 +11,7 @@
 
 #include "app/cli/caller.hpp"
 #include "app/cli/command.hpp"
+#include "app/cli/planning_hooks.hpp"
 #include "app/commands/action_options.hpp"
 #include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
@@ -25,10 +27,12 @@
 #include "app/formats/urdf/urdf_writer.hpp"
 #include "app/formats/yaml/strict_yaml.hpp"
 #include "app/formats/yaml/yaml_text.hpp"
+#include "app/jobs/export_fit.hpp"
 #include "app/storage/atomic_file.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/text_file.hpp"
 #include "app/storage/utf8.hpp"
+#include "deflection/effects/constant_effects.hpp"
 #include "deflection/row_conventions.hpp"
 
 namespace tubeplan::app {
@@ -38,6 +42,8 @@ namespace {
 struct ArmOptions {
   std::string action, file, tip, nominal, convention, out, into, cell, svg;
   FiguresTarget figures;
+  MeasurementFiles measurement_files;
+  MeasurementOptions given;
   bool is_kinematics = false;
 };
 
@@ -144,8 +150,43 @@ int importUrdf(const ArmOptions& options) {
   return kDone;
 }
 
+std::string inLengths(double metres, const Units& units) {
+  return fmt::format("{:.3g} {}", lengthOf(metres, units), units.length().name);
+}
+
+/// Prints what the file does not state of the cell's model, and the errors with it and without it.
+void tellFit(const ExportFit& fit, const Units& units) {
+  tell("left out", fit.left_out);
+  say("the cell's model errs by {} (rms of {} measurements); what the file states errs by {}, and fitted again by {} "
+      "({} at measurements held out)\n",
+      inLengths(fit.of_model.rms, units), fit.measurements, inLengths(fit.as_fitted.rms, units),
+      inLengths(fit.again.rms, units), inLengths(fit.heldout.rms, units));
+}
+
+/// Returns the arm to export, with effects that are the same at every posture as numbers. With --measurements, the
+/// numbers are fitted again where the file cannot state all of the model.
+ShownArm armToExport(const ArmOptions& options, ArmFileContent content) {
+  if (options.measurement_files.empty()) {
+    ShownArm given = readAnyArm(options.file, options.tip);
+    auto [arm, written] = deflection::writeConstantEffects(given.arm);
+    if (!written.empty()) say("written as numbers of joints, links and tool: {}\n", fmt::join(written, ", "));
+    if (!arm.effects.empty())
+      tell("remark",
+           {"the numbers were fitted beside the effects that are left out, and the file alone may err by more "
+            "than without them: give --measurements, so that they are fitted again"});
+    given.arm = std::move(arm);
+    return given;
+  }
+  const CellMeasurements input = readCellMeasurements(options.file, options.measurement_files, options.given);
+  if (statesAll(input.cell.arm, content))
+    return {deflection::writeConstantEffects(input.cell.arm).arm, input.cell.units};
+  ExportFit fit = fitForExport(input, content, terminalWorkHooks());
+  tellFit(fit, input.cell.units);
+  return {std::move(fit.arm), input.cell.units};
+}
+
 int exportRows(const ArmOptions& options) {
-  const ShownArm given = readAnyArm(options.file, options.tip);
+  const ShownArm given = armToExport(options, ArmFileContent::kCompliant);
   const auto names = deflection::rowConventionNames();
   const auto convention =
       static_cast<deflection::RowConvention>(std::ranges::find(names, options.convention) - names.begin());
@@ -165,7 +206,7 @@ int exportRows(const ArmOptions& options) {
 /// Exports an arm to a copy of the URDF file from which the arm was imported. Prints the changes, and the properties
 /// that URDF cannot express.
 int exportIntoUrdf(const ArmOptions& options) {
-  const deflection::Arm arm = readAnyArm(options.file, options.tip).arm;
+  const deflection::Arm arm = armToExport(options, ArmFileContent::kRigid).arm;
   const UrdfEdit edit = withArmInUrdf(readTextBytes(options.into), options.into, options.tip, arm);
   writeFileAtomically(options.out, edit.text, "--out");
   tell("left out", edit.left_out);
@@ -175,7 +216,7 @@ int exportIntoUrdf(const ArmOptions& options) {
 }
 
 int exportUrdf(const ArmOptions& options) {
-  const UrdfText urdf = urdfOf(readAnyArm(options.file, options.tip).arm);
+  const UrdfText urdf = urdfOf(armToExport(options, ArmFileContent::kRigid).arm);
   writeFileAtomically(options.out, urdf.text, "--out");
   tell("left out", urdf.left_out);
   return kDone;
@@ -183,7 +224,7 @@ int exportUrdf(const ArmOptions& options) {
 
 /// Exports the kinematics YAML file that ROS reads for a Universal Robots arm.
 int exportKinematics(const ArmOptions& options) {
-  const deflection::Arm arm = readAnyArm(options.file, options.tip).arm;
+  const deflection::Arm arm = armToExport(options, ArmFileContent::kRigid).arm;
   writeFileAtomically(options.out, robotKinematicsText(robotKinematicsOf(arm, options.file)), "--out");
   tell("left out", {"the tool, weights and what gives: the file has origins of joints alone"});
   return kDone;
@@ -213,7 +254,8 @@ int exportArm(const ArmOptions& options) {
 const std::vector<ActionOptions>& armActions() {
   static const std::vector<ActionOptions> kActions{
       {"import", {"--out", "--cell", "--nominal"}},
-      {"export", {"--out", "--into", "--convention", "--kinematics"}},
+      {"export",
+       {"--out", "--into", "--convention", "--kinematics", "--measurements", "--sigma", "--prior", "--assume"}},
       {"show", {"--svg", "--json", "--format"}},
   };
   return kActions;
@@ -257,6 +299,9 @@ Run configureArm(CLI::App& cli) {
                  "export: the URDF file that the arm was imported from; joint origins change, all else stays as it is");
   cli.add_flag("--kinematics", options->is_kinematics,
                "export: the kinematics YAML that ROS reads of a Universal Robots arm, as import takes it");
+  cli.add_option("--measurements", options->measurement_files,
+                 "export of a cell: fit the numbers again, to these measurements, without what the file cannot state");
+  addMeasurementOptions(cli, options->given);
   cli.add_option("--tip", options->tip, "of a URDF: the link at the tool's tip, where the robot has several end links");
   cli.add_option("--cell", options->cell, "import: write a cell with the arm and its solids too");
   cli.add_option("--svg", options->svg, "show: draw the arm from the side and from above");

@@ -23,10 +23,10 @@ def corrected(folder, table):
         with open('robot.yaml', 'a', encoding='utf-8') as cell:
             cell.write('identify: [tool.tip, geometry]\n')
         better = tubeplan.Cell('robot.yaml', units='cell').improve(table, out='better.yaml')
-        tubeplan.arm('export', 'better.yaml', into='robot.urdf', out='calibrated.urdf')
+        exported = tubeplan.arm('export', 'better.yaml', measurements=table, into='robot.urdf', out='calibrated.urdf')
     finally:
         os.chdir(before)
-    return better
+    return better, exported
 
 
 class RealSets(unittest.TestCase):
@@ -35,7 +35,7 @@ class RealSets(unittest.TestCase):
             with self.subTest(robot), tempfile.TemporaryDirectory() as name:
                 folder, table = pathlib.Path(name), REAL / robot / 'measurements.csv'
                 tubeplan.arm('export', REAL / robot / 'arm.yaml', out=folder / 'robot.urdf')
-                better = corrected(folder, table)
+                better, exported = corrected(folder, table)
                 run = subprocess.run([PROGRAM, 'improve', 'robot.yaml', table, '--out', 'again.yaml'], cwd=folder,
                                      capture_output=True, text=True, check=False)
                 printed = re.findall(r'held-out error ([\d.e+-]+) (\w+)', run.stdout)[len(better.models) - 1]
@@ -44,6 +44,16 @@ class RealSets(unittest.TestCase):
                 self.assertEqual((f'{error:.4g}', better.error_unit), (f'{float(printed[0]):.4g}', printed[1]))
                 self.assertLess(error, better.models[0].rms.as_it_stands)
                 self.assertNotEqual((folder / 'calibrated.urdf').read_text(), (folder / 'robot.urdf').read_text())
+                self.check_exported(folder, table, exported.text)
+
+    def check_exported(self, folder, table, text):
+        """The file alone errs by what `arm export` printed, or by what the model does where nothing was left out."""
+        stated = re.search(r'fitted again by ([\d.e+-]+) ', text)
+        tubeplan.arm('import', folder / 'calibrated.urdf', out=folder / 'alone-arm.yaml', cell=folder / 'alone.yaml')
+        alone = tubeplan.Cell(folder / 'alone.yaml', units='cell').compare(table)
+        print(f'  the exported file: {alone.after_refit.rms:.4g}; {text.strip() or "states the whole model"}')
+        if stated:
+            self.assertAlmostEqual(alone.after_refit.rms / float(stated[1]), 1, delta=0.02)
 
 
 if __name__ == '__main__':

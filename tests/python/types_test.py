@@ -25,7 +25,7 @@ values: list[float | None] = [number.value for number in fit.parameters or ()]
 error: float | None = fit.rms.after
 better: tubeplan.Cell = cell.improve('readings.csv', out='better.yaml').open()
 tubeplan.ladder('readings.csv', [cell, better], rigid=True, units='cell').plot()
-tubeplan.arm('export', better, into='robot.urdf', out=pathlib.Path('calibrated.urdf'))
+tubeplan.arm('export', better, measurements=['readings.csv'], into='robot.urdf', out=pathlib.Path('calibrated.urdf'))
 print(found['verdict'], fit.open().joints[0].upper(), poses.converged.all(), branches.of(0), error, sag, verdict, values)
 """
 WRONG = {

@@ -155,10 +155,7 @@ std::vector<std::string> beyondUrdf(const Arm& arm) {
   add(std::ranges::any_of(arm.rows, isRead), "the encoders' noise: URDF has no place for it");
   add(!arm.side_chains.empty(), "side chains: only a serial chain can be imported again");
   for (const auto& effect : arm.effects)
-    sentences.push_back(
-        fmt::format("the effect {}: the file does not have it, and the other numbers were fitted beside it; identify "
-                    "them without it, or compare the exported arm with readings before it is used",
-                    deflection::textOf(arm, effect)));
+    sentences.push_back(fmt::format("the effect {}: URDF has no place for it", deflection::textOf(arm, effect)));
   return sentences;
 }
 
