@@ -56,16 +56,42 @@ std::string shortText(const Explanation& explanation, const Units& units) {
   return text.size() <= kShort ? text : namesText(explanation);
 }
 
-/// Returns a clause such as ", or joint-offset at A5 in place of link-length at bend, which ..."; empty if no other
-/// effect has the same consequences.
+/// Returns a string such as "gravity-sag at 6 places, certain at joint_2, joint_3"; the sizes at the other places are
+/// within two standard deviations of nothing.
+std::string placesText(const std::string& name, const std::vector<const FoundEffect*>& alike) {
+  constexpr double kSeen = 2;
+  std::vector<std::string> seen;
+  for (const FoundEffect* effect : alike)
+    if (effect->fitted.kind >= 0 && std::ranges::any_of(effect->numbers, [](const FoundNumber& number) {
+          return std::abs(number.value) > kSeen * number.sigma;
+        }))
+      seen.push_back(effect->at);
+  const std::string all = fmt::format("{} at {} places", name, alike.size());
+  return seen.empty() || seen.size() == alike.size() ? all
+                                                     : fmt::format("{}, certain at {}", all, fmt::join(seen, ", "));
+}
+
+bool contains(const Explanation& explanation, const std::string& effect, const std::string& at) {
+  return std::ranges::any_of(explanation.effects,
+                             [&](const FoundEffect& found) { return found.effect == effect && found.at == at; });
+}
+
+/// Returns a clause such as ", or joint-offset at A5, which ..."; of several effects, it names the one that the other
+/// may replace. Empty if no other effect has the same consequences.
 std::string orText(const Explanation& explanation) {
-  std::vector<std::string> others;
-  for (const auto& effect : explanation.effects)
+  std::vector<std::string> clauses;
+  for (const auto& effect : explanation.effects) {
+    std::vector<std::string> others;
     for (const auto& [name, at] : effect.also)
-      others.push_back(
-          fmt::format("{} in place of {}", effectAtPlace(name, at), effectAtPlace(effect.effect, effect.at)));
-  if (others.empty()) return "";
-  return fmt::format(", or {}, which no reading with this tool tells apart", fmt::join(others, " and "));
+      if (!contains(explanation, name, at)) others.push_back(effectAtPlace(name, at));
+    if (others.empty()) continue;
+    const std::string instead = fmt::format("{}", fmt::join(others, " or "));
+    clauses.push_back(explanation.effects.size() == 1
+                          ? instead
+                          : fmt::format("{} in place of {}", instead, effectAtPlace(effect.effect, effect.at)));
+  }
+  if (clauses.empty()) return "";
+  return fmt::format(", or {}, which no reading with this tool tells apart", fmt::join(clauses, ", or "));
 }
 
 /// Returns the variables on which the unexplained residual depends, with the fraction that each one explains, such as
@@ -230,13 +256,14 @@ std::vector<std::string> idsOf(const std::vector<int>& places, const std::vector
 }
 
 std::string namesText(const Explanation& explanation) {
-  constexpr long kMany = 3;
+  constexpr std::size_t kMany = 3;
   std::vector<std::string> names;
   for (const auto& effect : explanation.effects) {
-    const long places = std::count_if(explanation.effects.begin(), explanation.effects.end(),
-                                      [&](const FoundEffect& other) { return other.effect == effect.effect; });
-    const std::string name = places < kMany ? effectAtPlace(effect.effect, effect.at)
-                                            : fmt::format("{} at {} places", effect.effect, places);
+    std::vector<const FoundEffect*> alike;
+    for (const auto& other : explanation.effects)
+      if (other.effect == effect.effect) alike.push_back(&other);
+    const std::string name =
+        alike.size() < kMany ? effectAtPlace(effect.effect, effect.at) : placesText(effect.effect, alike);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return fmt::format("{}", fmt::join(names, " and "));

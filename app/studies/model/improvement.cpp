@@ -111,37 +111,47 @@ ImprovementStep stepOf(const Diagnosis& diagnosis, const Decision& decision) {
 
 bool isUsable(const calibration::Identification& fit) { return fit.status == IdentificationStatus::kDone; }
 
-/// Returns true if a fit has freed parameters of the effect and found all within two standard deviations of their
-/// neutral values. Returns false if a shape parameter was freed.
-bool isFoundToBeNone(const calibration::Identification& fit, int effect) {
-  constexpr double kNearNone = 2;
+/// Returns the largest distance of an effect's fitted parameters from their neutral values, in standard deviations;
+/// infinite if none or a shape parameter was fitted.
+double significanceOf(const calibration::Identification& fit, int effect) {
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
   const auto& carried = fit.fitted.arm.effects.at(static_cast<std::size_t>(effect));
-  bool is_fitted = false;
+  double most = -1;
   for (const auto& number : fit.numbers) {
     if (number.unknown.owner != calibration::Unknown::Owner::kArm || number.unknown.path.effect != effect) continue;
     const auto& parameter = deflection::numbersOf(carried).at(static_cast<std::size_t>(number.unknown.path.value));
-    if (parameter.is_shape || std::abs(number.value - parameter.neutral) > kNearNone * number.sigma) return false;
-    is_fitted = true;
+    if (parameter.is_shape) return kUnknown;
+    most = std::max(most, std::abs(number.value - parameter.neutral) / number.sigma);
   }
-  return is_fitted;
+  return most < 0 ? kUnknown : most;
 }
 
-/// Removes from the cell the added effects that the fit found to be zero, with their free parameters, and returns their
-/// names. Nothing is removed if all added effects are zero.
-std::vector<std::string> takeOutNone(const std::vector<std::string>& added, const calibration::Identification& fit,
-                                     CellModel& cell) {
-  std::vector<std::string> none;
+/// Returns the added effects with all parameters within two standard deviations of their neutral values, the least
+/// significant first; at least one added effect is not among them.
+std::vector<std::string> foundToBeNone(const std::vector<std::string>& added, const calibration::Identification& fit,
+                                       const CellModel& cell) {
+  constexpr double kNearNone = 2;
+  std::vector<std::pair<double, std::string>> none;
   for (int e = 0; e < static_cast<int>(cell.arm.effects.size()); ++e) {
     const std::string name = deflection::textOf(cell.arm, cell.arm.effects[static_cast<std::size_t>(e)]);
-    if (std::ranges::count(added, name) > 0 && isFoundToBeNone(fit, e)) none.push_back(name);
+    const double significance = significanceOf(fit, e);
+    if (std::ranges::count(added, name) > 0 && significance <= kNearNone) none.emplace_back(significance, name);
   }
-  if (none.size() == added.size()) none.clear();
-  for (const auto& name : none) {
+  std::ranges::stable_sort(none, {}, &std::pair<double, std::string>::first);
+  if (none.size() == added.size()) none.pop_back();
+  std::vector<std::string> names;
+  for (auto& [significance, name] : none) names.push_back(std::move(name));
+  return names;
+}
+
+/// Returns the cell without these effects and their free parameters.
+CellModel withoutEffects(CellModel cell, const std::vector<std::string>& names) {
+  for (const auto& name : names) {
     std::erase_if(cell.arm.effects,
                   [&](const deflection::Effect& effect) { return deflection::textOf(cell.arm, effect) == name; });
     std::erase_if(cell.identify, [&](const std::string& freed) { return freed.starts_with(name + "."); });
   }
-  return none;
+  return cell;
 }
 
 /// One run of the improvement loop.
@@ -241,21 +251,30 @@ class Improver {
     return true;
   }
 
-  /// Returns the model without the added effects that the fit found to be zero; the model unchanged if fewer than three
-  /// effects were added or the reduced model is worse.
-  ImprovedModel withoutNone(ImprovedModel model, CellModel cell, const WorkHooks& hooks) {
+  /// Returns the model without the added effects that the fit found to be zero: without all of them, or else without
+  /// each that the others can do without. A model that predicts held-out measurements less well is not taken. The model
+  /// is unchanged if fewer than three effects were added.
+  ImprovedModel withoutNone(ImprovedModel model, const CellModel& cell, const WorkHooks& hooks) {
     constexpr std::size_t kSeveral = 3;
     constexpr double kAsLow = 1.01;  // largest ratio of the held-out error without these effects to that with them
     ImprovementStep& step = result_.steps.back();
     if (step.added.size() < kSeveral) return model;
-    auto none = takeOutNone(step.added, model.fit, cell);
-    if (none.empty()) return model;
-    ImprovedModel smaller = fitted(model.name, cell, model.step, hooks);
-    if (!isUsable(smaller.fit) || !(smaller.fit.heldout.rms <= kAsLow * model.fit.heldout.rms)) return model;
-    std::erase_if(step.added, [&](const std::string& name) { return std::ranges::count(none, name) > 0; });
-    step.not_needed = std::move(none);
-    smaller.name = fmt::format("+ {}", fmt::join(step.added, " + "));
-    return smaller;
+    const double most = kAsLow * model.fit.heldout.rms;
+    const auto none = foundToBeNone(step.added, model.fit, cell);
+    const auto takeOut = [&](const std::vector<std::string>& names) {
+      std::vector<std::string> out = step.not_needed;
+      out.insert(out.end(), names.begin(), names.end());
+      ImprovedModel smaller = fitted(model.name, withoutEffects(cell, out), model.step, hooks);
+      if (!isUsable(smaller.fit) || !(smaller.fit.heldout.rms <= most)) return false;
+      step.not_needed = std::move(out);
+      model = std::move(smaller);
+      return true;
+    };
+    if (!none.empty() && !takeOut(none))
+      for (const auto& name : none) takeOut({name});
+    std::erase_if(step.added, [&](const std::string& name) { return std::ranges::count(step.not_needed, name) > 0; });
+    model.name = fmt::format("+ {}", fmt::join(step.added, " + "));
+    return model;
   }
 
   const std::vector<Measurement>& measurements_;
