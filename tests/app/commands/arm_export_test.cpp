@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "tests/app/program.hpp"
 
@@ -104,6 +105,34 @@ links:
   EXPECT_EQ(run("verify cell-real.yaml plan").exit_code, 0);
 }
 
+TEST_F(ArmExport, TheExportedFileAloneErrsByWhatIsPrinted) {
+  ASSERT_EQ(run("arm export arm.yaml --out robot.urdf").exit_code, 0);
+  ASSERT_EQ(run("arm import robot.urdf --out arm.yaml --cell cell.yaml").exit_code, 0);
+  write("cell.yaml", contentOf(folder / "cell.yaml") + "identify: [tool.tip, geometry]\n");
+  write("design.yaml", "{kind: position, loads: [0], postures: 80, sigma: 2e-5}");
+  ASSERT_EQ(run("simulate cell.yaml --design design.yaml --hide joint-scale@q2:0.002 --hide joint-offset@q4:0.01 "
+                "--base-error 0.05,0.02 --out made")
+                .exit_code,
+            0);
+  ASSERT_EQ(run("improve cell.yaml made/measurements.csv --out better.yaml").exit_code, 0);
+  const auto errorAlone = [&] {
+    EXPECT_EQ(run("arm import out.urdf --out alone.yaml --cell alone-cell.yaml").exit_code, 0);
+    return nlohmann::json::parse(
+               run("compare alone-cell.yaml made/measurements.csv --json -").out)["after_refit"]["rms"]
+        .get<double>();
+  };
+  const Outcome as_it_is = run("arm export better.yaml --into robot.urdf --out out.urdf");
+  expectSays(as_it_is.err, "joint-scale@q2");
+  const double without = errorAlone();
+  const Outcome again =
+      run("arm export better.yaml --measurements made/measurements.csv --into robot.urdf --out out.urdf");
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  std::smatch stated;
+  ASSERT_TRUE(std::regex_search(again.out, stated, std::regex("fitted again by ([0-9.e-]+) m"))) << again.out;
+  EXPECT_NEAR(errorAlone() / std::stod(stated[1]), 1, 0.01);
+  EXPECT_LT(errorAlone(), without);
+}
+
 TEST_F(ArmExport, whatCannotBeIsRefused) {
   write("soft.yaml",
         changed(contentOf(folder / "arm.yaml"), "  - name: link4", "    joint_stiffness: {x: 1000}\n  - name: link4"));
@@ -114,6 +143,7 @@ TEST_F(ArmExport, whatCannotBeIsRefused) {
       {"arm export arm.yaml --convention craig --out o.yaml", "craig"},
       {"arm show arm.yaml --convention standard", "--convention"},
       {"arm import calibration.conf --out o.yaml", "--nominal"},
+      {"arm import calibration.conf --measurements m.csv --out o.yaml", "--measurements"},
       {"arm import calibration.conf --nominal arm.yaml --cell c.yaml --out o.yaml", "--cell"},
   };
   write("calibration.conf", "[mounting]\n");
