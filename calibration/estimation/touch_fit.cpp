@@ -15,7 +15,7 @@ using Eigen::Index, Eigen::Isometry3d, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::
 
 namespace {
 
-constexpr double kFarthest = 8;  // bound on the standard normal variables in a fit [standard deviations]
+constexpr double kWidestBound = 8;  // bound on the standard normal variables in a fit [standard deviations]
 constexpr int kModelErrorRounds = 24;
 
 /// Least-squares problem of fitting a base and the arm's uncertain parameters to touches. The variables x are the base
@@ -96,7 +96,7 @@ class TouchProblem {
     problem.start = start;
     problem.scale = VectorXd::Ones(variables());
     problem.scale.head<3>().setConstant(deflection::reachOf(arm_));
-    problem.upper = VectorXd::Constant(variables(), kFarthest);
+    problem.upper = VectorXd::Constant(variables(), kWidestBound);
     problem.upper.head<6>().setConstant(std::numeric_limits<double>::infinity());
     problem.lower = -problem.upper;
     problem.evaluate = [this](const VectorXd& x, VectorXd& r, MatrixXd* jacobian) { return evaluate(x, r, jacobian); };

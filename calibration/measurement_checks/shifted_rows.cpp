@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMostRowsLooked = 2000;
 constexpr std::size_t kFewest = 3;  // smallest number of rows before and after a lost point
 constexpr int kTried[] = {-1, 1};   // tried shifts [rows] that begin within the table
-constexpr double kFits = 0.03;      // a row with a smaller error, relative to the reach, is not shifted
+constexpr double kNotShifted = 0.03;      // a row with a smaller error, relative to the reach, is not shifted
 
 /// Copies the measured values of a measurement, but not its joints and loads.
 void takeMeasured(const Measurement& from, Measurement& to) {
@@ -92,7 +92,7 @@ std::vector<std::string> values(const CheckedMeasurements& checked) {
       const auto moved = inPlace(by, measurements);
       RowErrors mended(placed, moved);
       RowComparison comparison(as_is, mended, reach);
-      const auto start = startOf(comparison, as_is, measurements.size(), kFits * reach);
+      const auto start = startOf(comparison, as_is, measurements.size(), kNotShifted * reach);
       if (!start) continue;
       auto value = std::to_string(by) + "@" + measurements[*start].id;
       if (std::ranges::find(values, value) == values.end()) values.push_back(std::move(value));

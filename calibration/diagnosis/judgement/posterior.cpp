@@ -6,6 +6,7 @@
 #include <set>
 
 #include "calibration/diagnosis/explanations/indistinguishable.hpp"
+#include "calibration/diagnosis/judgement/found_members.hpp"
 #include "calibration/diagnosis/judgement/remainder.hpp"
 #include "calibration/diagnosis/model_selection/model_fit.hpp"
 
@@ -58,6 +59,38 @@ void joinSame(const DiagnosisWork& work, std::vector<ModelClass>& classes) {
   std::size_t index = 0;
   std::erase_if(classes, [&](const ModelClass&) { return gone.contains(index++); });
   std::ranges::stable_sort(classes, std::greater{}, &ModelClass::probability);
+}
+
+using Names = std::set<std::pair<std::string, std::string>>;
+
+Names namesOf(const Explanation& explanation) {
+  Names names;
+  for (const FoundEffect& effect : explanation.effects) names.emplace(effect.effect, effect.at);
+  return names;
+}
+
+/// Explains each likely class by the members found of its collective causes. Other names of an effect stay with it.
+/// A class that then has the same explanation as a more probable class is mixed into it.
+void nameFoundMembers(const DiagnosisWork& work, std::vector<ModelClass>& classes) {
+  std::vector<ModelClass> named;
+  const double most = classes.empty() ? 0 : classes.front().probability;
+  for (ModelClass& one : classes) {
+    if (one.probability >= kLeastLikely * most) {
+      Explanation found = explanationByFoundMembers(work, *one.model);
+      for (FoundEffect& effect : found.effects)
+        for (const FoundEffect& joined : one.explanation.effects)
+          if (joined.effect == effect.effect && joined.at == effect.at) effect.also = joined.also;
+      one.explanation = std::move(found);
+    }
+    const auto same = std::ranges::find_if(
+        named, [&](const ModelClass& other) { return namesOf(other.explanation) == namesOf(one.explanation); });
+    if (same == named.end())
+      named.push_back(std::move(one));
+    else
+      mixIn(one, *same);
+  }
+  std::ranges::stable_sort(named, std::greater{}, &ModelClass::probability);
+  classes = std::move(named);
 }
 
 bool holds(const std::vector<int>& all, const std::vector<int>& some) {
@@ -121,7 +154,7 @@ void findSure(const DiagnosisWork& work, Posterior& posterior) {
   if (!posterior.sure_model.hasFit()) return;
   ModelClass& sure = posterior.sure;
   sure.causes = causes;
-  sure.explanation = posterior.sure_model.fit;
+  sure.explanation = explanationByFoundMembers(work, posterior.sure_model);
   double alone = 0;
   for (const auto* classes : {&posterior.classes, &posterior.others})
     for (const ModelClass& one : *classes) {
@@ -161,6 +194,7 @@ Posterior posteriorOf(const DiagnosisWork& work) {
   }
   std::ranges::stable_sort(posterior.classes, std::greater{}, &ModelClass::probability);
   joinSame(work, posterior.classes);
+  nameFoundMembers(work, posterior.classes);
   for (ModelClass& one : posterior.classes) {
     one.explanation.probability = one.probability;
     one.explanation.remainder_probability = one.remainder_probability;

@@ -1,0 +1,58 @@
+#include "calibration/diagnosis/judgement/found_members.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/diagnosis/model_selection/leading_models.hpp"
+#include "calibration/diagnosis/model_selection/model_fit.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+/// Returns the largest size of a found effect in standard deviations, over its parameters.
+double significanceOf(const FoundEffect& effect) {
+  double most = 0;
+  for (const FoundNumber& number : effect.numbers)
+    if (number.sigma > 0) most = std::max(most, std::abs(number.value) / number.sigma);
+  return most;
+}
+
+/// Returns the effects of the explanation that are members of a collective cause and are not significant, the least
+/// significant first.
+std::vector<const FoundEffect*> membersNotFound(const DiagnosisWork& work, const CompetingModel& model) {
+  std::vector<const FoundEffect*> members;
+  for (const FoundEffect& effect : model.fit.effects) {
+    const bool is_member = std::ranges::any_of(model.terms, [&](const ModelTerm& term) {
+      const Cause& cause = work.cause(term.cause);
+      return cause.effects.size() > 1 && cause.effect == effect.effect;
+    });
+    if (is_member && significanceOf(effect) < kFoundSigmas) members.push_back(&effect);
+  }
+  std::ranges::stable_sort(members, {}, [](const FoundEffect* effect) { return significanceOf(*effect); });
+  return members;
+}
+
+std::vector<deflection::Effect> effectsWithout(const Explanation& explanation,
+                                               const std::vector<const FoundEffect*>& left_out) {
+  std::vector<deflection::Effect> effects;
+  for (const FoundEffect& effect : explanation.effects)
+    if (std::ranges::find(left_out, &effect) == left_out.end()) effects.push_back(effect.fitted);
+  return effects;
+}
+
+}  // namespace
+
+Explanation explanationByFoundMembers(const DiagnosisWork& work, const CompetingModel& model) {
+  const bool frees =
+      std::ranges::any_of(model.fit.effects, [](const FoundEffect& effect) { return !effect.frees.empty(); });
+  std::vector<const FoundEffect*> left_out;
+  if (!frees) left_out = membersNotFound(work, model);
+  for (; !left_out.empty(); left_out.pop_back()) {
+    const CompetingModel smaller = fittedModelOf(work, effectsWithout(model.fit, left_out));
+    if (smaller.hasFit() && smaller.log_evidence >= model.log_evidence) return smaller.fit;
+  }
+  return model.fit;
+}
+
+}  // namespace tubeplan::calibration

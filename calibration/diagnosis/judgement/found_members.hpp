@@ -1,0 +1,14 @@
+// Explanation by the members that were found of an effect that acts at every joint: joints whose fitted sizes are
+// within the noise are not named.
+#pragma once
+
+#include "calibration/diagnosis/model_selection/competing_models.hpp"
+
+namespace tubeplan::calibration {
+
+/// Returns the model's explanation without members of a collective cause that are not significant, refitted. As many of
+/// them are left out as the evidence allows: the smaller model must be at least as probable by the measurements alone,
+/// before the prior of its causes. The model must have a fit.
+[[nodiscard]] Explanation explanationByFoundMembers(const DiagnosisWork& work, const CompetingModel& model);
+
+}  // namespace tubeplan::calibration
