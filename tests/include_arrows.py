@@ -20,7 +20,7 @@ ARROWS = {
     'calibration/design': 'calibration calibration/measurements calibration/estimation calibration/simulation',
     'calibration/forecast': 'calibration calibration/measurements calibration/estimation',
     'calibration/watch': 'calibration calibration/measurements calibration/estimation calibration/diagnosis/causes '
-                         'calibration/diagnosis/evidence',
+                         'calibration/diagnosis/evidence tubesheets',
     'calibration/measurement_checks': 'calibration calibration/measurements calibration/estimation',
     'calibration/patterns': 'calibration calibration/measurements calibration/estimation',
     # The stages of a diagnosis; each uses earlier stages, and the function `diagnose` uses all of them (docs/design.md).

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 
 namespace tubeplan::tubesheets {
 namespace {
@@ -75,31 +76,13 @@ double integrateStrips(double radius, const PrincipalOffset& offset) {
   return std::clamp(sum, 0.0, 1.0);
 }
 
-// Condition for a section of the tool to enter the hole: the section must be within `radius` [m] of the hole's axis.
-// Equivalently, the tip's offset is within `radius` of the point at `along` [m] in the direction of the tilt.
-struct Ring {
-  double along, radius;
-};
-
-// Returns the conditions for both ends of the first `count` steps, with `along` in the direction of the tilt.
-std::vector<Ring> ringsOf(const SteppedTool& tool, std::size_t count, double lean) {
-  std::vector<Ring> rings;
-  double below = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    rings.push_back({below * lean, tool.steps[k].tolerance});
-    below += tool.lengths[k];
-    rings.push_back({below * lean, tool.steps[k].tolerance});
-  }
-  return rings;
-}
-
-// Returns the probability that a normally distributed offset meets the conditions of all rings, integrated over strips
-// along the direction of the tilt. That direction is the first component of `mean` and `covariance`.
-double probabilityWithinAll(const std::vector<Ring>& rings, const Eigen::Vector2d& mean,
+// Returns the probability that all sections of a tool with the tilt `lean` are within their tolerances, for a normally
+// distributed offset of the tip, integrated over strips along the direction of the tilt. That direction is the first
+// component of `mean` and `covariance`.
+double probabilityWithinAll(std::span<const Section> sections, double lean, const Eigen::Vector2d& mean,
                             const Eigen::Matrix2d& covariance) {
   double across = std::numeric_limits<double>::infinity();
-  for (const Ring& ring : rings) across = std::min(across, ring.radius);
-  if (rings.empty()) return 1;
+  for (const Section& section : sections) across = std::min(across, section.tolerance);
   const double thin = kNoWidth * across;
   const double sigma = std::max(std::sqrt(std::max(0.0, covariance(1, 1))), thin);
   const double slope = covariance(0, 1) / (sigma * sigma);
@@ -110,10 +93,10 @@ double probabilityWithinAll(const std::vector<Ring>& rings, const Eigen::Vector2
   const auto strip = [&](double turn) {
     const double v = middle + span * std::sin(turn), u = (v - mean[1]) / sigma;
     double from = -std::numeric_limits<double>::infinity(), to = -from;
-    for (const Ring& ring : rings) {
-      const double half = std::sqrt(std::max(0.0, (ring.radius - v) * (ring.radius + v)));
-      from = std::max(from, ring.along - half);
-      to = std::min(to, ring.along + half);
+    for (const Section& section : sections) {
+      const double half = std::sqrt(std::max(0.0, (section.tolerance - v) * (section.tolerance + v)));
+      from = std::max(from, section.below * lean - half);
+      to = std::min(to, section.below * lean + half);
     }
     if (from >= to) return 0.0;
     const double half = (to - from) / 2, centre = mean[0] + slope * (v - mean[1]) - (from + to) / 2;
@@ -139,17 +122,24 @@ std::vector<std::string> stepWords(const SteppedTool& tool) {
   return words;
 }
 
-int stepsInserted(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean) {
-  if (tool.lengths.size() != tool.steps.size()) return stepsInserted(tool, offset.norm());
+std::vector<Section> sectionsOf(const SteppedTool& tool) {
+  const bool has_lengths = tool.lengths.size() == tool.steps.size();
+  std::vector<Section> sections;
   double below = 0;
-  int entered = 0;
-  for (std::size_t k = 0; k < tool.steps.size(); ++k, ++entered) {
-    const double tolerance = tool.steps[k].tolerance;
-    if (!((offset - below * lean).norm() <= tolerance)) break;
+  for (std::size_t k = 0; k < tool.steps.size(); ++k) {
+    sections.push_back({k, below, tool.steps[k].tolerance});
+    if (!has_lengths) continue;
     below += tool.lengths[k];
-    if (!((offset - below * lean).norm() <= tolerance)) break;
+    sections.push_back({k, below, tool.steps[k].tolerance});
   }
-  return entered;
+  return sections;
+}
+
+int stepsInserted(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean) {
+  const auto sections = sectionsOf(tool);
+  const auto stuck = std::ranges::find_if(
+      sections, [&](const Section& section) { return !((offset - section.below * lean).norm() <= section.tolerance); });
+  return static_cast<int>(stuck == sections.end() ? tool.steps.size() : stuck->step);
 }
 
 int stepsInserted(const SteppedTool& tool, double centring_error) {
@@ -196,6 +186,7 @@ std::vector<double> probabilityBySteps(const SteppedTool& tool, const Eigen::Vec
   const bool leans = size > 0 && tool.lengths.size() == tool.steps.size();
   const Eigen::Vector2d along = leans ? Eigen::Vector2d(lean / size) : Eigen::Vector2d::UnitX();
   const Eigen::Matrix2d turn = (Eigen::Matrix2d() << along.x(), along.y(), -along.y(), along.x()).finished();
+  const std::vector<Section> all = sectionsOf(tool);
   // at_least[k]: probability that the first k steps enter; without a tilt, the tightest of these steps decides.
   std::vector<double> at_least{findPrincipalOffset(mean_offset, covariance) ? 1
                                                                             : std::numeric_limits<double>::quiet_NaN()};
@@ -203,7 +194,8 @@ std::vector<double> probabilityBySteps(const SteppedTool& tool, const Eigen::Vec
   for (const Step& step : tool.steps) {
     tightest = std::min(tightest, step.tolerance);
     const bool is_told = !std::isnan(at_least.front());
-    at_least.push_back(leans && is_told ? probabilityWithinAll(ringsOf(tool, at_least.size(), size), turn * mean_offset,
+    const std::span sections(all.data(), leans ? 2 * at_least.size() : 0);  // both ends of the steps so far
+    at_least.push_back(leans && is_told ? probabilityWithinAll(sections, size, turn * mean_offset,
                                                                turn * covariance * turn.transpose())
                                         : probabilityWithin(tightest, mean_offset, covariance));
   }

@@ -28,6 +28,16 @@ struct SteppedTool {
 /// that do not decrease or that exceed the gap between step and hole, values that are not above zero.
 [[nodiscard]] std::vector<Problem> findToolProblems(const SteppedTool& tool, double hole_diameter);
 
+/// Cross-section of the tool that must be within `tolerance` [m] of the hole's axis for its step to enter.
+struct Section {
+  std::size_t step = 0;
+  double below = 0;  ///< distance below the tip [m]
+  double tolerance = 0;
+};
+
+/// Returns both ends of every step from the tip down, or one section at the tip for each if the tool has no lengths.
+[[nodiscard]] std::vector<Section> sectionsOf(const SteppedTool& tool);
+
 /// Returns a phrase for each number of entered steps from 0 up: "no step enters", ..., "all three steps enter".
 [[nodiscard]] std::vector<std::string> stepWords(const SteppedTool& tool);
 

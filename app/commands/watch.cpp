@@ -194,7 +194,7 @@ constexpr TextLine kBaseWords[] = {
 };
 constexpr TextLine kWatchWords[] = {
     {"quiet",
-     "{tested} readings: no change found; the last one is at {level:.0%} % of the limit\n"
+     "{tested} reading(|s): no change found; the last one is at {level:.0%} % of the limit\n"
      "a sudden shift of the base by {detectable_shift:.2r} {units/length} along x, y, z would probably have shown "
      "within "
      "{within} readings (none: not at all)\n"},
@@ -251,8 +251,8 @@ int run(const WatchRequest& request) {
   noteStopSignals();
   calibration::WatchOptions options = request.options;
   options.stop = stopCondition();
-  const auto watch =
-      calibration::watchForChange({work.arm, work.X_WB, uncertainty, model_error}, input.measurements, options);
+  const auto watch = calibration::watchForChange({work.arm, work.X_WB, uncertainty, model_error, work.tool},
+                                                 input.measurements, options);
   if (watch.status == calibration::WatchStatus::kStopped) return kStoppedExitCode;
   if (watch.status == calibration::WatchStatus::kNotComputed)
     throw InputError::saying(input.file, watch.reason, "watch touches of holes, positions, offsets or steps");

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "calibration/watch/disc_probability.hpp"
-
 namespace tubeplan::calibration {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
@@ -15,21 +13,35 @@ namespace {
 
 constexpr int kFitSteps = 25;         // maximum number of steps of a fit
 constexpr double kFitSettled = 0.02;  // decrease of the deviance below which a fit ends
-constexpr double kLeastLength = 1e-12;
 
-/// Negative log probability of a ring at the distance `mean`, with its derivative.
-struct RingCost {
-  double cost = 0, slope = 0;
+/// Negative log probability of a count at an offset, with its derivatives: the second one is the square of the first
+/// along it and, as far as it is positive, the true one across it.
+struct CountCost {
+  double cost = 0;
+  Vector2d slope = Vector2d::Zero();
+  Eigen::Matrix2d curvature = Eigen::Matrix2d::Zero();
 };
-RingCost ringCost(const CountedRing& ring, double mean) {
-  const RadialProbability ringed = ringProbability(ring.lower, ring.upper, mean);
-  const double p = (1 - kBlunder) * ringed.p + kBlunder;
-  return {-std::log(p), -(1 - kBlunder) * ringed.slope / p};
+CountCost countCost(const CountedSteps& count, int entered, const Vector2d& offset) {
+  const RegionProbability counted = probabilityOf(count, entered, offset, Eigen::Matrix2d::Identity());
+  const double p = (1 - kBlunder) * counted.p + kBlunder;
+  const Vector2d slope = -(1 - kBlunder) / p * counted.slope;
+  const Vector2d across = Vector2d(-slope.y(), slope.x()).normalized();
+  const double bend = std::max(0., -(1 - kBlunder) / p * across.dot(counted.curvature * across));
+  return {-std::log(p), slope, slope * slope.transpose() + bend * across * across.transpose()};
+}
+
+/// Returns the radius of the smallest of the discs; infinite if there are none.
+double smallestRadius(const CommonDiscs& discs) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Disc& disc : discs) smallest = std::min(smallest, disc.radius);
+  return smallest;
 }
 
 /// Returns the distance from the axis that a count suggests.
-double middleOf(const CountedRing& ring) {
-  return ring.lower > 0 ? std::min((ring.lower + ring.upper) / 2, 2 * ring.lower) : ring.upper / 2;
+double middleOf(const CountedSteps& count) {
+  const auto k = static_cast<std::size_t>(count.entered);
+  const double lower = smallestRadius(count.at_least[k + 1]), upper = smallestRadius(count.at_least[k]);
+  return lower > 0 ? std::min((lower + upper) / 2, 2 * lower) : upper / 2;
 }
 
 }  // namespace
@@ -37,8 +49,7 @@ double middleOf(const CountedRing& ring) {
 /// Normal equations of the measured values and priors, and the rows of the counts.
 struct ChangeFitter::Problem {
   struct Count {
-    const CountedRing* ring;
-    double scale;
+    const CountedSteps* steps;
     Vector2d u;  // offset at y = 0
     Eigen::Matrix<double, 2, Eigen::Dynamic> A;
   };
@@ -51,22 +62,17 @@ struct ChangeFitter::Problem {
   [[nodiscard]] double measuredAt(const VectorXd& y) const { return y.dot(N * y) + 2 * b.dot(y) + c; }
   [[nodiscard]] double at(const VectorXd& y) const {
     double sum = measuredAt(y);
-    for (const Count& count : counts) sum += 2 * ringCost(*count.ring, (count.u + count.A * y).norm()).cost;
+    for (const Count& count : counts)
+      sum += 2 * countCost(*count.steps, count.steps->entered, count.u + count.A * y).cost;
     return sum;
   }
 
   /// Adds the counts' parts to half the derivatives of the deviance.
   void addCounts(const VectorXd& y, MatrixXd& curvature, VectorXd& slope) const {
     for (const Count& count : counts) {
-      const Vector2d u = count.u + count.A * y;
-      const double length = std::max(u.norm(), kLeastLength);
-      const RingCost cost = ringCost(*count.ring, length);
-      const VectorXd along = count.A.transpose() * (u / length);
-      slope += cost.slope * along;
-      curvature += cost.slope * cost.slope * along * along.transpose();
-      if (cost.slope <= 0) continue;
-      const VectorXd across = count.A.transpose() * Vector2d(-u.y(), u.x()) / length;
-      curvature += cost.slope / length * across * across.transpose();
+      const CountCost cost = countCost(*count.steps, count.steps->entered, count.u + count.A * y);
+      slope += count.A.transpose() * cost.slope;
+      curvature += count.A.transpose() * cost.curvature * count.A;
     }
   }
 
@@ -108,7 +114,7 @@ ChangeFitter::ChangeFitter(const WatchedRows& rows, const ErrorState& before, in
       measured_xx_ += H.transpose() * H;
       continue;
     }
-    reach_ += middleOf(*rows.ring[static_cast<std::size_t>(k)]);
+    reach_ += middleOf(*rows.counted[static_cast<std::size_t>(k)]);
     ++counts;
   }
   if (counts > 0) reach_ /= counts;
@@ -135,8 +141,7 @@ ChangeFitter::Problem ChangeFitter::problemOf(const std::vector<int>& columns) c
     for (Index c = 0; c < d; ++c)
       C.col(c) = courseAt(k) * rows_.changes.col(columns[static_cast<std::size_t>(c)]).segment(first, count);
     if (rows_.isCounted(k)) {
-      Problem::Count counted{
-          &*rows_.ring[static_cast<std::size_t>(k)], rows_.scale[static_cast<std::size_t>(k)], u, {}};
+      Problem::Count counted{&*rows_.counted[static_cast<std::size_t>(k)], u, {}};
       counted.A.resize(2, n + d);
       counted.A << H, C;
       problem.counts.push_back(std::move(counted));
@@ -212,17 +217,14 @@ ChangeFit ChangeFitter::resultOf(const Problem& problem, const VectorXd& y) cons
         curvature.bottomLeftCorner(d, n) * curvature.topLeftCorner(n, n).llt().solve(curvature.topRightCorner(n, d));
   double excess = 0, variance = 0;
   for (const auto& count : problem.counts) {
-    const double length = (count.u + count.A * y).norm();
+    const Vector2d offset = count.u + count.A * y;
     double mean = 0, square = 0;
-    for (std::size_t t = 0; t <= rows_.tolerances.size(); ++t) {
-      const CountedRing ring{
-          t == 0 ? 0 : rows_.tolerances[t - 1] / count.scale,
-          t == rows_.tolerances.size() ? std::numeric_limits<double>::infinity() : rows_.tolerances[t] / count.scale};
-      const double cost = 2 * ringCost(ring, length).cost, p = std::exp(-cost / 2);
+    for (int entered = 0; entered < count.steps->outcomes(); ++entered) {
+      const double cost = 2 * countCost(*count.steps, entered, offset).cost, p = std::exp(-cost / 2);
       mean += p * cost;
       square += p * cost * cost;
     }
-    excess += 2 * ringCost(*count.ring, length).cost - mean;
+    excess += 2 * countCost(*count.steps, count.steps->entered, offset).cost - mean;
     variance += std::max(square - mean * mean, 0.);
   }
   fit.counts_excess = variance > 0 ? excess / std::sqrt(variance) : 0;

@@ -266,10 +266,9 @@ class Judge {
 ChangeJudgement judgeChange(const RowsAndCandidates& watched, const std::vector<ErrorState>& states,
                             const std::vector<int>& starts, int last, const StopQuestion& stop) {
   Judge judge(watched, states, last);
-  const bool has_counts = std::ranges::any_of(watched.rows.ring, [](const auto& ring) { return ring.has_value(); });
   for (const int start : starts) {
     judge.tryStart(start, stop);
-    if (has_counts && start == starts.front()) judge.dropFarOnes();
+    if (watched.rows.hasCounts() && start == starts.front()) judge.dropFarOnes();
   }
   return judge.judgement();
 }

@@ -51,7 +51,7 @@ class ChangeWatch {
 
  private:
   static int testsOf(const WatchedRows& rows) {
-    const auto counted = std::ranges::count_if(rows.ring, [](const auto& ring) { return ring.has_value(); });
+    const auto counted = std::ranges::count_if(rows.counted, [](const auto& count) { return count.has_value(); });
     return (counted > 0 ? 1 : 0) + (counted < rows.count() ? 3 : 0);
   }
 
@@ -79,8 +79,7 @@ class ChangeWatch {
   /// Returns the measurements that are tried as the first one after the change.
   [[nodiscard]] std::vector<int> startsOf(const WatchAlarm& alarm) const {
     std::vector<int> starts{alarm.since};
-    const bool has_counts = std::ranges::any_of(watched_.rows.ring, [](const auto& ring) { return ring.has_value(); });
-    if (has_counts)
+    if (watched_.rows.hasCounts())
       for (const int offset : kCountedStarts) starts.push_back(std::clamp(alarm.since + offset, 0, alarm.measurement));
     else
       for (const int before : startsBefore(alarm.measurement)) starts.push_back(before + 1);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/watch/disc_probability.hpp"
-
 namespace tubeplan::calibration {
 
 using Eigen::Index, Eigen::Matrix2d, Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
@@ -46,14 +44,13 @@ double expectedRatio(const RowsAndCandidates& watched, const ErrorState& state, 
     const Vector2d mean = rows.r.segment<2>(rows.first(k)) + H * state.mean;
     const Vector2d shifted = mean + rows.changes.col(axis).segment<2>(rows.first(k)) * shift;
     const Matrix2d S = Matrix2d::Identity() + H * state.covariance * H.transpose();
-    for (std::size_t t = 0; t <= rows.tolerances.size(); ++t) {
-      const double lower = t == 0 ? 0 : rows.tolerances[t - 1] / scale;
-      const double upper = t == rows.tolerances.size() ? kInfinity : rows.tolerances[t] / scale;
-      const double p = ringProbability(lower, upper, shifted, S).p;
-      const double unchanged = ringProbability(lower, upper, mean, S).p + kBlunder;
+    const CountedSteps& count = *rows.counted[static_cast<std::size_t>(k)];
+    for (int entered = 0; entered < count.outcomes(); ++entered) {
+      const double p = probabilityOf(count, entered, shifted, S).p;
+      const double unchanged = probabilityOf(count, entered, mean, S).p + kBlunder;
       for (std::size_t s = 0; s < kSpreads.size(); ++s) {
         const Matrix2d wider = S + kSpreads[s] * kSpreads[s] / (scale * scale) * Matrix2d::Identity();
-        sums[s] += p * std::log((ringProbability(lower, upper, mean, wider).p + kBlunder) / unchanged);
+        sums[s] += p * std::log((probabilityOf(count, entered, mean, wider).p + kBlunder) / unchanged);
       }
     }
   }
@@ -79,12 +76,12 @@ Eigen::Vector3d detectableShift(const RowsAndCandidates& watched, const ErrorSta
   const double tests = planned * static_cast<double>(startsBefore(planned).size());
   const double value_limit = chiSquareQuantile(share / tests, 6);
   const double count_limit = -std::log(share) + std::log(planned * static_cast<double>(kSpreads.size()));
-  const bool has_counts = std::ranges::any_of(watched.rows.ring, [](const auto& ring) { return ring.has_value(); });
   Eigen::Vector3d shift;
   for (int axis = 0; axis < 3; ++axis) {
     const double typical = watched.candidates.list.front().numbers[static_cast<std::size_t>(axis)].typical;
     shift[axis] = byValues(watched, state, first, axis, value_limit) * typical;
-    if (has_counts) shift[axis] = std::min(shift[axis], byCounts(watched, state, first, axis, count_limit));
+    if (watched.rows.hasCounts())
+      shift[axis] = std::min(shift[axis], byCounts(watched, state, first, axis, count_limit));
   }
   return shift;
 }

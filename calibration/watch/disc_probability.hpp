@@ -1,9 +1,21 @@
-// Probability that a normally distributed point of the plane lies in a disc or a ring about the origin.
+// Probability that a normally distributed point of the plane lies in the common part of several discs.
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace tubeplan::calibration {
+
+struct Disc {
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  double radius = 0;
+};
+
+/// The points that lie in all of these discs: the whole plane if there are none, and no point if a radius is negative.
+using CommonDiscs = std::vector<Disc>;
+
+/// Returns the same points by fewer discs: without those that have another of the discs in them.
+[[nodiscard]] CommonDiscs withoutNeedless(const CommonDiscs& discs);
 
 /// Probability, with its derivatives with respect to the point's mean.
 struct RegionProbability {
@@ -12,16 +24,8 @@ struct RegionProbability {
   Eigen::Matrix2d curvature = Eigen::Matrix2d::Zero();
 };
 
-/// Returns the probability that a point with this mean and covariance lies farther than `lower` and at most `upper`
-/// from the origin; `upper` may be infinite.
-[[nodiscard]] RegionProbability ringProbability(double lower, double upper, const Eigen::Vector2d& mean,
-                                                const Eigen::Matrix2d& covariance);
-
-/// Probability of a ring for a point with unit covariance at the distance `mean` from the origin, with its derivative
-/// with respect to this distance.
-struct RadialProbability {
-  double p = 0, slope = 0;
-};
-[[nodiscard]] RadialProbability ringProbability(double lower, double upper, double mean);
+/// Returns the probability that a point with this mean and covariance lies in all discs.
+[[nodiscard]] RegionProbability probabilityWithin(const CommonDiscs& discs, const Eigen::Vector2d& mean,
+                                                  const Eigen::Matrix2d& covariance);
 
 }  // namespace tubeplan::calibration

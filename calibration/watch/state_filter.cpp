@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "calibration/diagnosis/evidence/linear_evidence.hpp"
-#include "calibration/watch/disc_probability.hpp"
 
 namespace tubeplan::calibration {
 
@@ -35,16 +34,16 @@ CountChances StateFilter::add(int k) {
 
 CountChances StateFilter::addCount(int k) {
   const auto H = rows_.H.middleRows<2>(rows_.first(k));
-  const CountedRing& ring = *rows_.ring[static_cast<std::size_t>(k)];
+  const CountedSteps& count = *rows_.counted[static_cast<std::size_t>(k)];
   const Vector2d mean = rows_.r.segment<2>(rows_.first(k)) + H * state_.mean;
   const MatrixXd PH = state_.covariance * H.transpose();
   const Matrix2d S = Matrix2d::Identity() + H * PH;
-  const RegionProbability now = ringProbability(ring.lower, ring.upper, mean, S);
+  const RegionProbability now = probabilityOf(count, count.entered, mean, S);
   CountChances chances{withBlunders(now.p), {}};
   for (std::size_t t = 0; t < kSpreads.size(); ++t) {
     const double spread = kSpreads[t] / rows_.scale[static_cast<std::size_t>(k)];
     const Matrix2d wider = S + spread * spread * Matrix2d::Identity();
-    chances.spread[t] = withBlunders(ringProbability(ring.lower, ring.upper, mean, wider).p);
+    chances.spread[t] = withBlunders(probabilityOf(count, count.entered, mean, wider).p);
   }
   if (now.p < kTooRare) return chances;
   const Vector2d slope = now.slope / now.p;

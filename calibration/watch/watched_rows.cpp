@@ -4,14 +4,14 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "calibration/estimation/whitened_residual.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/measurement_posture.hpp"
 
 namespace tubeplan::calibration {
 
-using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::Vector2d, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
@@ -38,18 +38,31 @@ MatrixXd uncertainDirections(const MatrixXd& P) {
          axes.eigenvalues().tail(count).cwiseSqrt().asDiagonal();
 }
 
-/// Turns every count of steps into a measurement of both components of the offset, whose noise is that of the encoders
-/// and of the tolerances alone.
-std::vector<Measurement> withOffsets(const std::vector<Measurement>& measurements) {
-  std::vector<Measurement> offsets = measurements;
-  for (Measurement& measurement : offsets) {
-    if (!kindOf(measurement).counts_steps) continue;
-    const double tolerance = measurement.own[1] > 0 ? measurement.own[1] : measurement.own[2];
-    measurement.own[1] = 0;
-    measurement.own[2] = tolerance;
-    measurement.sigma = kToleranceError * tolerance;
+/// Measurements in which every count of steps is one of both components of the offset of the section amid the last
+/// step, whose noise is that of the encoders and of the tolerances alone.
+struct CountedOffsets {
+  bool ok = true;  ///< false if the arm's shape does not converge
+  std::vector<Measurement> measurements;
+  std::vector<Vector2d> lean;  ///< predicted tilt of the tool at each count; zero for other measurements
+};
+
+CountedOffsets countedOffsets(const WatchedArm& watched, const std::vector<Measurement>& measurements) {
+  CountedOffsets counted{true, measurements, std::vector<Vector2d>(measurements.size(), Vector2d::Zero())};
+  for (std::size_t k = 0; k < measurements.size() && counted.ok; ++k) {
+    Measurement& offset = counted.measurements[k];
+    if (!kindOf(offset).counts_steps) continue;
+    const auto shape = deflection::solveFlexibleKinematics(watched.arm, postureOf(offset, watched.arm, watched.X_WB));
+    counted.ok = shape.status == deflection::KinematicsStatus::kConverged;
+    const Vector3d axis_W = watched.X_WB.linear() * shape.X_BD.R * watched.arm.tool_axis_L;
+    counted.lean[k] = axis_W.head<2>() / axis_W.z();
+    offset.p_TQ = offset.p_TQ.value_or(Vector3d::Zero()) -
+                  depthAmidLastStep(watched.tool) / axis_W.z() * (shape.R_LT.transpose() * watched.arm.tool_axis_L);
+    const auto next = std::min(static_cast<std::size_t>(offset.own[0]), watched.tool.steps.size() - 1);
+    offset.own[1] = 0;
+    offset.own[2] = watched.tool.steps[next].tolerance;
+    offset.sigma = kToleranceError * offset.own[2];
   }
-  return offsets;
+  return counted;
 }
 
 /// Whitens each measurement by its own covariance, and a count by the mean variance of its offset. Encoder noise that
@@ -71,22 +84,11 @@ void whitenApart(const std::vector<Measurement>& measurements, MeasurementWeight
   }
 }
 
-void addRings(const std::vector<Measurement>& measurements, WatchedRows& rows) {
-  std::set<double> tolerances;
-  for (std::size_t k = 0; k < measurements.size(); ++k) {
-    if (!kindOf(measurements[k]).counts_steps) {
-      rows.ring.emplace_back();
-      continue;
-    }
-    const double lower = std::max(0., measurements[k].own[1]), upper = measurements[k].own[2];
-    rows.ring.push_back(CountedRing{lower / rows.scale[k], upper / rows.scale[k]});
-    if (lower > 0) tolerances.insert(lower);
-    if (std::isfinite(upper)) tolerances.insert(upper);
-  }
-  rows.tolerances.assign(tolerances.begin(), tolerances.end());
-}
-
 }  // namespace
+
+bool WatchedRows::hasCounts() const {
+  return std::ranges::any_of(counted, [](const auto& count) { return count.has_value(); });
+}
 
 RowsAndCandidates watchedRows(const WatchedArm& watched, const std::vector<Measurement>& measurements,
                               const StopQuestion& stop) {
@@ -100,10 +102,16 @@ RowsAndCandidates watchedRows(const WatchedArm& watched, const std::vector<Measu
     rows.reason = "the readings are of several set-ups, but a watch is about one";
     return result;
   }
+  const auto counts = [](const Measurement& m) { return kindOf(m).counts_steps; };
+  if (watched.tool.steps.empty() && std::ranges::any_of(measurements, counts)) {
+    rows.reason = "the readings count steps of a tool that the cell does not state";
+    return result;
+  }
   PlacedArm placed{watched.arm, {{measurements.front().setup, watched.X_WB, false}}};
   const std::vector<Unknown> unknowns = watchedUnknowns(watched, placed);
-  const std::vector<Measurement> offsets = withOffsets(measurements);
   rows.reason = "the model cannot be evaluated at the readings";
+  const auto [ok, offsets, lean] = countedOffsets(watched, measurements);
+  if (!ok) return result;
   auto weights = weighMeasurements(placed, offsets, {}, watched.model_error, stop);
   if (!weights) return result;
   if (!weights->points.empty()) {
@@ -120,7 +128,12 @@ RowsAndCandidates watchedRows(const WatchedArm& watched, const std::vector<Measu
   rows.changes = std::move(result.candidates.columns);
   rows.first_row = weights->first_row;
   rows.whitener = std::move(weights->whitener);
-  addRings(measurements, rows);
+  for (std::size_t k = 0; k < measurements.size(); ++k) {
+    rows.counted.emplace_back();
+    if (!counts(measurements[k])) continue;
+    const int entered = static_cast<int>(measurements[k].own[0]);
+    rows.counted.back() = countedSteps(watched.tool, lean[k], rows.scale[k], entered);
+  }
   rows.reason.clear();
   return result;
 }

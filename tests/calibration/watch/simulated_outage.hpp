@@ -32,12 +32,12 @@ struct TrueState {
 struct VisitKind {
   const char* name;
   MeasurementKind kind;
-  int touch_every = 0;  ///< every so many visits, the hole is touched instead; 0: never
+  int touch_every = 0;       ///< every so many visits, the hole is touched instead; 0: never
+  bool has_lengths = false;  ///< true if the tool's steps have lengths, so that tilt keeps steps out
 };
 inline constexpr VisitKind kVisitKinds[] = {
-    {"touch", MeasurementKind::kTouch},
-    {"steps", MeasurementKind::kSteps},
-    {"steps-touch", MeasurementKind::kSteps, 50},
+    {"touch", MeasurementKind::kTouch},           {"steps", MeasurementKind::kSteps},
+    {"steps-touch", MeasurementKind::kSteps, 50}, {"long-steps", MeasurementKind::kSteps, 0, true},
     {"offset", MeasurementKind::kOffset},
 };
 
@@ -46,6 +46,7 @@ inline constexpr VisitKind kVisitKinds[] = {
 class SimulatedOutage {
  public:
   explicit SimulatedOutage(std::uint64_t seed) : random_(seed), cell_(touchedCell({})), nominal_(cell_.arm) {
+    tool_ = *app::readCell(TUBEPLAN_SOURCE_DIR "/app/cells/mockup.yaml").tool;
     truth_ = {drawnArm(nominal_, stiffnessesByTenPercent(), seed), cell_.X_WB_true};
     planTouches();
     BaseCalibrationOptions options;
@@ -63,6 +64,7 @@ class SimulatedOutage {
 
   /// Returns `count` visits of random holes; from the visit `since` on, the true arm and base are the changed ones.
   std::vector<Measurement> visits(const VisitKind& kind, int count, int since, const ChangedState& changed) {
+    if (!kind.has_lengths) tool_.lengths.clear();
     std::vector<Measurement> visits;
     for (int k = 0; k < count; ++k) {
       const int hole = random_.index(static_cast<int>(cell_.plans.size()));
@@ -80,7 +82,7 @@ class SimulatedOutage {
   }
 
   [[nodiscard]] Watch watch(const std::vector<Measurement>& visits, const WatchOptions& options = {}) const {
-    return watchForChange({found_.arm, found_.X_WB, found_.uncertainty}, visits, options);
+    return watchForChange({found_.arm, found_.X_WB, found_.uncertainty, 0, tool_}, visits, options);
   }
 
   [[nodiscard]] const deflection::Arm& truth() const { return truth_.arm; }
@@ -113,7 +115,10 @@ class SimulatedOutage {
     const auto tool = toolAt(now.arm, now.X_WB, true_visit);
     if (!tool) throw std::runtime_error("a visit does not converge");
     if (kind == MeasurementKind::kSteps) {
-      countSteps((tool->p_W - *visit.p_W).head<2>().norm(), visit);
+      const Eigen::Vector3d axis_W = tool->R_WT * (deflection::toolFrame(now.arm).transpose() * now.arm.tool_axis_L);
+      visit.own[0] =
+          tubesheets::stepsInserted(tool_, (tool->p_W - *visit.p_W).head<2>(), axis_W.head<2>() / axis_W.z());
+      visit.sigma = kVisitSigma;
     } else {
       visit.sigma = kCameraNoise * kInch;
       kindOf(visit).record(*tool, 1, random_.vector(visit.sigma), visit);
@@ -132,16 +137,6 @@ class SimulatedOutage {
     return visit;
   }
 
-  static void countSteps(double error, Measurement& visit) {
-    constexpr double kTolerances[] = {0.089, 0.058, 0.010};  // of the mock-up's tool, app/cells/mockup.yaml [in]
-    int count = 0;
-    while (count < 3 && error <= kTolerances[count] * kInch) ++count;
-    visit.own[0] = count;
-    visit.own[1] = count < 3 ? kTolerances[count] * kInch : 0;
-    visit.own[2] = count > 0 ? kTolerances[count - 1] * kInch : std::numeric_limits<double>::infinity();
-    visit.sigma = kVisitSigma;
-  }
-
   Measurement touched(int hole, const TrueState& now) {
     TouchSimulationOptions options;
     options.sigma = kTouchNoise * kInch;
@@ -154,6 +149,7 @@ class SimulatedOutage {
 
   RandomStream random_;
   TouchedCell cell_;
+  tubesheets::SteppedTool tool_;  // the mock-up's
   deflection::Arm nominal_;
   TrueState truth_, changed_;
   BaseCalibration found_;

@@ -1,0 +1,36 @@
+#include "calibration/watch/counted_steps.hpp"
+
+#include <algorithm>
+
+namespace tubeplan::calibration {
+
+using Eigen::Vector2d;
+
+double depthAmidLastStep(const tubesheets::SteppedTool& tool) {
+  const auto sections = tubesheets::sectionsOf(tool);
+  const auto first = std::ranges::find(sections, tool.steps.size() - 1, &tubesheets::Section::step);
+  return (first->below + sections.back().below) / 2;
+}
+
+CountedSteps countedSteps(const tubesheets::SteppedTool& tool, const Vector2d& lean, double sigma, int entered) {
+  CountedSteps count{entered, {{}}};
+  const double depth = depthAmidLastStep(tool);
+  CommonDiscs discs;
+  for (const tubesheets::Section& section : tubesheets::sectionsOf(tool)) {
+    discs.push_back({(section.below - depth) * lean / sigma, section.tolerance / sigma});
+    count.at_least.resize(section.step + 2);
+    count.at_least.back() = withoutNeedless(discs);
+  }
+  count.at_least.push_back({{Vector2d::Zero(), -1}});
+  return count;
+}
+
+RegionProbability probabilityOf(const CountedSteps& count, int entered, const Vector2d& mean,
+                                const Eigen::Matrix2d& covariance) {
+  const auto k = static_cast<std::size_t>(entered);
+  const RegionProbability here = probabilityWithin(count.at_least[k], mean, covariance);
+  const RegionProbability more = probabilityWithin(count.at_least[k + 1], mean, covariance);
+  return {std::max(here.p - more.p, 0.), here.slope - more.slope, here.curvature - more.curvature};
+}
+
+}  // namespace tubeplan::calibration
