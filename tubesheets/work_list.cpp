@@ -154,8 +154,9 @@ std::string besides(const Selection& selection) {
 }
 
 /// Returns a message if the list is for another leg or sheet, or if a tube's position differs from that on the sheet;
-/// empty otherwise.
-std::string findListFault(const WorkListItem& item, const Sheet& sheet, const std::string& fingerprint) {
+/// empty otherwise. Lengths are stated in `unit`.
+std::string findListFault(const WorkListItem& item, const Sheet& sheet, const std::string& fingerprint,
+                          const LengthUnit& unit) {
   if (item.leg && *item.leg != sheet.leg)
     return fmt::format("this list is for the {} leg, but the sheet is {}", legName(*item.leg), legName(sheet.leg));
   if (!item.sheet.empty() && item.sheet != fingerprint)
@@ -165,9 +166,10 @@ std::string findListFault(const WorkListItem& item, const Sheet& sheet, const st
   const double off = std::hypot(item.x.value_or(tube->x) - tube->x, item.y.value_or(tube->y) - tube->y);
   if (off <= sheet.hole_diameter / 2) return "";
   return fmt::format(
-      "the coordinates are not those of {}, which is {:.4g} m away: correct the name or the coordinates, or remove the "
+      "the coordinates are not those of {}, which is {:.4g} {} away: correct the name or the coordinates, or remove "
+      "the "
       "columns of the coordinates",
-      tubeName(item.row, item.column), off);
+      tubeName(item.row, item.column), off / unit.metres, unit.suffix);
 }
 
 /// Returns a sentence that counts the tubes of a list that are not on the sheet, and names a few; empty if none.
@@ -274,8 +276,9 @@ Selection selectTubes(const Sheet& sheet, WorkList list) {
   if (list.status != TubeTextStatus::kRead)
     return refuseList(list.problem ? list.problem->sentence() : "the work list has not been read");
   const std::string fingerprint = sheet.fingerprint();
+  const LengthUnit* stated = list.table.unit_x ? list.table.unit_x : list.table.unit_y;
   for (const WorkListItem& item : list.items)
-    if (const std::string fault = findListFault(item, sheet, fingerprint); !fault.empty())
+    if (const std::string fault = findListFault(item, sheet, fingerprint, stated ? *stated : kMetre); !fault.empty())
       return refuseList(fmt::format("line {}: {}", item.line, fault));
   if (std::string missing = explainMissingTubes(list, sheet); !missing.empty()) return refuseList(std::move(missing));
   Selection selection{SelectionStatus::kSelected, "", {}, {}, {}, {}, std::nullopt};

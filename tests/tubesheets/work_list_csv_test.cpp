@@ -1,4 +1,5 @@
 // Tests of work lists as tables: tables that are accepted, and tables that are refused with the line number.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/tubesheets/example_sheets.hpp"
@@ -50,6 +51,20 @@ TEST(WorkListCsv, RefusesAnotherSheetsFingerprint) {
   EXPECT_EQ(selection.status, SelectionStatus::kRefused);
   EXPECT_NE(selection.reason.find("but this sheet is " + smallSheet().fingerprint()), std::string::npos)
       << selection.reason;
+}
+
+TEST(WorkListCsv, StatesDistancesInItsOwnUnit) {
+  const Sheet sheet = smallSheet();
+  const Tube& tube = sheet.tubes.front();
+  for (const LengthUnit& unit : lengthUnits()) {
+    const WorkList list =
+        parseWorkListCsv(fmt::format("row,column,x_{},y_{}\n{},{},{},{}\n", unit.suffix, unit.suffix, tube.row,
+                                     tube.column, tube.x / unit.metres + 12, tube.y / unit.metres - 5));
+    const Selection selection = selectTubes(sheet, list);
+    if (selection.status == SelectionStatus::kSelected) ADD_FAILURE() << unit.suffix;
+    EXPECT_NE(selection.reason.find(fmt::format("which is 13 {} away", unit.suffix)), std::string::npos)
+        << selection.reason;
+  }
 }
 
 TEST(WorkListCsv, RefusesATubeThatIsNotThere) {
