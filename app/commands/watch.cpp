@@ -104,7 +104,7 @@ nlohmann::json numberJson(const calibration::AnsweredNumber& number, const Units
 
 std::string wordsOf(const ChangeAnswer& answer) {
   if (answer.effect == calibration::kBaseMoved) return "the base has moved";
-  return calibration::causeWords(answer.effect);
+  return calibration::causeWords(answer.effect, answer.at);
 }
 
 nlohmann::json answerJson(const ChangeAnswer& answer, const std::string& since, const Units& units) {

@@ -10,14 +10,15 @@
 #include "app/documents/figures.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/formats/cell/effects_reader.hpp"
+#include "calibration/diagnosis/causes/cause.hpp"
 #include "calibration/estimation/size_modes.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
-using calibration::Diagnosis, calibration::Explanation, calibration::FoundEffect, calibration::FoundNumber,
-    calibration::Measurement, calibration::Verdict;
+using calibration::causeTitle, calibration::Diagnosis, calibration::Explanation, calibration::FoundEffect,
+    calibration::FoundNumber, calibration::Measurement, calibration::Verdict;
 
 constexpr int kDigits = 3;  // significant digits of a length in a sentence
 
@@ -31,8 +32,12 @@ std::string withSigmaText(double value, double sigma) {
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sigma, decimals);
 }
 
-std::string effectAtPlace(const std::string& effect, const std::string& at) {
-  return fmt::format("{} at {}", effect, at);
+bool isFreed(const FoundEffect& effect) { return effect.effect == calibration::kFreedNumbers; }
+
+/// Joins the titles of effects, and behind them those of freed parameters, which are clauses of their own.
+std::string joinedTitles(const std::vector<std::string>& effects, const std::vector<std::string>& freed) {
+  const std::string of_effects = fmt::format("{}", fmt::join(effects, " and "));
+  return of_effects + (effects.empty() || freed.empty() ? "" : "; ") + fmt::format("{}", fmt::join(freed, "; "));
 }
 
 /// Returns a string such as "joint-compliance at theta2-row.z (softness 0.0021 ± 0.0001 rad/kNm)"; for more than three
@@ -43,7 +48,7 @@ std::string foundText(const FoundEffect& effect, const Units& units) {
   for (const auto& number : effect.numbers)
     if (std::isfinite(number.sigma) || number.quantity == deflection::Quantity::kTime)
       numbers.push_back(numberText(number, units));
-  const std::string name = effectAtPlace(effect.effect, effect.at);
+  const std::string name = causeTitle(effect.effect, effect.at);
   if (numbers.size() > kMost) return fmt::format("{} ({} numbers)", name, numbers.size());
   return numbers.empty() ? name : fmt::format("{} ({})", name, fmt::join(numbers, ", "));
 }
@@ -83,12 +88,12 @@ std::string orText(const Explanation& explanation) {
   for (const auto& effect : explanation.effects) {
     std::vector<std::string> others;
     for (const auto& [name, at] : effect.also)
-      if (!contains(explanation, name, at)) others.push_back(effectAtPlace(name, at));
+      if (!contains(explanation, name, at)) others.push_back(causeTitle(name, at));
     if (others.empty()) continue;
     const std::string instead = fmt::format("{}", fmt::join(others, " or "));
     clauses.push_back(explanation.effects.size() == 1
                           ? instead
-                          : fmt::format("{} in place of {}", instead, effectAtPlace(effect.effect, effect.at)));
+                          : fmt::format("{} in place of {}", instead, causeTitle(effect.effect, effect.at)));
   }
   if (clauses.empty()) return "";
   return fmt::format(", or {}, which no reading with this tool tells apart", fmt::join(clauses, ", or "));
@@ -132,7 +137,8 @@ std::string nothingSentence(const Diagnosis& result, const Units& units) {
 
 std::string missingSentence(const Diagnosis& result, const Units& units) {
   const Explanation& found = result.alternatives.front();
-  return fmt::format("Missing: {}{}.", shortText(found, units), orText(found));
+  const bool is_freed = std::ranges::all_of(found.effects, isFreed);
+  return fmt::format("{}{}{}.", is_freed ? "" : "Missing: ", shortText(found, units), orText(found));
 }
 
 /// Returns a sentence such as "base-slip at base has 3 sizes that explain the measurements equally; ..."; empty if all
@@ -142,7 +148,7 @@ std::string modesSentence(const Explanation& explanation) {
   for (const auto& effect : explanation.effects) {
     if (effect.modes.empty()) continue;
     sentences.push_back(fmt::format("{} has {} sizes that explain the readings equally; {}.",
-                                    effectAtPlace(effect.effect, effect.at), effect.modes.size(),
+                                    causeTitle(effect.effect, effect.at), effect.modes.size(),
                                     calibration::decidedByText(effect.decided_by)));
   }
   return fmt::format("{}", fmt::join(sentences, " "));
@@ -184,7 +190,7 @@ constexpr double kWorthNaming = 0.03;  // smallest probability of an unknown cau
 
 std::string ambiguousSentence(const Diagnosis& result) {
   if (result.alternatives.size() == 1)
-    return fmt::format("Most likely {} is missing, but it may be something unknown (probability {:.0f} %).",
+    return fmt::format("The most probable cause is {}, but it may be something unknown (probability {:.0f} %).",
                        namesText(result.alternatives.front()), 100 * result.unknown_probability);
   const std::string unknown =
       result.unknown_probability < kWorthNaming
@@ -244,9 +250,10 @@ std::string numberText(const FoundNumber& number, const Units& units) {
 }
 
 std::string sizesText(const Explanation& explanation, const Units& units) {
-  std::vector<std::string> effects;
-  for (const auto& effect : explanation.effects) effects.push_back(foundText(effect, units));
-  return fmt::format("{}", fmt::join(effects, " and "));
+  std::vector<std::string> effects, freed;
+  for (const auto& effect : explanation.effects)
+    (isFreed(effect) ? freed : effects).push_back(foundText(effect, units));
+  return joinedTitles(effects, freed);
 }
 
 std::vector<std::string> idsOf(const std::vector<int>& places, const std::vector<Measurement>& measurements) {
@@ -257,23 +264,24 @@ std::vector<std::string> idsOf(const std::vector<int>& places, const std::vector
 
 std::string namesText(const Explanation& explanation) {
   constexpr std::size_t kMany = 3;
-  std::vector<std::string> names;
+  std::vector<std::string> names, freed;
   for (const auto& effect : explanation.effects) {
     std::vector<const FoundEffect*> alike;
     for (const auto& other : explanation.effects)
       if (other.effect == effect.effect) alike.push_back(&other);
-    const std::string name =
-        alike.size() < kMany ? effectAtPlace(effect.effect, effect.at) : placesText(effect.effect, alike);
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    std::vector<std::string>& target = isFreed(effect) ? freed : names;
+    const std::string name = alike.size() < kMany || isFreed(effect) ? causeTitle(effect.effect, effect.at)
+                                                                     : placesText(effect.effect, alike);
+    if (std::find(target.begin(), target.end(), name) == target.end()) target.push_back(name);
   }
-  return fmt::format("{}", fmt::join(names, " and "));
+  return joinedTitles(names, freed);
 }
 
 std::string alsoText(const FoundEffect& effect) {
   std::vector<std::string> others;
-  for (const auto& [name, at] : effect.also) others.push_back(effectAtPlace(name, at));
+  for (const auto& [name, at] : effect.also) others.push_back(causeTitle(name, at));
   if (others.empty()) return "";
-  return fmt::format("with this tool no reading tells {} apart from {}", effectAtPlace(effect.effect, effect.at),
+  return fmt::format("with this tool no reading tells {} apart from {}", causeTitle(effect.effect, effect.at),
                      fmt::join(others, ", "));
 }
 

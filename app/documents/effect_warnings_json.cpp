@@ -10,6 +10,7 @@
 #include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
 #include "app/storage/suggestion.hpp"
+#include "calibration/diagnosis/causes/cause.hpp"
 
 namespace tubeplan::app {
 
@@ -48,10 +49,10 @@ std::string groundsText(const EffectWarning& warning, const Units& units) {
 }
 
 std::string betterText(const EffectWarning& warning, const Units& units) {
-  const std::string better = warning.better.effect + "@" + warning.better.at;
-  const std::string own = warnedPlace(warning);
-  if (better != own)
-    return fmt::format("{} explains these readings better than {} (by {:.0f} in BIC)", better, own, warning.by);
+  if (warning.better.effect != warning.effect || warning.better.at != warning.at)
+    return fmt::format("{} explains these readings better than {} (by {:.0f} in BIC)",
+                       calibration::causeTitle(warning.better.effect, warning.better.at), warnedPlace(warning),
+                       warning.by);
   std::string values;
   for (const auto& number : warning.better.numbers)
     values += fmt::format("{}{}={:.4g}", values.empty() ? "" : ",", number.name,
@@ -131,7 +132,8 @@ std::string groupText(const WarningGroup& group, const Units& units) {
     case EffectWarningKind::kNotNeeded:
       return notNeededText(group, units);
     case EffectWarningKind::kBetterExplainedBy:
-      return fmt::format("{}@{} explains these readings better than {}", first.better.effect, first.better.at,
+      return fmt::format("{} explains these readings better than {}",
+                         calibration::causeTitle(first.better.effect, first.better.at),
                          warningList(group, [](const EffectWarning& w) {
                            return fmt::format("{} (by {:.0f} in BIC)", warnedPlace(w), w.by);
                          }));

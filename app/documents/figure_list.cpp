@@ -10,6 +10,7 @@
 #include "app/documents/figure_units.hpp"
 #include "app/documents/figures.hpp"
 #include "app/storage/utf8.hpp"
+#include "calibration/diagnosis/causes/cause.hpp"
 
 namespace tubeplan::app {
 
@@ -50,7 +51,7 @@ bool hasReal(const json& value) {
 /// starting from 1.
 std::string entryName(const json& entry, std::size_t place) {
   if (entry.contains("effect") && entry.contains("at"))
-    return fmt::format("{} at {}", cellText(entry["effect"], 1), cellText(entry["at"], 1));
+    return calibration::causeTitle(cellText(entry["effect"], 1), cellText(entry["at"], 1));
   for (const char* key : {"name", "id", "joint", "row", "hole", "variable", "column"})
     if (entry.contains(key) && entry[key].is_string()) return cellText(entry[key], 1);
   return std::to_string(place + 1);

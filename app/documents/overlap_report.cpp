@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/formats/units.hpp"
+#include "calibration/diagnosis/causes/cause.hpp"
 
 namespace tubeplan::app {
 
@@ -35,7 +36,8 @@ std::string overlapText(const std::vector<calibration::FormulaOverlap>& overlaps
     for (std::size_t k = 0; k < std::min(kMostNamed, overlap.shares.size()); ++k) {
       const auto& share = overlap.shares[k];
       if (share.share >= kWorthSaying)
-        text += fmt::format("  {:.0f} % of the rest is {}@{}\n", 100 * share.share, share.effect, share.at);
+        text += fmt::format("  {:.0f} % of the rest is {}\n", 100 * share.share,
+                            calibration::causeTitle(share.effect, share.at));
     }
   }
   return text;

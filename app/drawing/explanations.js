@@ -3,19 +3,28 @@ import {inverseUnit, isNumber, percent} from "./numbers.js";
 import {valueAndSigma, withSigma} from "./sigma_text.js";
 
 /**
- * @typedef {{effect: string, at: string, words?: string, parameters?: object}} FoundEffect
+ * @typedef {{effect: string, at?: string, title?: string}} NamedEffect
+ * @typedef {{effect: string, at: string, title?: string, words?: string, parameters?: object}} FoundEffect
  */
 /** @typedef {{effects: FoundEffect[], enough?: boolean}} BareExplanation */
 /** @typedef {{name: string, value: number, sigma?: number | null, unit?: string}} NamedNumber */
 
-/** Returns an effect's name and location. @param {{effect: string, at?: string}} effect */
-export function effectTitle({effect, at}) {
-  return `${effect}${at ? ` at ${at}` : ""}`;
+/**
+ * Returns an effect's name and location; the title of the document where these do not name it, as for numbers of the
+ * arm's file. @param {NamedEffect} effect
+ */
+export function effectTitle({effect, at, title}) {
+  return title ?? `${effect}${at ? ` at ${at}` : ""}`;
+}
+
+/** Returns an effect in the notation of requests. @param {{effect: string, at: string}} effect */
+export function causeKey({effect, at}) {
+  return `${effect}@${at}`;
 }
 
 /**
  * Returns the names and locations of an explanation's effects, grouped by kind of effect.
- * @param {{effects: readonly {effect: string, at?: string}[]}} explanation
+ * @param {{effects: readonly NamedEffect[]}} explanation
  */
 export function explanationTitle({effects}) {
   return titleOf(effects, Infinity);
@@ -23,20 +32,22 @@ export function explanationTitle({effects}) {
 
 /**
  * Returns the title of an explanation for a button, where more than two locations of an effect are only counted.
- * @param {{effects: readonly {effect: string, at?: string}[]}} explanation
+ * @param {{effects: readonly NamedEffect[]}} explanation
  */
 export function briefTitle({effects}) {
   return titleOf(effects, 2);
 }
 
-/** @param {readonly {effect: string, at?: string}[]} effects @param {number} most */
+/** @param {readonly NamedEffect[]} effects @param {number} most */
 function titleOf(effects, most) {
   /** @type {Map<string, string[]>} */
   const places = new Map();
-  for (const {effect, at} of effects) places.set(effect, [...(places.get(effect) ?? []), ...(at ? [at] : [])]);
-  return [...places]
+  for (const {effect, at, title} of effects)
+    if (!title) places.set(effect, [...(places.get(effect) ?? []), ...(at ? [at] : [])]);
+  const named = [...places]
     .map(([effect, at]) => effectTitle({effect, at: at.length > most ? `${at.length} places` : at.join(", ")}))
     .join(" and ");
+  return [named, ...effects.flatMap(({title}) => title ?? [])].filter((text) => text !== "").join("; ");
 }
 
 /** Returns the fitted size of each effect, with the location if there are several. @param {BareExplanation} explanation */

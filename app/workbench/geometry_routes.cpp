@@ -1,5 +1,6 @@
 // Routes answered without a job: sheet, scene, postures, catalogue, confounding, tube selection and signatures.
 #include "app/documents/effect_catalogue.hpp"
+#include "app/documents/effect_words_json.hpp"
 #include "app/documents/signature_json.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/studies/model/cell_fit.hpp"
@@ -71,8 +72,10 @@ Answer confounding(Workbench& workbench, const Request&) {
   nlohmann::json causes = nlohmann::json::array();
   for (const auto& cause : calibration::findConfounding(placed, some, fitted)) {
     nlohmann::json list = nlohmann::json::array();
-    for (const auto& other : cause.confounded)
+    for (const auto& other : cause.confounded) {
       list.push_back({{"effect", other.effect}, {"at", other.at}, {"share", other.share}});
+      addCauseTitle(list.back());
+    }
     causes.push_back({{"effect", cause.effect}, {"at", cause.at}, {"kept", cause.kept}, {"confounded", list}});
   }
   return answerOf({{"readings", some.size()}, {"causes", causes}});

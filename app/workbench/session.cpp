@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "calibration/diagnosis/causes/cause.hpp"
+
 namespace tubeplan::app {
 
 ModelPointer makeModel(int id, std::string label, std::string origin, Cell cell) {
@@ -70,7 +72,8 @@ std::string causesLabel(const std::string& sign, const std::vector<std::string>&
   for (const auto& cause : causes) {
     const auto places =
         std::ranges::count_if(causes, [&](const std::string& other) { return kindOf(other) == kindOf(cause); });
-    const std::string part = places < kMany ? cause : fmt::format("{} at {} places", kindOf(cause), places);
+    const std::string part =
+        places < kMany ? calibration::causeTitle(cause) : fmt::format("{} at {} places", kindOf(cause), places);
     if (std::ranges::find(parts, part) == parts.end()) parts.push_back(part);
   }
   return fmt::format("{} {}", sign, fmt::join(parts, " + "));

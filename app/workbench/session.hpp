@@ -114,7 +114,7 @@ struct Session {
 /// their results. Returns the id of the new model.
 int pushModel(Session& session, std::string label, std::string origin, Cell cell);
 
-/// Returns a label such as "+ hysteresis@theta4", or "+ joint-compliance at 7 places" for an effect at many places.
+/// Returns a label such as "+ hysteresis at theta4", or "+ joint-compliance at 7 places" for an effect at many places.
 [[nodiscard]] std::string causesLabel(const std::string& sign, const std::vector<std::string>& causes);
 
 /// Stores a result. If the documents that list measurements become too large in total, the oldest ones of models other

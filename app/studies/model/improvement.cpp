@@ -9,6 +9,7 @@
 
 #include "app/studies/model/cell_fit.hpp"
 #include "app/studies/model/explained_model.hpp"
+#include "calibration/diagnosis/causes/cause.hpp"
 
 namespace tubeplan::app {
 
@@ -154,6 +155,13 @@ CellModel withoutEffects(CellModel cell, const std::vector<std::string>& names) 
   return cell;
 }
 
+/// Returns the name of a model with added causes, such as "+ backlash@tool.z".
+std::string modelName(const std::vector<std::string>& added) {
+  std::vector<std::string> titles;
+  for (const auto& name : added) titles.push_back(calibration::causeTitle(name));
+  return fmt::format("+ {}", fmt::join(titles, " + "));
+}
+
 /// One run of the improvement loop.
 class Improver {
  public:
@@ -237,7 +245,7 @@ class Improver {
     ImprovementStep& step = result_.steps.back();
     CellModel cell = last.cell;
     const AddedCauses added = addExplanation(cause, cell);
-    auto model = fitted(fmt::format("+ {}", fmt::join(added.names, " + ")), cell, last.step + 1, hooks);
+    auto model = fitted(modelName(added.names), cell, last.step + 1, hooks);
     if (!isUsable(model.fit) || !(model.fit.heldout.rms < last.fit.heldout.rms)) {
       result_.end = ImprovementEnd::kDoesNotCarryOver;
       step.reason = ImprovementReason::kNotLowerTogether;
@@ -273,7 +281,7 @@ class Improver {
     if (!none.empty() && !takeOut(none))
       for (const auto& name : none) takeOut({name});
     std::erase_if(step.added, [&](const std::string& name) { return std::ranges::count(step.not_needed, name) > 0; });
-    model.name = fmt::format("+ {}", fmt::join(step.added, " + "));
+    model.name = modelName(step.added);
     return model;
   }
 

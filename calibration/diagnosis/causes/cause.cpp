@@ -146,7 +146,7 @@ bool isFree(const std::vector<Unknown>& free, const std::string& name) {
 /// follows another joint, and the drawing's geometry as a whole.
 void addHeldNumbers(const PlacedArm& placed, const std::vector<Unknown>& free, CauseList& list) {
   std::vector<Cause> stiffnesses;
-  Cause geometry{kFreedNumbers, "geometry", {}, {}};
+  Cause geometry{kFreedNumbers, kAllGeometry, {}, {}};
   for (const auto& number : independentGeometry(placed, free)) geometry.frees.push_back(number.name);
   for (const auto& parameter : deflection::parametersOf(placed.arm)) {
     if (parameter.path.effect >= 0 || isFree(free, parameter.name)) continue;
@@ -181,10 +181,22 @@ std::vector<double> timesBetween(const std::vector<Measurement>& measurements) {
   return between;
 }
 
-const char* causeWords(const std::string& effect) {
-  if (effect == kFreedNumbers) return "a number of the arm's file is off";
+const char* causeWords(const std::string& effect, const std::string& at) {
+  if (effect == kFreedNumbers)
+    return at == kAllGeometry ? "numbers of the arm's file are off" : "a number of the arm's file is off";
   const auto kind = deflection::findEffectKind(effect);
   return kind ? deflection::effectKinds().at(static_cast<std::size_t>(*kind)).words : "";
+}
+
+std::string causeTitle(const std::string& effect, const std::string& at) {
+  if (effect == kFreedNumbers) return at + ": " + causeWords(effect, at);
+  return at.empty() ? effect : effect + " at " + at;
+}
+
+std::string causeTitle(const std::string& cause) {
+  const std::size_t mark = std::min(cause.find('@'), cause.size());
+  return causeTitle(cause.substr(0, mark),
+                    cause.substr(mark, cause.find(':', mark) - mark).substr(mark < cause.size()));
 }
 
 std::vector<std::string> causeVariables(const std::string& effect) {

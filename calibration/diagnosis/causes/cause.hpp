@@ -14,6 +14,9 @@ namespace tubeplan::calibration {
 /// Value of Cause::effect for a cause that frees parameters of the arm's file.
 inline constexpr const char* kFreedNumbers = "free";
 
+/// Value of Cause::at for a cause that frees all geometric parameters.
+inline constexpr const char* kAllGeometry = "geometry";
+
 /// Value of Cause::at for an effect that acts at every joint.
 inline constexpr const char* kAllJoints = "all joints";
 
@@ -22,8 +25,15 @@ inline constexpr const char* kAllJoints = "all joints";
 [[nodiscard]] std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, const std::string& effect);
 
 /// Returns the description of the cause named `effect`, which is an effect of the catalogue or kFreedNumbers; an empty
-/// string if there is no such cause.
-[[nodiscard]] const char* causeWords(const std::string& effect);
+/// string if there is no such cause. `at` is its place, which tells one freed parameter from all of the geometry.
+[[nodiscard]] const char* causeWords(const std::string& effect, const std::string& at = "");
+
+/// Returns the title of a cause for sentences: "hysteresis at theta4", or for freed parameters "geometry: numbers of
+/// the arm's file are off".
+[[nodiscard]] std::string causeTitle(const std::string& effect, const std::string& at);
+
+/// Returns the title of a cause in the notation EFFECT@PLACE, with or without sizes after a colon.
+[[nodiscard]] std::string causeTitle(const std::string& cause);
 
 /// Returns the names of the variables that the effect's law may depend on, simplest first. An empty list means that the
 /// law may depend on any variable.

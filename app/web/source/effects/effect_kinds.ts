@@ -1,5 +1,6 @@
 // The catalogue of effects by kind: law, parameters, possible places on this arm, and how well the readings determine
 // the effect.
+import {causeKey} from "../../../drawing/explanations.js";
 import type {CatalogueDocument, DiagnoseDocument, ConfoundingDocument} from "../server/documents";
 
 export interface EffectPlace {
@@ -8,7 +9,7 @@ export interface EffectPlace {
   kept: number | null;
   /** Smallest detectable size: a parameter with its value and unit; null if it was not computed. */
   least: {number: string; size: number | null; unit: string; isBeyondUsual: boolean} | null;
-  confounded: {effect: string; at: string; share: number}[];
+  confounded: {effect: string; at: string; title?: string; share: number}[];
 }
 
 export interface EffectKind {
@@ -21,21 +22,19 @@ export interface EffectKind {
   places: EffectPlace[];
 }
 
-const keyOf = ({effect, at}: {effect: string; at: string}) => `${effect}@${at}`;
-
 export function kindsOf(
   catalogue: CatalogueDocument,
   confounding: ConfoundingDocument | null,
   diagnosis: DiagnoseDocument | null,
 ): EffectKind[] {
-  const asked = new Map((confounding?.causes ?? []).map((cause) => [keyOf(cause), cause]));
-  const seen = new Map((diagnosis?.detectable ?? []).map((entry) => [keyOf(entry), entry]));
+  const asked = new Map((confounding?.causes ?? []).map((cause) => [causeKey(cause), cause]));
+  const seen = new Map((diagnosis?.detectable ?? []).map((entry) => [causeKey(entry), entry]));
   const kinds = new Map<string, EffectKind>();
   for (const {effect, at, ...about} of catalogue.effects) {
     const kind = kinds.get(effect) ?? {effect, ...about, places: []};
     kinds.set(effect, kind);
-    const cause = asked.get(keyOf({effect, at})),
-      least = seen.get(keyOf({effect, at}));
+    const cause = asked.get(causeKey({effect, at})),
+      least = seen.get(causeKey({effect, at}));
     kind.places.push({
       at,
       kept: cause?.kept ?? null,

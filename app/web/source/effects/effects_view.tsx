@@ -4,11 +4,12 @@ import {computed, signal} from "@preact/signals";
 import {TextInput} from "../drawing/fields";
 import {Figures, Panel} from "../drawing/panel";
 import {roving} from "../drawing/segments";
+import {effectTitle} from "../../../drawing/explanations.js";
 import {isNumber, percent, plural, short} from "../../../drawing/numbers.js";
 import {currentDiagnosis} from "../error/loop";
 import type {CatalogueDocument, ConfoundingDocument} from "../server/documents";
 import {answerTo} from "../server/answers";
-import {cell, report, state} from "../server/workbench";
+import {cell, reporting, state} from "../server/workbench";
 import {view} from "../shell/page_state";
 import {Waiting} from "../shell/states";
 import {SignaturePicture} from "./signature_picture";
@@ -22,7 +23,7 @@ const drawnPlace = signal("");
 /** Returns the answer to a request, repeated for another model or other readings while the view is open. */
 function whileLooking<T>(path: string, keyOf: () => string) {
   const key = () => (view.value === "effects" && state.value ? keyOf() : null);
-  return answerTo<T>({key, path: () => path, onProblem: (error) => report("The effects", error)});
+  return answerTo<T>({key, path: () => path, onProblem: reporting("The effects")});
 }
 const modelKey = () => `${state.value!.folder} ${cell.value?.file} ${state.value!.model}`;
 const catalogue = whileLooking<CatalogueDocument>("/api/catalogue", modelKey),
@@ -156,8 +157,7 @@ function PlaceRow({place, own, hasLeast, isShown}: PlaceRowProps) {
               ? "nothing"
               : others.map((other) => (
                   <span title={`${percent(other.share, 1)} of what is left of it`}>
-                    {other.effect === own ? "" : `${other.effect} at `}
-                    {other.at}
+                    {other.effect === own ? other.at : effectTitle(other)}
                   </span>
                 ))}
       </td>

@@ -1,5 +1,5 @@
 // Warnings about the effects of the diagnosed model, one line for each kind, with the effects that can be removed.
-import {explanationTitle} from "../../../drawing/explanations.js";
+import {causeKey, explanationTitle} from "../../../drawing/explanations.js";
 import {plural} from "../../../drawing/numbers.js";
 import type {EffectWarning} from "../server/documents";
 import {pageWords} from "../server/page_words";
@@ -65,7 +65,7 @@ function Group({kind, warnings}: WarningGroup) {
 }
 
 function titleOf(warnings: readonly EffectWarning[]): string {
-  return explanationTitle({effects: warnings.map(({effect = "", at}) => ({effect, at}))});
+  return explanationTitle({effects: warnings.map(({effect = "", at = ""}) => ({effect, at}))});
 }
 
 function RemoveButton({warnings}: {warnings: readonly EffectWarning[]}) {
@@ -74,7 +74,7 @@ function RemoveButton({warnings}: {warnings: readonly EffectWarning[]}) {
       class="button small"
       title="The model is fitted without them; Undo takes it back"
       disabled={runningJob("remove", "add") !== null}
-      onClick={() => removeCauses(warnings.map(({effect, at}) => `${effect}@${at}`))}
+      onClick={() => removeCauses(warnings.map(({effect = "", at = ""}) => causeKey({effect, at})))}
     >
       Remove {warnings.length === 1 ? titleOf(warnings) : `the ${plural(warnings.length, "effect")} not needed`}
     </button>

@@ -1,6 +1,6 @@
 // The steps after each verdict of a diagnosis: one table of steps, and one table of the steps for each verdict in
 // their order. A step shows its evidence from the documents; a step without evidence does not apply and is left out.
-import {briefTitle} from "../../../drawing/explanations.js";
+import {briefTitle, effectTitle} from "../../../drawing/explanations.js";
 import {errorUnit, idsSetAside} from "../../../drawing/error_budget.js";
 import {isNumber, percent, plural, probability, short} from "../../../drawing/numbers.js";
 import {findVariable, type Variable} from "../../../drawing/variables.js";
@@ -79,7 +79,7 @@ const STEPS = {
       ranking.length === 0
         ? null
         : {
-            evidence: `${ranking[0].effect} at ${ranking[0].at} comes first because it resembles the unknown cause most; no effect is certain`,
+            evidence: `${effectTitle(ranking[0])} comes first because it resembles the unknown cause most; no effect is certain`,
           },
   },
   read: {

@@ -1,4 +1,5 @@
 // The steps after the verdict as a numbered list: what to do, its evidence, and a button that does or shows it.
+import {causeKey} from "../../../drawing/explanations.js";
 import {computed} from "@preact/signals";
 import {pageWords} from "../server/page_words";
 import {currentModel, runningJob, state} from "../server/workbench";
@@ -28,7 +29,7 @@ function perform(act: Act): void {
     case "add":
       return void addEffects(act.effects);
     case "remove":
-      return void removeCauses(act.effects.map(({effect, at}) => `${effect}@${at}`));
+      return void removeCauses(act.effects.map(causeKey));
     case "select":
       selectedReadings.value = new Set(act.ids);
       evidenceTab.value = "readings";

@@ -3,7 +3,7 @@
 import {computed} from "@preact/signals";
 import type {EffectAt, LeverageDocument} from "../server/documents";
 import {answerTo} from "../server/answers";
-import {cell, currentModel, report} from "../server/workbench";
+import {cell, currentModel, reporting} from "../server/workbench";
 import {diagnose} from "./loop";
 import {readingsKey} from "./moments";
 import {turnedBy} from "../../../drawing/own_variable.js";
@@ -28,5 +28,5 @@ export const leverage = answerTo<LeverageDocument>({
   },
   path: () => `/api/leverage?at=${encodeURIComponent(names.peek())}`,
   keeps: true,
-  onProblem: (error) => report("The leverage of the joints", error),
+  onProblem: reporting("The leverage of the joints"),
 });

@@ -1,6 +1,7 @@
 // The calibration loop as requests to the program (compare, diagnose, add), and the page's automatic steps between
 // them.
 import {computed, effect} from "@preact/signals";
+import {causeKey} from "../../../drawing/explanations.js";
 import type {
   CompareDocument,
   DiagnoseDocument,
@@ -78,7 +79,7 @@ export function startDiagnose(): Promise<boolean> {
 
 /** Adds effects, refits, and compares the result. */
 export async function addEffects(effects: EffectAt[]): Promise<void> {
-  const causes = effects.map(({effect, at, add}) => add ?? `${effect}@${at}`);
+  const causes = effects.map((effect) => effect.add ?? causeKey(effect));
   if (await runJob("Add", "/api/add", {causes})) await startCompare();
 }
 

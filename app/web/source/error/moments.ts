@@ -1,7 +1,7 @@
 // The moments about the frame axes of the arm's rows at the readings, requested while errors are shown.
 import type {MomentsDocument} from "../server/documents";
 import {answerTo} from "../server/answers";
-import {report, state} from "../server/workbench";
+import {reporting, state} from "../server/workbench";
 import {view} from "../shell/page_state";
 
 /** Returns a key that changes with the compared readings and with the model; null while the view is closed. */
@@ -15,5 +15,5 @@ export const moments = answerTo<MomentsDocument>({
   key: readingsKey,
   path: () => "/api/moments",
   keeps: true,
-  onProblem: (error) => report("The moments at the readings", error),
+  onProblem: reporting("The moments at the readings"),
 });

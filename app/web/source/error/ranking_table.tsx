@@ -56,11 +56,12 @@ const LITTLE = 0.5;
 
 function Ranked({row, action: Action}: {row: RankedRow} & Pick<RankingTableProps, "action">) {
   const {entry, title, words, kept, probability, fall, size, shows} = row;
-  const said = Action ? [entry.at] : [words, entry.kept_fraction < LITTLE ? kept : ""];
+  const isNamed = Action === undefined || entry.title !== undefined;
+  const said = Action ? [entry.title ? "" : entry.at] : [words, entry.kept_fraction < LITTLE ? kept : ""];
   return (
     <tr title={[words, kept].filter((text) => text !== "").join("; ")}>
       <td class="effect-name">
-        {Action ? entry.effect : title}
+        {isNamed ? title : entry.effect}
         {said.map((text) => (text ? <small>{text}</small> : null))}
       </td>
       <td>

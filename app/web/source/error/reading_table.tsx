@@ -9,7 +9,7 @@ import {exact, fixed, jointDecimals, plural, short, whole} from "../../../drawin
 import {READING_SIGMAS, sigmasText} from "../../../drawing/sigma_text.js";
 import type {MeasurementsDocument} from "../server/documents";
 import {answerTo} from "../server/answers";
-import {report, state, units} from "../server/workbench";
+import {reporting, state, units} from "../server/workbench";
 import {selectReadings, selectedReadings, pointed} from "./linked";
 import {areChangeable} from "./loop";
 import {markReadings} from "./reading_marks";
@@ -27,7 +27,7 @@ const measured = answerTo<MeasurementsDocument>({
   },
   path: () => "/api/measurements",
   keeps: true,
-  onProblem: (error) => report("The readings", error),
+  onProblem: reporting("The readings"),
 });
 
 const order = signal({column: "sigma", isDown: true});

@@ -1,5 +1,6 @@
 // The errors of the readings (measured minus predicted) before and after: the diagnosis with the chosen explanation,
 // else the previous model and the current model, else the model as given and refitted.
+import {causeKey} from "../../../drawing/explanations.js";
 import {computed, effect, signal} from "@preact/signals";
 import {AFTER, BEFORE} from "../../../drawing/kinds.js";
 import {errorsOfExplanation, errorsOfRefit, type ErrorPair} from "../../../drawing/reading_errors.js";
@@ -13,7 +14,7 @@ import type {
   Vector3,
 } from "../server/documents";
 import {answerTo} from "../server/answers";
-import {currentModel, report, state} from "../server/workbench";
+import {currentModel, reporting, state} from "../server/workbench";
 import {compare, currentDiagnosis} from "./loop";
 
 export interface ReadingErrors extends ErrorPair<ErrorReading> {
@@ -51,7 +52,7 @@ const modelBefore = computed<Model | null>(() => {
 const comparisonBefore = answerTo<CompareDocument>({
   key: () => (modelBefore.value ? `${modelBefore.value.id} ${state.value?.results.compare?.revision}` : ""),
   path: () => `/api/results/compare?model=${modelBefore.peek()!.id}`,
-  onProblem: (error) => report("The model before", error),
+  onProblem: reporting("The model before"),
 });
 
 // ---- the errors
@@ -119,7 +120,7 @@ function placesOf({readings}: CompareDocument): (Vector3 | null)[] {
 function ofTwoModels(before: CompareDocument, now: CompareDocument, model: Model, earlier: Model): ReadingErrors {
   const known = new Map(before.readings.map((reading) => [reading.id, reading])),
     earlierOnes = now.readings.map(({id}) => known.get(id));
-  const had = new Set(earlier.effects.map((own) => `${own.effect}@${own.at}`));
+  const had = new Set(earlier.effects.map(causeKey));
   const seriesOf = (name: string, mark: ErrorPair["series"][number]["mark"], readings: typeof earlierOnes) => {
     return {name, mark, errors: readings.map((reading) => reading?.error_after ?? null)};
   };
@@ -133,7 +134,7 @@ function ofTwoModels(before: CompareDocument, now: CompareDocument, model: Model
     joints: jointsOf(now),
     judged: 0,
     tested: 1,
-    causes: model.effects.filter((own) => !had.has(`${own.effect}@${own.at}`)),
+    causes: model.effects.filter((own) => !had.has(causeKey(own))),
     ...comparedErrors(now, earlierOnes),
   };
 }

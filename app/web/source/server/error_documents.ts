@@ -244,7 +244,12 @@ export interface SignatureDocument {
 /** For each cause, the other causes that the readings can hardly distinguish from it. */
 export interface ConfoundingDocument {
   readings: number;
-  causes: {effect: string; at: string; kept: number; confounded: {effect: string; at: string; share: number}[]}[];
+  causes: {
+    effect: string;
+    at: string;
+    kept: number;
+    confounded: {effect: string; at: string; title?: string; share: number}[];
+  }[];
 }
 
 /**

@@ -29,6 +29,8 @@ export interface CellInfo {
 export interface EffectAt {
   effect: string;
   at: string;
+  /** Title, where effect and place do not make one. */
+  title?: string;
   /** Description for a reader who does not know the effect's name. */
   words?: string;
   /**

@@ -4,7 +4,7 @@ import {computed, useSignal} from "@preact/signals";
 import {submitting, TextInput} from "../drawing/fields";
 import {Icon} from "../drawing/icons";
 import {errorUnit} from "../../../drawing/error_budget.js";
-import {explanationTitle} from "../../../drawing/explanations.js";
+import {causeKey, explanationTitle} from "../../../drawing/explanations.js";
 import {short} from "../../../drawing/numbers.js";
 import {addEffects, addFormula, ladder, removeCauses} from "../error/loop";
 import type {EffectAt, EffectNumber, Model, WorkbenchState} from "../server/documents";
@@ -37,10 +37,6 @@ interface Switch {
   effect: EffectAt | null;
 }
 
-function keyOf({effect, at}: EffectAt): string {
-  return `${effect}@${at}`;
-}
-
 function known<T>(
   models: readonly Model[],
   of: (model: Model) => readonly T[],
@@ -52,9 +48,9 @@ function known<T>(
 
 const effectSwitches = computed<Switch[]>(() => {
   const models = state.value?.models ?? [];
-  const own = new Set((currentModel.value?.effects ?? []).map(keyOf));
-  const all = known(models, (model) => model.effects, keyOf);
-  for (const effect of currentModel.value?.effects ?? []) all.set(keyOf(effect), effect);
+  const own = new Set((currentModel.value?.effects ?? []).map(causeKey));
+  const all = known(models, (model) => model.effects, causeKey);
+  for (const effect of currentModel.value?.effects ?? []) all.set(causeKey(effect), effect);
   return [...all].map(([key, effect]) => ({
     key,
     title: explanationTitle({effects: [effect]}),
@@ -80,7 +76,7 @@ function causeOf(effect: EffectAt): EffectAt {
   const numbers = Object.entries(effect.parameters ?? {}).map(
     ([name, number]) => `${name}=${(number as EffectNumber).value}`,
   );
-  return {...effect, add: `${keyOf(effect)}${numbers.length > 0 ? `:${numbers.join(",")}` : ""}`};
+  return {...effect, add: `${causeKey(effect)}${numbers.length > 0 ? `:${numbers.join(",")}` : ""}`};
 }
 
 async function toggle({key, isOn, effect}: Switch): Promise<void> {

@@ -2,7 +2,7 @@
 import {useSignal, type Signal} from "@preact/signals";
 import {Select, submitting, withPoint} from "../drawing/fields";
 import {choicesOf} from "../drawing/segments";
-import {plainName} from "../../../drawing/explanations.js";
+import {causeKey, plainName} from "../../../drawing/explanations.js";
 import {exact, plainUnit} from "../../../drawing/numbers.js";
 import {useAnswer} from "../server/answers";
 import type {CatalogueDocument} from "../server/documents";
@@ -47,7 +47,7 @@ export function PracticeForm() {
 /** Returns the effect in the notation of the request: EFFECT@PLACE:SIZE=VALUE,... */
 export function hiddenText({effect, at, sizes}: Hidden): string {
   const numbers = Object.entries(sizes).flatMap(([name, size]) => (size.trim() ? [`${name}=${withPoint(size)}`] : []));
-  return `${effect}@${at}${numbers.length > 0 ? `:${numbers.join(",")}` : ""}`;
+  return `${causeKey({effect, at})}${numbers.length > 0 ? `:${numbers.join(",")}` : ""}`;
 }
 
 /**
