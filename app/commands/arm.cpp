@@ -23,6 +23,7 @@
 #include "app/formats/arm/robot_kinematics.hpp"
 #include "app/formats/cell/cell_reader.hpp"
 #include "app/formats/urdf/urdf_edit.hpp"
+#include "app/formats/urdf/urdf_import.hpp"
 #include "app/formats/urdf/urdf_reader.hpp"
 #include "app/formats/urdf/urdf_writer.hpp"
 #include "app/formats/yaml/strict_yaml.hpp"
@@ -47,12 +48,6 @@ struct ArmOptions {
   bool is_kinematics = false;
 };
 
-const Units& urdfUnits() {
-  static const Units kUnits(
-      parseYaml("units: {length: m, angle: deg, force: N, temperature: degC, time: s}", "units").at("units"));
-  return kUnits;
-}
-
 /// An arm read from an arm file, a cell file or a URDF file, with the units of the file.
 struct ShownArm {
   deflection::Arm arm;
@@ -75,20 +70,6 @@ ShownArm readAnyArm(const std::string& path, const std::string& tip) {
 void tell(const char* kind, const std::vector<std::string>& sentences) {
   constexpr std::size_t kLongest = 500;  // maximum length of a printed sentence [bytes]; names from a file may be long
   for (const auto& what : sentences) remark("{}: {}\n", kind, printable(what, kLongest));
-}
-
-std::string cellText(const UrdfArm& read, const std::string& arm_file) {
-  std::string text = fmt::format("name: {}\narm: {}\nbase: {{position: [0, 0, 0], rpy: [0, 0, 0], known: false}}\n",
-                                 yamlName(read.arm.name.empty() ? "robot" : read.arm.name), yamlName(arm_file));
-  if (read.shapes.empty()) return text;
-  text += "link_shapes:\n";
-  for (const auto& row : read.arm.rows) {
-    std::string shapes;
-    for (const auto& shape : read.shapes)
-      if (shape.row == row.name) shapes += fmt::format("    - {}\n", shape.text);
-    if (!shapes.empty()) text += fmt::format("  {}:\n{}", yamlName(row.name), shapes);
-  }
-  return text;
 }
 
 /// Text of the nominal arm file with calibrated values inserted, and remarks on these values.
@@ -134,15 +115,13 @@ int importCalibration(const ArmOptions& options) {
   return kDone;
 }
 
-int importUrdf(const ArmOptions& options) {
-  const UrdfArm read = parseUrdf(readTextFile(options.file), options.file, options.tip);
-  const std::string text =
-      fmt::format("# From {}: rigid; add joint_stiffness and beam where it is compliant.\n{}",
-                  std::filesystem::path(options.file).filename().string(), armYaml(read.arm, urdfUnits()));
+int importRobot(const ArmOptions& options) {
+  const ImportedUrdf imported = importUrdf(readTextFile(options.file), options.file, options.tip);
+  const UrdfArm& read = imported.read;
   const auto folder = std::filesystem::absolute(options.cell.empty() ? "." : options.cell).parent_path();
   const auto beside = std::filesystem::relative(std::filesystem::absolute(options.out), folder);
-  std::vector<TextFile> files = {{options.out, text}};
-  if (!options.cell.empty()) files.push_back({options.cell, cellText(read, beside.string())});
+  std::vector<TextFile> files = {{options.out, imported.arm}};
+  if (!options.cell.empty()) files.push_back({options.cell, cellOfUrdf(read, beside.string())});
   writeFilesTogether(files, "--out");
   tell("left out", read.left_out);
   tell("remark", read.remarks);
@@ -269,7 +248,7 @@ int run(const ArmOptions& options, const CLI::App& cli) {
                              fmt::format("name the file that `arm {}` writes", options.action));
   if (options.action == "export") return exportArm(options);
   const bool is_calibration = !options.nominal.empty() || options.file.ends_with(".conf") || isYaml(options.file);
-  return is_calibration ? importCalibration(options) : importUrdf(options);
+  return is_calibration ? importCalibration(options) : importRobot(options);
 }
 
 }  // namespace

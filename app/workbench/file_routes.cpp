@@ -1,5 +1,8 @@
 // Routes for files of the opened folder: opening and saving of cells and projects.
+#include <fmt/format.h>
+
 #include "app/formats/cell/cell_places.hpp"
+#include "app/formats/urdf/urdf_import.hpp"
 #include "app/storage/atomic_file.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/workbench/project.hpp"
@@ -77,9 +80,44 @@ Answer saveProject(Workbench& workbench, const Request& request) {
   return answerOf(stateJson(workbench));
 }
 
+/// Returns a name for a new cell of the opened folder that no other file has: "robot.yaml", or "robot-2.yaml".
+std::string freeName(const OpenedFolder& folder, const std::string& stem) {
+  std::string name = stem;
+  for (int k = 2; std::filesystem::exists(folder.fileToWrite(name + ".yaml")) ||
+                  std::filesystem::exists(armBeside(folder.path() / (name + ".yaml")));
+       ++k)
+    name = fmt::format("{}-{}", stem, k);
+  return name + ".yaml";
+}
+
+/// Returns the name of a file without folder and extension, for the names of the files made of it.
+std::string stemOf(const std::string& name) {
+  const std::string stem = std::filesystem::path(name).stem().string().substr(0, 100);
+  return stem.empty() || stem.front() == '.' ? "robot" : stem;
+}
+
+/// Writes an arm and a cell into the opened folder, made of a robot description, for the request {"name", "text"
+/// (URDF), "tip"?}.
+Answer importArm(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  const std::string name = textOf(body, "name", "robot.urdf");
+  const auto text = requiredOf(body, "text", "the text of the file").get<std::string>();
+  const ImportedUrdf imported = importUrdf(text, name, textOf(body, "tip"));
+  const std::string cell = freeName(workbench.folder(), stemOf(name));
+  const auto arm = armBeside(workbench.folder().path() / cell);
+  writeFilesTogether(
+      {{arm, imported.arm}, {workbench.folder().fileToWrite(cell), cellOfUrdf(imported.read, arm.filename().string())}},
+      "file");
+  return answerOf({{"written", {cell, arm.filename().string()}},
+                   {"tip", imported.read.tip},
+                   {"left_out", imported.read.left_out},
+                   {"remarks", imported.read.remarks}});
+}
+
 constexpr Route kFileRoutes[] = {
     {"GET", "files", files},
     {"POST", "cell/open", openCellFile},
+    {"POST", "arm/import", importArm},
     {"POST", "project/open", openProject},
     {"POST", "project/save", saveProject},
 };

@@ -11,6 +11,7 @@
 #include "app/formats/cell/cell_writer.hpp"
 #include "app/formats/foreign/foreign_measurements.hpp"
 #include "app/formats/measurements/measurement_input.hpp"
+#include "app/formats/other_file.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/text_file.hpp"
 #include "app/workbench/job_routes.hpp"
@@ -122,6 +123,7 @@ std::vector<ForeignTable> foreignTablesOf(const nlohmann::json& body) {
   for (const auto& table : requiredOf(body, "tables", "tables of text")) {
     const std::string name = shortName(textOf(table, "name"));
     const std::string text = textOf(table, "text");
+    requireTable(name, text);
     checkText(name, text);
     tables.push_back(parseForeignTable(text, name));
   }

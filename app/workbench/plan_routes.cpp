@@ -11,6 +11,7 @@
 #include "app/documents/tube_columns_json.hpp"
 #include "app/formats/cell/command_inputs.hpp"
 #include "app/formats/cell/workcell.hpp"
+#include "app/formats/other_file.hpp"
 #include "app/formats/units.hpp"
 #include "app/formats/units_json.hpp"
 #include "app/jobs/plan.hpp"
@@ -175,6 +176,7 @@ struct ListText {
 /// Returns the name and the text of a work list, from {"name", "text"}.
 ListText listTextOf(const json& list) {
   ListText given{textOf(list, "name", "list.csv").substr(0, 200), textOf(list, "text")};
+  requireTable(given.name, given.text);
   checkText(given.name, given.text);
   return given;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/formats/arm/joint_units.hpp"
+#include "app/formats/other_file.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/lower_case.hpp"
 #include "app/storage/suggestion.hpp"
@@ -142,6 +143,7 @@ std::string tubesOrSpread(const std::string& request, const tubesheets::Sheet& s
 
 tubesheets::Selection readWorkList(const std::string& text, const std::string& name, const tubesheets::Sheet& sheet,
                                    const std::string& option, const std::vector<std::string>& columns) {
+  requireTable(name, text);
   auto list = columns.empty() ? tubesheets::parseWorkListCsv(text)
                               : tubesheets::readWorkListTable(text, tubeTableBy(columns, text, name));
   if (list.problem) refuseText(name, *list.problem);

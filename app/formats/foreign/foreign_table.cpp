@@ -7,6 +7,7 @@
 
 #include "app/formats/foreign/foreign_heading.hpp"
 #include "app/formats/foreign/pointing_table.hpp"
+#include "app/formats/other_file.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/lower_case.hpp"
 
@@ -61,6 +62,7 @@ bool isBlankField(std::string_view field) {
 }
 
 ForeignTable parseForeignTable(std::string_view text, const std::string& file) {
+  requireTable(file, text);
   if (isPointingData(text)) return parsePointingData(text, file);
   ForeignTable table{
       tubesheets::parseTextTable(text, {.isUnit = isUnitWord, .statesUnits = statesUnits}), file, {}, {}};

@@ -10,6 +10,7 @@
 #include "app/formats/cell/priors_reader.hpp"
 #include "app/formats/measurements/assumptions.hpp"
 #include "app/formats/measurements/measurements_reader.hpp"
+#include "app/formats/other_file.hpp"
 #include "app/formats/sheet/touch_input.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/suggestion.hpp"
@@ -187,6 +188,7 @@ std::optional<calibration::MeasurementCheck> settleLimits(MeasurementTable& tabl
 
 MeasurementTable tableOf(const std::string& text, const std::string& file, const Cell& cell,
                          const MeasurementOptions& options, const std::vector<Measurement>& before = {}) {
+  requireTable(file, text);
   checkText(file, text);
   MeasurementTable table = parseMeasurementTable(text, file, cell.arm, cell.sheet ? &*cell.sheet : nullptr, before);
   nameUnits(cell, table.units);
@@ -244,6 +246,7 @@ MeasurementsWithChecks readAndCheck(const MeasurementFiles& files, Cell& cell, c
 
 std::vector<Measurement> parseMeasurementText(const std::string& text, const std::string& file, const Cell& cell,
                                               double sigma, const std::vector<Measurement>& before) {
+  requireTable(file, text);
   checkText(file, text);
   auto table = parseMeasurementTable(text, file, cell.arm, cell.sheet ? &*cell.sheet : nullptr, before);
   requireWithinLimits(table, cell.arm, file);

@@ -4,7 +4,7 @@ import {batch, computed, effect, signal} from "@preact/signals";
 import type {Mark} from "../drawing/marks";
 import type {InverseDocument, PoseDocument, Vector3} from "../server/documents";
 import {post} from "../server/requests";
-import {attempt, cell, report, state} from "../server/workbench";
+import {attempt, cell, forget, report, state} from "../server/workbench";
 
 const joints = signal<number[]>([]);
 const load = signal(0);
@@ -50,6 +50,7 @@ export function bringArm(posture: number[], loaded = 0, shown: ShownReading | nu
   });
 }
 
+const POSE = "The pose cannot be solved";
 let isAsking = false;
 let isWanted = false;
 
@@ -68,8 +69,9 @@ async function askPose(): Promise<void> {
       });
       latency.value = performance.now() - start;
     }
+    forget(POSE);
   } catch (error) {
-    report("The pose cannot be solved", error);
+    report(POSE, error);
   } finally {
     isAsking = false;
   }

@@ -3,7 +3,7 @@ import {computed, effect, signal} from "@preact/signals";
 import type {PathClearances, PathDocument, PlanDocument} from "../server/documents";
 import {answerTo} from "../server/answers";
 import {get, isMissing} from "../server/requests";
-import {report, result, state} from "../server/workbench";
+import {report, reporting, result, state} from "../server/workbench";
 import {poseRequest} from "../arm/pose_link";
 import {jointsAt, sampleAt} from "./sampling";
 
@@ -23,7 +23,7 @@ const found = answerTo<PathDocument>({
   key: () => (!isFollowed.value ? null : planMark.value < 0 ? "" : String(planMark.value)),
   path: () => "/api/plan/path",
   keeps: true,
-  onProblem: (error) => report("The path of the plan", error),
+  onProblem: reporting("The path of the plan"),
 });
 const foundPath = computed(() => found.value.document);
 export const path = computed(() => (foundPath.value ? perSample(foundPath.value) : null));

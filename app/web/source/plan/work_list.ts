@@ -3,6 +3,7 @@
 import type {ListColumnsDocument} from "../shell/columns_choice";
 import {askForColumns, type ColumnsUse, type TableText} from "../shell/columns_dialog";
 import {selection, stays, view} from "../shell/page_state";
+import {OPENING} from "../shell/project";
 import {post} from "../server/requests";
 import {cell, report} from "../server/workbench";
 
@@ -20,7 +21,7 @@ async function takeList(list: TableText, columns: string[] = []): Promise<void> 
   const {name, tubes, notes, stays: own} = await post<WorkListDocument>("/api/tubes", {...list, columns});
   stays.value = new Map(Object.entries(own).map(([tube, seconds]) => [Number(tube), seconds]));
   selection.value = new Set(tubes);
-  if (notes.length > 0) report(name, {message: notes.join("; ")});
+  if (notes.length > 0) report(name, {message: notes.join("; ")}, OPENING);
 }
 
 const LIST: ColumnsUse = {
@@ -62,6 +63,6 @@ async function askAfter(list: TableText, refused: unknown): Promise<void> {
     if (document.is_understood) throw refused;
     await askForColumns([list], LIST);
   } catch {
-    report(`${list.name} cannot be read`, refused);
+    report(`${list.name} cannot be read`, refused, OPENING);
   }
 }

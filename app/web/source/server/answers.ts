@@ -20,6 +20,7 @@ interface Question {
   path: () => string;
   /** True if the old document is shown until the new one arrives. */
   keeps?: boolean;
+  /** Called with the reason of a failure, or with null after an answer. */
   onProblem?: (error: unknown) => void;
 }
 
@@ -39,7 +40,9 @@ export function answerTo<T>({key, path, keeps = false, onProblem}: Question): Re
     into.value = {document: keeps ? into.peek().document : null, problem: null};
     get<T>(path()).then(
       (document) => {
-        if (asked === wanted) into.value = {document, problem: null};
+        if (asked !== wanted) return;
+        into.value = {document, problem: null};
+        onProblem?.(null);
       },
       (error) => {
         if (asked !== wanted) return;

@@ -127,10 +127,12 @@ function perCell<T>(path: string, isThere: () => boolean): ReadonlySignal<Loaded
 export const sheetDocument = perCell<SheetDocument>("/api/sheet", () => cell.value?.has_sheet === true);
 export const sceneDocument = perCell<SceneDocument>("/api/scene", () => true);
 
-// ---- errors, shown until they are dismissed
+// ---- errors, shown until they are dismissed, or until the same is tried again
 
 export interface Notice {
   id: number;
+  /** What was tried: a further attempt replaces the notice, and success removes it. */
+  about: string;
   title: string;
   problem: Problem;
 }
@@ -138,9 +140,21 @@ export interface Notice {
 export const notices = signal<Notice[]>([]);
 let nextNotice = 1;
 
-export function report(title: string, error: unknown): void {
+export function report(title: string, error: unknown, about = title): void {
   const problem = error instanceof Error ? asProblem(error) : (error as Problem);
-  notices.value = [...notices.peek().slice(-2), {id: nextNotice++, title, problem}]; // peek() does not add a dependency
+  forget(about);
+  notices.value = [...notices.peek().slice(-2), {id: nextNotice++, about, title, problem}]; // peek() does not add a dependency
+}
+
+/** Removes the notices about earlier attempts of the same. */
+export function forget(about: string): void {
+  if (notices.peek().some((notice) => notice.about === about))
+    notices.value = notices.peek().filter((notice) => notice.about !== about);
+}
+
+/** Returns a callback that reports a failure under a title, and removes the notice on success, which is null. */
+export function reporting(title: string): (error: unknown) => void {
+  return (error) => (error === null ? forget(title) : report(title, error));
 }
 
 export function dismiss(id: number): void {
@@ -153,12 +167,13 @@ export function order(title: string, path: string, body: unknown = {}): Promise<
 }
 
 /** Runs an action and shows the reason if it is refused. Returns true if it succeeded. */
-export async function attempt(title: string, act: () => Promise<unknown>): Promise<boolean> {
+export async function attempt(title: string, act: () => Promise<unknown>, about = title): Promise<boolean> {
+  forget(about);
   try {
     await act();
     return true;
   } catch (error) {
-    report(title, error);
+    report(title, error, about);
     return false;
   }
 }
@@ -177,6 +192,7 @@ function isUnderWay(path: string): boolean {
  */
 export async function runJob(title: string, path: string, body: unknown = {}): Promise<boolean> {
   if (isUnderWay(path)) return false;
+  forget(title);
   try {
     return await ended(String((await startJob(path, body)).id));
   } catch (error) {
@@ -235,9 +251,11 @@ let isFirst = true;
 effect(() => {
   for (const job of jobs.value.values()) {
     const id = String(job.id);
-    if (job.status !== "failed" || reported.has(id)) continue;
+    if (job.status === "running" || reported.has(id)) continue;
     reported.add(id);
-    if (!isFirst && job.error) report(`${job.label || job.kind} failed`, job.error);
+    if (job.status === "done") forget(job.kind);
+    if (job.status === "failed" && !isFirst && job.error)
+      report(`${job.label || job.kind} failed`, job.error, job.kind);
   }
   if (state.value !== null) isFirst = false;
 });
@@ -246,4 +264,5 @@ effect(() => {
 effect(() => {
   const {problem, source} = liveNews.value ?? {};
   if (problem) report(`${source}: not taken`, problem);
+  else if (source) forget(`${source}: not taken`);
 });

@@ -2,7 +2,7 @@
 import {computed, effect, signal} from "@preact/signals";
 import type {FieldDocument, Model, PlanDocument, ReachDocument} from "../server/documents";
 import {answerTo} from "../server/answers";
-import {report, result, runJob, state} from "../server/workbench";
+import {reporting, result, runJob, state} from "../server/workbench";
 import {sheet} from "../shell/page_state";
 import {byField, byReach, byState, bySteps, type Colouring} from "./colourings";
 import type {SheetModel} from "./sheet_model";
@@ -50,7 +50,7 @@ const fieldBefore = answerTo<FieldDocument>({
   },
   path: () => `/api/results/field?model=${modelBefore.peek()!.id}`,
   keeps: true,
-  onProblem: (error) => report("The model before", error),
+  onProblem: reporting("The model before"),
 });
 
 /** Computes the field of a colouring for the model that is shown. */

@@ -1,5 +1,5 @@
-// Target for tables dropped anywhere on the page: readings, a log of joints and a file of points together, or a work
-// list.
+// Target for files dropped anywhere on the page: readings, a log of joints and a file of points together, a work list,
+// or a robot description.
 import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
 import {loadFiles} from "./load";
@@ -35,7 +35,7 @@ export function DropTarget() {
   }, []);
   return isOver.value ? (
     <div class="drop">
-      <p>Drop readings or a work list here</p>
+      <p>Drop readings, a work list or a URDF here</p>
     </div>
   ) : null;
 }

@@ -5,11 +5,11 @@ import {asProblem, post, postText} from "../server/requests";
 import {startCompare, stopWorkOnReadings} from "../error/loop";
 import {freshRows, idsHere, isFilledSheet, joinReadings} from "../error/run_sheet";
 import {isOfRow, tableOf} from "../error/run_sheet_table";
-import {attempt, cell, report, runJob, takeState} from "../server/workbench";
+import {attempt, cell, forget, report, runJob, takeState} from "../server/workbench";
 import {openList, seemsToBeList} from "../plan/work_list";
-import {askForColumns, type ColumnsUse} from "./columns_dialog";
+import {askForColumns, type ColumnsUse, type TableText} from "./columns_dialog";
 import {dialog, view} from "./page_state";
-import {openInstead} from "./project";
+import {OPENING, openInstead} from "./project";
 
 function showErrors(): void {
   dialog.value = "";
@@ -28,7 +28,7 @@ async function joinSheet(name: string, text: string): Promise<void> {
   const fresh = freshRows(text, await idsHere(), "begun");
   showErrors();
   if (fresh !== "") await joinReadings(fresh);
-  else report(name, {message: "No row of this run sheet is filled in, or all of them are here already."});
+  else report(name, {message: "No row of this run sheet is filled in, or all of them are here already."}, OPENING);
 }
 
 /** Returns the ids in a measurement table; null if the text is not a measurement table. */
@@ -64,7 +64,7 @@ async function joinAll(texts: string[]): Promise<void> {
 
 export async function openOffered(): Promise<void> {
   const {name, texts} = offered.peek()!;
-  await attempt(`${name} cannot be read`, () => openTables(name, texts));
+  await attempt(`${name} cannot be read`, () => openTables(name, texts), OPENING);
 }
 
 /** Replaces the readings by the first table and appends the other tables. Throws if the first table is refused. */
@@ -84,18 +84,47 @@ const READINGS: ColumnsUse = {
   then: afterReadings,
 };
 
+/** Returns true if a file is a robot description; faults in it are the program's to tell. */
+function isRobot({name, text}: TableText): boolean {
+  return /\.urdf$/i.test(name) || /^\s*<[^]*<robot[\s>]/.test(text.slice(0, 65536));
+}
+
+interface ImportedRobot {
+  written: string[];
+  left_out: string[];
+  remarks: string[];
+}
+
+/** Makes a cell of a robot description, opens it, and tells what of the description it has not. */
+async function importRobot(robot: TableText): Promise<void> {
+  await attempt(
+    `${robot.name} cannot be imported`,
+    async () => {
+      const {written, left_out, remarks} = await post<ImportedRobot>("/api/arm/import", robot);
+      await openCell(written[0]);
+      if (cell.value?.file === written[0]) view.value = "arm";
+      const words = [...left_out.map((what) => `left out: ${what}`), ...remarks];
+      if (words.length > 0)
+        report(`${robot.name} is imported as ${written.join(" and ")}`, {message: words.join("; ")}, OPENING);
+    },
+    OPENING,
+  );
+}
+
 /**
- * Loads measurement tables or a work list; otherwise tables of another program, in one file or in several files that
+ * Loads a robot description, measurement tables or a work list; otherwise tables of another program, in one file or in several files that
  * belong together.
  */
 export async function loadFiles(files: File[]): Promise<void> {
   const names = files.map((file) => file.name).join(" and ");
+  forget(OPENING);
   if (files.some(({name}) => /\.(ya?ml|tubeplan)$/i.test(name))) {
     const advice = "A cell or a project is opened from the folder: O.";
-    return report(names, {message: "This is no table of readings.", advice});
+    return report(names, {message: "This is no table of readings.", advice}, OPENING);
   }
   const tables = await Promise.all(files.map(async (file) => ({name: file.name, text: await file.text()}))),
     texts = tables.map(({text}) => text);
+  if (tables.length === 1 && isRobot(tables[0])) return importRobot(tables[0]);
   let refused: unknown = null;
   if (texts.length === 1 && isFilledSheet(texts[0])) return joinSheet(names, texts[0]);
   if (texts.length === 1 && idsOf(texts[0]) === null && (await seemsToBeList(tables[0]))) return openList(tables[0]);
@@ -111,20 +140,20 @@ export async function loadFiles(files: File[]): Promise<void> {
       refused = error;
       // The columns of a measurement table are known, so the dialog for columns is not needed.
       if (idsOf(texts[0]) !== null && isOfRow(asProblem(error).where, texts[0]))
-        return report(`${names} cannot be read`, error);
+        return report(`${names} cannot be read`, error, OPENING);
     }
   }
   try {
     await askForColumns(tables, READINGS);
-    if (refused !== null) report(`${names} is no measurement table as it is`, refused);
+    if (refused !== null) report(`${names} is no measurement table as it is`, refused, OPENING);
   } catch (error) {
-    report(`${names} cannot be read`, refused ?? error);
+    report(`${names} cannot be read`, refused ?? error, OPENING);
   }
 }
 
 export async function openReadings(file: string): Promise<void> {
   const open = async () => takeState(await post<WorkbenchState>("/api/measurements/open", {file}));
-  if (await attempt(`${file} cannot be read`, open)) await afterReadings();
+  if (await attempt(`${file} cannot be read`, open, OPENING)) await afterReadings();
 }
 
 export function openCell(file: string): Promise<void> {

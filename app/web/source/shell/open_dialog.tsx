@@ -55,7 +55,7 @@ function OpenBody() {
           <input
             class="hidden"
             type="file"
-            accept=".csv,.txt,.tsv,.asc,text/csv,text/plain"
+            accept=".csv,.txt,.tsv,.asc,.urdf,.xml,text/csv,text/plain"
             multiple
             onChange={(event) => {
               const files = [...(event.currentTarget.files ?? [])];
@@ -63,7 +63,9 @@ function OpenBody() {
             }}
           />
         </label>
-        <span class="muted">or drop them on the page: also a log of joints and a tracker's points together</span>
+        <span class="muted">
+          or drop them on the page: also a log of joints and a tracker's points together, or a robot as URDF
+        </span>
         <a href="/api/export/template.csv" download="template.csv">
           An empty table
         </a>

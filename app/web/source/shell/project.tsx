@@ -4,13 +4,16 @@ import {submitting, TextInput} from "../drawing/fields";
 import type {Problem, WorkbenchState} from "../server/documents";
 import {pageWords} from "../server/page_words";
 import {asProblem, post, ServerProblem} from "../server/requests";
-import {cell, report, state, takeState} from "../server/workbench";
+import {cell, forget, report, reporting, state, takeState} from "../server/workbench";
 import {Dialog} from "./dialog";
 import {ExportMenu} from "./export_menu";
 import {closeDialog, dialog} from "./page_state";
 import {ProblemWords} from "./states";
 
 const project = computed(() => state.value?.project ?? null);
+
+/** What notices about opened files have in common: opening another file removes them. */
+export const OPENING = "opening";
 
 /** Action that waits until the work is saved or discarded; null if there is none. */
 const opening = signal<{name: string; go: (discard: boolean) => Promise<void>} | null>(null);
@@ -33,8 +36,7 @@ export async function save(): Promise<void> {
     dialog.value = "save";
     return;
   }
-  const problem = await saveAs(file, true);
-  if (problem) report("Not saved", problem);
+  reporting("Not saved")(await saveAs(file, true));
 }
 
 export function SaveDialog() {
@@ -82,6 +84,7 @@ function SaveForm() {
 /** Opens a cell, project or session; asks first if unsaved work would be discarded. */
 export async function openInstead(path: string, body: Record<string, unknown>, name: string): Promise<void> {
   const go = async (discard: boolean) => {
+    forget(OPENING);
     try {
       takeState(await post<WorkbenchState>(path, {...body, discard}));
       dialog.value = "";
@@ -90,7 +93,7 @@ export async function openInstead(path: string, body: Record<string, unknown>, n
       if (error instanceof ServerProblem && error.status === 409 && project.value?.unsaved && !discard) {
         opening.value = {name, go};
         dialog.value = "unsaved";
-      } else report(`${name} cannot be opened`, error);
+      } else report(`${name} cannot be opened`, error, OPENING);
     }
   };
   await go(false);
@@ -125,6 +128,7 @@ const EXPORTS: [string, string, (now: WorkbenchState) => unknown][] = [
   ["cell.yaml", "Model", () => true],
   ["project.tubeplan", "Project", () => true],
   ["cell-arm.yaml", "Its arm", ({cell}) => cell.has_arm_file],
+  ["arm.urdf", "The arm, rigid, for ROS", () => true],
   ["measurements.csv", "Readings", ({measurements}) => measurements],
   ["compare.html", "Comparison, report", ({results}) => results.compare],
   ["diagnose.html", "Diagnosis, report", ({results}) => results.diagnose],
