@@ -21,6 +21,7 @@
 #include "app/workbench/project.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
+#include "deflection/effects/constant_effects.hpp"
 
 namespace tubeplan::app {
 
@@ -64,7 +65,7 @@ std::string exportedArm(const Session& s) {
 }
 /// Returns the arm as a rigid robot in URDF; comments beneath the first line list what URDF cannot express.
 std::string exportedUrdf(const Session& s) {
-  const UrdfText urdf = urdfOf(currentModel(s).cell.arm);
+  const UrdfText urdf = urdfOf(deflection::writeConstantEffects(currentModel(s).cell.arm).arm);
   const std::size_t first_line = urdf.text.find('\n') + 1;
   std::string left_out;
   for (std::string what : urdf.left_out) {
