@@ -58,7 +58,7 @@ std::string betterText(const EffectWarning& warning, const Units& units) {
     values += fmt::format("{}{}={:.4g}", values.empty() ? "" : ",", number.name,
                           inFile(number.value, number.quantity, units));
   return fmt::format("{}: it fits the readings better with other parameters, {} (by {:.0f} in BIC): add it with those",
-                     own, values, warning.by);
+                     warnedPlace(warning), values, warning.by);
 }
 
 std::string beyondText(const EffectWarning& warning, const Units& units) {
