@@ -89,6 +89,16 @@ double turnOf(const PlacedArm& found, const PlacedArm& nominal, std::size_t p) {
   return Eigen::AngleAxisd(turn).angle();
 }
 
+/// Returns the root-mean-square spread of points [m]; 0 if there are fewer than two.
+double spreadOf(const std::vector<Eigen::Vector3d>& points) {
+  if (points.size() < 2) return 0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const auto& point : points) mean += point / static_cast<double>(points.size());
+  double sum = 0;
+  for (const auto& point : points) sum += (point - mean).squaredNorm();
+  return std::sqrt(sum / static_cast<double>(points.size()));
+}
+
 /// Returns the root-mean-square spread of tips that touched unknown points [m]; 0 if there are fewer than two. A
 /// correction that contracts these tips lowers their error even if it is wrong.
 double extentOfTips(const PlacedArm& placed, const std::vector<Measurement>& measurements) {
@@ -96,12 +106,14 @@ double extentOfTips(const PlacedArm& placed, const std::vector<Measurement>& mea
   for (const auto& measurement : measurements)
     if (touchesUnknownPoint(measurement))
       if (const auto tip = predictMeasurement(placed, measurement); tip.ok) tips.push_back(tip.value);
-  if (tips.size() < 2) return 0;
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const auto& tip : tips) mean += tip / static_cast<double>(tips.size());
-  double sum = 0;
-  for (const auto& tip : tips) sum += (tip - mean).squaredNorm();
-  return std::sqrt(sum / static_cast<double>(tips.size()));
+  return spreadOf(tips);
+}
+
+double spreadOfPlaces(const std::vector<Measurement>& measurements) {
+  std::vector<Eigen::Vector3d> places;
+  for (const auto& measurement : measurements)
+    if (statesPlace(measurement)) places.push_back(*measurement.p_W);
+  return spreadOf(places);
 }
 
 }  // namespace
@@ -243,6 +255,11 @@ double MistakeTrials::noise(const Mend& mend) const {
 
 double MistakeTrials::shrinkage(const Trial& trial) const {
   return as_is_.extent > 0 && trial.extent > 0 ? std::max(1., as_is_.extent / trial.extent) : 1;
+}
+
+double MistakeTrials::contraction(const Mend& mend) const {
+  const double mended_spread = spreadOfPlaces(mended(mend, TrialDepth::kOpen));
+  return mended_spread > 0 ? std::max(1., spreadOfPlaces(mended({}, TrialDepth::kOpen)) / mended_spread) : 1;
 }
 
 double MistakeTrials::gain(const Trial& trial) const {

@@ -71,6 +71,8 @@ class MistakeTrials {
   /// Returns the factor by which a mistake's correction contracts the spread of the tips that touched unknown points;
   /// at least 1.
   [[nodiscard]] double shrinkage(const Trial& trial) const;
+  /// Returns the factor by which a mistake's correction contracts the measured positions; at least 1.
+  [[nodiscard]] double contraction(const Mend& mend) const;
   /// Returns by how much the correction of a mistake decreases the lack of fit, without the part that is due to
   /// contracted tips; very large if the measurements as stated cannot be fitted.
   [[nodiscard]] double gain(const Trial& trial) const;

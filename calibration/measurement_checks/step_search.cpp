@@ -8,6 +8,7 @@
 
 #include "calibration/measurement_checks/from_measurement.hpp"
 #include "calibration/measurement_checks/row_comparison.hpp"
+#include "calibration/measurement_checks/station_change.hpp"
 #include "calibration/measurement_checks/step_scan.hpp"
 
 namespace tubeplan::calibration {
@@ -41,7 +42,7 @@ class StepSearch {
     if (!scan.ok()) return {};
     const double creep = scan.bestCreep();
     double rival = creep;
-    std::vector<Mend> found;
+    std::vector<Mend> found = changesOfStation(measurements);
     for (const FoundStep& step : scan.steps()) {
       if (found.size() == (before_.mistake.empty() ? kMostSteps : 1) || step.merit <= 0) break;
       if (forms_[step.form].is_effect) {
@@ -49,7 +50,7 @@ class StepSearch {
         continue;
       }
       auto mend = refined(step, measurements[step.measurement].id);
-      if (!mend) continue;
+      if (!mend || std::ranges::count(found, mend->value, &Mend::value) > 0) continue;
       if (step.merit < rival + kBeyondCreep && !isDrastic(*mend)) continue;
       found.push_back(std::move(*mend));
     }
@@ -57,6 +58,31 @@ class StepSearch {
   }
 
  private:
+  /// Returns the steps of bases that are too far for a linear scan, at most one of each set-up.
+  [[nodiscard]] std::vector<Mend> changesOfStation(const std::vector<Measurement>& measurements) const {
+    std::vector<Mend> found;
+    for (std::size_t f = 0; f < forms_.size(); ++f) {
+      if (!forms_[f].setup) continue;
+      const auto first = stationChange(trials_.checked().start, measurements, *forms_[f].setup);
+      if (!first) continue;
+      auto mend = refined({f, *first, 0, VectorXd::Zero(forms_[f].numbers)}, measurements[*first].id);
+      if (mend && isDrastic(*mend) && (!forms_[f].is_effect || isBeyondEffect(*mend)))
+        found.push_back(std::move(*mend));
+    }
+    return found;
+  }
+
+  /// Returns true if a base was displaced by more than any slip: the tracker was set up again.
+  [[nodiscard]] bool isBeyondEffect(const Mend& mend) const {
+    constexpr double kMostShift = 0.1, kMostTurn = 0.1;  // five times the largest usual slip of a base [m, rad]
+    const Trial fit = trials_.tried(joined({before_, mend}), TrialDepth::kOpen);
+    if (!fit.ok || !mend.new_setup) return false;
+    const auto within = std::ranges::find(fit.placed.base_poses, mend.new_setup->within, &BasePose::setup);
+    const Eigen::Isometry3d by = fit.placed.base_poses.back().X_WB * within->X_WB.inverse();
+    const double turn = Eigen::AngleAxisd(by.linear()).angle();
+    return turn > kMostTurn || (by * within->X_WB.translation() - within->X_WB.translation()).norm() > kMostShift;
+  }
+
   [[nodiscard]] bool isDrastic(const Mend& mend) const {
     const Trial with = trials_.tried(joined({before_, mend}), TrialDepth::kOpen);
     return with.ok && without_.whole_error >= kDrasticFall * with.whole_error;

@@ -20,7 +20,9 @@ constexpr double kNoisePerRow = 0.6;  // lack of fit per row due to noise alone
 constexpr double kFits = 0.05;        // largest error of measurements without a mistake, relative to the reach
 // Error, relative to the reach, above which several mistakes are tried after one is corrected.
 constexpr double kLeftOver = 0.001;
-constexpr double kBent = 0.005;     // error with the nominal tip that no sag explains, relative to the reach
+constexpr double kBent = 0.005;  // error with the nominal tip that no sag explains, relative to the reach
+// Contraction of the measured positions above which their error is judged relative to their spread.
+constexpr double kContracts = 1.5;
 constexpr double kMostAtNoise = 2;  // largest chi-square per degree of freedom due to noise alone
 
 /// Returns true if a correction has fitted parameters. Part of the smaller error may then be due to the fit.
@@ -96,8 +98,17 @@ bool SuspectJudgement::isDetermined(const Mend& mend) const {
 bool SuspectJudgement::explainsError(const Suspect& suspect) const {
   if (std::min(suspect.drawn.error, suspect.open.error) >= kFits * trials_.reach()) return false;
   if (!trials_.asIs().ok) return suspect.drawn.error < kFits * trials_.reach();
-  const double shrinks = trials_.shrinkage(suspect.drawn);
+  // A correction that contracts tips or measured positions lowers their error even if it is wrong.
+  const double shrinks = trials_.shrinkage(suspect.drawn), contracts = trials_.contraction(suspect.mend);
   const auto falls = [&](double as_is, double mended) { return as_is >= kLeastFall * mended * shrinks; };
+  const auto fallsAnywhere = [&](double by) {
+    return falls(trials_.asIs().error, by * suspect.drawn.error) ||
+           falls(trials_.asIs().held_error, by * suspect.drawn.held_error) ||
+           falls(trials_.asIs().open_error, by * suspect.open.error);
+  };
+  if (contracts > kContracts && !fallsAnywhere(contracts) &&
+      !falls(trials_.asIs().whole_error, contracts * suspect.open.whole_error))
+    return false;
   // A step that leaves only noise, and that no creep explains (step_search.hpp), need not reduce the error by
   // kLeastFall.
   if (suspect.mend.against > 0 && isAtNoise(suspect) && gainOf(suspect) >= kOdds) return true;
@@ -113,9 +124,7 @@ bool SuspectJudgement::explainsError(const Suspect& suspect) const {
       trials_.asIs().whole_error >= kDrastic * suspect.open.whole_error * shrinks &&
       suspect.open.whole_error < kLeastFall * suspect.open.error)
     return true;
-  return gainOf(suspect) >= kOdds && (falls(trials_.asIs().error, suspect.drawn.error) ||
-                                      falls(trials_.asIs().held_error, suspect.drawn.held_error) ||
-                                      falls(trials_.asIs().open_error, suspect.open.error));
+  return gainOf(suspect) >= kOdds && fallsAnywhere(1);
 }
 
 bool SuspectJudgement::bringsBack(const Trial& before, const Trial& after) const {

@@ -38,16 +38,20 @@ JoinedMends mendsOf(const CheckedMeasurements& checked, const std::string& assum
   return mends;
 }
 
-CheckedMeasurements takenBy(CheckedMeasurements checked, const JoinedMends& mends) {
-  for (const Mend& mend : mends) mend.apply(checked.measurements);
+CheckedMeasurements takenBy(const MistakeTrials& trials, const JoinedMends& mends) {
+  CheckedMeasurements checked = trials.checked();
+  if (mends.empty()) return checked;
+  const Mend all = joined(mends);
+  all.apply(checked.measurements);
+  checked.start = trials.startOf(all);
   return checked;
 }
 
 /// Returns `before` combined with each correction of a mistake in rotations that is worth trying once `before` is
 /// applied. Mistakes that must be corrected before the last correction of `before` are excluded.
-std::vector<JoinedMends> withTurns(const CheckedMeasurements& checked, const JoinedMends& before) {
+std::vector<JoinedMends> withTurns(const MistakeTrials& trials, const JoinedMends& before) {
   std::vector<JoinedMends> all;
-  const CheckedMeasurements mended = takenBy(checked, before);
+  const CheckedMeasurements mended = takenBy(trials, before);
   const auto& kinds = mistakeKinds();
   auto kind = kinds.begin();
   if (!before.empty())
@@ -74,10 +78,10 @@ std::vector<JoinedMends> likelyBesideTurns(const MistakeTrials& trials) {
   const auto found = findMistake(of_places);
   if (found) {
     const auto mends = mendsOf(checked, found->check.assume);
-    return mends.empty() ? likely : withTurns(checked, mends);
+    return mends.empty() ? likely : withTurns(trials, mends);
   }
-  for (const auto& first : withTurns(checked, {}))
-    for (auto& both : withTurns(checked, first)) likely.push_back(std::move(both));
+  for (const auto& first : withTurns(trials, {}))
+    for (auto& both : withTurns(trials, first)) likely.push_back(std::move(both));
   return likely;
 }
 
