@@ -16,6 +16,7 @@
 #include "calibration/measurement_checks/plain_checks.hpp"
 #include "calibration/measurement_checks/rounded_joints.hpp"
 #include "calibration/measurement_checks/stale_joints.hpp"
+#include "calibration/measurement_checks/stuck_joints.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/statistics.hpp"
 
@@ -175,6 +176,7 @@ MeasurementChecks checkMeasurements(const CheckedMeasurements& checked, const Ch
   if (as_is.ok && !grossMistake(result)) {
     checkBase(trials, result.checks);
     for (auto& stale : staleMeasurements(checked, as_is.placed)) result.checks.push_back(std::move(stale));
+    for (auto& stuck : stuckJoints(checked, as_is.placed)) result.checks.push_back(std::move(stuck));
     if (auto rounded = roundedJoints(trials)) result.checks.push_back(std::move(*rounded));
     if (auto far = placesOutOfReach(checked, as_is.placed)) result.checks.push_back(std::move(*far));
     for (auto& hole : mistakenHoles(checked, as_is.placed)) result.checks.push_back(std::move(hole));
