@@ -7,6 +7,7 @@
 #include "calibration/measurement_checks/coordinate_unit.hpp"
 #include "calibration/measurement_checks/coordinates_unit.hpp"
 #include "calibration/measurement_checks/holes_off.hpp"
+#include "calibration/measurement_checks/inverse_turns.hpp"
 #include "calibration/measurement_checks/joint_coupling.hpp"
 #include "calibration/measurement_checks/joint_order.hpp"
 #include "calibration/measurement_checks/joint_pair.hpp"
@@ -19,6 +20,7 @@
 #include "calibration/measurement_checks/mistake.hpp"
 #include "calibration/measurement_checks/one_hole.hpp"
 #include "calibration/measurement_checks/part_in_unit.hpp"
+#include "calibration/measurement_checks/quaternion_order.hpp"
 #include "calibration/measurement_checks/setup_alone.hpp"
 #include "calibration/measurement_checks/sheet_mirrored.hpp"
 #include "calibration/measurement_checks/shifted_rows.hpp"
@@ -59,6 +61,8 @@ const std::vector<MistakeKind>& mistakeKinds() {
       mistakes::part_in_unit::coordinates(),
       mistakes::part_in_unit::angles(),
       mistakes::turns_as::kind(),
+      mistakes::quaternion_order::kind(),
+      mistakes::inverse_turns::kind(),
       mistakes::tool_frame::kind(),
       mistakes::clock::kind(),
   };
