@@ -40,6 +40,7 @@ struct FormColumns {
   std::vector<const Unit*> units;    ///< unit of each number; null if dimensionless or not stated
   bool is_beside = false;            ///< true if another column of the table indicates this form
   std::string why = {};              ///< text on excluded forms with the same headings, with the reasons; may be empty
+  const char* taken = "";            ///< FormHeadings::taken
 };
 
 struct TakenColumn {

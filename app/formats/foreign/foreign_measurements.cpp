@@ -124,7 +124,8 @@ class ForeignReader {
   [[nodiscard]] std::string sourceOf(const TakenColumn& column) const {
     if (column.form) {
       const bool is_explained = column.part == 0 && !column.form->why.empty();
-      return fmt::format("{} as {}{}", namesOf(*column.form, request_.tables), column.form->form->name,
+      return fmt::format("{} as {}{}{}", namesOf(*column.form, request_.tables), column.form->form->name,
+                         *column.form->taken ? fmt::format(", {}", column.form->taken) : "",
                          is_explained ? fmt::format(" (their numbers are {})", column.form->why) : "");
     }
     const std::string factor = column.factor == 1 ? "" : fmt::format(" times {}", formatNumber(column.factor));

@@ -50,7 +50,7 @@ bool hasColumn(const ForeignTable& table, const std::string& name) {
 /// Returns the columns of table t with the headings of a form; std::nullopt unless all columns exist.
 std::optional<FormColumns> columnsCalled(const FormSearch& search, std::size_t t, const WrittenForm& form,
                                          const FormHeadings& names) {
-  FormColumns found{&form, t, {}, {}, hasColumn(search.tables[t], names.beside)};
+  FormColumns found{&form, t, {}, {}, hasColumn(search.tables[t], names.beside), {}, names.taken};
   for (std::size_t i = 0; i < names.names.size(); ++i) {
     const auto& unit = form.numbers[i].unit;
     const auto column = columnCalled(search, t, names.names[i], unit);

@@ -76,7 +76,7 @@ WrittenForm polarForm(const char* name, const char* words, Eigen::Vector3d (*rea
 }
 
 std::vector<FormHeadings> quaternionHeadings() {
-  std::vector<FormHeadings> all{{{"q1", "q2", "q3", "q4"}}, {{"w", "x", "y", "z"}}};
+  std::vector<FormHeadings> all{{{"q1", "q2", "q3", "q4"}, "", "w first"}, {{"w", "x", "y", "z"}}};
   for (const std::string before : {"q", "quat", "quaternion", "orientation", "poseorientation", "rotation", "rot"})
     all.push_back({{before + "w", before + "x", before + "y", before + "z"}});
   return all;

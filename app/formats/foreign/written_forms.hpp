@@ -38,6 +38,7 @@ struct FormNumber {
 struct FormHeadings {
   std::vector<std::string> names;  ///< heading of each number, in the notation of parseHeading()
   std::string beside = {};         ///< heading of a further column that indicates this form; may be empty
+  const char* taken = "";          ///< order of the numbers, if the headings do not state it: "w first"
 };
 
 /// Form of an orientation or a position. Forms with the same headings are distinguished by their numbers, by further

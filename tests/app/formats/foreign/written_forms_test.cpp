@@ -219,6 +219,15 @@ TEST_F(WrittenFormsTest, QuaternionsAreOfLengthOne) {
   EXPECT_NE(message.find("quaternion"), std::string::npos) << message;
 }
 
+TEST_F(WrittenFormsTest, TheOrderOfAQuaternionIsSaidWhereItsHeadingsDoNot) {
+  const auto saysOrder = [&](const std::vector<std::string>& headings) {
+    const auto taken = read(tableOf(headings, {{0.5, 0.5, 0.5, 0.5}}), inUnits("deg"), "orientation").taken;
+    return std::ranges::any_of(taken, [](const auto& line) { return line.find("w first") != std::string::npos; });
+  };
+  EXPECT_TRUE(saysOrder({"q1", "q2", "q3", "q4"}));
+  EXPECT_FALSE(saysOrder({"qw", "qx", "qy", "qz"}));
+}
+
 TEST_F(WrittenFormsTest, PosesHaveBoth) {
   const std::string text = tableOf({"X", "Y", "Z", "W", "P", "R"}, {{1, 2, 3, 20, 30, 40}});
   const auto pose = parseMeasurementTable(read(text, inUnits("deg"), "pose").text, "r", cell.arm).measurements.at(0);
