@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "calibration/measurement_checks/rows_beside.hpp"
 #include "calibration/measurement_checks/step_search.hpp"
 #include "calibration/measurement_checks/suspect_judgement.hpp"
 #include "calibration/measurement_checks/turns_beside.hpp"
@@ -148,7 +149,7 @@ class MistakeSearch {
 
   std::vector<Suspect> screenedTogether() const {
     std::vector<Suspect> suspects;
-    for (const auto& likely : {likelyTogether(trials_), likelyBesideTurns(trials_)})
+    for (const auto& likely : {likelyTogether(trials_), likelyBesideTurns(trials_), likelyBesideRows(trials_)})
       for (const auto& parts : likely) {
         throwIfStopped(trials_.options().stop);
         screen(parts, suspects);

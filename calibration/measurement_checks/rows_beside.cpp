@@ -1,0 +1,86 @@
+#include "calibration/measurement_checks/rows_beside.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "calibration/measurement_checks/quick_alignment.hpp"
+#include "calibration/measurement_checks/shifted_rows.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr std::size_t kRowsOfEnd = 12;      // measurements at either end of the table that are compared quickly
+constexpr std::size_t kMostBesideRows = 8;  // maximum number of mistakes after which a shift is searched for
+
+/// Ends of the table that a shift from a measurement on leaves right, or that it shifts as a whole.
+class TableEnds {
+ public:
+  explicit TableEnds(const MistakeTrials& trials)
+      : trials_(trials), alignment_(trials.checked().start, trials.reach()) {}
+
+  /// Returns the score (quick_alignment.hpp) of the end that fits best once the mistake is corrected.
+  [[nodiscard]] double score(const Mend& mend) {
+    auto measurements = trials_.checked().measurements;
+    mend.change(measurements);
+    if (measurements.size() < 2 * kRowsOfEnd) return std::numeric_limits<double>::infinity();
+    const auto n = static_cast<std::ptrdiff_t>(kRowsOfEnd);
+    double least = scoreOf({measurements.begin(), measurements.begin() + n}, mend);
+    for (const int by : {-1, 1}) {
+      std::vector<Measurement> end(measurements.end() - n, measurements.end());
+      mistakes::shifted_rows::shift(by, end);
+      least = std::min(least, scoreOf(end, mend));
+    }
+    return least;
+  }
+
+ private:
+  double scoreOf(const std::vector<Measurement>& rows, const Mend& mend) {
+    return alignment_.score(rows, alignment_.tips(rows), {.frees_base = mend.frees_base});
+  }
+
+  const MistakeTrials& trials_;
+  QuickAlignment alignment_;
+};
+
+/// Returns the mistakes of the whole table that correct one of its ends best.
+std::vector<Mend> correctingAnEnd(const MistakeTrials& trials) {
+  TableEnds ends(trials);
+  std::vector<std::pair<double, Mend>> scored;
+  for (const auto& kind : mistakeKinds()) {
+    if (kind.is_of_turns) continue;
+    for (const auto& value : (kind.values_beside ? kind.values_beside : kind.values)(trials.checked())) {
+      throwIfStopped(trials.options().stop);
+      auto mend = kind.mend(trials.checked(), value);
+      if (!mend || mend->parts_setups || mend->is_of_part || mend->mistake == mistakes::shifted_rows::kind().name)
+        continue;
+      if (const double score = ends.score(*mend); std::isfinite(score)) scored.emplace_back(score, std::move(*mend));
+    }
+  }
+  std::ranges::stable_sort(scored, {}, &std::pair<double, Mend>::first);
+  std::vector<Mend> best;
+  for (auto& [score, mend] : scored)
+    if (best.size() < kMostBesideRows) best.push_back(std::move(mend));
+  return best;
+}
+
+}  // namespace
+
+std::vector<JoinedMends> likelyBesideRows(const MistakeTrials& trials) {
+  const MistakeKind shift = mistakes::shifted_rows::kind();
+  std::vector<JoinedMends> likely;
+  for (const Mend& mend : correctingAnEnd(trials)) {
+    throwIfStopped(trials.options().stop);
+    CheckedMeasurements mended = trials.checked();
+    mend.change(mended.measurements);
+    mended.start = trials.startOf(mend);
+    for (const auto& value : shift.values(mended))
+      if (auto first = shift.mend(trials.checked(), value); first && first->is_of_part)
+        likely.push_back({std::move(*first), mend});
+  }
+  return likely;
+}
+
+}  // namespace tubeplan::calibration
