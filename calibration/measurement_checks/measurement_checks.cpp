@@ -48,9 +48,6 @@ std::optional<SigmaUnit> likeliestSigma(const MistakeTrials& trials, bool is_sma
 void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& checks) {
   const CheckedMeasurements& checked = trials.checked();
   const Trial& as_is = trials.asIs();
-  // Chi-square per degree of freedom below which the measurements agree more than five times better than their stated
-  // noise allows.
-  constexpr double kFarBelow = 1. / 30;
   // Chi-square per degree of freedom may differ from 1 by this factor, because stated sigmas are usually rough.
   constexpr double kAgrees = 5;
   // Smallest credible sigma relative to the arm's reach: interferometers measure a machine to 0.5 um in a metre.
@@ -59,11 +56,12 @@ void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& chec
   std::vector<double> sigmas;
   for (const auto& measurement : checked.measurements) sigmas.push_back(measurement.sigma);
   const double sigma = median(std::move(sigmas));
-  const bool is_large = checked.measurements.size() >= kFew && as_is.chi2_per_freedom < kFarBelow;
-  const bool is_fine = sigma < kFinest * trials.reach();
+  const bool is_large = checked.measurements.size() >= kFew && as_is.chi2_per_freedom < kFarBelowNoise;
+  const auto agreesWith = [](double chi2) { return std::abs(std::log(chi2)) < std::log(kAgrees); };
+  const bool is_fine = sigma < kFinest * trials.reach() && !agreesWith(as_is.chi2_per_freedom);
   if (!is_large && !is_fine) return;
   const auto likeliest = likeliestSigma(trials, is_large);
-  const bool agrees = likeliest && std::abs(std::log(likeliest->chi2_per_freedom)) < std::log(kAgrees);
+  const bool agrees = likeliest && agreesWith(likeliest->chi2_per_freedom);
   const std::string text =
       is_large
           ? fmt::format("the readings agree {:.2g} times better than their stated noise",

@@ -100,13 +100,16 @@ class MistakeSearch {
   }
 
   /// Decides whether the sigmas are corrected together with the coordinates if both columns state the same unit. The
-  /// sigmas are kept if the errors agree better with the stated ones.
+  /// sigmas are kept if the errors agree better with the stated ones. Errors far below a sigma refute it, whereas
+  /// errors far above it may be due to the model.
   void settleSigma(Suspect& best, MeasurementCheck& check) const {
     if (!best.mend.change_sigma) return;
     Mend apart = best.mend;
     apart.change_sigma = nullptr;
     const Trial trial = trials_.tried(apart, TrialDepth::kOpen);
-    const auto offBy = [](const Trial& of) { return std::abs(std::log(of.chi2_per_freedom)); };
+    const auto offBy = [](const Trial& of) {
+      return std::pair(of.chi2_per_freedom < kFarBelowNoise, std::abs(std::log(of.chi2_per_freedom)));
+    };
     if (!trial.ok || !(offBy(trial) < offBy(best.open))) return;
     const auto kind = std::ranges::find_if(mistakeKinds(), [](const auto& other) { return other.settles_sigma; });
     check.assume += fmt::format(",{}={}", kind->name, trials_.checked().units.sigma.name);

@@ -16,6 +16,9 @@ namespace tubeplan::calibration {
 inline constexpr double kFarTurn = 0.35;
 /// A base shifted by more than this fraction of the arm's reach is considered far from nominal.
 inline constexpr double kFarShift = 0.25;
+/// Chi-square per degree of freedom below which the measurements agree more than five times better than their stated
+/// noise allows, so that the stated noise is wrong.
+inline constexpr double kFarBelowNoise = 1. / 30;
 
 /// Fit of the measurements, as stated or as corrected for one mistake. The lack of fit includes the base's prior. For
 /// the measurements as stated, `error` is computed with the arm as drawn, and base and tip free.
