@@ -5,24 +5,24 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "app/storage/count_text.hpp"
+
 namespace tubeplan::app {
 
 namespace {
 
 constexpr double kNearHole = 0.4;  // largest distance from a hole's centre at which a position is at the hole [pitches]
 
-std::string countText(int count, const char* word) {
-  return fmt::format("{} {}{}", std::abs(count), word, std::abs(count) == 1 ? "" : "s");
-}
-
 /// Returns a description of the difference between the addresses of a tube and of the intended tube.
 std::string differenceOf(const TubeAddress& meant, const TubeAddress& found) {
   if (found.generator != meant.generator) return "it is in another steam generator";
   if (found.leg != meant.leg) return "it is in the other leg";
-  const int rows = found.row - meant.row, columns = found.column - meant.column;
-  if (columns == 0) return fmt::format("it is {} off", countText(rows, "row"));
-  if (rows == 0) return fmt::format("it is {} off", countText(columns, "column"));
-  return fmt::format("it is {} and {} off", countText(rows, "row"), countText(columns, "column"));
+  const auto apart = [](int one, int other) { return static_cast<std::size_t>(std::abs(one - other)); };
+  const std::string rows = countText(apart(found.row, meant.row), "row");
+  const std::string columns = countText(apart(found.column, meant.column), "column");
+  if (found.column == meant.column) return fmt::format("it is {} off", rows);
+  if (found.row == meant.row) return fmt::format("it is {} off", columns);
+  return fmt::format("it is {} and {} off", rows, columns);
 }
 
 const TubeEnd* findEnd(const std::vector<TubeEnd>& ends, const TubeAddress& tube) {
@@ -60,6 +60,12 @@ IdentityFinding comparePosition(const TubeAddress& meant, double x, double y, co
   return {false, addressText(nearest->tube), reason};
 }
 
+std::string findWrongMethod(const WorkPackage& package, std::string_view method) {
+  const auto asked = confirmationName(package.confirm);
+  if (package.confirm == ConfirmationMethod::kNone || method == asked) return "";
+  return fmt::format("the package {} asks for a confirmation by {}, not by {}", package.name, asked, method);
+}
+
 std::string findMissingConfirmation(const WorkPackage& package, const std::vector<JobEvent>& events_of_item,
                                     const std::string& who) {
   if (package.confirm == ConfirmationMethod::kNone) return "";
@@ -69,9 +75,7 @@ std::string findMissingConfirmation(const WorkPackage& package, const std::vecto
     if (event.kind == "confirm") latest = &event;
   }
   if (!latest) return "the identity of the tube is not confirmed";
-  if (latest->method != confirmationName(package.confirm))
-    return fmt::format("the package {} asks for a confirmation by {}, but the last one is by {}", package.name,
-                       confirmationName(package.confirm), latest->method);
+  if (const std::string wrong = findWrongMethod(package, latest->method); !wrong.empty()) return wrong;
   if (latest->value != "same") return fmt::format("the last confirmation found {}", latest->value);
   if (package.confirm == ConfirmationMethod::kReadBack && isSamePerson(latest->who, who))
     return fmt::format("the tube was read back by {}, who marks it too; another person must read it", latest->who);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/outage/job_store.hpp"
@@ -23,6 +24,10 @@ struct IdentityFinding {
 /// and of the steam generator's other leg. The position is at a hole if it lies within 0.4 pitch of the hole's centre.
 [[nodiscard]] IdentityFinding comparePosition(const TubeAddress& meant, double x, double y,
                                               const std::vector<TubeEnd>& ends, double pitch);
+
+/// Returns the reason why a confirmation by this method does not count: the package asks for another. Returns an empty
+/// text if it counts.
+[[nodiscard]] std::string findWrongMethod(const WorkPackage& package, std::string_view method);
 
 /// Returns the reason why the tool must not enter: the package requires a confirmation, and the item's latest one is
 /// missing, older than the latest mark, by another method, of another tube, or by the person who marks it. Returns an

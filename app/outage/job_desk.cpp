@@ -133,6 +133,10 @@ IdentityFinding confirmTube(JobStore& store, const ConfirmationRequest& request)
       finding = comparePosition(item.tube, request.xy->first, request.xy->second, ends, pitch);
     }
     const auto method = request.read.empty() ? ConfirmationMethod::kPosition : ConfirmationMethod::kReadBack;
+    const WorkPackage& package = store.job().packageOf(item.package);
+    if (const std::string wrong = findWrongMethod(package, confirmationName(method)); finding.is_same && !wrong.empty())
+      throw InputError::saying(addressText(item.tube), wrong,
+                               fmt::format("confirm it by {}", confirmationName(package.confirm)));
     const std::string value = finding.is_same ? "same" : finding.found.empty() ? "no hole" : finding.found;
     store.addConfirmation(item, method, value, request.entry);
   });

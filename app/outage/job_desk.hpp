@@ -57,7 +57,9 @@ struct ConfirmationRequest {
   EventEntry entry;
 };
 
-/// Records a confirmation of the intended tube or of another tube, and returns the tube found.
+/// Records a confirmation of the intended tube or of another tube, and returns the tube found. Throws InputError, and
+/// records nothing, if the intended tube is confirmed by another method than its package asks for; another tube that is
+/// found is recorded by any method.
 [[nodiscard]] IdentityFinding confirmTube(JobStore& store, const ConfirmationRequest& request);
 
 /// Undoes a mark, which restores the item's previous standing. Throws InputError if the event is not a mark, has

@@ -94,7 +94,7 @@ std::string endOf(const ShiftOfDay& shift, const std::vector<JobShift>& shifts) 
 bool isDate(const std::string& date) { return date.size() == 10 && dayOf(date).ok() && shifted(date, 0) == date; }
 
 void requireDate(const std::string& date) {
-  if (!isDate(date)) throw InputError("--date", inQuotes(date), "a day in UTC, such as 2027-04-02");
+  if (!isDate(date)) throw InputError("--date", inQuotes(date), "a day in UTC, such as 2025-04-02");
 }
 
 }  // namespace tubeplan::app

@@ -11,7 +11,7 @@ namespace tubeplan::app {
 
 /// One shift of one day, or a part of a day outside all shifts.
 struct ShiftOfDay {
-  std::string date;  ///< day on which it began, in UTC, "2027-04-02"
+  std::string date;  ///< day on which it began, in UTC, "2025-04-02"
   std::string name;  ///< name of the shift; empty outside the shifts of the job
 
   [[nodiscard]] auto operator<=>(const ShiftOfDay&) const = default;
@@ -23,7 +23,7 @@ struct ShiftOfDay {
 /// Returns a sentence on two shifts that have a minute in common; empty if there are none.
 [[nodiscard]] std::string overlapText(const std::vector<JobShift>& shifts);
 
-/// Returns the shift in which a time falls ("2027-04-02T06:15:30Z").
+/// Returns the shift in which a time falls ("2025-04-02T06:15:30Z").
 [[nodiscard]] ShiftOfDay shiftAt(const std::string& at, const std::vector<JobShift>& shifts);
 
 /// Return the time at which a shift begins and the one at which the next begins, or the midnights around the day where
@@ -31,10 +31,10 @@ struct ShiftOfDay {
 [[nodiscard]] std::string startOf(const ShiftOfDay& shift, const std::vector<JobShift>& shifts);
 [[nodiscard]] std::string endOf(const ShiftOfDay& shift, const std::vector<JobShift>& shifts);
 
-/// Returns true for a date of the calendar, of the form "2027-04-02".
+/// Returns true for a date of the calendar, of the form "2025-04-02".
 [[nodiscard]] bool isDate(const std::string& date);
 
-/// Throws InputError, naming --date, for a text that is not a date of the form "2027-04-02".
+/// Throws InputError, naming --date, for a text that is not a date of the form "2025-04-02".
 void requireDate(const std::string& date);
 
 }  // namespace tubeplan::app

@@ -1,10 +1,8 @@
 #include "app/outage/job_store.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <cassert>
-#include <chrono>
 #include <filesystem>
 
 #include "app/outage/job_schema.hpp"
@@ -61,15 +59,6 @@ std::vector<TubeEnd> endsIn(const std::vector<DatabaseRow>& rows) {
   return ends;
 }
 
-}  // namespace
-
-std::string presentTime() {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                     fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
-}
-
-namespace {
-
 /// Returns the value of a key of the table `job`. Throws InputError if the file is not the record of a job.
 std::string valueOf(Database& database, const std::string& key) {
   const auto tables = database.query("SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'job'");
@@ -99,7 +88,7 @@ std::set<TubeAddress> pluggedEnds(const std::vector<JobItem>& items) {
   return plugged;
 }
 
-JobStore::JobStore(const std::string& path) : database_(path, Database::Mode::kOpen) {
+JobStore::JobStore(const std::string& path, Database::Mode mode) : database_(path, mode) {
   if (const std::string format = valueOf(database_, "format"); format != std::to_string(kJobFormat))
     throw InputError(path, "a record of format " + format, fmt::format("format {}", kJobFormat),
                      "open it with the version of the program that made it");

@@ -41,7 +41,7 @@ struct JobItem {
 /// One entry of the log.
 struct JobEvent {
   std::int64_t id = 0;
-  std::string at;         ///< time in UTC, "2027-04-02T06:15:30Z"
+  std::string at;         ///< time in UTC, "2025-04-02T06:15:30Z"
   std::string who;        ///< person or program that recorded the event
   std::string kind;       ///< mark, confirm or undo
   std::int64_t item = 0;  ///< key of the item
@@ -53,9 +53,6 @@ struct JobEvent {
   std::optional<std::int64_t> undoes;  ///< key of the event that this event undoes
   bool is_undone = false;
 };
-
-/// Returns the present time in UTC, "2027-04-02T06:15:30Z".
-[[nodiscard]] std::string presentTime();
 
 /// Position of a tube's end in the sheet frame [m], and the state that the job began with.
 struct TubeEnd {
@@ -79,8 +76,9 @@ class JobStore {
   /// readers of cells, tables or selections reject.
   static std::vector<std::string> create(const JobFile& job, const std::string& path);
 
-  /// Opens a record. Throws InputError for a file that is not the record of a job, or has another format.
-  explicit JobStore(const std::string& path);
+  /// Opens a record; one that is only read (Database::Mode::kRead) may be write-protected. Throws InputError for a file
+  /// that is not the record of a job, or has another format.
+  explicit JobStore(const std::string& path, Database::Mode mode = Database::Mode::kOpen);
 
   [[nodiscard]] const JobFile& job() const { return job_; }
 

@@ -1,7 +1,11 @@
 #include "app/outage/log_entry.hpp"
 
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <string_view>
 
 #include "app/outage/job_shifts.hpp"
@@ -29,7 +33,7 @@ std::string lineOf(const std::string& text, const char* option) {
   return line;
 }
 
-/// Returns true for a time of this century in UTC, of the form "2027-04-02T06:15:30Z".
+/// Returns true for a time of this century in UTC, of the form "2025-04-02T06:15:30Z".
 bool isTime(const std::string& text) {
   constexpr std::string_view kPattern = "20dd-dd-ddTdd:dd:ddZ";
   bool fits = text.size() == kPattern.size();
@@ -39,11 +43,23 @@ bool isTime(const std::string& text) {
   return fits && isDate(text.substr(0, 10)) && numberAt(11) < 24 && numberAt(14) < 60 && numberAt(17) < 60;
 }
 
+/// Longest time by which an event may be later than this computer's clock, because clocks differ.
+constexpr std::chrono::minutes kClocksDiffer{10};
+
+std::string timeText(std::chrono::system_clock::time_point time) {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(time)));
+}
+
 }  // namespace
+
+std::string presentTime() { return timeText(std::chrono::system_clock::now()); }
 
 EventEntry checkedEntry(const EventEntry& entry) {
   if (!entry.at.empty() && !isTime(entry.at))
-    throw InputError("--at", inQuotes(entry.at), "a time in UTC, such as 2027-04-02T06:15:30Z");
+    throw InputError("--at", inQuotes(entry.at), "a time in UTC, such as 2025-04-02T06:15:30Z");
+  if (entry.at > timeText(std::chrono::system_clock::now() + kClocksDiffer))
+    throw InputError::saying("--at", fmt::format("{} has not come yet: it is {}", entry.at, presentTime()),
+                             "write when it happened, in UTC, or leave it out for now");
   const EventEntry checked{lineOf(entry.who, "--by"), lineOf(entry.reason, "--reason"), entry.at};
   if (lettersOf(checked.who).empty())
     throw InputError::saying("--by", "the name of the person is missing", "write --by NAME");

@@ -10,8 +10,12 @@ struct EventEntry {
   std::string who, reason, at;
 };
 
+/// Returns the present time in UTC, "2025-04-02T06:15:30Z".
+[[nodiscard]] std::string presentTime();
+
 /// Returns the entry with blanks around its texts removed. Throws InputError, naming the option, for a name without a
-/// letter or digit, for a text of several lines, and for a time that the calendar does not have.
+/// letter or digit, for a text of several lines, for a time that the calendar does not have, and for one that is more
+/// than ten minutes later than now.
 [[nodiscard]] EventEntry checkedEntry(const EventEntry& entry);
 
 /// Returns true if two names denote the same person: equal letters and digits, ignoring case.

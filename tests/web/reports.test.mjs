@@ -210,9 +210,9 @@ describe("reports", () => {
 
     run("job", "plan", "outage.job", "--out", "plans");
     const confirm = (tube, read) =>
-      run("job", "confirm", "outage.job", tube, "--read-back", read, "--by", name, "--at", "2027-04-02T06:00:00Z");
+      run("job", "confirm", "outage.job", tube, "--read-back", read, "--by", name, "--at", "2025-04-02T06:00:00Z");
     const mark = (tube, as, ...more) =>
-      run("job", "mark", "outage.job", tube, "--as", as, "--by", "Maria", "--at", "2027-04-02T06:01:00Z", ...more);
+      run("job", "mark", "outage.job", tube, "--as", as, "--by", "Maria", "--at", "2025-04-02T06:01:00Z", ...more);
     confirm("A/hot/R9C18", "A/hot/R9C18");
     mark("A/hot/R9C18", "done");
     confirm("A/hot/R9C19", "A/hot/R9C19");
@@ -227,7 +227,7 @@ describe("reports", () => {
     assert.deepEqual(await tab.locator("#first .desk-warning").allInnerTexts(), [
       "✕ At A/hot/R9C21 " +
         name +
-        " found A/cold/R9C21 (2027-04-02 06:00): confirm the tube again before any tool enters.",
+        " found A/cold/R9C21 (2025-04-02 06:00): confirm the tube again before any tool enters.",
       "▲ A/hot/R9C20 is plugged at this end only: plug the other end too, or check which tube it is.",
     ]);
     assert.match(await tab.innerText("#first .reasons"), /1 tube, obstructed: dent <03H>: A\/hot\/R9C19 rows/);

@@ -1,8 +1,11 @@
 // The desk of a shift: totals that balance, marks that need a confirmed identity, and undo.
 #include "app/outage/job_desk.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <chrono>
+#include <functional>
 #include <random>
 
 #include "app/outage/job_export.hpp"
@@ -98,13 +101,58 @@ TEST_F(JobDesk, AToolEntersOnlyWhereAnotherPersonReadTheTube) {
              "not confirmed");  // each entry needs its own confirmation
 }
 
-TEST_F(JobDesk, AnotherMethodThanThePackageAsksForConfirmsNothing) {
-  JobStore store(made("  - {name: rows, tubes: R9-11C18-22, tool: bobbin, confirm: position}\n"));
-  EXPECT_TRUE(confirmTube(store, {hot(9, 18), "", "A/hot/R9C18", std::nullopt, {"Maria", "", ""}}).is_same);
-  expectSays(messageOf([&] {
-               (void)markTube(store, {hot(9, 18), "", "done", {"Tom", "", ""}, std::nullopt});
-             }),
-             "position");
+TEST_F(JobDesk, WhatConfirmCallsConfirmedMayBeMarked) {
+  for (const char* asked : {"read-back", "position", "none"})
+    for (const bool is_read : {true, false}) {
+      SCOPED_TRACE(fmt::format("{} {}", asked, is_read));
+      std::filesystem::remove(folder / "job.record");
+      JobStore store(made(fmt::format("  - {{name: rows, tubes: R9-11C18-22, tool: bobbin, confirm: {}}}\n", asked)));
+      const TubeEnd end = store.endOf(hot(9, 18)), wrong = store.endOf(hot(9, 19));
+      const auto confirmAs = [&](const TubeEnd& found) {
+        ConfirmationRequest request{hot(9, 18), "", is_read ? addressText(found.tube) : "", {}, {"Maria", "", ""}};
+        if (!is_read) request.xy = {found.x, found.y};
+        return confirmTube(store, request).is_same;
+      };
+      const auto markDone = [&] { (void)markTube(store, {hot(9, 18), "", "done", {"Tom", "", ""}, std::nullopt}); };
+      EXPECT_FALSE(confirmAs(wrong));  // a wrong tube is recorded, by whichever method it was found
+      EXPECT_EQ(store.events().size(), 1u);
+      const std::string other = is_read ? "position" : "read-back";
+      if (asked == other) {
+        expectSays(messageOf([&] { (void)confirmAs(end); }), asked);
+        EXPECT_EQ(store.events().size(), 1u);
+        expectSays(messageOf(markDone), asked);
+      } else {
+        EXPECT_TRUE(confirmAs(end));
+        markDone();
+        EXPECT_EQ(store.events().size(), 3u);
+      }
+    }
+}
+
+TEST_F(JobDesk, TimesThatHaveNotComeAreRefused) {
+  JobStore store(made(kFree));
+  const auto event = markTube(store, {hot(9, 18), "", "done", {"Tom", "", ""}, std::nullopt});
+  const auto in = [](std::chrono::minutes later) {
+    const auto at = std::chrono::system_clock::now() + later;
+    return EventEntry{"Tom", "late",
+                      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(at)))};
+  };
+  const std::function<void(const EventEntry&)> actions[] = {
+      [&](const EventEntry& entry) {
+        (void)markTube(store, {hot(9, 19), "", "done", entry, std::nullopt});
+      },
+      [&](const EventEntry& entry) {
+        (void)confirmTube(store, {hot(9, 20), "", "A/hot/R9C20", {}, entry});
+      },
+      [&](const EventEntry& entry) { (void)undoMark(store, event, entry); }};
+  for (const auto& action : actions) {
+    const std::size_t before = store.events().size();
+    for (const int minutes : {12, 60, 24 * 60, 1000 * 24 * 60})
+      expectSays(messageOf([&] { action(in(std::chrono::minutes(minutes))); }), "--at");
+    EXPECT_EQ(store.events().size(), before);
+    action(in(std::chrono::minutes(8)));  // clocks differ
+    EXPECT_EQ(store.events().size(), before + 1);
+  }
 }
 
 TEST_F(JobDesk, NextTakesOpenTubesThenTheQueue) {
@@ -166,17 +214,17 @@ TEST_F(JobDesk, ShiftsCountWhatTheyFinished) {
   const auto markAt = [&](int column, const char* at) {
     (void)markTube(store, {hot(9, column), "", "done", {"Tom", "", at}, std::nullopt});
   };
-  markAt(18, "2027-04-02T06:00:00Z");
-  markAt(19, "2027-04-02T17:59:59Z");
-  markAt(20, "2027-04-02T18:00:00Z");
-  markAt(21, "2027-04-03T05:59:59Z");
+  markAt(18, "2025-04-02T06:00:00Z");
+  markAt(19, "2025-04-02T17:59:59Z");
+  markAt(20, "2025-04-02T18:00:00Z");
+  markAt(21, "2025-04-03T05:59:59Z");
   const auto shifts = totalsOf(store).shifts;
   ASSERT_EQ(shifts.size(), 2u);
   for (const ShiftBalance& shift : shifts) {
-    EXPECT_EQ(shift.shift.date, "2027-04-02");
+    EXPECT_EQ(shift.shift.date, "2025-04-02");
     EXPECT_EQ(shift.done, 2);
   }
-  for (const char* at : {"yesterday", "2027-02-30T06:00:00Z", "2027-02-28T24:00:00Z", "2027-02-28T23:59:60Z",
+  for (const char* at : {"yesterday", "2025-02-30T06:00:00Z", "2025-02-28T24:00:00Z", "2025-02-28T23:59:60Z",
                          "1970-01-01T00:00:00Z", "9999-01-01T00:00:00Z"}) {
     SCOPED_TRACE(at);
     expectSays(messageOf([&] { markAt(22, at); }), "--at");
@@ -188,11 +236,11 @@ TEST_F(JobDesk, TheShiftsAddUpToTheTotalHoweverOftenATubeIsMarked) {
   const auto markAt = [&](int column, const char* as, const char* at) {
     (void)markTube(store, {hot(9, column), "", as, {"Tom", "again", at}, std::nullopt});
   };
-  markAt(18, "done", "2027-04-02T07:00:00Z");
-  markAt(18, "done", "2027-04-02T08:00:00Z");
-  markAt(19, "done", "2027-04-02T09:00:00Z");
-  markAt(18, "done", "2027-04-02T20:00:00Z");
-  markAt(19, "retest", "2027-04-02T21:00:00Z");
+  markAt(18, "done", "2025-04-02T07:00:00Z");
+  markAt(18, "done", "2025-04-02T08:00:00Z");
+  markAt(19, "done", "2025-04-02T09:00:00Z");
+  markAt(18, "done", "2025-04-02T20:00:00Z");
+  markAt(19, "retest", "2025-04-02T21:00:00Z");
   const JobTotals totals = totalsOf(store);
   ASSERT_EQ(totals.shifts.size(), 2u);
   EXPECT_EQ(totals.shifts[0].done, 2);
@@ -209,7 +257,7 @@ TEST_F(JobDesk, AShiftsBalanceIsThatOfTheItemsAsTheyStoodAtItsEnd) {
   std::mt19937 random(7);
   const auto below = [&](int limit) { return static_cast<int>(random() % static_cast<unsigned>(limit)); };
   for (int k = 0; k < 120; ++k) {
-    const std::string at = fmt::format("2027-04-{:02}T{:02}:{:02}:00Z", 2 + below(4), below(24), below(60));
+    const std::string at = fmt::format("2025-04-{:02}T{:02}:{:02}:00Z", 2 + below(4), below(24), below(60));
     const auto events = store.events();
     try {
       if (below(4) == 0 && !events.empty())
@@ -289,11 +337,11 @@ TEST_F(JobDesk, AListKeepsItsColumnsAndComments) {
   (void)write("list.csv", list);
   JobStore store(made("  - {name: retests, tubes: list.csv, tool: bobbin, confirm: none}\n"));
   EXPECT_EQ(totalsOf(store).all.planned, 2);  // only the leg that the list names
-  (void)markTube(store, {hot(9, 18), "", "done", {"Tom", "", "2027-04-02T06:00:00Z"}, std::nullopt});
+  (void)markTube(store, {hot(9, 18), "", "done", {"Tom", "", "2025-04-02T06:00:00Z"}, std::nullopt});
   const std::string csv = packageCsv(store, "retests", "A", Leg::kHot);
   EXPECT_EQ(csv,
             "# from the analysts\nsg,leg,row,column,code,remark,standing,mark,marked_by,marked_at,visit\n"
-            "A,hot,9,18,RRT,\"wear, 03H\",done,done,Tom,2027-04-02T06:00:00Z,\nA,hot,9,19,RRT,noise,open,,,,\n");
+            "A,hot,9,18,RRT,\"wear, 03H\",done,done,Tom,2025-04-02T06:00:00Z,\nA,hot,9,19,RRT,noise,open,,,,\n");
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ export const finding = signal<Finding | null>(null);
 
 const inFile = () => `file=${encodeURIComponent(record.value)}`;
 
-/** Returns the URL of a shift's hand-over, such as "2027-04-02 day"; of the latest shift for an empty text. */
+/** Returns the URL of a shift's hand-over, such as "2025-04-02 day"; of the latest shift for an empty text. */
 export function reportAddress(shift: string): string {
   const [date, name = ""] = shift.split(" ");
   return `/api/outage/report?${inFile()}${shift === "" ? "" : `&date=${date}&shift=${encodeURIComponent(name)}`}`;
