@@ -54,12 +54,12 @@ int create(const JobOptions& options) {
 }
 
 int status(const JobOptions& options) {
-  JobStore store(options.file);
+  JobStore store(options.file, Database::Mode::kRead);
   return showStatus(options, store);
 }
 
 int next(const JobOptions& options) {
-  JobStore store(options.file);
+  JobStore store(options.file, Database::Mode::kRead);
   const nlohmann::json figures = nextJson(store, partOf(options, store.job()));
   const bool is_left = !figures["tube"].is_null();
   showFigures(options.figures, figures, is_left ? nextText(figures) : "nothing is left to visit\n");
@@ -107,7 +107,7 @@ int undo(const JobOptions& options) {
 }
 
 int log(const JobOptions& options) {
-  JobStore store(options.file);
+  JobStore store(options.file, Database::Mode::kRead);
   if (!options.csv.empty()) writeFileAtomically(options.csv, logCsv(store), "--csv");
   const nlohmann::json figures = logJson(store.events());
   showFigures(options.figures, figures, logText(figures));
@@ -115,7 +115,7 @@ int log(const JobOptions& options) {
 }
 
 int exportPackage(const JobOptions& options) {
-  JobStore store(options.file);
+  JobStore store(options.file, Database::Mode::kRead);
   const JobPart part = partOf(options, store.job());
   if (part.package.empty() || part.generator.empty() || !part.leg || options.csv.empty())
     throw InputError::saying("--package, --sg, --leg, --csv", "all four options are needed",
@@ -171,7 +171,7 @@ int report(const JobOptions& options) {
     checkWritableFile(options.pdf, "--pdf");
     requirePrinter();
   }
-  JobStore store(options.file);
+  JobStore store(options.file, Database::Mode::kRead);
   nlohmann::json figures = handOverJson(store, handOverOf(store, options.hand_over), options.hand_over, presentTime());
   stateOrigin(figures);
   writeFileAtomically(options.out, renderHandOverReport(figures), "--out");
@@ -186,23 +186,23 @@ int report(const JobOptions& options) {
 
 const std::vector<JobAction>& jobActions() {
   static const std::vector<JobAction> kActions{
-      {{"create", {"--out"}}, "makes the record from a job file", create},
-      {{"status", {}}, "shows the totals of all packages, and warnings", status},
-      {{"plan", {"--out", "--from", "--start", "--package", "--sg", "--leg", "--seed"}},
-       "plans all that is left, and the schedule of the arms",
+      {{"create", "makes the record from a job file", {"--out"}}, create},
+      {{"status", "shows the totals of all packages, and warnings", {}}, status},
+      {{"plan",
+        "plans all that is left, and the schedule of the arms",
+        {"--out", "--from", "--start", "--package", "--sg", "--leg", "--seed"}},
        plan},
-      {{"next", {"--package", "--sg", "--leg"}}, "names the tube to visit next", next},
-      {{"confirm", {"TUBE", "--package", "--read-back", "--position", "--by", "--at"}},
-       "records which tube the tool is at",
+      {{"next", "names the tube to visit next", {"--package", "--sg", "--leg"}}, next},
+      {{"confirm",
+        "records which tube the tool is at",
+        {"TUBE", "--package", "--read-back", "--position", "--by", "--at"}},
        confirm},
-      {{"mark", {"TUBE", "--package", "--as", "--by", "--at", "--reason", "--after"}},
-       "records what became of a visit",
+      {{"mark", "records what became of a visit", {"TUBE", "--package", "--as", "--by", "--at", "--reason", "--after"}},
        mark},
-      {{"undo", {"--event", "--by", "--at", "--reason"}}, "undoes a mark, with the reason", undo},
-      {{"report", {"--out", "--pdf", "--shift", "--date"}}, "writes the hand-over of a shift as a page", report},
-      {{"log", {"--csv"}}, "lists all events", log},
-      {{"export", {"--package", "--sg", "--leg", "--csv"}},
-       "writes a package of one leg as a work list",
+      {{"undo", "undoes a mark, with the reason", {"--event", "--by", "--at", "--reason"}}, undo},
+      {{"report", "writes the hand-over of a shift as a page", {"--out", "--pdf", "--shift", "--date"}}, report},
+      {{"log", "lists all events", {"--csv"}}, log},
+      {{"export", "writes a package of one leg as a work list", {"--package", "--sg", "--leg", "--csv"}},
        exportPackage},
   };
   return kActions;

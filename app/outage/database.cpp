@@ -1,5 +1,6 @@
 #include "app/outage/database.hpp"
 
+#include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <cassert>
@@ -12,6 +13,24 @@ namespace tubeplan::app {
 namespace {
 
 constexpr int kBusyTimeout = 5000;  // longest time to wait for another writer [ms]
+
+constexpr const char* kWriterSettings =
+    "PRAGMA foreign_keys = ON; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;";
+constexpr const char* kReaderSettings = "SELECT 1 FROM sqlite_master";  // fails if the file cannot be read
+
+/// Returns true if the file's or its folder's protection kept it from being opened.
+bool isProtected(int code) {
+  const int kind = code & 0xff;
+  return kind == SQLITE_CANTOPEN || kind == SQLITE_READONLY || kind == SQLITE_PERM || kind == SQLITE_AUTH;
+}
+
+/// Returns the name by which SQLite opens a file that nobody changes.
+std::string unchangingName(const std::string& path) {
+  std::string name = "file:";
+  for (const char c : path)
+    name += std::string_view("%?#").find(c) == std::string_view::npos ? std::string(1, c) : fmt::format("%{:02X}", c);
+  return name + "?immutable=1";
+}
 
 struct Finalizer {
   void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
@@ -63,17 +82,34 @@ std::string DatabaseRow::text(std::size_t column) const {
 
 void Database::Closer::operator()(sqlite3* database) const { sqlite3_close(database); }
 
-Database::Database(const std::string& path, Mode mode) : path_(path) {
+Database::Database(const std::string& path, Mode mode) : path_(path), is_read_(mode == Mode::kRead) {
   std::error_code none;
   if (mode == Mode::kOpen && !std::filesystem::exists(path, none))
     throw InputError::saying(path, "no such file", "make it by `tubeplan job create JOB.yaml --out " + path + "`");
-  sqlite3* opened = nullptr;
   const int create = mode == Mode::kCreate ? SQLITE_OPEN_CREATE : 0;
-  const int code = sqlite3_open_v2(path.c_str(), &opened, SQLITE_OPEN_READWRITE | create, nullptr);
-  database_.reset(opened);
+  int code = open(path, SQLITE_OPEN_READWRITE | create);
+  if (mode == Mode::kRead && isProtected(code)) {
+    // SQLite writes beside a file in WAL mode even to read it, unless the file is stated never to change. Without a log
+    // beside it, nobody has it open.
+    const bool has_log = std::filesystem::file_size(path + "-wal", none) > 0 && !none;
+    code =
+        has_log ? open(path, SQLITE_OPEN_READONLY) : open(unchangingName(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    if (has_log && isProtected(code))
+      throw InputError::saying(path, "changes stand in " + path + "-wal, and this folder is write-protected",
+                               "copy both files to a folder of your own");
+  }
   if (code != SQLITE_OK) fail(code);
+}
+
+int Database::open(const std::string& name, int flags) {
+  sqlite3* opened = nullptr;
+  const int code = sqlite3_open_v2(name.c_str(), &opened, flags, nullptr);
+  database_.reset(opened);
+  if (code != SQLITE_OK) return code;
   sqlite3_busy_timeout(opened, kBusyTimeout);
-  execute("PRAGMA foreign_keys = ON; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;");
+  const bool writes = (flags & SQLITE_OPEN_READWRITE) != 0;
+  if (writes && sqlite3_db_readonly(opened, "main") == 1) return SQLITE_READONLY;
+  return sqlite3_exec(opened, writes ? kWriterSettings : kReaderSettings, nullptr, nullptr, nullptr);
 }
 
 void Database::fail(int code) const {
@@ -83,8 +119,9 @@ void Database::fail(int code) const {
   if (kind == SQLITE_NOTADB || kind == SQLITE_CORRUPT)
     throw InputError::saying(path_, "this file is not the record of a job, or it is damaged",
                              "name a file that `tubeplan job create` made");
-  if (kind == SQLITE_CANTOPEN || kind == SQLITE_READONLY || kind == SQLITE_PERM || kind == SQLITE_AUTH)
-    throw InputError::saying(path_, "this file cannot be opened for writing", "check its folder and permissions");
+  if (isProtected(code))
+    throw InputError::saying(path_, fmt::format("this file cannot be {}", is_read_ ? "read" : "opened for writing"),
+                             "check its folder and permissions");
   if (kind == SQLITE_FULL || kind == SQLITE_IOERR)
     throw InputError::saying(path_, "this file cannot be written", "check the space left on the disk");
   const std::string said = sqlite3_errmsg(database_.get());

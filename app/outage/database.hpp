@@ -35,10 +35,11 @@ class DatabaseRow {
 /// An open database file. Not thread-safe: each thread opens its own.
 class Database {
  public:
-  enum class Mode { kOpen, kCreate };
+  enum class Mode { kOpen, kCreate, kRead };
 
-  /// Opens an existing file, or creates a new one, which must not exist. Throws InputError for a missing file and for a
-  /// file that is not a database.
+  /// Opens an existing file, or creates a new one, which must not exist. A file that is only read may be
+  /// write-protected and in a folder that is. Throws InputError for a missing file and for a file that is not a
+  /// database.
   Database(const std::string& path, Mode mode);
 
   [[nodiscard]] const std::string& path() const { return path_; }
@@ -62,9 +63,12 @@ class Database {
     void operator()(sqlite3* database) const;
   };
 
+  /// Opens the file, and returns SQLite's code. On failure too, the connection is there for its message.
+  int open(const std::string& name, int flags);
   [[noreturn]] void fail(int code) const;
 
   std::string path_;
+  bool is_read_;
   std::unique_ptr<sqlite3, Closer> database_;
 };
 

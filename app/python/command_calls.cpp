@@ -126,7 +126,7 @@ std::string commandsJson() {
 }
 
 std::string unitsOfFile(const std::string& path) {
-  if (isRecord(path)) return siFactors(JobStore(path).job().units).dump();
+  if (isRecord(path)) return siFactors(JobStore(path, Database::Mode::kRead).job().units).dump();
   const Cell cell = readCell(path);
   json units = siFactors(cell.units);
   units["joints"] = json::array();

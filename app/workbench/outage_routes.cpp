@@ -21,10 +21,15 @@ using nlohmann::json;
 constexpr const char* kJobExtension = ".job";  // extension of records in the opened folder
 
 /// Opens the record of a name in the opened folder. Throws InputError if there is none.
-JobStore storeNamed(Workbench& workbench, const std::string& name) {
+JobStore storeNamed(Workbench& workbench, const std::string& name, Database::Mode mode = Database::Mode::kOpen) {
   if (name.empty())
     throw InputError::saying("file", "the name of the job's record is missing", "GET /api/outage lists the records");
-  return JobStore(workbench.folder().fileToRead(name).string());
+  return JobStore(workbench.folder().fileToRead(name).string(), mode);
+}
+
+/// Opens the record that a query names, to read it alone.
+JobStore storeAsked(Workbench& workbench, const Request& request) {
+  return storeNamed(workbench, request.asked("file"), Database::Mode::kRead);
 }
 
 /// Returns the part of the job that query parameters name.
@@ -55,12 +60,12 @@ Answer records(Workbench& workbench, const Request&) {
 }
 
 Answer totals(Workbench& workbench, const Request& request) {
-  JobStore store = storeNamed(workbench, request.asked("file"));
+  JobStore store = storeAsked(workbench, request);
   return answerOf(totalsJson(totalsOf(store), store.job()));
 }
 
 Answer next(Workbench& workbench, const Request& request) {
-  JobStore store = storeNamed(workbench, request.asked("file"));
+  JobStore store = storeAsked(workbench, request);
   return answerOf(nextJson(store, partAsked(request, store.job())));
 }
 
@@ -73,20 +78,20 @@ std::int64_t eventAsked(const Request& request, const std::string& key) {
 }
 
 Answer events(Workbench& workbench, const Request& request) {
-  JobStore store = storeNamed(workbench, request.asked("file"));
+  JobStore store = storeAsked(workbench, request);
   json log = logJson(store.events(eventAsked(request, "after")));
   log["planned_at"] = store.plannedAt();
   return answerOf(log);
 }
 
 Answer planOfRecord(Workbench& workbench, const Request& request) {
-  JobStore store = storeNamed(workbench, request.asked("file"));
+  JobStore store = storeAsked(workbench, request);
   const std::string plan = store.plan();
   return answerOf({{"plan", plan.empty() ? json() : json::parse(plan)}, {"planned_at", store.plannedAt()}});
 }
 
 Answer report(Workbench& workbench, const Request& request) {
-  JobStore store = storeNamed(workbench, request.asked("file"));
+  JobStore store = storeAsked(workbench, request);
   const HandOverRequest asked{request.asked("shift"), request.asked("date")};
   json report = handOverJson(store, handOverOf(store, asked), asked, presentTime());
   stateOrigin(report);
