@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 
 #include "app/cli/caller.hpp"
@@ -25,15 +26,27 @@ std::string overview() {
     text += fmt::format("  {:<10}  {}\n", command.name, command.summary);
     text += fmt::format("  {:<10}    {}\n", "", command.example.substr(0, command.example.find('\n')));
   }
-  return text + fmt::format("\n`tubeplan COMMAND --help` describes one. Exit codes: {}.\n", kExitCodes);
+  return text + fmt::format("\n`tubeplan COMMAND --help` describes one, `tubeplan --cells` prints the folder of the "
+                            "example cells. Exit codes: {}.\n",
+                            kExitCodes);
 }
 
-// Replaces `help CMD` by `CMD --help`. Returns true if the overview of all commands is requested: by `help`, --help, -h
-// or an empty command line.
+/// Returns the folder of the example cells, which is installed beside the program. A program that was built in the
+/// source tree finds them there. Throws InputError if there is none.
+std::string exampleCells() {
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
+  for (const char* cells : {"share/tubeplan/cells", "app/cells"})
+    if (std::filesystem::is_directory(folder / cells)) return (folder / cells).string();
+  throw InputError::saying("--cells", "the example cells are not installed with this program",
+                           "install the package whole, or take them from the source tree: app/cells");
+}
+
+// Replaces `help CMD ACTION` by `CMD ACTION --help`. Returns true if the overview of all commands is requested: by
+// `help`, --help, -h or an empty command line.
 bool asksForOverview(std::vector<std::string>& words) {
   if (!words.empty() && words.front() == "help") {
     words.erase(words.begin());
-    if (!words.empty()) words = {words.front(), "--help"};
+    if (!words.empty()) words.emplace_back("--help");
   }
   return words.empty() || words.front() == "--help" || words.front() == "-h";
 }
@@ -57,6 +70,10 @@ int runCommandLine(std::vector<std::string> words) {
   }
   if (words.front() == "--version") {
     say("tubeplan {}\n", kVersion);
+    return kDone;
+  }
+  if (words.front() == "--cells") {
+    say("{}\n", exampleCells());
     return kDone;
   }
   const std::string name = words.front();

@@ -7,7 +7,7 @@
 namespace tubeplan::app {
 
 /// Runs the command given by the arguments `words` (without the program name) and returns its exit code. For --help,
-/// help, --version or no arguments, prints the text and returns 0. Throws InputError for invalid arguments.
+/// help, --version, --cells or no arguments, prints the text and returns 0. Throws InputError for invalid arguments.
 int runCommandLine(std::vector<std::string> words);
 
 }  // namespace tubeplan::app

@@ -77,6 +77,8 @@ TEST_F(Program, helpsWithAnExampleForEachCommand) {
   }
   for (const char* words : {"map --help", "help map"}) expectSays(run(words).out, "Example:");
   EXPECT_EQ(run("--version").out.substr(0, 9), "tubeplan ");
+  const std::string cells = run("--cells").out;
+  EXPECT_TRUE(std::filesystem::exists(cells.substr(0, cells.find('\n')) + "/outage/job.yaml")) << cells;
 }
 
 /// An output that would overwrite an input of the command, or the file of another output option, is refused.
