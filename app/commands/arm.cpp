@@ -232,10 +232,13 @@ int exportArm(const ArmOptions& options) {
 /// Options that not all actions have.
 const std::vector<ActionOptions>& armActions() {
   static const std::vector<ActionOptions> kActions{
-      {"import", {"--out", "--cell", "--nominal"}},
+      {"import",
+       "makes an arm file from URDF, a controller's calibration.conf or ROS's kinematics of a UR",
+       {"--out", "--cell", "--nominal"}},
       {"export",
+       "writes an arm as URDF, by --convention or by --kinematics",
        {"--out", "--into", "--convention", "--kinematics", "--measurements", "--sigma", "--prior", "--assume"}},
-      {"show", {"--svg", "--json", "--format"}},
+      {"show", "shows an arm for checking", {"--svg", "--json", "--format"}},
   };
   return kActions;
 }
@@ -255,17 +258,12 @@ int run(const ArmOptions& options, const CLI::App& cli) {
 
 Run configureArm(CLI::App& cli) {
   const auto options = std::make_shared<ArmOptions>();
-  cli.add_option("ACTION", options->action,
-                 "import (from URDF, a controller's calibration.conf or ROS's kinematics of a UR), export (to URDF, by "
-                 "--convention or --kinematics) or show")
-      ->required()
-      ->check(oneOf({"import", "export", "show"}));
+  addAction(cli, options->action, armActions());
   cli.add_option(
          "FILE", options->file,
          "a URDF file, an arm file, a cell, a controller's calibration.conf or a kinematics YAML of ur_calibration")
       ->required();
-  cli.add_option("--out", options->out,
-                 "the arm file that import writes, the URDF file or arm file that export writes");
+  cli.add_option("--out", options->out, "import: the arm file to write; export: the URDF file or arm file to write");
   const auto names = deflection::rowConventionNames();
   cli.add_option(
          "--convention", options->convention,

@@ -37,22 +37,10 @@ int run(const JobOptions& options, const CLI::App& cli) {
   throw std::logic_error("an action that its check let pass");
 }
 
-std::vector<std::string> actionNames() {
-  std::vector<std::string> names;
-  for (const JobAction& action : jobActions()) names.push_back(action.action);
-  return names;
-}
-
 std::vector<std::string> legNames() {
   std::vector<std::string> names;
   for (const tubesheets::Leg leg : tubesheets::legs()) names.emplace_back(tubesheets::legName(leg));
   return names;
-}
-
-std::string actionWords() {
-  std::vector<std::string> words;
-  for (const JobAction& action : jobActions()) words.push_back(fmt::format("{}: {}", action.action, action.words));
-  return fmt::format("{}", fmt::join(words, "; "));
 }
 
 std::string markWords() {
@@ -65,15 +53,15 @@ std::string markWords() {
 
 Run configureJob(CLI::App& cli) {
   const auto options = std::make_shared<JobOptions>();
-  cli.add_option("ACTION", options->action, actionWords())->required()->check(oneOf(actionNames()));
-  cli.add_option("FILE", options->file, "the job file (create) or the record of the job (all others)")->required();
+  addAction(cli, options->action, {jobActions().begin(), jobActions().end()});
+  cli.add_option("FILE", options->file, "create: the job file; all others: the record of the job")->required();
   cli.add_option("TUBE", options->tube, "confirm, mark: the tube with steam generator and leg, such as A/hot/R12C40");
   cli.add_option("--out", options->out,
                  "create: the file that keeps the record; plan: the folder for the plans; report: the page");
   cli.add_option("--pdf", options->pdf, "report: print the page to this file too, by headless Chromium");
   cli.add_option("--shift", options->hand_over.shift, "report: the shift, as the job file names it (the latest)");
   cli.add_option("--date", options->hand_over.date,
-                 "report: the day on which the shift began, 2027-04-02 (the latest)");
+                 "report: the day on which the shift began, 2025-04-02 (the latest)");
   cli.add_option("--from", options->from,
                  "plan: the folder of an earlier plan of the job, to reuse what is still valid of it (that of --out)");
   cli.add_option(
@@ -87,7 +75,7 @@ Run configureJob(CLI::App& cli) {
   cli.add_option("--as", options->mark, "mark: " + markWords());
   cli.add_option("--by", options->entry.who, "the person who confirms, marks or undoes");
   cli.add_option("--reason", options->entry.reason, "why a tube is excluded, marked again or undone");
-  cli.add_option("--at", options->entry.at, "time of the event in UTC, 2027-04-02T06:15:30Z (now)");
+  cli.add_option("--at", options->entry.at, "time of the event in UTC, 2025-04-02T06:15:30Z (now)");
   cli.add_option("--after", options->after, "mark: refuse if the tube has a later event than this one of `job next`");
   cli.add_option("--read-back", options->read_back, "confirm: the tube that another person reads at the tool");
   cli.add_option("--position", options->position,

@@ -23,9 +23,8 @@ struct JobOptions {
   FiguresTarget figures;
 };
 
-/// One action of the command, with its words for --help and the function that runs it.
+/// One action of the command, with the function that runs it.
 struct JobAction : ActionOptions {
-  const char* words;
   int (*run)(const JobOptions&);
 };
 

@@ -1,5 +1,11 @@
 // `tubeplan job` from outside: a tube from the plan to its mark, refusals, and exit codes.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <sstream>
 
 #include "tests/app/program.hpp"
 
@@ -84,15 +90,56 @@ TEST_F(JobCommand, TheHandOverIsWrittenBeforeAndAfterThePlan) {
   const json before = answer("job report a.job --out before.html");
   EXPECT_TRUE(before["plan"].is_null());
   EXPECT_TRUE(before["shift"].is_null());
-  EXPECT_EQ(run("job mark a.job A/hot/R9C18 --as skipped --by Tom --at 2027-04-02T06:15:30Z").exit_code, 0);
+  EXPECT_EQ(run("job mark a.job A/hot/R9C18 --as skipped --by Tom --at 2025-04-02T06:15:30Z").exit_code, 0);
   const json plan = answer("job plan a.job --out plans");
   EXPECT_NE(contentOf(folder / "plans/schedule.html").find("\"lower_bound_s\""), std::string::npos);
   const json after = answer("job report a.job --out after.html");
   for (const char* key : {"legs", "times", "schedule", "end_s"}) EXPECT_EQ(after["plan"][key], plan[key]) << key;
-  EXPECT_EQ(after["shift"]["words"], "2027-04-02");
+  EXPECT_EQ(after["shift"]["words"], "2025-04-02");
   for (const json& leg : after["legs"]) EXPECT_GT(leg["time_left_s"], 0);
   const std::string page = contentOf(folder / "after.html");
   EXPECT_NE(page.find("\"page\":\"hand-over\""), std::string::npos);
+}
+
+/// Returns the options in a help text, and the arguments in capitals.
+std::set<std::string> optionsIn(const std::string& help) {
+  static const std::regex kOption(R"(\n  (?:-h,)?(--[a-z-]+|[A-Z]+) )");
+  std::set<std::string> options;
+  for (std::sregex_iterator match(help.begin(), help.end(), kOption), end; match != end; ++match)
+    options.insert((*match)[1]);
+  return options;
+}
+
+/// The actions of two commands, as the help of the command lists them.
+TEST_F(JobCommand, TheHelpOfAnActionIsAboutThatActionAlone) {
+  const std::set<std::string> kChecked{"--help", "--kinematics", "--leg", "--convention", "--format"};
+  for (const std::string command : {"job", "arm"}) {
+    const std::string all = run(command + " --help").out;
+    std::set<std::string> of_all = optionsIn(all), of_any{"ACTION"}, texts;
+    std::smatch names;
+    ASSERT_TRUE(std::regex_search(all, names, std::regex(R"(ACTION TEXT:\{([^}]*)\})")));
+    std::istringstream list(names[1].str());
+    for (std::string action; std::getline(list, action, ',');) {
+      SCOPED_TRACE(command + " " + action);
+      const Outcome help = run(fmt::format("{} {} --help", command, action));
+      EXPECT_EQ(help.exit_code, 0);
+      EXPECT_EQ(run(fmt::format("help {} {}", command, action)).out, help.out);
+      expectSays(help.out, fmt::format("Usage: tubeplan {} {} [OPTIONS] FILE", command, action));
+      EXPECT_TRUE(texts.insert(help.out).second);
+      const std::set<std::string> options = optionsIn(help.out);
+      EXPECT_TRUE(std::ranges::includes(of_all, options));
+      of_any.insert(options.begin(), options.end());
+      for (const std::string& option : of_all) {
+        // options whose values are checked first are refused for these
+        const bool is_checked = kChecked.contains(option) || !option.starts_with("--");
+        const std::string value = option == "--position" ? "1,2" : "1";
+        const Outcome given = run(fmt::format("{} {} none {}={}", command, action, option, value));
+        const bool is_refused = given.err.find("this is an option of") != std::string::npos;
+        EXPECT_TRUE(is_checked || is_refused != options.contains(option)) << option << given.err;
+      }
+    }
+    EXPECT_EQ(of_any, of_all);
+  }
 }
 
 TEST_F(JobCommand, TheShippedJobBalances) {
