@@ -42,7 +42,10 @@ bool SuspectJudgement::isBent(const Suspect& suspect) const {
 }
 
 bool SuspectJudgement::asksForSeveral(const std::vector<Suspect>& suspects) const {
-  const auto isWanting = [&](const Suspect& suspect) { return trials_.isBaseFar(suspect.drawn) || isBent(suspect); };
+  const auto isWanting = [&](const Suspect& suspect) {
+    const bool is_settled = suspect.mend.against > 0 && isAtNoise(suspect);  // a step that leaves only noise
+    return !is_settled && (trials_.isBaseFar(suspect.drawn) || isBent(suspect));
+  };
   return isLeftOver(suspects) || (!suspects.empty() && std::ranges::all_of(suspects, isWanting));
 }
 

@@ -31,7 +31,7 @@ class SuspectJudgement {
   [[nodiscard]] bool isLeftOver(const std::vector<Suspect>& suspects) const;
 
   /// Returns true if several mistakes are worth trying together: an error remains, or every suspect leaves the base far
-  /// from its nominal place or needs a distorted drawing.
+  /// from its nominal place or needs a distorted drawing. A step that leaves only noise needs no further mistake.
   [[nodiscard]] bool asksForSeveral(const std::vector<Suspect>& suspects) const;
 
   /// Returns true if a suspect lowers the error as much as measurement_checks.hpp requires of a mistake.
