@@ -23,6 +23,16 @@ export function causeKey({effect, at}) {
 }
 
 /**
+ * Returns an effect with its sizes, each with its unit, in the notation of requests: EFFECT@PLACE:SIZE=VALUE,...
+ * @param {{effect: string, at: string}} effect
+ * @param {readonly {name: string, value: number | string, unit?: string}[]} sizes
+ */
+export function causeText(effect, sizes) {
+  const texts = sizes.map(({name, value, unit}) => `${name}=${value}${unit && unit !== "1" ? unit : ""}`);
+  return `${causeKey(effect)}${texts.length > 0 ? `:${texts.join(",")}` : ""}`;
+}
+
+/**
  * Returns the names and locations of an explanation's effects, grouped by kind of effect.
  * @param {{effects: readonly NamedEffect[]}} explanation
  */
@@ -110,7 +120,8 @@ function asWave(numbers) {
   /** @param {number} a @param {number} b */
   const spread = (a, b) =>
     isKnown ? Math.hypot(a * Number(sine.sigma), b * Number(cosine.sigma)) / amplitude : undefined;
-  const turn = 180 / Math.PI,
+  const unit = sine.unit === "rad" ? "rad" : "deg",
+    turn = unit === "rad" ? 1 : 180 / Math.PI,
     doubt = spread(cosine.value, sine.value);
   return [
     {name: "amplitude", value: amplitude, sigma: spread(sine.value, cosine.value), unit: sine.unit},
@@ -118,7 +129,7 @@ function asWave(numbers) {
       name: "phase",
       value: turn * Math.atan2(cosine.value, sine.value),
       sigma: doubt === undefined ? undefined : (turn * doubt) / amplitude,
-      unit: "deg",
+      unit,
     },
     ...numbers.filter((number) => number !== sine && number !== cosine),
   ];

@@ -38,7 +38,7 @@ constexpr OtherFile kOtherFiles[] = {
     {"solid", {"facet"}, "a mesh (STL)", "name the file as a solid in a cell's `scene` or `link_shapes`"},
     {"ply\n", {}, "a mesh (PLY)", "name the file as a solid in a cell's `scene` or `link_shapes`"},
     {"",
-     {"\nrows:\n", "\nbase: {", "\nbase:\n", "\ntubesheet:"},
+     {"\nlinks:\n", "\nbase: {", "\nbase:\n", "\ntubesheet:"},
      "a cell or an arm file",
      "open the cell by its name, from its folder"},
     {"PK\x03\x04", {}, "a workbook or an archive (zip)", "save the sheet with the table as CSV and open that"},

@@ -60,13 +60,13 @@ describe("the loop", () => {
       openTab(browser, `${server.address}#error`),
       openTab(browser, `${server.address}#error`),
     ]);
-    for (const tab of [one, other]) await tab.waitForSelector(".models >> text=hysteresis@theta4");
+    for (const tab of [one, other]) await tab.waitForSelector(".models >> text=hysteresis at theta4");
     await one.click("button[title^='Undo']");
     await other.waitForSelector(".models >> text=as given");
     await other.click("button[title^='Redo']");
-    await one.waitForSelector(".models >> text=hysteresis@theta4");
+    await one.waitForSelector(".models >> text=hysteresis at theta4");
     await one.reload();
-    await one.waitForSelector(".models >> text=hysteresis@theta4");
+    await one.waitForSelector(".models >> text=hysteresis at theta4");
     await one.waitForFunction(() => document.querySelectorAll(".ladder-row").length >= 3);
     assert.equal(await one.evaluate(() => location.hash), "#error");
     assert.deepEqual([...one.errors, ...other.errors], []);
@@ -125,7 +125,7 @@ describe("the loop", () => {
     await tab.waitForFunction(() => document.querySelectorAll(".ladder-row").length >= 4, null, {timeout: 60000});
     await tab.waitForFunction(() => !document.querySelector(".job"));
     await tab.click("button[title^='Undo']");
-    await tab.waitForSelector(".models >> text=hysteresis@theta4");
+    await tab.waitForSelector(".models >> text=hysteresis at theta4");
     // The refused formula gives a 4xx, which the browser logs in its console.
     assert.deepEqual(
       tab.errors.filter((text) => !/status of 4/.test(text)),

@@ -68,7 +68,7 @@ describe("the work", () => {
     await tab.waitForSelector(".file", {state: "detached"});
     await tab.keyboard.press("o");
     await tab.click(".file >> text=mine.tubeplan");
-    await tab.waitForSelector(".models >> text=hysteresis@theta4");
+    await tab.waitForSelector(".models >> text=hysteresis at theta4");
     // The expected refusal is a 409, which the browser logs.
     assert.deepEqual(
       tab.errors.filter((text) => !/status of 409/.test(text)),
@@ -85,7 +85,7 @@ describe("the work", () => {
     await server.kill();
     server = await serve(made.folder, "bench.yaml", [], state); // without readings, which the session restores
     const tab = await openTab(browser, `${server.address}#error`);
-    await tab.waitForSelector(".models >> text=hysteresis@theta4");
+    await tab.waitForSelector(".models >> text=hysteresis at theta4");
     await tab.waitForFunction(() => document.querySelectorAll(".ladder-row").length >= 3);
     await tab.waitForSelector(".residual-plot .series-legend >> text=/before: as given, refitted/");
     await tab.click("button[title^='Undo']");

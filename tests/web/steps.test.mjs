@@ -31,21 +31,21 @@ describe("the models as steps", () => {
   it("are gone back to by a click; effects and fitted numbers are switched off and on", async () => {
     const {tab, server, close} = await diagnosed("steps", {hide: "hysteresis@theta4:0.06deg"});
     await tab.click(".next:has-text('Add')");
-    await tab.waitForSelector(".models >> text=+ hysteresis@theta4", LIMIT);
+    await tab.waitForSelector(".models >> text=+ hysteresis at theta4", LIMIT);
     await idle(tab);
     const steps = ".model-panel ol button";
     await tab.click(".model-steps summary");
-    assert.deepEqual(await tab.locator(`${steps} span`).allInnerTexts(), ["as given", "+ hysteresis@theta4"]);
+    assert.deepEqual(await tab.locator(`${steps} span`).allInnerTexts(), ["as given", "+ hysteresis at theta4"]);
     await tab.click(`${steps} >> nth=0`);
     await tab.waitForSelector(`${steps}[aria-current] >> text=as given`);
     assert.equal((await stateOf(server)).model, 0);
     await tab.click(`${steps} >> nth=1`);
-    await tab.waitForSelector(`${steps}[aria-current] >> text=+ hysteresis@theta4`);
+    await tab.waitForSelector(`${steps}[aria-current] >> text=+ hysteresis at theta4`);
     const fitted = (await stateOf(server)).models[0].free.length;
     assert.equal(await tab.locator(".model-panel input:checked").count(), fitted + 1);
 
     await tab.click(".model-panel label:has-text('hysteresis at theta4') input");
-    await tab.waitForSelector(`${steps}[aria-current] >> text=− hysteresis@theta4`, LIMIT);
+    await tab.waitForSelector(`${steps}[aria-current] >> text=− hysteresis at theta4`, LIMIT);
     await idle(tab);
     assert.deepEqual((await stateOf(server)).models.at(-1).effects, []);
     await tab.waitForFunction(() => document.querySelectorAll(".ladder-row").length === 4);

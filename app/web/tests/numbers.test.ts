@@ -57,6 +57,10 @@ describe("figures", () => {
       "joint-compliance at link1.z, link2.z, link3.z and hysteresis at A1",
     );
     expect(briefTitle({effects: more})).toBe("joint-compliance at 3 places and hysteresis at A1");
+    const freed = {effect: "free", at: "geometry", title: "geometry: numbers of the arm's file are off"};
+    for (const title of [explanationTitle, briefTitle])
+      expect(title({effects: [freed, {effect: "hysteresis", at: "A1"}]})).toBe(`hysteresis at A1; ${freed.title}`);
+    expect(briefTitle({effects: [freed]})).toBe(freed.title);
     expect(sizesOf({effects: more})[1]).toBe(
       "link2.z: compliance (3.00 ± 0.20)e−6\u00a0deg/(N·mm), stiffness 3.33e5 N·mm/deg",
     );

@@ -32,7 +32,7 @@ inline constexpr const char* kAllJoints = "all joints";
 /// the arm's file are off".
 [[nodiscard]] std::string causeTitle(const std::string& effect, const std::string& at);
 
-/// Returns the title of a cause in the notation EFFECT@PLACE, with or without sizes after a colon.
+/// Returns the title of a cause in the notation `EFFECT@PLACE`, with or without sizes after a colon.
 [[nodiscard]] std::string causeTitle(const std::string& cause);
 
 /// Returns the names of the variables that the effect's law may depend on, simplest first. An empty list means that the

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <set>
 
-#include "calibration/diagnosis/causes/cause.hpp"
 #include "calibration/diagnosis/discrimination/alternative_measurements.hpp"
 #include "calibration/diagnosis/discrimination/rival_prediction.hpp"
 #include "calibration/estimation/set_aside.hpp"
@@ -144,7 +143,7 @@ double separationNeeded(double sure) { return 2 * std::log(sure / (1 - sure)); }
 std::string nameOf(const Explanation& explanation) {
   std::string name;
   for (const auto& effect : explanation.effects)
-    name += (name.empty() ? "" : " with ") + causeTitle(effect.effect, effect.at);
+    name += (name.empty() ? "" : " with ") + effect.effect + "@" + effect.at;
   return name.empty() ? "nothing missing" : name;
 }
 

@@ -33,6 +33,19 @@ TEST(Causes, AreWhatTheirEffectIsOrFreedNumbers) {
   EXPECT_TRUE(causeVariables(kFreedNumbers).empty());
 }
 
+TEST(Causes, HaveTitlesForSentences) {
+  for (const auto& kind : deflection::effectKinds()) {
+    const std::string name(kind.name), title = name + " at theta4";
+    EXPECT_EQ(causeTitle(name, "theta4"), title);
+    for (const char* text : {"@theta4", "@theta4:0.1deg", "@theta4:a=1,b=2"}) EXPECT_EQ(causeTitle(name + text), title);
+    EXPECT_EQ(causeTitle(name), name);
+  }
+  for (const std::string at : {"geometry", "forearm.beam.Iz"}) {
+    EXPECT_EQ(causeTitle(kFreedNumbers, at), at + ": " + causeWords(kFreedNumbers, at));
+    EXPECT_EQ(causeTitle("free@" + at), causeTitle(kFreedNumbers, at));
+  }
+}
+
 DiagnosisOptions optionsFor(const app::Cell& cell) {
   DiagnosisOptions options;
   options.baseline.free = {cell.identify, false};

@@ -4,7 +4,7 @@ import {computed, useSignal} from "@preact/signals";
 import {submitting, TextInput} from "../drawing/fields";
 import {Icon} from "../drawing/icons";
 import {errorUnit} from "../../../drawing/error_budget.js";
-import {causeKey, explanationTitle} from "../../../drawing/explanations.js";
+import {causeKey, causeText, explanationTitle} from "../../../drawing/explanations.js";
 import {short} from "../../../drawing/numbers.js";
 import {addEffects, addFormula, ladder, removeCauses} from "../error/loop";
 import type {EffectAt, EffectNumber, Model, WorkbenchState} from "../server/documents";
@@ -73,10 +73,11 @@ const freeSwitches = computed<Switch[]>(() => {
 
 /** Returns the effect with the text that requests its addition with its former sizes. */
 function causeOf(effect: EffectAt): EffectAt {
-  const numbers = Object.entries(effect.parameters ?? {}).map(
-    ([name, number]) => `${name}=${(number as EffectNumber).value}`,
-  );
-  return {...effect, add: `${causeKey(effect)}${numbers.length > 0 ? `:${numbers.join(",")}` : ""}`};
+  const sizes = Object.entries(effect.parameters ?? {}).map(([name, number]) => {
+    const {value, unit} = number as EffectNumber;
+    return {name, value, unit};
+  });
+  return {...effect, add: causeText(effect, sizes)};
 }
 
 async function toggle({key, isOn, effect}: Switch): Promise<void> {
