@@ -105,11 +105,12 @@ nlohmann::json basesJson(const BaseChoice& choice, std::size_t tubes, const Unit
 }
 
 constexpr TextLine kBasesWords[] = {
-    {"", "{#candidates} base positions, {tubes} tubes, {reachable} of them in reach of one or another\n"},
+    {"", "{#candidates} base position(|s), {tubes} tube(|s), {reachable} of them in reach of one or another\n"},
     {"", "the cell's own base reaches {candidates/0/reached}\n"},
     {"best", "  {position} {units/length}, rpy {rpy} {units/angle}: reaches {reached}\n"},
     {"reached", "together these reach {}, and no choice of as many reaches more than {reached_at_most}\n"},
-    {"fewest_at_least", "{#fewest} positions reach all {reachable}; fewer than {fewest_at_least} do not\n"},
+    {"fewest_at_least",
+     "{#fewest} (position reaches|positions reach) all {reachable}; fewer than {fewest_at_least} do not\n"},
 };
 
 int run(const BasesOptions& options) {

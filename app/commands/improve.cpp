@@ -21,6 +21,7 @@
 #include "app/formats/cell/cell_writer.hpp"
 #include "app/jobs/improvement.hpp"
 #include "app/storage/atomic_file.hpp"
+#include "app/storage/count_text.hpp"
 
 namespace tubeplan::app {
 
@@ -36,10 +37,7 @@ struct ImproveOptions {
 };
 
 /// Returns a string such as ", without 2 measurements"; empty if `count` is 0.
-std::string withoutText(std::size_t count) {
-  if (count == 0) return "";
-  return fmt::format(", without {} {}", count, count == 1 ? "reading" : "readings");
-}
+std::string withoutText(std::size_t count) { return count == 0 ? "" : ", without " + countText(count, "reading"); }
 
 /// Writes and prints each model as soon as it is found, so that completed steps survive a stop.
 class Keeper {

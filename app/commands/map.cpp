@@ -60,7 +60,7 @@ nlohmann::json mapJson(const Cell& cell, const tubesheets::Sheet& sheet) {
 
 constexpr TextLine kMapWords[] = {
     {"",
-     "{name}: {holes} holes, rows up to {rows}, columns up to {columns}\n"
+     "{name}: {holes} hole(|s), rows up to {rows}, columns up to {columns}\n"
      "layout {layout}, pitch {pitch: units/length}, hole diameter {hole_diameter: units/length}\n"
      "{leg} leg, viewed from {viewed_from}\n"
      "x {extents/x/0} to {extents/x/1: units/length}, y {extents/y/0} to {extents/y/1: units/length}\n{states}\n"},

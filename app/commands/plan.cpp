@@ -19,6 +19,7 @@
 #include "app/documents/plan_files.hpp"
 #include "app/documents/plan_text.hpp"
 #include "app/documents/trajectory_yaml.hpp"
+#include "app/storage/count_text.hpp"
 #include "app/storage/input_error.hpp"
 
 namespace tubeplan::app {
@@ -61,8 +62,8 @@ int explain(const PlanOutcome& outcome) {
 }
 
 std::string keptText(const std::string& from, const PlanOutcome& outcome) {
-  return fmt::format("reused from {}: {}; {} tubes added, {} removed\n", from, reusedText(outcome), outcome.tubes_added,
-                     outcome.tubes_removed);
+  return fmt::format("reused from {}: {}; {} added, {} removed\n", from, reusedText(outcome),
+                     countText(static_cast<std::size_t>(outcome.tubes_added), "tube"), outcome.tubes_removed);
 }
 
 /// Throws InputError for an output folder in which the plan would overwrite one of its input files.

@@ -17,6 +17,7 @@
 #include "app/formats/measurements/measurements_reader.hpp"
 #include "app/formats/measurements/measurements_writer.hpp"
 #include "app/storage/atomic_file.hpp"
+#include "app/storage/count_text.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/text_file.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -84,7 +85,7 @@ int run(const MeasurementsOptions& options) {
   std::string said;
   for (const auto& taken : measurements.taken) said += fmt::format("  {}\n", taken);
   for (const auto& left : measurements.left_out) said += fmt::format("  left out: {}\n", left);
-  remark("{} reading{}\n{}", count, count == 1 ? "" : "s", said);
+  remark("{}\n{}", countText(count, "reading"), said);
   return kDone;
 }
 

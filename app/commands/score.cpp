@@ -155,7 +155,7 @@ nlohmann::json scoredJson(const Scored& scored, const planner::Workcell& cell, c
 constexpr TextLine kWithoutPosture[] = {{"no_posture", "   ({} without a posture)"}, {"", "\n"}};
 constexpr TextLine kScoredWords[] = {
     {"warnings", "warning: {}\n"},
-    {"", "{scored} tubes scored {base/words}, {unreachable} unreachable\n"},
+    {"", "{scored} tube(|s) scored {base/words}, {unreachable} unreachable\n"},
     {"",
      "tubes by number of inserted steps, from none; mean and worst centring error, worst deviation on approach, "
      "{units/length}\n"},

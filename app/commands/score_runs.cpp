@@ -97,7 +97,7 @@ nlohmann::json runsJson(const ScoredRuns& scored, double touch_error, int steps,
 
 constexpr std::string_view kModeWords = "{@:<29}{mean_counts:*6.2f}   {mean_centring_error:l}\n";
 constexpr TextLine kExperimentWords[] = {
-    {"", "{runs} runs of three calibration holes and ten test holes ({#refused} refused"},
+    {"", "{runs} run(|s) of three calibration holes and ten test holes ({#refused} refused"},
     {"refused", ", first: {}", {}, {}, 1},
     {"", "), {base/words}\n"},
     {"warnings", "warning: {}\n"},

@@ -14,6 +14,7 @@
 #include "app/formats/cell/truth_file.hpp"
 #include "app/formats/measurements/measurements_writer.hpp"
 #include "app/storage/atomic_file.hpp"
+#include "app/storage/count_text.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {
@@ -49,8 +50,8 @@ int run(const SimulateOptions& options) {
   folder.write("truth.yaml", truthYaml({cell, task.design, task.truth, campaign, request.seed, request.spread,
                                         task.base.shift, task.base.turn}));
   folder.commit();
-  say("{}: {} readings of kind {}, {} held out\nwrote {}\n", task.design.name, campaign.measurements.size(),
-      calibration::kindOf(task.design.kind).name,
+  say("{}: {} of kind {}, {} held out\nwrote {}\n", task.design.name,
+      countText(campaign.measurements.size(), "reading"), calibration::kindOf(task.design.kind).name,
       std::count_if(campaign.measurements.begin(), campaign.measurements.end(),
                     [](const auto& m) { return m.is_held_out; }),
       (folder.path() / "{measurements.csv,truth.yaml}").string());

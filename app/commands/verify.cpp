@@ -85,7 +85,7 @@ nlohmann::json checkJson(const planner::PlanCheck& check, const Cell& planned, c
 
 constexpr TextLine kPlanCheckWords[] = {
     {"warnings", "warning: {}\n"},
-    {"", "{tubes} tubes, {path_rows} path rows: "},
+    {"", "{tubes} tube(|s), {path_rows} path row(|s): "},
     {"findings", "REFUTED", {}, {}, 1},
     {"!findings", "proved"},
     {"",

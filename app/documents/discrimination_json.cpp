@@ -12,6 +12,7 @@
 #include "app/documents/fill_in_json.hpp"
 #include "app/formats/arm/joint_units.hpp"
 #include "app/formats/measurements/measurements_writer.hpp"
+#include "app/storage/count_text.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {
@@ -106,7 +107,7 @@ std::string discriminationAdvice(const DiscriminatingMeasurements& result) {
   const std::string chance =
       result.never.empty() ? fmt::format(" (probability {:.0f} %)", 100 * result.probability) : "";
   if (result.times == 1)
-    advice = fmt::format("{} further readings would discriminate between {}{}.", count, what, chance);
+    advice = fmt::format("{} would discriminate between {}{}.", countText(count, "further reading"), what, chance);
   else if (result.times > 1)
     advice = fmt::format("It takes about {} further readings to discriminate between {}; the best {} are listed{}.",
                          static_cast<std::size_t>(result.times) * count, what, count, chance);

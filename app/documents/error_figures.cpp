@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/figures.hpp"
+#include "app/storage/count_text.hpp"
 #include "calibration/measurements/measurement_kind.hpp"
 
 namespace tubeplan::app {
@@ -71,8 +72,8 @@ std::string errorBudgetText(const ErrorBudget& budget, std::size_t set_aside, co
   const std::string aside =
       set_aside == 0 ? "" : fmt::format(", {} set aside as {}", set_aside, set_aside == 1 ? "an outlier" : "outliers");
   return fmt::format(
-      "{} error {} (root mean square over {} readings{}): explained {}, remainder {}, noise {}; their squares add up.",
-      budget.is_held_out ? "Held-out" : "Fitted", text(budget.total), budget.measurements, aside,
+      "{} error {} (root mean square over {}{}): explained {}, remainder {}, noise {}; their squares add up.",
+      budget.is_held_out ? "Held-out" : "Fitted", text(budget.total), countText(budget.measurements, "reading"), aside,
       text(budget.explained), text(budget.remainder), text(budget.noise));
 }
 

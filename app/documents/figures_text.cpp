@@ -129,14 +129,18 @@ const json& figureAt(const Scopes& scopes, std::string_view path) {
   throw std::logic_error(fmt::format("no figure '{}' for the text of a document", path));
 }
 
+/// Returns the value of a placeholder, which begins with its path.
+json valueOf(std::string_view placeholder, const Scopes& scopes, const TextLine& line) {
+  const std::string_view path = takeUpTo(placeholder, ':');
+  if (path == "@") return line.name;
+  return path.starts_with('#') ? json(figureAt(scopes, path.substr(1)).size()) : figureAt(scopes, path);
+}
+
 /// Returns the text that replaces a placeholder; `placeholder` is the part between the braces.
-std::string filled(std::string_view placeholder, const Scopes& scopes, const TextLine& line) {
-  std::string_view rest = placeholder, path = takeUpTo(rest, ':');
+std::string filled(std::string_view placeholder, const json& value, const Scopes& scopes) {
+  std::string_view rest = placeholder;
+  (void)takeUpTo(rest, ':');
   const FigureFormat format = parseFigureFormat(takeUpTo(rest, ' '));
-  const bool is_count = path.starts_with('#');
-  const json value = path == "@" ? json(line.name)
-                     : is_count  ? json(figureAt(scopes, path.substr(1)).size())
-                                 : figureAt(scopes, path);
   std::string text = writtenValue(value, format, *scopes.front());
   if (!rest.empty() && !value.is_null()) text += " " + figureAt(scopes, rest).get<std::string>();
   const bool is_left = format.align == "<" || (format.align.empty() && value.is_string());
@@ -145,14 +149,25 @@ std::string filled(std::string_view placeholder, const Scopes& scopes, const Tex
 
 std::string textOf(const Scopes& scopes, std::span<const TextLine> lines);
 
+/// Returns words in which every "(ONE|SEVERAL)" is replaced by one of the two.
+std::string agreeing(std::string_view words, bool is_one) {
+  static const std::regex kChoice(R"(\(([^()|]*)\|([^()|]*)\))");
+  return std::regex_replace(std::string(words), kChoice, is_one ? "$1" : "$2");
+}
+
 /// Returns a line filled in with values of the innermost scope, followed by its inner lines.
 std::string filledIn(const Scopes& scopes, const TextLine& line) {
   std::string text;
   std::string_view rest = line.words;
+  bool is_one = false;
   while (!rest.empty()) {
     const bool has_figure = rest.find('{') != rest.npos;
-    text += takeUpTo(rest, '{');
-    if (has_figure) text += filled(takeUpTo(rest, '}'), scopes, line);
+    text += agreeing(takeUpTo(rest, '{'), is_one);
+    if (!has_figure) continue;
+    const std::string_view placeholder = takeUpTo(rest, '}');
+    const json value = valueOf(placeholder, scopes, line);
+    is_one = value == 1;
+    text += filled(placeholder, value, scopes);
   }
   return text + textOf(scopes, line.inner);
 }

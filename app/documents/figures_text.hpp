@@ -19,7 +19,8 @@ namespace tubeplan::app {
 /// length of a list, and `{@}` the line's `name`. FORMAT is fmt's [<>][+][WIDTH][.DIGITS][TYPE] with additional types:
 /// r, significant digits, without an exponent for numbers from 1 to 1e7; a, like r for the absolute value; l, with the
 /// decimals of a length; %, a fraction as a percentage; p, a p-value; i, an interval with this number of digits; n, a
-/// user-defined name. A list is written with commas or, if FORMAT begins with *, in columns of WIDTH; an object is
+/// user-defined name. `(ONE|SEVERAL)` is replaced by ONE after a placeholder of the number 1, otherwise by SEVERAL:
+/// "{#legs} leg(|s)". A list is written with commas or, if FORMAT begins with *, in columns of WIDTH; an object is
 /// written as "4 open, 2 plugged", and null or a number that is not finite as "none".
 struct TextLine {
   std::string_view of, words;

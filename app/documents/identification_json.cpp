@@ -109,10 +109,10 @@ constexpr TextLine kFoundBaseWords[] = {{"!known", "base", kBaseWords}};
 
 constexpr TextLine kSurfaceWords[] = {{"radius", "centre [{centre:.6r}], radius {radius:.5r}"},
                                       {"!radius", "normal [{normal:.5r}], distance {distance:.6r}"},
-                                      {"", " {units/length}; {readings} readings within {rms:.3r} (rms)\n"}};
+                                      {"", " {units/length}; {readings} reading(|s) within {rms:.3r} (rms)\n"}};
 
 constexpr TextLine kIdentificationWords[] = {
-    {"", "errors of {errors/after/readings} readings\n"},
+    {"", "errors of {errors/after/readings} reading(|s)\n"},
     {"errors/before/readings", kErrorSizeWords, {}, "as it stands"},
     {"errors/after_base/readings", kErrorSizeWords, {}, "with the base fitted"},
     {"errors/after/readings", kErrorSizeWords, {}, "identified"},

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/storage/count_text.hpp"
+
 namespace tubeplan::app {
 
 namespace {
@@ -29,8 +31,8 @@ std::string tubesByStepsText(const std::vector<int>& counts) {
   std::vector<std::string> parts;
   for (std::size_t k = 0; k < counts.size(); ++k)
     if (counts[k] > 0)
-      parts.push_back(fmt::format("{} step{} in {} tube{}", k == 0 ? "no" : fmt::format("{}", k), k == 1 ? "" : "s",
-                                  counts[k], counts[k] == 1 ? "" : "s"));
+      parts.push_back((k == 0 ? "no steps" : countText(k, "step")) + " in " +
+                      countText(static_cast<std::size_t>(counts[k]), "tube"));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -14,6 +14,7 @@
 #include "app/documents/step_chances_json.hpp"
 #include "app/formats/units.hpp"
 #include "app/formats/units_json.hpp"
+#include "app/storage/count_text.hpp"
 #include "app/storage/origin.hpp"
 #include "deflection/flexible_kinematics.hpp"
 #include "planner/scene/scene_shapes.hpp"
@@ -213,8 +214,7 @@ std::string chancesText(const PlanOutcome& outcome) {
   std::string text;
   const auto counts = expectedCounts(outcome.chances);
   for (std::size_t k = 0; k < counts.size(); ++k)
-    text += fmt::format("{} step{} in {:.1f} tubes{}", k, k == 1 ? "" : "s", counts[k],
-                        k + 1 < counts.size() ? ", " : "; ");
+    text += fmt::format("{} in {:.1f} tubes{}", countText(k, "step"), counts[k], k + 1 < counts.size() ? ", " : "; ");
   text += stepChancesText(outcome.chances, outcome.cell.units);
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text;

@@ -22,7 +22,7 @@ constexpr TextLine kPredictedWords[] = {
      "{worst/value:.3r} ({band/worst:.3i}) near {worst/hole}\n"
      "  in addition, from encoder noise at each visit: rms {encoder_noise/median:.3r} in the median, "
      "{encoder_noise/worst:.3r} at worst\n"},
-    {"holes_out_of_reach", "  {} of the requested holes are out of reach\n"},
+    {"holes_out_of_reach", "  {} of the requested holes (is|are) out of reach\n"},
     {"earlier_stages_exact", "  parameters of earlier stages are taken as exact here\n"}};
 
 }  // namespace

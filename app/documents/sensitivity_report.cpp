@@ -131,8 +131,8 @@ constexpr TextLine kRankingWords[] = {
     {"knowledge", "  {name:<36}", kKnowledgeWords}};
 
 constexpr TextLine kSensitivityWords[] = {
-    {"", "{work/postures} postures at work"},
-    {"work/out_of_reach", ", {} tubes out of reach"},
+    {"", "{work/postures} posture(|s) at work"},
+    {"work/out_of_reach", ", {} tube(|s) out of reach"},
     {"touches", "; base calibrated by touching {touches}\n", {}, {}, 1},
     {"!touches", "; base known\n"},
     {"mean_deflection", "", kRankingWords},

@@ -138,18 +138,18 @@ constexpr TextLine kProposedWords[] = {
     {"", " {load:>8.4r}{joints:*10.7r}   {adds/helps} (sigma x {adds/its_sigma_times:.2r})\n"}};
 
 constexpr TextLine kProposalWords[] = {
-    {"", "{work/postures} postures at work"},
-    {"work/out_of_reach", ", {} tubes out of reach"},
+    {"", "{work/postures} posture(|s) at work"},
+    {"work/out_of_reach", ", {} tube(|s) out of reach"},
     {"", "\n"},
     {"notes", "  note: {}\n"},
     {"base/reason", "no touches for the base: {}\n"},
     {"base/candidates",
-     "touches for the base: {count} of {} candidate holes, each coordinate to {sigma:.4r units/length} "
+     "touches for the base: {count} of {} candidate hole(|s), each coordinate to {sigma:.4r units/length} "
      "({sigma_from})\n",
      kTipSigmaWords},
     {"parameters/reason", "no readings for the parameters: {}\n"},
     {"parameters/candidates",
-     "readings for the parameters: {count} of {} candidates, each coordinate to {sigma:.4r units/length} "
+     "readings for the parameters: {count} of {} candidate(|s), each coordinate to {sigma:.4r units/length} "
      "({sigma_from})\n",
      kForecastWords},
     {"next_readings", "{heading}\n", {}, {}, 1},

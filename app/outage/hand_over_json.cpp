@@ -1,6 +1,7 @@
 #include "app/outage/hand_over_json.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -16,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Returns a shift as "2027-04-02 day", or as the date alone where no shift of the job is named.
+/// Returns a shift as "2025-04-02 day", or as the date alone where no shift of the job is named.
 std::string shiftWords(const std::string& date, const std::string& name) {
   return date.empty() || name.empty() ? date + name : date + " " + name;
 }
@@ -85,6 +86,15 @@ std::string heldReason(const MarkedItem& of) {
                                   : fmt::format("{}: {}", of.event->value, of.event->reason);
 }
 
+/// Returns the first tubes of a list by name, and the number of the others: "A/hot/R1C2, A/hot/R1C3 and 7 more".
+std::string namedText(const json& tubes) {
+  constexpr std::size_t kNamed = 5;
+  const std::size_t named = std::min(kNamed, tubes.size());
+  const std::vector<std::string> first(tubes.begin(), tubes.begin() + static_cast<std::ptrdiff_t>(named));
+  const std::string more = tubes.size() > named ? fmt::format(" and {} more", tubes.size() - named) : "";
+  return fmt::format("{}{}", fmt::join(first, ", "), more);
+}
+
 json heldJson(const std::vector<MarkedItem>& held) {
   std::map<std::pair<bool, std::string>, json> by_reason;  // decisions come before tubes that the plan does not reach
   for (const MarkedItem& of : held)
@@ -92,7 +102,7 @@ json heldJson(const std::vector<MarkedItem>& held) {
         .first->second.push_back(addressText(of.item.tube) + " " + of.item.package);
   json list = json::array();
   for (const auto& [key, tubes] : by_reason)
-    list.push_back({{"reason", key.second}, {"is_by_plan", key.first}, {"tubes", tubes}});
+    list.push_back({{"reason", key.second}, {"is_by_plan", key.first}, {"tubes", tubes}, {"named", namedText(tubes)}});
   std::stable_sort(list.begin(), list.end(), [](const json& one, const json& other) {
     return std::pair(one["is_by_plan"], other["tubes"].size()) < std::pair(other["is_by_plan"], one["tubes"].size());
   });
@@ -128,13 +138,14 @@ constexpr TextLine kHandOverWords[] = {
     {"", "{title}\n"},
     {"shift", "shift {words}, from {from} to {to}\n"},
     {"!shift", "nothing is recorded yet for {asked}\n"},
-    {"later_events", "its totals are of its end; warnings and maps are of the present, after {} later events\n"},
+    {"later_events", "its totals are of its end; warnings and maps are of the present, after {} later event(|s)\n"},
     {"!events", "no event is recorded in this shift\n"},
-    {"people", "  {who}: marked {marked}, confirmed {confirmed}, found another tube {wrong} times, undid {undone}\n"},
+    {"people",
+     "  {who}: marked {marked}, confirmed {confirmed}, found another tube {wrong} time(|s), undid {undone}\n"},
     {"wrong_tubes", "warning: at {tube} {who} found {found} ({at})\n"},
     {"plugged_at_one_end", "warning: {} is plugged at this end only\n"},
     {"plugged_in_the_meantime", "warning: {tube} is plugged, but still to be visited in the package {package}\n"},
-    {"held", "held: {#tubes} {reason}\n"},
+    {"held", "held: {named}: {reason}\n"},
     {"", "{#retests} to be visited again; {total/done} of {total/planned} done, {total/unresolved} unresolved\n"},
 };
 

@@ -82,7 +82,8 @@ constexpr TextLine kLegWords[] = {
     {"wait", "  waits for {for}: {words}\n"},
     {"+wait/idle_h", "  its arm is idle for {:.2f} h before\n"},
     {"packages",
-     "  {package:<16} {visits:>6} visits {#unreachable:>5} out of reach {total_h:>8.2f} h: travel {travel_s:.0f} s, up "
+     "  {package:<16} {visits:>6} (visit |visits) {#unreachable:>5} out of reach {total_h:>8.2f} h: travel "
+     "{travel_s:.0f} s, up "
      "and down {approaches_s:.0f} s, in the tubes {in_tubes_s:.0f} s, dwell {dwell_s:.0f} s, tool {change_s:.0f} s\n",
      kReusedWords},
 };
@@ -92,7 +93,8 @@ constexpr TextLine kWords[] = {
     {"notes", "note: {}\n"},
     {"times", "{words:<12} {time_h:>8.2f} h {share:>6.1%} %\n"},
     {"",
-     "{visits} visits, {unreachable} out of reach; {arms} arms end after {end_h:.2f} h ({schedule}; no schedule ends "
+     "{visits} visit(|s), {unreachable} out of reach; {arms} (arm ends|arms end) after {end_h:.2f} h ({schedule}; no "
+     "schedule ends "
      "before "
      "{lower_bound_h:.2f} h)\n"},
 };

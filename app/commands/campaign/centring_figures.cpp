@@ -158,19 +158,19 @@ constexpr std::string_view kWayRow =
     "  {@:<12}{mean/value:>9.4r} +-{mean/sigma:>9.4r}  {quantiles/50:>9.4r}  {quantiles/90:>9.4r}  "
     "{quantiles/95:>9.4r}  "
     "{quantiles/99:>9.4r}";
-constexpr TextLine kSettingWords[] = {{"refused", "  {runs} runs: {reason} (first: run {first_run})\n"},
+constexpr TextLine kSettingWords[] = {{"refused", "  {runs} run(|s): {reason} (first: run {first_run})\n"},
                                       {"warnings", "  warning: {}\n"},
                                       {"none", kWayRow, kVisitStepWords, "without"},
                                       {"compensated", kWayRow, kVisitStepWords, "compensated"}};
 
 constexpr TextLine kCentringWords[] = {
     {"",
-     "{runs_done} of {runs} runs, {holes_in_a_run} holes in each of {tubes/in_reach} in reach of {tubes/asked}, "
+     "{runs_done} of {runs} run(|s), {holes_in_a_run} hole(|s) in each of {tubes/in_reach} in reach of {tubes/asked}, "
      "{base/words}\n"
      "error, {units/length:<7}     mean                   50 %       90 %       95 %       99 %  % of the visits by so "
      "many steps or more: 1, 2, ...\n"},
     {"settings",
-     "{touches} touches, {choice}, touch sigma {touch_sigma:.4r units/length}: {scored} of {runs} runs scored\n",
+     "{touches} touch(|es), {choice}, touch sigma {touch_sigma:.4r units/length}: {scored} of {runs} run(|s) scored\n",
      kSettingWords}};
 
 }  // namespace

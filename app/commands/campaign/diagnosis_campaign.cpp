@@ -8,6 +8,7 @@
 #include "app/documents/figures_text.hpp"
 #include "app/formats/units_json.hpp"
 #include "app/report/campaign_report.hpp"
+#include "app/storage/count_text.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/suggestion.hpp"
 #include "app/studies/monte_carlo/confidence.hpp"
@@ -260,14 +261,14 @@ std::string undecidedText(const std::string& hidden, const json& outcomes) {
   for (const auto kind : {DiagnosisOutcomeKind::kInconclusive, DiagnosisOutcomeKind::kNotMade}) {
     const auto k = static_cast<std::size_t>(kind);
     const auto count = outcomes[std::string(kDiagnosisOutcomes[k])].get<std::uint64_t>();
-    if (count > 0) text += fmt::format("{}: {} runs {}\n", hidden, count, kOutcomeWords[k]);
+    if (count > 0) text += fmt::format("{}: {} {}\n", hidden, countText(count, "run"), kOutcomeWords[k]);
   }
   return text;
 }
 
 std::string diagnosisCampaignText(const json& figures) {
   const auto& hidden = figures["hidden"];
-  std::string text = textOf(figures, "{runs_done} of {runs} runs, {readings} readings of {design} in each\n");
+  std::string text = textOf(figures, "{runs_done} of {runs} run(|s), {readings} reading(|s) of {design} in each\n");
   text += "nothing hidden: false alarms " + textOf(figures["nothing_hidden"]["false_alarms"], kShareWords);
   for (const auto& [key, words] : kRates)
     text += fmt::format("an effect hidden: {:<24}", words) + textOf(hidden[key], kShareWords);

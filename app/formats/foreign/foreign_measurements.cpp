@@ -15,6 +15,7 @@
 #include "app/formats/foreign/foreign_heading.hpp"
 #include "app/formats/foreign/form_columns.hpp"
 #include "app/formats/foreign/joined_rows.hpp"
+#include "app/storage/count_text.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/suggestion.hpp"
 #include "tubesheets/csv_table.hpp"
@@ -53,7 +54,7 @@ class ForeignReader {
       else
         addRow(k);
     }
-    if (lost > 0) out_.left_out.push_back(fmt::format("{} rows without coordinates", lost));
+    if (lost > 0) out_.left_out.push_back(countText(lost, "row") + " without coordinates");
     return std::move(out_);
   }
 

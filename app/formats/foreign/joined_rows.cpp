@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "app/storage/count_text.hpp"
 #include "app/storage/input_error.hpp"
 #include "tubesheets/csv_table.hpp"
 
@@ -42,7 +43,8 @@ class RowJoiner {
       throw InputError::saying(lead().file, "no row has a name that also occurs in the other tables",
                                "give the points the same names in all tables");
     if (const std::size_t lost = lead().rows.size() - kept; lost > 0)
-      out_.left_out.push_back(fmt::format("{} rows of {} whose names another table does not have", lost, lead().file));
+      out_.left_out.push_back(
+          fmt::format("{} of {} whose names another table does not have", countText(lost, "row"), lead().file));
     return std::move(out_);
   }
 
@@ -93,8 +95,8 @@ class RowJoiner {
     if (!used.empty()) {
       match("by name");
       if (used.size() < index.size())
-        out_.left_out.push_back(fmt::format("{} rows of {} whose names {} does not have", index.size() - used.size(),
-                                            table(t).file, lead().file));
+        out_.left_out.push_back(fmt::format("{} of {} whose names {} does not have",
+                                            countText(index.size() - used.size(), "row"), table(t).file, lead().file));
     }
     return partners;
   }

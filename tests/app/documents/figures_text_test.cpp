@@ -2,10 +2,13 @@
 // unit; it is omitted if a value is missing.
 #include "app/documents/figures_text.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "app/storage/count_text.hpp"
 
 namespace tubeplan::app {
 namespace {
@@ -38,6 +41,18 @@ TEST(DocumentText, fillsInFigures) {
   for (const auto& [words, text] : kCases) EXPECT_EQ(textOf(kDocument, words), text);
   EXPECT_EQ(textOf(kDocument, "{name:n}").find('\n'), std::string::npos);
   EXPECT_THROW((void)textOf(kDocument, "{no/such}"), std::logic_error);
+}
+
+TEST(DocumentText, agreesWithItsCounts) {
+  for (const int count : {0, 1, 2, 11}) {
+    const nlohmann::json list(static_cast<std::size_t>(count), "x");
+    const nlohmann::json document{{"count", count}, {"list", list}};
+    const std::string noun = count == 1 ? "touch is" : "touches are";
+    EXPECT_EQ(textOf(document, "{count} touch(|es) (is|are) (here)"), fmt::format("{} {} (here)", count, noun));
+    EXPECT_EQ(textOf(document, "{#list:>3} touch(|es) (is|are)"), fmt::format("{:>3} {}", count, noun));
+    EXPECT_EQ(countText(static_cast<std::size_t>(count), "step"),
+              fmt::format("{} step{}", count, count == 1 ? "" : "s"));
+  }
 }
 
 TEST(DocumentText, hasALineForEachEntry) {

@@ -1,7 +1,7 @@
 // The plot of the errors against a variable: points, scales, axes and series.
 import type uPlot from "uplot";
 import type {Bin} from "../../../drawing/binned.js";
-import {exact, isNumber, plainUnit, tickTexts} from "../../../drawing/numbers.js";
+import {exact, isNumber, plainUnit, plural, tickTexts} from "../../../drawing/numbers.js";
 import type {View} from "../../../drawing/own_variable.js";
 import {
   type ErrorPair,
@@ -51,7 +51,7 @@ export function makePlot(errors: ErrorPair, view: View, look: PlotLook): MadePlo
   return {
     rows,
     law,
-    words: `${errorTitle(view)} against ${variableTitle(view.variable)}, of ${rows.length} readings: ${names}`,
+    words: `${errorTitle(view)} against ${variableTitle(view.variable)}, of ${plural(rows.length, "reading")}: ${names}`,
     data: [rows.map((row) => row.x), ...values.map((column) => rows.map((row) => column[row.index]))],
     options: {
       scales: scalesOf(view, isLevel, look.most),

@@ -9,6 +9,7 @@ import {palette, type Palette} from "../drawing/colours";
 import {followLasso, isInside} from "../drawing/lasso";
 import {usePainted} from "../drawing/painted";
 import {nearestPlace} from "../../../drawing/frames.js";
+import {plural} from "../../../drawing/numbers.js";
 import {PLANES, type Plane} from "../../../drawing/planes.js";
 import {MOST_ARROWS} from "../../../drawing/shares.js";
 import {units} from "../server/workbench";
@@ -55,7 +56,7 @@ export function ResidualArrows() {
         <canvas
           ref={canvas}
           role="img"
-          aria-label={`Errors of ${errors?.readings.length ?? 0} readings as arrows at their places`}
+          aria-label={`Errors of ${plural(errors?.readings.length ?? 0, "reading")} as arrows at their places`}
           onPointerMove={pointAt}
           onPointerLeave={() => (pointed.value = "")}
           onClick={() => pointed.value !== "" && showReading(pointed.value)}

@@ -1,5 +1,5 @@
 // Gantt chart of a job's plan: legs, mounting, tool changes and packages of each arm over time.
-import {duration, fixed} from "../../../drawing/numbers.js";
+import {duration, fixed, plural} from "../../../drawing/numbers.js";
 import {type Fill, FillIcon, fillOf, FillPatterns} from "../drawing/hatching";
 import {hours, type JobPlan, legName, type LegPlan, packageFills, timeFill} from "./job_plan";
 
@@ -32,7 +32,7 @@ function blocksOf(leg: LegPlan, fills: Map<string, Fill>): Block[] {
   add(leg.mount_s, timeFill("mount_s"), "", `mounting in ${legName(leg)}`);
   for (const of of leg.packages) {
     add(of.change_s, timeFill("change_s"), "", `tool change for ${of.package}`);
-    add(of.total_s - of.change_s, fills.get(of.package)!, of.package, `${of.package}, ${of.visits} visits`);
+    add(of.total_s - of.change_s, fills.get(of.package)!, of.package, `${of.package}, ${plural(of.visits, "visit")}`);
   }
   return blocks;
 }

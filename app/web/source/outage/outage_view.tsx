@@ -4,6 +4,7 @@ import {useSignal} from "@preact/signals";
 import {Select} from "../drawing/fields";
 import {Panel} from "../drawing/panel";
 import {Waiting} from "../shell/states";
+import {plural} from "../../../drawing/numbers.js";
 import {
   chooseRecord,
   type JobEvent,
@@ -152,7 +153,7 @@ const SHOWN_EVENTS = 200;
 function Log() {
   const latest = events.value.slice(-SHOWN_EVENTS).reverse();
   return (
-    <Panel title={`Log, ${events.value.length} events`} kind="desk-log" body="desk-events">
+    <Panel title={`Log, ${plural(events.value.length, "event")}`} kind="desk-log" body="desk-events">
       {latest.length === 0 ? <p class="muted">Nothing has been recorded yet.</p> : null}
       {latest.map((event) => (
         <div class={`desk-event ${event.undone ? "undone" : ""}`} key={event.event}>

@@ -2,7 +2,7 @@
 import {effect, signal} from "@preact/signals";
 import {toggled} from "../drawing/fields";
 import {MarkIcon} from "../drawing/marks";
-import {whole} from "../../../drawing/numbers.js";
+import {plural, whole} from "../../../drawing/numbers.js";
 import {select} from "../shell/page_state";
 import type {Colouring} from "./colourings";
 import {Segments} from "../drawing/segments";
@@ -25,7 +25,7 @@ export function LegendPanel({colouring: shown, isReady}: {colouring: Colouring; 
       <header>
         <h2>{isReady ? shown.title : "State"}</h2>
         <div class="end">
-          <span class="muted">{whole(shown.of.length)} holes</span>
+          <span class="muted">{plural(shown.of.length, "hole")}</span>
         </div>
       </header>
       <ul class="legend">
@@ -44,7 +44,7 @@ export function LegendPanel({colouring: shown, isReady}: {colouring: Colouring; 
               </label>
               <button
                 class="link"
-                title={`Select these ${whole(shown.counts[index])} holes`}
+                title={`Select ${plural(shown.counts[index], "hole")}`}
                 disabled={shown.counts[index] === 0}
                 onClick={() => select(holesOf(shown, index))}
               >

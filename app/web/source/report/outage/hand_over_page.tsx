@@ -28,7 +28,7 @@ export const HAND_OVER_PAGE: PageKind = {
   ],
 };
 
-/** Returns a time of the record in words: "2027-04-02 06:15". */
+/** Returns a time of the record in words: "2025-04-02 06:15". */
 export function timeWords(at: unknown): string {
   return textOf(at)
     .replace("T", " ")
@@ -189,7 +189,7 @@ function TotalsSection({report}: OfReport) {
       <p class="note">
         Planned = done + excluded + unresolved, in every row.
         {isNumber(report.later_events) && report.later_events > 0
-          ? ` Totals, held and queued tubes are of the end of the shift; warnings and maps are of the present, after ${report.later_events} later events.`
+          ? ` Totals, held and queued tubes are of the end of the shift; warnings and maps are of the present, after ${plural(report.later_events, "later event")}.`
           : ""}
       </p>
       {list(report.totals).map(({by, rows}) => (
