@@ -35,16 +35,8 @@ std::string wordsOfKey(const std::string& key) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-bool isPlain(const json& value) {
-  return value.is_array() ? std::all_of(value.begin(), value.end(), isPlain) : !value.is_object() || value.empty();
-}
-
 bool isUnknown(const json& value) {
   return value.is_null() || (value.is_number_float() && !std::isfinite(value.get<double>()));
-}
-
-bool hasReal(const json& value) {
-  return value.is_array() ? std::any_of(value.begin(), value.end(), hasReal) : value.is_number_float();
 }
 
 /// Returns the name that distinguishes an entry from the other entries of its list; if it has no name, its number,
@@ -109,6 +101,14 @@ class FigureCollector {
 };
 
 }  // namespace
+
+bool isPlain(const json& value) {
+  return value.is_array() ? std::all_of(value.begin(), value.end(), isPlain) : !value.is_object() || value.empty();
+}
+
+bool hasReal(const json& value) {
+  return value.is_array() ? std::any_of(value.begin(), value.end(), hasReal) : value.is_number_float();
+}
 
 std::string Figure::key() const {
   return fmt::format("{}{}{}", list.empty() ? "" : fmt::format("{}/{}", list, row),

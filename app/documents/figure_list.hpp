@@ -8,6 +8,12 @@
 
 namespace tubeplan::app {
 
+/// Returns true for a scalar, and for a list of scalars or of such lists.
+[[nodiscard]] bool isPlain(const nlohmann::json& value);
+
+/// Returns true if a value is, or contains, a number that is not a count.
+[[nodiscard]] bool hasReal(const nlohmann::json& value);
+
 struct Figure {
   /// Path of the outermost list that contains the value, such as "parameters"; empty outside lists.
   std::string list;

@@ -41,6 +41,7 @@ nlohmann::json priorJson(const Unknown& unknown, const Units& units) {
   const bool is_compliance = unknown.scale == Unknown::Scale::kCompliance;
   return {{"sigma", is_compliance ? finiteJson(unknown.prior_sigma * unknown.start)
                                   : finiteJson(unknown.prior_sigma / units.factor(dimensionOf(unknown.quantity)))},
+          {"unit", is_compliance ? "1" : units.nameOf(dimensionOf(unknown.quantity))},
           {"of", is_compliance ? "compliance relative to its initial value" : "value"}};
 }
 

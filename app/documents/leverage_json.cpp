@@ -1,9 +1,12 @@
 #include "app/documents/leverage_json.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/documents/figure_units.hpp"
 #include "app/documents/figures.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/studies/model/cell_fit.hpp"
@@ -84,15 +87,20 @@ json leverageJson(const Cell& cell, const std::vector<calibration::Measurement>&
     measurements[measurement.id] = std::move(numbers);
     tools[measurement.id] = std::move(axes);
   }
-  json units = json::array();
-  for (const auto& lever : levers)
-    units.push_back(cell.units.nameOf(lever.slides ? dimension::kLength : dimension::kAngle));
+  json units = json::array(), units_of_each = json::array();
+  for (const auto& lever : levers) {
+    const std::string by = cell.units.nameOf(lever.slides ? dimension::kLength : dimension::kAngle);
+    units.push_back(by);
+    units_of_each.insert(units_of_each.end(), 3, fmt::format("{}/{}", cell.units.length().name, by));
+  }
   const Isometry3d& X_WB = placed.base_poses.empty() ? cell.X_WB : placed.base_poses.front().X_WB;
   return {{"units", units},
           {"names", names},
           {"base", vectorJson(X_WB.translation(), cell.units, dimension::kLength)},
           {"up", vectorOf(-cell.arm.gravity_W.normalized())},
           {"tool", tools},
+          {"unit", kOfEachNumber},
+          {"units_of_each", units_of_each},
           {"readings", measurements}};
 }
 

@@ -8,8 +8,8 @@
 #include "app/cli/stop_signal.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/commands/command_words.hpp"
+#include "app/documents/converted_figures.hpp"
 #include "app/documents/figure_list.hpp"
-#include "app/documents/si_figures.hpp"
 #include "app/formats/cell/cell_reader.hpp"
 #include "app/outage/job_store.hpp"
 #include "app/python/python_hooks.hpp"
@@ -81,7 +81,8 @@ py::tuple callCommand(const std::vector<std::string>& words, const std::string& 
   const int code = withoutLock([&] {
     try {
       const int exit_code = runFor(caller, words);
-      if (are_si && !caller.figures.is_null()) caller.figures = inSiUnits(caller.figures, jointsOfFile(file));
+      if (are_si && !caller.figures.is_null())
+        caller.figures = inUnits(caller.figures, {.joints = jointsOfFile(file)}, TargetUnits::si());
       return exit_code;
     } catch (const InputError&) {
       if (!python.error()) throw;

@@ -13,6 +13,7 @@
 #include "app/workbench/connection.hpp"
 #include "app/workbench/page_files.hpp"
 #include "app/workbench/routes.hpp"
+#include "app/workbench/shown_units.hpp"
 #include "app/workbench/state_json.hpp"
 
 namespace tubeplan::app {
@@ -246,22 +247,34 @@ class HttpServer::Implementation : public httplib::Server {
     response.set_header("Cache-Control", "no-store");
     auto seen = std::make_shared<Events::Seen>();
     auto spoken = std::make_shared<std::chrono::steady_clock::time_point>();
+    std::optional<ShownUnits> units;
+    try {
+      units = ShownUnits::of(requestOf(request, ""));
+    } catch (const InputError& error) {
+      events.leave();
+      return put(refusal(422, error), response);
+    }
     response.set_chunked_content_provider(
         "text/event-stream",
-        [this, seen, spoken](std::size_t, httplib::DataSink& sink) { return sendNews(*seen, *spoken, sink); },
+        [this, seen, spoken, units](std::size_t, httplib::DataSink& sink) {
+          return sendNews(*seen, *spoken, units, sink);
+        },
         [&events](bool) { events.leave(); });
   }
 
   /// Sends the events since the last call, or a heartbeat if nothing was sent for a while. Returns false if the
   /// connection ends.
-  bool sendNews(Events::Seen& seen, std::chrono::steady_clock::time_point& spoken, httplib::DataSink& sink) {
+  bool sendNews(Events::Seen& seen, std::chrono::steady_clock::time_point& spoken,
+                const std::optional<ShownUnits>& units, httplib::DataSink& sink) {
     const auto news = workbench_.events().wait(seen, kGlanceAtListener);
     if (news.closed || !sink.is_writable()) return false;
     std::string text;
-    if (news.state_changed)
-      text += eventText("state", stateJson(workbench_).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    const auto shown = [&](const nlohmann::json& json) {
+      return answerOf(units ? units->shown(json, workbench_.session()) : json).body;
+    };
+    if (news.state_changed) text += eventText("state", shown(stateJson(workbench_)));
     for (const auto& job : news.jobs) text += eventText("job", job);
-    if (!news.live.empty()) text += eventText("live", news.live);
+    if (!news.live.empty()) text += eventText("live", units ? shown(nlohmann::json::parse(news.live)) : news.live);
     const auto now = std::chrono::steady_clock::now();
     if (text.empty() && now - spoken > kHeartbeat) text = eventText("alive", "{}");
     if (text.empty()) return true;

@@ -241,7 +241,7 @@ constexpr Route kMeasurementRoutes[] = {
     {"GET", "moments", moments},
     {"GET", "leverage", leverage},
     {"POST", "measurements", uploadMeasurements},
-    {"POST", "measurements/columns", foreignColumns},
+    {"POST", "measurements/columns", foreignColumns, true},
     {"POST", "measurements/foreign", takeForeign},
     {"POST", "measurements/open", openMeasurementsFile},
     {"POST", "measurements/set-aside", setAside},

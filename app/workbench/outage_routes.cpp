@@ -10,6 +10,7 @@
 #include "app/storage/origin.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
+#include "app/workbench/shown_units.hpp"
 #include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
@@ -106,7 +107,8 @@ Answer confirm(Workbench& workbench, const Request& request) {
   if (asked.read.empty()) {
     const std::vector<double> position = numbersOf(body, "position");
     if (position.size() != 2) throw InputError("position", fmt::format("{} numbers", position.size()), "x and y");
-    const double length = store.job().units.factor(dimension::kLength);
+    const auto units = ShownUnits::of(request);
+    const double length = units ? units->lengthFactor(store.job().units) : store.job().units.factor(dimension::kLength);
     asked.xy = {position[0] * length, position[1] * length};
   }
   return answerOf(findingJson(asked.tube, confirmTube(store, asked)));

@@ -234,7 +234,7 @@ constexpr Route kPlanRoutes[] = {
     {"POST", "reach", reach},     {"POST", "field", field},
     {"POST", "inverse", inverse}, {"POST", "plan", plan},
     {"GET", "plan/path", path},   {"GET", "plan/clearance", clearance},
-    {"POST", "tubes", workList},  {"POST", "tubes/columns", listColumns},
+    {"POST", "tubes", workList},  {"POST", "tubes/columns", listColumns, true},
 };
 
 }  // namespace

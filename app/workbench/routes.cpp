@@ -7,6 +7,7 @@
 
 #include "app/storage/input_error.hpp"
 #include "app/storage/json_value.hpp"
+#include "app/workbench/shown_units.hpp"
 
 namespace tubeplan::app {
 
@@ -40,6 +41,14 @@ const Route* findRoute(const Request& request, bool& known_path) {
   return nullptr;
 }
 
+/// Calls a handler. Its figures are converted from and to the units that the request names.
+Answer answerBy(const Route& route, Workbench& workbench, const Request& request) {
+  const auto units = ShownUnits::of(request);
+  if (!units) return route.answer(workbench, request);
+  Answer answer = route.answer(workbench, units->inFileUnits(request, workbench.session()));
+  return route.is_of_file ? answer : units->shown(std::move(answer), workbench.session());
+}
+
 std::string pathOf(const Request& request) {
   std::string path = "/api";
   for (const auto& word : request.words) path += "/" + word;
@@ -52,7 +61,7 @@ Answer answer(Workbench& workbench, const Request& request) {
   try {
     bool known_path = false;
     const Route* route = findRoute(request, known_path);
-    if (route) return route->answer(workbench, request);
+    if (route) return answerBy(*route, workbench, request);
     if (known_path)
       return refusal(405, InputError::saying(pathOf(request), "this address does not take " + request.method,
                                              "docs/workbench_api.md lists the methods of every address"));

@@ -14,6 +14,8 @@ namespace tubeplan::app {
 struct Route {
   std::string_view method, path;
   Answer (*answer)(Workbench& workbench, const Request& request);
+  bool is_of_file =
+      false;  ///< true if the units in the answer are those of a file of the user, which are not converted
 };
 
 [[nodiscard]] std::span<const Route> geometryRoutes();
@@ -27,7 +29,8 @@ struct Route {
 [[nodiscard]] std::span<const Route> liveRoutes();
 [[nodiscard]] std::span<const Route> outageRoutes();
 
-/// Calls the handler of a request. Converts every exception to an answer; throws nothing.
+/// Calls the handler of a request. Figures are in the units that the request names, otherwise in those of the cell's
+/// file. Converts every exception to an answer; throws nothing.
 [[nodiscard]] Answer answer(Workbench& workbench, const Request& request);
 
 }  // namespace tubeplan::app

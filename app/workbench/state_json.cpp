@@ -60,6 +60,7 @@ json cellJson(const Session& session) {
   return {{"name", cell.name},
           {"file", std::filesystem::path(cell.path).filename().string()},
           {"units", measurementUnitsJson(cell.units)},
+          {"file_units", {{"length", cell.units.length().name}, {"angle", cell.units.angle().name}}},
           {"base_known", cell.base_known},
           {"has_sheet", cell.sheet.has_value()},
           {"has_scene", !cell.scene.obstacles.empty() || !cell.scene.bodies.empty()},

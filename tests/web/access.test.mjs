@@ -53,6 +53,19 @@ describe("axe-core has no serious finding", () => {
     }
   });
 
+  it("in the menus of the header, which the keyboard opens and closes", async () => {
+    for (const menu of [".unit-menu", ".project-tools .menu", ".model-steps"]) {
+      await tab.focus(`.header ${menu} summary`);
+      await tab.keyboard.press("Enter");
+      await tab.waitForSelector(`.header ${menu}[open]`);
+      assert.deepEqual(await findings(), []);
+      await tab.keyboard.press("Tab");
+      assert.ok(await tab.evaluate((name) => document.activeElement.closest(name) !== null, menu), menu);
+      await tab.keyboard.press("Escape");
+      await tab.waitForSelector(`.header ${menu}:not([open])`);
+    }
+  });
+
   it("in the tabs of the error view after a diagnosis", async () => {
     await tab.evaluate(() => (location.hash = "error"));
     await tab.click(".next:has-text('Diagnose'):not([disabled])");

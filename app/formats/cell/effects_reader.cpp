@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/formats/quantities.hpp"
+#include "app/formats/unit_names.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/suggestion.hpp"
 #include "deflection/effects/formula.hpp"
@@ -95,7 +96,17 @@ Effect readEffect(const YamlNode& node, const deflection::Arm& arm, const Units&
   return effect;
 }
 
-/// Reads a number such as "0.15deg"; the unit is optional and must be the file's unit.
+/// Returns the size of a unit written behind a number [internal units]: the file's unit if none is written;
+/// std::nullopt if it is none of this dimension.
+std::optional<double> factorOfWritten(const std::string& written, Dimension unit, const Units& units) {
+  if (written.empty()) return units.factor(unit);
+  const auto given = convertedUnit(written, TargetUnits::si()),
+             expected = convertedUnit(units.nameOf(unit), TargetUnits::si());
+  if (!given || !expected || given->name != expected->name) return std::nullopt;
+  return units.factor(unit) * given->factor / expected->factor;
+}
+
+/// Reads a number such as "0.15deg"; without a unit it is in the file's unit.
 double readSize(const std::string& text, double lower, double upper, Dimension unit, const Units& units,
                 const std::string& where) {
   std::size_t used = 0;
@@ -105,10 +116,10 @@ double readSize(const std::string& text, double lower, double upper, Dimension u
   } catch (const std::exception&) {
     used = 0;
   }
-  const std::string written = text.substr(used);
-  if (used == 0 || !std::isfinite(value) || (!written.empty() && written != units.nameOf(unit)))
+  const auto factor = factorOfWritten(text.substr(used), unit, units);
+  if (used == 0 || !std::isfinite(value) || !factor)
     throw InputError(where, inQuotes(text), "a number in " + units.nameOf(unit), "");
-  const double internal = units.toInternal(value, unit);
+  const double internal = value * *factor;
   if (internal < lower || internal > upper)
     throw InputError(where, inQuotes(text),
                      fmt::format("a number from {} to {} {}", formatNumber(units.toFile(lower, unit)),

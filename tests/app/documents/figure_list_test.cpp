@@ -19,7 +19,7 @@ json documentWithAll() {
     "error_unit": "mm", "verdict": "adequate", "bare": {}, "none": [], "count": 3, "known": true, "p_value": 0.25,
     "rms": {"heldout_after": 0.5, "before": null}, "base": {"position": [1.5, 2, 3], "rpy": [0.1, 0.2, 0.3]},
     "covariance": [[1.5, 2], [3, 4.5]], "moment": 2.5,
-    "parameters": [{"name": "tip|x", "value": 1.25, "unit": "rad", "prior": {"sigma": 0.5, "of": "value"}},
+    "parameters": [{"name": "tip|x", "value": 1.25, "unit": "rad", "prior": {"sigma": 0.5, "unit": "1", "of": "value"}},
                    {"name": "a,\"b\"", "value": null, "note": "fixed\nhere", "parts": [{"id": "P1", "load": 2.5}]}],
     "mixed": [[{"effect": "backlash", "at": "theta1", "interval": [0.5, 1], "unit": "deg"}], "alone"],
     "readings": [{"id": "P1", "humidity": 50.5, "sigma": 0.01, "joints": [1.5]}, {"id": "P2", "humidity": 51.5}]})");

@@ -45,11 +45,19 @@ export function FormulaBox() {
       <p class="muted">
         Changes a joint, tip.x to tip.z, base.x to base.z or base.yaw. Knows {joints.join(", ")}, {a}_dir for the sense
         of its last motion, load, {conditions.join(", ")} and moment_ROW_z. Other names are numbers that the fit finds.
-        Undo takes it back.
+        Undo takes it back.{fileUnitsWords()}
       </p>
       <CatalogueMenu />
     </form>
   );
+}
+
+/** Returns the units of the numbers in a formula, which a cell file states too, where the page shows others. */
+function fileUnitsWords(): string {
+  const {length, angle} = units.value,
+    file = cell.value?.file_units;
+  if (!file || (file.length === length && file.angle === angle)) return "";
+  return ` Numbers in it are in the units of the cell's file: ${file.length}, ${file.angle}.`;
 }
 
 /** Menu of all effects of the catalogue at all places of this arm, for adding without a proposal. */

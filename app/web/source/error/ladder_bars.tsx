@@ -1,5 +1,6 @@
 // The ladder as bars: the fitted and held-out errors of each model, relative to the noise floor.
 import {signal} from "@preact/signals";
+import {inUnit} from "../server/chosen_units";
 import {cell, state} from "../server/workbench";
 import {keep, keptObject} from "../shell/kept";
 import {LADDER_WORDS} from "../../../drawing/ladder.js";
@@ -7,20 +8,25 @@ import {ladderOf, ladderOfDiagnosis, ladderOfOne, type Ladder} from "./ladder";
 import {LadderRows, MARKS_IN_WORDS} from "./ladder_rows";
 import {compare, currentDiagnosis, ladder} from "./loop";
 
-// ---- the tolerance, chosen by the user for each cell and kept in this browser
+// ---- the tolerance, typed by the user for each cell and kept in this browser with its unit
 
 const KEPT = "tubeplan.tolerance";
 const typed = signal(keptObject<string>(KEPT));
 
-const typedHere = () => typed.value[cell.value?.file ?? ""] ?? "";
+/** Returns the tolerance as typed, or its number in the unit if it was typed in another one. */
+function typedHere(unit: string): string {
+  const info = cell.value,
+    [text = "", own = info?.file_units?.length ?? unit] = (typed.value[info?.file ?? ""] ?? "").split(" ");
+  return own === unit || text === "" ? text : String(Number(inUnit(Number(text), own, unit).toPrecision(4)));
+}
 
-function tolerance(): number | null {
-  const value = Number(typedHere());
+function tolerance(unit: string): number | null {
+  const value = Number(typedHere(unit));
   return Number.isFinite(value) && value > 0 ? value : null;
 }
 
-function setTolerance(text: string): void {
-  typed.value = {...typed.peek(), [cell.peek()?.file ?? ""]: text.replace(",", ".")};
+function setTolerance(text: string, unit: string): void {
+  typed.value = {...typed.peek(), [cell.peek()?.file ?? ""]: `${text.trim().replace(",", ".")} ${unit}`};
   keep(KEPT, typed.peek());
 }
 
@@ -56,7 +62,7 @@ function withPresentNames(shown: Ladder | null): Ladder | null {
 export function LadderBars() {
   const shown = withPresentNames(shownLadder());
   if (!shown) return <p class="muted">Errors of the models appear here after a comparison.</p>;
-  const limit = tolerance();
+  const limit = tolerance(shown.unit);
   return (
     <div class="ladder">
       <LadderRows ladder={shown} limit={limit} now={shown.models.length - 1} />
@@ -70,8 +76,8 @@ export function LadderBars() {
           <input
             inputMode="decimal"
             placeholder="none"
-            value={typedHere()}
-            onInput={(event) => setTolerance(event.currentTarget.value)}
+            value={typedHere(shown.unit)}
+            onInput={(event) => setTolerance(event.currentTarget.value, shown.unit)}
           />
           {shown.unit}
         </label>

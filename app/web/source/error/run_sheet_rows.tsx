@@ -2,6 +2,7 @@
 import {senseArrow} from "../../../drawing/conditions.js";
 import {fixed, isNumber, jointDecimals, short} from "../../../drawing/numbers.js";
 import {poseRequest} from "../arm/pose_link";
+import {inUnit} from "../server/chosen_units";
 import {cell} from "../server/workbench";
 import {view} from "../shell/page_state";
 import {change, takenIds} from "./run_sheet";
@@ -42,7 +43,9 @@ function jointColumn(columns: readonly string[], column: string, k: number): Joi
   const joint = cell.value?.joints.find(({name}) => column === name || column.startsWith(`${name}_`));
   if (!joint || column === `${joint.name}_dir`) return [];
   const near = columns.indexOf(`near_${column}`);
-  return [{name: joint.name, unit: joint.unit, k, near, sense: columns.indexOf(`${joint.name}_dir`)}];
+  // The heading names the unit of the file, which the page may show in another one.
+  const unit = column.slice(joint.name.length + 1) || joint.unit;
+  return [{name: joint.name, unit, k, near, sense: columns.indexOf(`${joint.name}_dir`)}];
 }
 
 /** Returns the proposed value of the joint. */
@@ -164,10 +167,11 @@ function type(sheet: RunSheet, id: string, column: string, value: string): void 
 }
 
 function show({joints, load}: Layout, row: string[]): void {
-  const own = new Map(joints.map((joint) => [joint.name, proposedJoint(row, joint)]));
-  poseRequest.joints.value = (cell.value?.joints ?? []).map(
-    (joint, i) => own.get(joint.name) ?? poseRequest.joints.value[i],
-  );
+  const own = new Map(joints.map((joint) => [joint.name, joint]));
+  poseRequest.joints.value = (cell.value?.joints ?? []).map(({name, unit}, i) => {
+    const column = own.get(name);
+    return column ? inUnit(proposedJoint(row, column), column.unit, unit) : poseRequest.joints.value[i];
+  });
   if (load >= 0 && isNumber(Number(row[load]))) poseRequest.load.value = Number(row[load]);
   view.value = "arm";
 }

@@ -1,4 +1,5 @@
 // Requests to the server: JSON in and out; a refusal carries the program's message.
+import {inChosenUnits} from "./chosen_units";
 import type {Problem} from "./documents";
 
 /** Error for a refusal by the server, or for a missing answer. */
@@ -26,7 +27,7 @@ async function problemOf(response: Response): Promise<Problem> {
 async function ask<T>(path: string, options?: RequestInit): Promise<T> {
   let response: Response;
   try {
-    response = await fetch(path, {credentials: "same-origin", cache: "no-store", ...options});
+    response = await fetch(inChosenUnits(path), {credentials: "same-origin", cache: "no-store", ...options});
   } catch {
     throw new ServerProblem(0, {
       message: "The program does not respond.",

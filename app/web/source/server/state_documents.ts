@@ -14,6 +14,8 @@ export interface CellInfo {
   name: string;
   file: string;
   units: Units;
+  /** Units of the cell's file, also where the figures are in others. */
+  file_units?: {length: string; angle: string};
   base_known: boolean;
   has_sheet: boolean;
   has_truth: boolean;

@@ -3,6 +3,7 @@
 import {batch, computed, effect, signal, type ReadonlySignal} from "@preact/signals";
 import type {Job, LiveNews, Model, Problem, SceneDocument, SheetDocument, Units, WorkbenchState} from "./documents";
 import {answerTo, type Loaded} from "./answers";
+import {inChosenUnits} from "./chosen_units";
 import {asProblem, post} from "./requests";
 import {newestJobs, withJob} from "./newest_jobs";
 import {sharing} from "./sharing";
@@ -82,7 +83,7 @@ export function dropTokenFromAddress(): void {
  * Follows the server's events. The browser reconnects automatically, and every connection begins with the whole state.
  */
 export function followServer(): void {
-  const events = new EventSource("/api/events");
+  const events = new EventSource(inChosenUnits("/api/events"));
   for (const name of ["open", "state", "job", "live", "alive"]) events.addEventListener(name, hear);
   events.addEventListener("open", () => {
     isNewConnection = true;

@@ -9,6 +9,7 @@ import {ModelSteps} from "./model_steps";
 import {dialog} from "./page_state";
 import {ProjectTools} from "./project";
 import {canRedo, canUndo, redo, undo} from "./undo";
+import {UnitMenu} from "./unit_menu";
 
 function ModelStack() {
   const now = state.value;
@@ -106,6 +107,7 @@ export function Header() {
       {job ? <JobProgress key={job.id} job={job} /> : null}
       <ProjectTools />
       <Connection />
+      <UnitMenu />
       <SchemeSwitch />
       <button class="tool" title="Keys (?)" onClick={() => (dialog.value = "keys")}>
         <Icon name="help" />

@@ -2,7 +2,7 @@
 import {useSignal, type Signal} from "@preact/signals";
 import {Select, submitting, withPoint} from "../drawing/fields";
 import {choicesOf} from "../drawing/segments";
-import {causeKey, plainName} from "../../../drawing/explanations.js";
+import {causeText, plainName} from "../../../drawing/explanations.js";
 import {exact, plainUnit} from "../../../drawing/numbers.js";
 import {useAnswer} from "../server/answers";
 import type {CatalogueDocument} from "../server/documents";
@@ -16,9 +16,10 @@ interface Hidden {
   effect: string;
   at: string;
   sizes: Record<string, string>;
+  units: Record<string, string>;
 }
 
-const NONE: Hidden = {effect: "", at: "", sizes: {}};
+const NONE: Hidden = {effect: "", at: "", sizes: {}, units: {}};
 
 export function PracticeForm() {
   const hidden = useSignal(NONE),
@@ -44,10 +45,13 @@ export function PracticeForm() {
   );
 }
 
-/** Returns the effect in the notation of the request: EFFECT@PLACE:SIZE=VALUE,... */
-export function hiddenText({effect, at, sizes}: Hidden): string {
-  const numbers = Object.entries(sizes).flatMap(([name, size]) => (size.trim() ? [`${name}=${withPoint(size)}`] : []));
-  return `${causeKey({effect, at})}${numbers.length > 0 ? `:${numbers.join(",")}` : ""}`;
+/** Returns the effect in the notation of the request. */
+function hiddenText({sizes, units, ...effect}: Hidden): string {
+  const typed = Object.entries(sizes).filter(([, size]) => size.trim() !== "");
+  return causeText(
+    effect,
+    typed.map(([name, size]) => ({name, value: withPoint(size), unit: units[name]})),
+  );
 }
 
 /**
@@ -63,6 +67,10 @@ export function proposedSizes({parameters}: Effect): Record<string, string> {
   );
 }
 
+function unitsOf({parameters}: Effect): Record<string, string> {
+  return Object.fromEntries(parameters.map(({name, unit}) => [name, unit]));
+}
+
 /** Choices of the hidden effect, of its place and of its sizes, from the catalogue of this arm. */
 function HiddenEffect({hidden}: {hidden: Signal<Hidden>}) {
   const effects = useAnswer<CatalogueDocument>("/api/catalogue").document?.effects ?? [];
@@ -70,7 +78,9 @@ function HiddenEffect({hidden}: {hidden: Signal<Hidden>}) {
   const places = effects.filter(({effect}) => effect === hidden.value.effect);
   const chosen = places.find(({at}) => at === hidden.value.at);
   const choose = (entry: Effect | undefined) => {
-    hidden.value = entry ? {effect: entry.effect, at: entry.at, sizes: proposedSizes(entry)} : NONE;
+    hidden.value = entry
+      ? {effect: entry.effect, at: entry.at, sizes: proposedSizes(entry), units: unitsOf(entry)}
+      : NONE;
   };
   return (
     <>
