@@ -21,7 +21,7 @@ namespace {
 
 /// Reports a failed write to standard output (full disk, or a pipe closed by its reader) and returns the exit code.
 int reportLostOutput(int error) {
-  std::fprintf(stderr, "tubeplan: standard output: the text cannot be written (%s); check where it goes\n",
+  std::fprintf(stderr, "tubeplan: standard output: the text cannot be written (%s); check its destination\n",
                std::strerror(error));
   return tubeplan::app::kBadInput;
 }

@@ -67,7 +67,7 @@ inline constexpr std::array kConditionKinds{
                   .sweep = {-20, 20, 10},
                   .swing = {6, 0.3},
                   .change = 10,
-                  .change_words = "measure some 10 K warmer"},
+                  .change_words = "measure about 10 K warmer"},
     ConditionKind{.condition = Condition::kTime,
                   .name = "time",
                   .words = "time",

@@ -313,7 +313,7 @@ class TableParser {
     for (const char mark : kMarks) {
       const auto fields = splitCsvLine(line->text, mark);
       if (mark != table_.separator && table_.columns.size() > 1 && fields && fields->size() == table_.columns.size())
-        return fmt::format("its fields are apart by {}, those of the others by {}: write all rows alike",
+        return fmt::format("its fields are separated by {}, those of the others by {}: use one separator in all rows",
                            nameOfMark(mark), nameOfMark(table_.separator));
     }
     return table_.separator == ',' && row.fields.size() > table_.columns.size()

@@ -122,7 +122,7 @@ std::string TubeTable::field(const CsvRow& row, TubeColumn column) const {
 
 std::string TubeTable::unreadText() const {
   if (unread.empty()) return "";
-  return fmt::format("left out of planning, and kept: the column{} {}", unread.size() == 1 ? "" : "s",
+  return fmt::format("not used in planning, but kept: the column{} {}", unread.size() == 1 ? "" : "s",
                      fmt::join(unread, ", "));
 }
 
@@ -242,7 +242,7 @@ std::string unknownCodesText(const std::map<std::string, int>& counts) {
     named.push_back(count == 1 ? code : fmt::format("{} ({} rows)", code, count));
   }
   if (counts.size() > kShown) named.push_back(fmt::format("{} more", counts.size() - kShown));
-  return named.empty() ? "" : fmt::format("codes that are not known, taken as remarks: {}", fmt::join(named, ", "));
+  return named.empty() ? "" : fmt::format("unknown codes, treated as remarks: {}", fmt::join(named, ", "));
 }
 
 }  // namespace tubeplan::tubesheets

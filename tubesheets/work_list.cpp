@@ -241,7 +241,7 @@ std::string doubtfulText(const Sheet& sheet, const Selection& selection) {
     names.resize(kShown);
     names.emplace_back("...");
   }
-  return fmt::format("{} among the tubes asked for ({}): taken as asked", fmt::join(parts, ", "),
+  return fmt::format("{} among the requested tubes ({}): included as requested", fmt::join(parts, ", "),
                      fmt::join(names, ", "));
 }
 

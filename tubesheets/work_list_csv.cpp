@@ -130,7 +130,7 @@ class ListReader {
     const TubeTable& table = list_.table;
     const bool is_unitless =
         (table.has(TubeColumn::kX) && !table.unit_x) || (table.has(TubeColumn::kY) && !table.unit_y);
-    return is_unitless ? "x or y without a unit (x_in, x_mm, x_m): not held against the sheet" : "";
+    return is_unitless ? "x or y without a unit (x_in, x_mm, x_m): not compared with the sheet" : "";
   }
 
   WorkList list_;

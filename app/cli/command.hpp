@@ -15,8 +15,8 @@ enum ExitCode { kDone = 0, kNegativeAnswer = 1, kBadInput = 2, kInternalError = 
 
 /// Description of all exit codes for the help text, including kStoppedExitCode.
 inline constexpr const char* kExitCodes =
-    "0 done, 1 a negative answer, 2 bad input, 3 the program failed (no memory left, or a defect of it), "
-    "130 stopped by Ctrl-C or SIGTERM";
+    "0 done, 1 a negative answer, 2 bad input, 3 the program failed (out of memory, or a defect), 130 stopped by "
+    "Ctrl-C or SIGTERM";
 
 /// Function that does a command's work after the command line has been parsed. Returns the exit code; throws InputError
 /// for bad input.

@@ -37,9 +37,9 @@ int run(const AddOptions& options) {
   const Cell cell = readCell(options.cell);
   const Addition added = addToCell(cell, options.request);
   if (!options.measurements.empty() && added.formulas.empty())
-    throw InputError::saying("--readings",
-                             "the readings serve to compare a formula with the catalogue, but no formula is given",
-                             "add --formula, or leave --readings out");
+    throw InputError::saying(
+        "--readings", "the readings are needed only to compare a formula with the catalogue, but no formula is given",
+        "add --formula, or leave --readings out");
   checkWritableCell(cell, options.out, "--out");
   const std::string text = cellTextWith(cell, added, options.out);
   const std::string overlap = options.measurements.empty()
@@ -75,7 +75,7 @@ Run configureAdd(CLI::App& cli) {
           "not linear is dimensionless and needs an initial value: 'theta3 += c*sin(k*theta1); k=3'");
   cli.add_option("--readings", options->measurements,
                  "measurements (CSV) at which to compute how far the formula overlaps with effects of the catalogue");
-  addSigma(cli, options->sigma, "where --readings states none");
+  addSigma(cli, options->sigma, "if --readings states none");
   cli.add_option("--out", options->out, "write the cell with the effect to this file")->required();
   return [options] { return run(*options); };
 }

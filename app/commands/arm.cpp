@@ -87,7 +87,8 @@ CalibratedText robotsArm(const ArmOptions& options) {
   const YamlFile file = readYamlFile(options.file);
   const RobotKinematics kinematics = readRobotKinematics(file.root);
   std::vector<std::string> remarks;
-  if (kinematics.hash.empty()) remarks.emplace_back("no hash: which controller's numbers these are is not stated");
+  if (kinematics.hash.empty())
+    remarks.emplace_back("no hash: the file does not state to which controller these numbers belong");
   return {withRobotKinematics(readYamlFile(options.nominal), kinematics), remarks};
 }
 
@@ -136,8 +137,8 @@ std::string inLengths(double metres, const Units& units) {
 /// Prints what the file does not state of the cell's model, and the errors with it and without it.
 void tellFit(const ExportFit& fit, const Units& units) {
   tell("left out", fit.left_out);
-  say("the cell's model errs by {} (rms of {} measurements); what the file states errs by {}, and fitted again by {} "
-      "({} at measurements held out)\n",
+  say("rms error of the cell's model: {} ({} measurements); of the exported model: {}; of the exported model fitted "
+      "again: {} ({} at held-out measurements)\n",
       inLengths(fit.of_model.rms, units), fit.measurements, inLengths(fit.as_fitted.rms, units),
       inLengths(fit.again.rms, units), inLengths(fit.heldout.rms, units));
 }
@@ -148,11 +149,11 @@ ShownArm armToExport(const ArmOptions& options, ArmFileContent content) {
   if (options.measurement_files.empty()) {
     ShownArm given = readAnyArm(options.file, options.tip);
     auto [arm, written] = deflection::writeConstantEffects(given.arm);
-    if (!written.empty()) say("written as numbers of joints, links and tool: {}\n", fmt::join(written, ", "));
+    if (!written.empty())
+      say("effects written as parameters of joints, links and tool: {}\n", fmt::join(written, ", "));
     if (!arm.effects.empty())
-      tell("remark",
-           {"the numbers were fitted beside the effects that are left out, and the file alone may err by more "
-            "than without them: give --measurements, so that they are fitted again"});
+      tell("remark", {"the numbers were fitted together with effects that are left out here, so the file alone may "
+                      "have a larger error: give --measurements to fit the numbers again"});
     given.arm = std::move(arm);
     return given;
   }
@@ -176,7 +177,7 @@ int exportRows(const ArmOptions& options) {
                                          inQuotes(converted.row), options.convention, converted.reason),
                              "use --convention origin, which leaves frames where they are");
   std::vector<std::string> left_out;
-  if (!given.arm.effects.empty()) left_out.emplace_back("the cell's effects: they are no numbers of rows");
+  if (!given.arm.effects.empty()) left_out.emplace_back("the cell's effects: rows of an arm file cannot express them");
   writeFileAtomically(options.out, armYaml(converted.arm, given.units, given.tool_axis), "--out");
   tell("left out", left_out);
   return kDone;
@@ -190,7 +191,7 @@ int exportIntoUrdf(const ArmOptions& options) {
   writeFileAtomically(options.out, edit.text, "--out");
   tell("left out", edit.left_out);
   for (const auto& what : edit.changed) say("changed: {}\n", what);
-  if (edit.changed.empty()) say("nothing changed: {} as it is\n", nameInLine(options.into));
+  if (edit.changed.empty()) say("nothing changed: the copy is equal to {}\n", nameInLine(options.into));
   return kDone;
 }
 
@@ -205,7 +206,7 @@ int exportUrdf(const ArmOptions& options) {
 int exportKinematics(const ArmOptions& options) {
   const deflection::Arm arm = armToExport(options, ArmFileContent::kRigid).arm;
   writeFileAtomically(options.out, robotKinematicsText(robotKinematicsOf(arm, options.file)), "--out");
-  tell("left out", {"the tool, weights and what gives: the file has origins of joints alone"});
+  tell("left out", {"the tool, weights and compliances: the file contains only joint origins"});
   return kDone;
 }
 
@@ -273,14 +274,15 @@ Run configureArm(CLI::App& cli) {
                  "import of calibration.conf: the arm file with the model's standard table, to which it adds; of a "
                  "kinematics YAML: the arm imported from the robot's URDF, whose origins it replaces");
   cli.add_option("--into", options->into,
-                 "export: the URDF file that the arm was imported from; joint origins change, all else stays as it is");
+                 "export: the URDF file that the arm was imported from; only joint origins change");
   cli.add_flag("--kinematics", options->is_kinematics,
-               "export: the kinematics YAML that ROS reads of a Universal Robots arm, as import takes it");
+               "export: the kinematics YAML that ROS reads for a Universal Robots arm, in the format of import");
   cli.add_option("--measurements", options->measurement_files,
-                 "export of a cell: fit the numbers again, to these measurements, without what the file cannot state");
+                 "export of a cell: measurements to which the numbers are fitted again, without the effects that the "
+                 "file cannot state");
   addMeasurementOptions(cli, options->given);
   cli.add_option("--tip", options->tip, "of a URDF: the link at the tool's tip, where the robot has several end links");
-  cli.add_option("--cell", options->cell, "import: write a cell with the arm and its solids too");
+  cli.add_option("--cell", options->cell, "import: also write a cell with the arm and its solids");
   cli.add_option("--svg", options->svg, "show: draw the arm from the side and from above");
   addFigures(cli, options->figures);
   return [options, &cli] { return run(*options, cli); };

@@ -141,10 +141,11 @@ Run configureBases(CLI::App& cli) {
       "AXIS=FROM:TO:COUNT: values of x, y or z of the base, or of its turn about the vertical, in the cell's "
       "units; repeat for further axes");
   cli.add_option("--mirrored", options->mirrored,
-                 "x or y: try the mirror image of each position in the plane x = 0 or y = 0 too; x,y: both")
+                 "x or y: also try the mirror image of each position in the plane x = 0 or y = 0; x,y: both")
       ->delimiter(',')
       ->check(oneOf({"x", "y"}));
-  cli.add_option("--moving", options->moving, "obstacle that moves with the base, and is not checked; may be repeated");
+  cli.add_option("--moving", options->moving,
+                 "obstacle that moves with the base and is not checked for collisions; may be repeated");
   cli.add_option("--most", options->most, "largest number of positions to choose")
       ->check(within(1, 10))
       ->capture_default_str();

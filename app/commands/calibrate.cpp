@@ -59,8 +59,8 @@ Run configureCalibrate(CLI::App& cli) {
   cli.add_option("MEASUREMENTS", options->measurement_file, "touches (CSV): three or more holes, each once")
       ->required();
   cli.add_option("--out", options->out, "write the cell with the base found to this file");
-  cli.add_option("--setup", options->setup, "which set-up of the file, where it has several");
-  addSigma(cli, options->sigma, "where neither file nor tool states one");
+  cli.add_option("--setup", options->setup, "set-up to use, if the file has several");
+  addSigma(cli, options->sigma, "if neither file nor tool states one");
   addAssumeOption(cli, options->assume);
   addFigures(cli, options->figures);
   return [options] { return run(*options); };

@@ -178,19 +178,19 @@ void requireOptionsOf(const CLI::App& cli, const std::string& chosen) {
       if (option->count() > 0)
         throw InputError::saying(
             option->get_name(),
-            fmt::format("this is an option of campaigns of kind {}, not of kind {}", kind.name, chosen),
+            fmt::format("this option is for campaigns of kind {}, not of kind {}", kind.name, chosen),
             fmt::format("add --kind {}, or leave it out", kind.name));
   }
 }
 
 std::string kindHelp() {
-  std::string text = "what each run is:";
+  std::string text = "kind of study that each run belongs to:";
   for (const auto& kind : campaignKinds()) text += fmt::format("\n{}: {}", kind.name, kind.summary);
   return text;
 }
 
 std::string choiceHelp() {
-  std::string text = "which holes are touched, one or more of these:";
+  std::string text = "how the touched holes are chosen, one or more of these:";
   for (const auto& row : touchRules()) text += fmt::format("\n{}: {}", row.name, row.summary);
   return text;
 }
@@ -201,7 +201,9 @@ void configureCentring(CLI::App& cli, CampaignRequest& request) {
   cli.add_option("--tubes", request.tubes, "the tubes whose holes may be visited, as for plan (spread:80)")
       ->group(group);
   addListColumns(cli, request.columns)->group(group);
-  cli.add_option("--holes", request.holes, "how many of them each run visits")->capture_default_str()->group(group);
+  cli.add_option("--holes", request.holes, "number of these holes that each run visits")
+      ->capture_default_str()
+      ->group(group);
   cli.add_option("--touches", request.touches, "number of touched holes; a list compares several: 3,4,6,12")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -241,11 +243,10 @@ void configureDiagnosis(CLI::App& cli, CampaignRequest& request) {
   cli.add_option("--nothing", request.nothing, "fraction of the runs without a hidden effect")
       ->capture_default_str()
       ->group(group);
-  cli.add_option("--hide", request.hide,
-                 "the effect that is hidden in the others, at a random place; any: a random one")
+  cli.add_option("--hide", request.hide, "effect hidden in the other runs, at a random place; any: a random effect")
       ->capture_default_str()
       ->group(group);
-  cli.add_option("--effects", request.effects, "the most effects in one explanation")
+  cli.add_option("--effects", request.effects, "largest number of effects in one explanation")
       ->capture_default_str()
       ->group(group);
 }
@@ -255,7 +256,7 @@ void configureDiagnosis(CLI::App& cli, CampaignRequest& request) {
 Run configureCampaign(CLI::App& cli) {
   const auto options = std::make_shared<CampaignOptions>();
   addCell(cli, options->request.cell);
-  cli.add_option("--runs", options->runs, "how many, up to 1000000000")->required();
+  cli.add_option("--runs", options->runs, "number of runs, up to 1000000000")->required();
   cli.add_option("--kind", options->kind, kindHelp())->capture_default_str();
   addSeed(cli, options->request.seed, "seed of the random numbers");
   cli.add_option(

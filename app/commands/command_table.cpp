@@ -50,7 +50,7 @@ constexpr Command kCommands[] = {
      "tubeplan effects app/cells/bench.yaml backlash", configureEffects},
     {"compare", "compares the model with measurements: how large its error is, and what it depends on",
      "tubeplan compare app/cells/bench.yaml readings.csv --json comparison.json", configureCompare},
-    {"diagnose", "which physical effect is missing: one, one of several, none, or no known one",
+    {"diagnose", "finds the missing physical effect: one, one of several, none, or an unknown one",
      "tubeplan diagnose app/cells/bench.yaml readings.csv --report diagnose.html", configureDiagnose},
     {"improve", "diagnoses, adds and identifies until no further effect is found",
      "tubeplan improve app/cells/bench.yaml readings.csv --out improved.yaml", configureImprove},
@@ -90,16 +90,16 @@ constexpr Command kCommands[] = {
      "mpirun -n 64 tubeplan campaign app/cells/mockup.yaml --runs 10000000 --tubes all --out out/campaign\n"
      "tubeplan campaign app/cells/bench.yaml --kind diagnose --runs 200",
      configureCampaign},
-    {"watch", "watches the readings of a calibrated arm at work: when the model ceased to hold, and what changed",
+    {"watch", "watches the readings of a calibrated arm at work: detects when the model became wrong, and what changed",
      "tubeplan watch calibrated.yaml visits.csv --planned 4674", configureWatch},
-    {"report", "writes a report of a workbench project, with all that reproduces its figures",
+    {"report", "writes a report of a workbench project, with everything that reproduces its figures",
      "tubeplan report bench.tubeplan --pdf bench.pdf\n"
      "tubeplan report bench.tubeplan --files out/bench",
      configureReport},
-    {"serve", "the workbench: all of this in a browser, on this machine",
+    {"serve", "the workbench: the same functions in a browser, on this machine",
      "tubeplan serve app/cells/mockup.yaml\ntubeplan serve app/cells/bench.yaml readings.csv --port 0 --open",
      configureServe},
-    {"job", "the work of an outage: its tubes, what became of them, and what is next",
+    {"job", "the work of an outage: its tubes, their results, and the next visit",
      "tubeplan job create app/cells/outage/job.yaml --out spring.job\n"
      "tubeplan job plan spring.job --out out/spring\n"
      "tubeplan job next spring.job --sg A --leg hot\n"

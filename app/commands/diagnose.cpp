@@ -67,9 +67,10 @@ Run configureDiagnose(CLI::App& cli) {
   const auto options = std::make_shared<DiagnoseOptions>();
   addCell(cli, options->cell);
   addMeasurements(cli, options->measurements);
-  cli.add_option("--effects", options->request.effects, "the most effects in one explanation")->check(within(1, 4));
+  cli.add_option("--effects", options->request.effects, "largest number of effects in one explanation")
+      ->check(within(1, 4));
   cli.add_option("--next", options->request.next,
-                 "how many further readings to propose where the verdict is not conclusive")
+                 "number of further readings to propose if the verdict is not conclusive")
       ->check(within(1, 50))
       ->capture_default_str();
   addMeasurementOptions(cli, options->given);

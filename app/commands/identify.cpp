@@ -93,7 +93,7 @@ Run configureIdentify(CLI::App& cli) {
                  "parameters to free instead of the cell's `identify`: dotted paths into the arm file "
                  "(tool.joint_stiffness.z), tool.tip, geometry")
       ->delimiter(',');
-  cli.add_option("--out", options->out, "write the identified cell to this file, its arm file beside it");
+  cli.add_option("--out", options->out, "write the identified cell to this file, and its arm file to the same folder");
   addMeasurementOptions(cli, options->given);
   cli.add_option("--robust", options->request.robust, "robust loss function")
       ->check(oneOf({"none", "huber", "cauchy"}));

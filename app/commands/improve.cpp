@@ -104,7 +104,7 @@ int run(const ImproveOptions& options) {
     return answerOver(input.checks, result.isUsable());
   } catch (const JobStopped&) {
     if (keeper.steps() == 0) throw;
-    throw JobStopped{fmt::format("{} holds the model of step {}", options.out, keeper.steps())};
+    throw JobStopped{fmt::format("{} contains the model of step {}", options.out, keeper.steps())};
   }
 }
 
@@ -114,8 +114,10 @@ Run configureImprove(CLI::App& cli) {
   const auto options = std::make_shared<ImproveOptions>();
   addCell(cli, options->cell);
   addMeasurements(cli, options->measurement_files);
-  cli.add_option("--out", options->out, "write the improved cell to this file, its arm beside it")->required();
-  cli.add_option("--steps", options->request.steps, "the most causes to add, one step each")->check(within(1, 20));
+  cli.add_option("--out", options->out, "write the improved cell to this file, and its arm file to the same folder")
+      ->required();
+  cli.add_option("--steps", options->request.steps, "largest number of causes to add, one per step")
+      ->check(within(1, 20));
   addMeasurementOptions(cli, options->given);
   addSeed(cli, options->request.seed, "seed of the simulated noise and the folds");
   addReportOptions(cli, options->report, "write a self-contained report (HTML) to this file");

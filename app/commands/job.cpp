@@ -24,7 +24,7 @@ void keepFile(const JobOptions& options) {
                                      {"--csv", options.csv},
                                      {"--json", options.figures.json}})
     if (!path.empty() && std::filesystem::equivalent(path, options.file, none))
-      throw InputError::saying(option, fmt::format("it would replace {}, which is read", options.file),
+      throw InputError::saying(option, fmt::format("this command reads {}, which would be overwritten", options.file),
                                "choose another name");
 }
 
@@ -34,7 +34,7 @@ int run(const JobOptions& options, const CLI::App& cli) {
   requireOptionsOf(cli, options.action, {jobActions().begin(), jobActions().end()});
   for (const JobAction& action : jobActions())
     if (options.action == action.action) return action.run(options);
-  throw std::logic_error("an action that its check let pass");
+  throw std::logic_error("an action that the option check should have rejected");
 }
 
 std::vector<std::string> legNames() {
@@ -58,18 +58,17 @@ Run configureJob(CLI::App& cli) {
   cli.add_option("TUBE", options->tube, "confirm, mark: the tube with steam generator and leg, such as A/hot/R12C40");
   cli.add_option("--out", options->out,
                  "create: the file that keeps the record; plan: the folder for the plans; report: the page");
-  cli.add_option("--pdf", options->pdf, "report: print the page to this file too, by headless Chromium");
+  cli.add_option("--pdf", options->pdf, "report: also print the page to this file, by headless Chromium");
   cli.add_option("--shift", options->hand_over.shift, "report: the shift, as the job file names it (the latest)");
   cli.add_option("--date", options->hand_over.date,
                  "report: the day on which the shift began, 2025-04-02 (the latest)");
   cli.add_option("--from", options->from,
                  "plan: the folder of an earlier plan of the job, to reuse what is still valid of it (that of --out)");
-  cli.add_option(
-         "--start", options->start,
-         "plan: where the arm stands: joint readings, --start=A,B,..., `park`, or the tube, by its earlier plan")
+  cli.add_option("--start", options->start,
+                 "plan: where the arm is: joint readings, --start=A,B,..., `park`, or the tube, by its earlier plan")
       ->type_name("POSTURE");
   cli.add_option("--package", options->part.package,
-                 "the package, where the tube is in several, or to see only this one");
+                 "package, if the tube is in several packages, or to show only this one");
   cli.add_option("--sg", options->part.generator, "plan, next, export: only this steam generator");
   cli.add_option("--leg", options->leg, "plan, next, export: only this leg")->check(oneOf(legNames()));
   cli.add_option("--as", options->mark, "mark: " + markWords());
@@ -79,7 +78,7 @@ Run configureJob(CLI::App& cli) {
   cli.add_option("--after", options->after, "mark: refuse if the tube has a later event than this one of `job next`");
   cli.add_option("--read-back", options->read_back, "confirm: the tube that another person reads at the tool");
   cli.add_option("--position", options->position,
-                 "confirm: X,Y of the tool in the sheet frame, measured apart from the arm's encoders")
+                 "confirm: X,Y of the tool in the sheet frame, measured independently of the arm's encoders")
       ->type_name("LENGTH")
       ->delimiter(',')
       ->expected(2);

@@ -70,9 +70,10 @@ int confirm(const JobOptions& options) {
   JobStore store(options.file);
   ConfirmationRequest request{tubeOf(options), options.part.package, options.read_back, std::nullopt, options.entry};
   if (options.read_back.empty() == options.position.empty())
-    throw InputError::saying("--read-back, --position",
-                             options.position.empty() ? "one of these options is needed" : "both options are given",
-                             "say which tube another person reads, or where an independent measurement finds the tool");
+    throw InputError::saying(
+        "--read-back, --position",
+        options.position.empty() ? "one of these options is needed" : "both options are given",
+        "give the tube that another person reads, or the position of the tool from an independent measurement");
   const double length = store.job().units.factor(dimension::kLength);
   if (!options.position.empty()) request.xy = {options.position[0] * length, options.position[1] * length};
   const IdentityFinding finding = confirmTube(store, request);
@@ -119,7 +120,7 @@ int exportPackage(const JobOptions& options) {
   const JobPart part = partOf(options, store.job());
   if (part.package.empty() || part.generator.empty() || !part.leg || options.csv.empty())
     throw InputError::saying("--package, --sg, --leg, --csv", "all four options are needed",
-                             "a list is of one package on one leg");
+                             "a work list has the tubes of one package on one leg");
   writeFileAtomically(options.csv, packageCsv(store, part.package, part.generator, *part.leg), "--csv");
   say("wrote {}\n", options.csv);
   return kDone;

@@ -67,9 +67,8 @@ Run configureLadder(CLI::App& cli) {
   cli.add_option("--truth", options->request.truth,
                  "the cell of the true arm for the step table (default: the best of the models, with an unmodelled "
                  "error as large as the noise floor)");
-  cli.add_option("--sheet", options->request.sheet,
-                 "a cell whose tube sheet and calibration tool the step table is for");
-  cli.add_option("--holes", options->request.holes, "random holes of the step table")
+  cli.add_option("--sheet", options->request.sheet, "cell with the tube sheet and calibration tool for the step table");
+  cli.add_option("--holes", options->request.holes, "number of random holes for the step table")
       ->check(within(1, 100000))
       ->capture_default_str();
   addSeed(cli, options->request.seed, "seed of the folds and the holes");

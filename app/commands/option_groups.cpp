@@ -23,7 +23,7 @@ void addSeed(CLI::App& cli, std::uint64_t& seed, const std::string& of) {
 
 void addFigures(CLI::App& cli, FiguresTarget& target) {
   cli.add_option("--json", target.json, "write the figures as JSON to this file, or - for standard output");
-  cli.add_option("--format", target.format, "of standard output: text, or the figures as json, csv or markdown")
+  cli.add_option("--format", target.format, "format of standard output: text, or the figures as json, csv or markdown")
       ->check(oneOf(figureFormats()))
       ->capture_default_str();
 }
@@ -35,7 +35,7 @@ void addSigma(CLI::App& cli, double& sigma, const std::string& when) {
 }
 
 void addMeasurementOptions(CLI::App& cli, MeasurementOptions& options) {
-  addSigma(cli, options.sigma, "where the file states none");
+  addSigma(cli, options.sigma, "if the file states none");
   cli.add_option(
          "--prior", options.priors,
          "NAME=SIGMA, in the cell's units: prior standard deviation of the arm file's values; of `length` and `angle` "
@@ -46,7 +46,7 @@ void addMeasurementOptions(CLI::App& cli, MeasurementOptions& options) {
 
 void addAssumeOption(CLI::App& cli, std::vector<std::string>& assume) {
   cli.add_option("--assume", assume,
-                 "NAME=VALUE: interpret the readings so, without changing their file: " + assumptionsText() +
+                 "NAME=VALUE: correction of the readings, which does not change their file: " + assumptionsText() +
                      "; as-is: continue despite all warnings")
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -59,11 +59,10 @@ CLI::Option* addListColumns(CLI::App& cli, std::vector<std::string>& columns) {
     if (!quantity.units.empty()) names.back().append("_").append(quantity.units.front());
   }
   return cli
-      .add_option(
-          "--column", columns,
-          "NAME=COLUMN: what a column of the work list is, whatever its heading; columns that are not named are "
-          "then left out. NAME: " +
-              alternatives(names))
+      .add_option("--column", columns,
+                  "NAME=COLUMN: meaning of a column of the work list, whatever its heading; columns that are not named "
+                  "are then ignored. NAME: " +
+                      alternatives(names))
       ->allow_extra_args(false);
 }
 

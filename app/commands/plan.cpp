@@ -121,23 +121,23 @@ Run configurePlan(CLI::App& cli) {
   auto& request = options->request;
   addCell(cli, request.cell);
   cli.add_option("--tubes", request.tubes,
-                 "which tubes: all, R10C20, R1-10C5-9, outer:2, every:10, spread:60, or a CSV work list; plugged, "
+                 "tubes: all, R10C20, R1-10C5-9, outer:2, every:10, spread:60, or a CSV work list; plugged, "
                  "stabilised, inaccessible and unresolved ones only by state or by name: all,plugged")
       ->capture_default_str();
   addListColumns(cli, request.conditions.columns);
   cli.add_option("--touches", request.touches,
                  "touched holes (CSV) to calibrate the base with, or auto: the true arm touches three");
-  cli.add_option("--truth", request.truth, "the cell of the true arm, to touch with and to score against");
+  cli.add_option("--truth", request.truth, "cell of the true arm, for simulated touches and for the score");
   cli.add_option("--compensation", request.compensation, "none, goal-point or via-point")->capture_default_str();
   cli.add_option("--travel", request.travel,
                  "joints: the quickest way from tube to tube; line: the tip straight from standoff to standoff, as a "
-                 "camera is moved along a row, wherever that is possible and free")
+                 "camera is moved along a row, where that is possible without collision")
       ->capture_default_str();
   cli.add_option("--load", request.load, "load hung on the tip, in the cell's unit of force")->type_name("FORCE");
   auto& conditions = request.conditions;
   cli.add_option("--start", conditions.start,
                  "the posture to start from: `park` (the cell's), joint readings, --start=A,B,..., or with --from the "
-                 "tube at which the arm stands; from a hole the tool is taken straight down first")
+                 "tube at which the arm is; from a hole the tool first moves straight down")
       ->type_name("POSTURE");
   cli.add_option("--end", conditions.end, "the posture to end in: `park` or joint readings")->type_name("POSTURE");
   cli.add_option("--first", conditions.first,
@@ -149,12 +149,12 @@ Run configurePlan(CLI::App& cli) {
          "--padding", request.padding,
          "extra clearance, in standard deviations of the position of each body under the uncertainty of base and arm")
       ->capture_default_str();
-  cli.add_option("--standoff", request.standoff,
-                 "distance below a hole at which its approach begins, in the cell's unit of length (1 in; padding "
-                 "comes on top)")
+  cli.add_option(
+         "--standoff", request.standoff,
+         "distance below a hole at which its approach begins, in the cell's unit of length (1 in; padding is added)")
       ->type_name("LENGTH");
   cli.add_flag("--least-standoff", request.has_least_standoff,
-               "at each hole the smallest standoff from which the way is clear, up to that of --standoff");
+               "use at each hole the smallest standoff without collision, up to that of --standoff");
   cli.add_option("--insertion", request.insertion,
                  "insertion depth of the tip past a hole's face, in the cell's unit of length")
       ->type_name("LENGTH")
@@ -168,7 +168,7 @@ Run configurePlan(CLI::App& cli) {
   cli.add_option("--from", options->from,
                  "the folder of an earlier plan: reuse what is still valid of it and plan the rest anew");
   cli.add_flag("--open", options->open, "open the report in a browser");
-  cli.add_flag("--trajectory", options->trajectory, "write trajectory.yaml too, a ROS 2 JointTrajectory");
+  cli.add_flag("--trajectory", options->trajectory, "also write trajectory.yaml, a ROS 2 JointTrajectory");
   addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }

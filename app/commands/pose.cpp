@@ -120,7 +120,7 @@ Run configurePose(CLI::App& cli) {
   cli.add_option("--side-joints", options->side_joints, "joint readings of the arm's side chains (default: zero)");
   cli.add_option("--load", options->load, "load hung on the tip, in the cell's unit of force")->type_name("FORCE");
   cli.add_option("--force", options->force,
-                 "X,Y,Z: a force on the tip beside the load, in the world's axes and the cell's unit of force")
+                 "X,Y,Z: a force on the tip in addition to the load, in the world's axes and the cell's unit of force")
       ->type_name("FORCE")
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -129,7 +129,7 @@ Run configurePose(CLI::App& cli) {
       ->type_name("TORQUE")
       ->delimiter(',')
       ->allow_extra_args(false);
-  cli.add_flag("--all", options->all, "with every frame, force, moment and component's deflection in the JSON");
+  cli.add_flag("--all", options->all, "include every frame, force, moment and component's deflection in the JSON");
   addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }

@@ -104,15 +104,15 @@ Run configureMeasurements(CLI::App& cli) {
       ->take_all();
   cli.add_option("--units", options->units, "units of columns that state none: mm,deg,N")->delimiter(',');
   cli.add_option("--kind", options->kind,
-                 "kind of the readings, where no column states it (default: position, or touch without coordinates)")
+                 "kind of the readings, if no column states it (default: position, or touch without coordinates)")
       ->check(oneOf(calibration::measurementKindNames()));
-  cli.add_option("--orientation", options->orientation, "form in which the columns state how the tool is turned")
+  cli.add_option("--orientation", options->orientation, "form of the tool's orientation in the columns")
       ->check(oneOf(formNames(Stated::kTurn)));
-  cli.add_option("--points", options->points, "form in which the columns state places, where it is not x, y, z")
+  cli.add_option("--points", options->points, "form of the positions in the columns, if it is not x, y, z")
       ->check(oneOf(formNames(Stated::kPlace)));
-  cli.add_option("--dates", options->dates, "which number of dates such as 3/5/2024 is the day")
+  cli.add_option("--dates", options->dates, "order of day and month in dates such as 3/5/2024")
       ->check(oneOf({nameOf(DateOrder::kDayFirst), nameOf(DateOrder::kMonthFirst)}));
-  cli.add_option("--out", options->out, "write the measurement table to this file, else to standard output");
+  cli.add_option("--out", options->out, "write the measurement table to this file (default: standard output)");
   cli.add_flag("--template", options->is_template, "an empty table for this arm, to be filled in");
   return [options] { return run(*options); };
 }

@@ -71,7 +71,7 @@ Run configureReport(CLI::App& cli) {
   cli.add_option("PROJECT", options->project, "a project that the workbench has saved")->required();
   cli.add_option("--out", options->out, "write the report to this file (the project's name, .html)");
   cli.add_flag("--open", options->open, "open the report in a browser");
-  cli.add_option("--pdf", options->pdf, "print it to this file too, by headless Chromium");
+  cli.add_option("--pdf", options->pdf, "also print it to this file, by headless Chromium");
   cli.add_option("--files", options->files,
                  "write the readings in use and every model into this folder, as the report's command lines take them");
   addFigures(cli, options->figures);

@@ -205,7 +205,7 @@ Run configureScore(CLI::App& cli) {
   cli.add_option("--truth", options->truth, "the cell of the true arm")->required();
   cli.add_option(
       "--tubes", options->tubes,
-      fmt::format("which tubes, as for plan (spread:{}; with --runs, each of which draws from them, spread:{})", kTubes,
+      fmt::format("tubes, as for plan (spread:{}; with --runs, from which each run draws its holes, spread:{})", kTubes,
                   kTubesOfRuns));
   addListColumns(cli, options->columns);
   auto* runs = cli.add_option("--runs", options->runs,

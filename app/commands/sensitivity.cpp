@@ -153,7 +153,7 @@ Run configureSensitivity(CLI::App& cli) {
                  "readings (CSV) that determine the parameters listed under `identify`: errors are then those of one "
                  "standard deviation of each");
   addAssumeOption(cli, options->assume);
-  cli.add_option("--postures", options->postures, "number of random postures, where there is no tube sheet")
+  cli.add_option("--postures", options->postures, "number of random postures, if there is no tube sheet")
       ->check(within(3, 10000))
       ->capture_default_str();
   addSeed(cli, options->seed, "seed of the random postures");

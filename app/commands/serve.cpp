@@ -81,7 +81,7 @@ Run configureServe(CLI::App& cli) {
   options->workbench.state = defaultStateFolder();
   cli.add_option("CELL", options->workbench.cell, "the cell file, or a project that was saved")->required();
   cli.add_option("MEASUREMENTS", options->workbench.measurement_files, "readings of any kind (CSV), taken together");
-  cli.add_option("--port", options->access.port, "where to listen; 0 takes any free one")
+  cli.add_option("--port", options->access.port, "port to listen on; 0 chooses a free one")
       ->check(within(0, 65535))
       ->capture_default_str();
   cli.add_option("--host", options->access.host, "the address to listen at; any but loopback requires --token")
@@ -90,14 +90,14 @@ Run configureServe(CLI::App& cli) {
                  "the access token that a browser must send, 12 or more letters, digits, - and _");
   cli.add_option("--folder", options->workbench.folder,
                  "the folder whose files the page may open and write (the cell's)");
-  cli.add_option("--state", options->workbench.state, "the folder in which the session is kept, to be resumed later")
+  cli.add_option("--state", options->workbench.state, "the folder in which the session is saved, to be resumed later")
       ->default_str("$XDG_STATE_HOME/tubeplan");
-  cli.add_flag("--fresh", options->workbench.fresh, "start a new session; the old one stays under Open, Recent");
+  cli.add_flag("--fresh", options->workbench.fresh, "start a new session; the old one remains under Open, Recent");
   cli.add_option("--truth", options->workbench.truth, "the cell of the true arm, for simulated touches");
   cli.add_option("--watch", options->watch,
                  "follow this file (CSV): readings that are added to it, or joint readings of a running arm");
   cli.add_option("--lines", options->lines,
-                 "take postures of a running arm as lines of text at this TCP port too; 0 takes any free one")
+                 "also accept postures of a running arm as lines of text at this TCP port; 0 chooses a free one")
       ->check(within(0, 65535));
   cli.add_option("--page", options->page, "serve the page from this folder instead of the program's own");
   cli.add_flag("--open", options->open, "open the page in a browser");

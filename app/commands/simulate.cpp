@@ -84,7 +84,8 @@ Run configureSimulate(CLI::App& cli) {
       ->delimiter(',')
       ->allow_extra_args(false);
   cli.add_option("--push", options->request.push,
-                 "a force of any direction up to this size on the tip as well, in the cell's unit of force")
+                 "a force of random direction on the tip, up to this size, in addition to the load, in the cell's unit "
+                 "of force")
       ->type_name("FORCE");
   cli.add_option("--sigma", options->request.sigma, "standard deviation of a coordinate, in the cell's unit of length")
       ->type_name("LENGTH");

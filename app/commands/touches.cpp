@@ -84,7 +84,7 @@ Run configureTouches(CLI::App& cli) {
   cli.add_option("--count", request.count, "readings to propose for each goal (3 touches, 10 readings)")
       ->check(within(1, 500));
   cli.add_option("--loads", request.loads,
-                 "loads that can be hung, in the cell's unit of force (those of the readings, else none)")
+                 "loads that can be applied, in the cell's unit of force (those of the readings, else none)")
       ->type_name("FORCE")
       ->delimiter(',');
   cli.add_option("--kind", request.kind, "touch or position (touch under a sheet, else position)")
@@ -99,7 +99,7 @@ Run configureTouches(CLI::App& cli) {
   addSigma(cli, request.sigma, "instead of that of the readings, or of the tool");
   cli.add_option(
       "--csv", options->csv,
-      "write the proposals as a run sheet (CSV): a measurement table in which what is measured is to be filled in");
+      "write the proposals as a run sheet (CSV): a measurement table whose measured values are to be filled in");
   addSeed(cli, request.seed, "seed of the random postures and draws");
   addFigures(cli, options->figures);
   return [options] { return run(*options); };

@@ -40,7 +40,7 @@ struct VerifyOptions {
 /// files.
 std::vector<std::string> armDifferences(const deflection::Arm& cell, const deflection::Arm& plan) {
   const auto now = deflection::parametersOf(cell), then = deflection::parametersOf(plan);
-  if (now.size() != then.size()) return {"the cell's arm is not the plan's: its rows or flexible axes differ"};
+  if (now.size() != then.size()) return {"the cell's arm is not that of the plan: its rows or flexible axes differ"};
   std::vector<std::string> differences;
   for (std::size_t k = 0; k < now.size(); ++k)
     if (now[k].name != then[k].name || now[k].value != then[k].value)
@@ -100,7 +100,7 @@ constexpr TextLine kPlanCheckWords[] = {
     {"-least_margin_proved", "; the clearance is missed by {:.4a units/length}"},
     {"", "\n"},
     {"deflection_travel_sampled",
-     "between rows, what deflection adds to the travel is sampled over postures, not proved: {}\n"},
+     "between rows, the travel due to deflection is sampled over postures, not proved: {}\n"},
     {"findings", "  {}\n"}};
 
 /// Returns a sentence on the difference between the plan's base and the cell's base, which may have been calibrated
@@ -113,8 +113,8 @@ std::string baseDifference(const Cell& cell, const Cell& planned) {
       Eigen::AngleAxisd(Eigen::Matrix3d(cell.X_WB.linear().transpose() * planned.X_WB.linear())).angle();
   if (place <= kSamePlace && std::abs(turn) <= kSameTurn) return "";
   return fmt::format(
-      "the plan is verified at its own base, which stands {} and {:.3g} {} from that of {}: to work with "
-      "that base plan again (--from)",
+      "the plan is verified at its own base, which is {} and {:.3g} {} from that of {}: to work with that base, plan "
+      "again (--from)",
       lengthText(place, cell.units), angleOf(std::abs(turn), cell.units), cell.units.angle().name, cell.path);
 }
 
@@ -132,7 +132,7 @@ std::string statesText(const tubesheets::Sheet& sheet, const planner::StatedPlan
                                   tubesheets::tubeStateWords(tube->state)));
   }
   if (count == 0) return "";
-  return fmt::format("by the map, {} of the {} planned tubes would be left out unless named: {}{}", count,
+  return fmt::format("according to the map, {} of the {} planned tubes would be left out unless named: {}{}", count,
                      plan.tubes.size(), fmt::join(named, ", "), count > kNamed ? ", ..." : "");
 }
 

@@ -146,11 +146,11 @@ nlohmann::json adviceJson(const calibration::WatchAlarm& alarm) {
     return {{"name", remedy->name}, {"words", remedy->words}, {"pairs", nullptr}, {"of_pairs", nullptr}};
   if (!alarm.means)
     return {{"name", "diagnose"},
-            {"words", "stop: no further measurement of this kind tells the causes apart; inspect the parts named"},
+            {"words", "stop: no further measurement of this kind distinguishes the causes; inspect the parts named"},
             {"pairs", 0},
             {"of_pairs", nullptr}};
   return {{"name", alarm.means->name},
-          {"words", std::string("stop, and tell them apart: ") + alarm.means->words},
+          {"words", std::string("stop, and distinguish them: ") + alarm.means->words},
           {"pairs", alarm.means->pairs},
           {"of_pairs", alarm.means->of_pairs}};
 }
@@ -198,14 +198,14 @@ constexpr TextLine kWatchWords[] = {
      "a sudden shift of the base by {detectable_shift:.2r} {units/length} along x, y, z would probably have shown "
      "within "
      "{within} readings (none: not at all)\n"},
-    {"not_seen_count", "{not_seen_count} of the changes that are looked for cannot show in these readings at all\n"},
-    {"alarm", "ALARM at reading {reading}: the model ceased to hold since about reading {since} (test {test})\n"},
+    {"not_seen_count", "{not_seen_count} of the changes that are looked for cannot be detected in these readings\n"},
+    {"alarm", "ALARM at reading {reading}: the model is wrong since about reading {since} (test {test})\n"},
     {"base_moved", "", kBaseWords},
     {"other_change", "none of the {alarm/candidates} changes that are looked for explains it\n"},
-    {"several", "{#alarm/answers} changes explain it, which these readings cannot tell apart:\n"},
+    {"several", "{#alarm/answers} changes explain it, which these readings cannot distinguish:\n"},
     {"alarm", "", kAnswerWords},
     {"alarm/advice", "{words}\n"},
-    {"alarm/advice/of_pairs", "(this would probably tell apart {alarm/advice/pairs} of {} pairs)\n"},
+    {"alarm/advice/of_pairs", "(this would probably distinguish {alarm/advice/pairs} of {} pairs)\n"},
 };
 
 nlohmann::json figuresOf(const calibration::Watch& watch, const CellMeasurements& input, double false_alarms) {

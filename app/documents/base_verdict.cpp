@@ -109,19 +109,19 @@ void judgeShift(const BaseCalibration& base, const Cell& cell, BaseVerdict& verd
       kMiscounted * likelihoodRatio(left, shift, cell.base_prior) > 1) {
     verdict.is_implausible = true;
     verdict.warnings.push_back(fmt::format(
-        "the base stands {:+.2f} pitches along x and {:+.2f} along y from nominal: if every hole name were off by "
-        "{:+d} rows and {:+d} columns, the touches would fit as well, and the base would stand {:.3g} {} from nominal",
+        "the base is {:+.2f} pitches along x and {:+.2f} along y from nominal: if every hole name were off by {:+d} "
+        "rows and {:+d} columns, the touches would fit as well, and the base would be {:.3g} {} from nominal",
         verdict.pitches.x(), verdict.pitches.y(), apart.rows, apart.columns, lengthOf(left.norm(), units),
         units.length().name));
     verdict.to_do.emplace_back(
-        "count the position of one touched hole again, from an edge of the sheet: a name one column off looks like "
-        "this");
+        "count the position of one touched hole again, from an edge of the sheet: a name one column off has this "
+        "effect");
   }
   const double most = kMostSigmas * cell.base_prior.shift;
   if (!(shift.cwiseAbs().maxCoeff() <= most)) {
     verdict.is_implausible = true;
     verdict.warnings.push_back(fmt::format(
-        "the base stands {:.4g} {} from nominal, and {:.3g} {} along an axis is the most expected",
+        "the base is {:.4g} {} from nominal, but at most {:.3g} {} along an axis is expected",
         lengthOf(verdict.distance, units), units.length().name, lengthOf(most, units), units.length().name));
   }
 }
@@ -133,8 +133,8 @@ void judgeTurn(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdi
   if (base.from_start.tail<3>().cwiseAbs().maxCoeff() <= most) return;
   verdict.is_implausible = true;
   verdict.warnings.push_back(
-      fmt::format("the base is turned by {:.4g} {} from nominal, and {:.3g} {} about an axis is the most expected: "
-                  "columns counted from the other side, or a joint read with the other sign, look like this",
+      fmt::format("the base is turned by {:.4g} {} from nominal, but at most {:.3g} {} about an axis is expected: "
+                  "columns counted from the other side, or a joint read with the other sign, have this effect",
                   angleOf(verdict.angle, units), units.angle().name, angleOf(most, units), units.angle().name));
 }
 
@@ -158,7 +158,7 @@ BaseVerdict judgeBase(const BaseCalibration& base, const Cell& cell) {
   judgeTurn(base, cell, verdict);
   if (verdict.is_implausible)
     verdict.to_do.emplace_back(
-        "if the base is meant to stand there, write that pose into `base` of the cell, or state how far it may be off: "
+        "if the base is meant to be there, write that pose into `base` of the cell, or state how far it may be off: "
         "base: {prior: {shift: ..., turn: ...}}");
   return verdict;
 }

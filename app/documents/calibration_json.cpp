@@ -129,7 +129,7 @@ std::string calibrationText(const BaseCalibration& result, const Cell& cell, boo
   const std::string verdict = textOf(figures, kBaseVerdictWords) + (in_full ? textOf(figures, kToDoWords) : "");
   if (result.status != CalibrationStatus::kDone)
     return textOf(figures, "calibration {status}: {reason}\n") + textOf(figures, kResidualWords) + verdict +
-           "the base stays where it was: what is planned holds " + wordsOf(standingOf(cell)) + "\n";
+           "the base has not moved: existing plans remain valid " + wordsOf(standingOf(cell)) + "\n";
   return textOf(figures, kCalibrationWords) + (in_full ? textOf(figures, kDistanceWords) : "") + verdict;
 }
 

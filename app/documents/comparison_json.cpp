@@ -146,14 +146,14 @@ json worstJson(const Comparison& result, const std::vector<Measurement>& measure
 
 std::string noiseSentence(const Comparison& result) {
   const auto& repeats = result.after_refit.repeats;
-  if (repeats.groups == 0) return "No reading was repeated: the stated noise is taken as it is.";
+  if (repeats.groups == 0) return "No reading was repeated: the stated noise is used.";
   if (!result.noise_disagrees)
     return fmt::format("Repeated readings scatter {:.2f} times as much as stated, within what chance allows.",
                        repeats.noise_ratio);
   if (areBeyondNoise(repeats))
     return fmt::format(
-        "Repeated readings scatter {:.3g} times as much as stated: that is no noise (up to {:.0f} times would pass as "
-        "such); a reading is wrong, or something between them was not recorded.",
+        "Repeated readings scatter {:.3g} times as much as stated: this is too much for noise (up to {:.0f} times is "
+        "accepted); a reading is wrong, or a change between them was not recorded.",
         repeats.noise_ratio, calibration::kMostNoiseRatio);
   return fmt::format(
       "The stated noise disagrees with the repeated readings: they scatter {:.2f} times as much ({}); lack of fit is "
@@ -163,7 +163,7 @@ std::string noiseSentence(const Comparison& result) {
 
 std::string errorClause(const Comparison& result, const Units& units) {
   const ErrorUnit unit = errorUnitOf(result, units);
-  return fmt::format("the error is {} as it stands and {} after the refit; noise alone explains {}",
+  return fmt::format("the error is {} before and {} after the refit; noise alone explains {}",
                      errorText(result.as_it_stands.errors.rms, unit, 3),
                      errorText(result.after_refit.errors.rms, unit, 3),
                      errorText(result.after_refit.noise_floor, unit, 3));

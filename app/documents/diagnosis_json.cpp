@@ -170,8 +170,8 @@ constexpr TextLine kDiagnosisWords[] = {
     {"degrees_of_freedom", "chi-square {chi2_per_dof:.3r} for each of {} degrees of freedom ({p_value:p})\n"},
     {"probability/nothing_missing", "nothing missing has probability {:.3r}\n"},
     {"+model_error",
-     "scatter of about {:.3r error_unit} in each coordinate (one standard deviation) beyond the stated noise follows "
-     "no slow function of what the readings record\n"},
+     "scatter of about {:.3r error_unit} in each coordinate (one standard deviation) beyond the stated noise is not a "
+     "smooth function of anything that the readings record\n"},
     {"error_budget", "{words}\n"},
     {"explanations/enough", "", kFoundWords},
     {"ranking",

@@ -96,7 +96,7 @@ std::string orText(const Explanation& explanation) {
                           : fmt::format("{} in place of {}", instead, causeTitle(effect.effect, effect.at)));
   }
   if (clauses.empty()) return "";
-  return fmt::format(", or {}, which no reading with this tool tells apart", fmt::join(clauses, ", or "));
+  return fmt::format(", or {}, which no reading with this tool can distinguish", fmt::join(clauses, ", or "));
 }
 
 /// Returns the variables on which the unexplained residual depends, with the fraction that each one explains, such as
@@ -126,7 +126,7 @@ std::string remainderSentence(const Diagnosis& result, const Units& units) {
 /// measurements are repeated.
 std::string repeatsSentence(const calibration::Repeats& repeats) {
   if (repeats.groups == 0) return "";
-  return fmt::format("Repeated readings scatter {:.2f} times as much as stated, and this is all that is left.",
+  return fmt::format("Repeated readings scatter {:.2f} times as much as stated, and this explains the whole remainder.",
                      repeats.noise_ratio);
 }
 
@@ -169,9 +169,9 @@ std::string fallSentence(const Diagnosis& result, const Units& units) {
 
 std::string scatterSentence(const Diagnosis& result, const Units& units) {
   return fmt::format(
-      "The readings scatter by {} beyond their stated noise, and this scatter {}: sigma is too small, the arm does "
-      "not repeat, something unrecorded acts on it, or it changes too fast for these readings: with time, or with a "
-      "joint as the turns of a gear or a screw do.",
+      "The readings scatter by {} beyond their stated noise, and this scatter {}: sigma is too small, the arm is not "
+      "repeatable, an unrecorded influence acts on it, or the error changes too fast for these readings (with time, or "
+      "with a joint, as from a gear or a screw).",
       errorText(budgetOf(result).remainder, result, units), kFollowsNothing);
 }
 
@@ -180,9 +180,8 @@ std::string withinNoiseSentence(const Diagnosis& result, const Units& units) {
   const std::string follows =
       result.remainder.follows.empty() ? "" : " (it follows " + followsText(result.remainder) + ")";
   return fmt::format(
-      "The error of {} is within the stated noise of {}, and yet it is not by chance{}: sigma is stated too large, or "
-      "a "
-      "small effect is missing that these readings cannot name.",
+      "The error of {} is within the stated noise of {}, but it is not random{}: the stated sigma is too large, or a "
+      "small effect is missing that these readings cannot identify.",
       errorText(budgetOf(result).total, result, units), errorText(result.noise_floor, result, units), follows);
 }
 
@@ -204,7 +203,7 @@ std::string ambiguousSentence(const Diagnosis& result) {
 std::string inconclusiveSentence(const Diagnosis& result) {
   if (!result.reason.empty()) return noVerdictSentence(result.reason);
   return fmt::format(
-      "The readings suggest that something is missing (probability {:.0f} %), but not enough to say what.",
+      "The readings suggest that something is missing (probability {:.0f} %), but do not show what it is.",
       100 * (1 - result.nothing_probability));
 }
 
@@ -281,7 +280,7 @@ std::string alsoText(const FoundEffect& effect) {
   std::vector<std::string> others;
   for (const auto& [name, at] : effect.also) others.push_back(causeTitle(name, at));
   if (others.empty()) return "";
-  return fmt::format("with this tool no reading tells {} apart from {}", causeTitle(effect.effect, effect.at),
+  return fmt::format("no reading with this tool can distinguish {} from {}", causeTitle(effect.effect, effect.at),
                      fmt::join(others, ", "));
 }
 

@@ -10,11 +10,11 @@
 namespace tubeplan::app {
 
 /// End of a sentence on a residual that does not depend smoothly on the recorded conditions of the measurements.
-inline constexpr const char* kFollowsNothing = "follows no slow function of what the readings record";
+inline constexpr const char* kFollowsNothing = "is not a smooth function of anything that the readings record";
 
 /// Explanation of the probabilities in a ranking: each is the summed probability of all models that include the effect.
 inline constexpr const char* kProbabilityWords =
-    "the probability of an effect is that it is there; several may be, so that these do not add to 100 %";
+    "the probability of an effect is that it is present; several may be present, so these do not add to 100 %";
 
 /// Returns the ids of the measurements with the indices `places`.
 [[nodiscard]] std::vector<std::string> idsOf(const std::vector<int>& places,

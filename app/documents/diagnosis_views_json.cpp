@@ -109,7 +109,7 @@ json modelComparisonJson(const Diagnosis& result, const Units& units) {
   const bool is_placed =
       std::all_of(base_poses.begin(), base_poses.end(), [](const auto& base_pose) { return base_pose.is_known; });
   json ladder = {is_placed ? row("as it stands", result.baseline.before.rms, kNone)
-                           : row("as it stands, only its base fitted", result.baseline.after_base.rms, kNone),
+                           : row("unchanged, with only its base fitted", result.baseline.after_base.rms, kNone),
                  row("refitted", result.before.rms, result.heldout_before.rms)};
   for (const auto& explanation : calibration::explanationsShown(result))
     ladder.push_back(row("with " + namesText(explanation), explanation.after.rms, explanation.heldout.rms));

@@ -112,11 +112,10 @@ std::string discriminationAdvice(const DiscriminatingMeasurements& result) {
     advice = fmt::format("It takes about {} further readings to discriminate between {}; the best {} are listed{}.",
                          static_cast<std::size_t>(result.times) * count, what, count, chance);
   if (!result.never.empty())
-    advice = fmt::format("Further readings of this kind hardly discriminate between {}; what would: {}.{}{}",
+    advice = fmt::format("Further readings of this kind hardly discriminate between {}; instead, {}.{}{}",
                          neverText(result), firstMeans(result), advice.empty() ? "" : " ", advice);
   else if (result.times == 0 && !result.alternative_measurements.empty())
-    advice =
-        fmt::format("No further reading of this kind can be made; what would discriminate: {}.", firstMeans(result));
+    advice = fmt::format("No further reading of this kind can be made; instead, {}.", firstMeans(result));
   for (const auto& column : result.columns) advice += fmt::format("{}Also {}.", advice.empty() ? "" : " ", column);
   return advice;
 }

@@ -121,9 +121,9 @@ std::string notNeededText(const WarningGroup& group, const Units& units) {
     grounds += fmt::format("; held-out error {:.4g} with all, {} {} without one", first.heldout_with.rms / unit.factor,
                            warningRange(group, 4, withoutOne), unit.name);
   const auto* least = *std::ranges::max_element(group, {}, [](const EffectWarning* w) { return w->p_value; });
-  return fmt::format("{}: the readings {} need any one of these beside the others ({}): take out {} and try again",
-                     warningList(group, warnedPlace), first.is_within_noise ? "do not" : "hardly", grounds,
-                     warnedPlace(*least));
+  return fmt::format(
+      "{}: the readings {} need any one of these in addition to the others ({}): remove {} and try again",
+      warningList(group, warnedPlace), first.is_within_noise ? "do not" : "hardly", grounds, warnedPlace(*least));
 }
 
 std::string groupText(const WarningGroup& group, const Units& units) {
@@ -163,7 +163,7 @@ std::string warningText(const EffectWarning& warning, const Units& units) {
   const std::string own = warnedPlace(warning);
   switch (warning.kind) {
     case EffectWarningKind::kNotNeeded:
-      return fmt::format("{}: the readings {} need it ({}): take it out", own,
+      return fmt::format("{}: the readings {} need it ({}): remove it", own,
                          warning.is_within_noise ? "do not" : "hardly", groundsText(warning, units));
     case EffectWarningKind::kBetterExplainedBy:
       return betterText(warning, units);

@@ -125,8 +125,8 @@ constexpr TextLine kIdentificationWords[] = {
     {"!+degrees_of_freedom", ": the fit cannot be tested\n"},
     {"+model_error",
      "lack of fit: the model error in each coordinate is {:.4r error_unit} beyond the stated noise (one standard "
-     "deviation); standard deviations and intervals count it as noise, not as what a missing effect shifts the numbers "
-     "by\n"},
+     "deviation); standard deviations and intervals treat it as noise, and do not cover a shift of the numbers by a "
+     "missing effect\n"},
     {"", "parameters\n"},
     {"parameters", kNumberWords, kNumberNote},
     {"bases", "", kFoundBaseWords},

@@ -26,14 +26,14 @@ struct EndRow {
 constexpr EndRow kEnds[] = {
     {ImprovementEnd::kNotRun, "not-run", "the model was not improved"},
     {ImprovementEnd::kAdequate, "adequate", "nothing more is missing"},
-    {ImprovementEnd::kNothingSure, "nothing-sure", "what is left no known effect is certain to explain"},
+    {ImprovementEnd::kNothingSure, "nothing-sure", "no known effect is certain to explain the remainder"},
     {ImprovementEnd::kAmbiguous, "ambiguous",
-     "several effects explain what is left, and these readings cannot tell them apart"},
+     "several effects explain the remainder, and these readings cannot distinguish them"},
     {ImprovementEnd::kDoesNotCarryOver, "does-not-carry-over",
      "no further effect predicts the readings that it was not fitted to"},
-    {ImprovementEnd::kMistake, "mistake", "a mistake in the readings is suspected and is to be mended first"},
-    {ImprovementEnd::kInconclusive, "inconclusive", "the readings allow no verdict on what is left"},
-    {ImprovementEnd::kMostSteps, "most-steps", "the steps asked for are used up, and more may be missing"},
+    {ImprovementEnd::kMistake, "mistake", "a mistake in the readings is suspected and must be corrected first"},
+    {ImprovementEnd::kInconclusive, "inconclusive", "these readings allow no verdict on the remainder"},
+    {ImprovementEnd::kMostSteps, "most-steps", "the requested number of steps is reached, and more may be missing"},
     {ImprovementEnd::kNotFitted, "not-fitted", "the model as given cannot be fitted"}};
 
 const EndRow& rowOf(ImprovementEnd end) { return *std::ranges::find(kEnds, end, &EndRow::end); }
@@ -69,8 +69,12 @@ std::string improvementSentence(const Improvement& result, const Units& units) {
 constexpr TextLine kImprovementStepWords[] = {
     {"added", "  added {added}: {reason}\n", {}, {}, 1},
     {"!added", "  ended ({end}): {reason}\n"},
-    {"not_needed", "  without {not_needed}: fitted, they are none within two standard deviations\n", {}, {}, 1},
-    {"also", "  with this tool no reading tells it apart from: {also}\n", {}, {}, 1}};
+    {"not_needed",
+     "  without {not_needed}: their fitted sizes are within two standard deviations of zero\n",
+     {},
+     {},
+     1},
+    {"also", "  no reading with this tool can distinguish it from: {also}\n", {}, {}, 1}};
 
 constexpr TextLine kImprovementWords[] = {{"", "{sentence}\n"},
                                           {"steps", "step {number}: {verdict}: {sentence}\n", kImprovementStepWords},
@@ -109,12 +113,12 @@ std::string reasonText(const ImprovementStep& step, const Units& units) {
       return "no cause is certain, and none lowers the error of held-out readings and of the farthest poses by 5 %";
     case ImprovementReason::kFarthestWorse:
       return fmt::format(
-          "fitted to the nearer poses it extrapolates worse to the farthest, {} from {}: readings there are needed",
-          first, second);
+          "a fit to the nearer poses predicts the farthest poses worse, {} from {}: readings there are needed", first,
+          second);
     case ImprovementReason::kNotLowerTogether:
-      return "fitted with everything else it does not lower the held-out error: it is not added";
+      return "if it is fitted together with everything else, the held-out error does not fall: it is not added";
     case ImprovementReason::kMistakeExplains:
-      return "a mistake with the readings explains the error: nothing is added to the model";
+      return "a mistake in the readings explains the error: nothing is added to the model";
     case ImprovementReason::kNoVerdict:
       return step.diagnosis.reason.empty() ? "the readings suggest that something is missing, but not what"
                                            : step.diagnosis.reason;

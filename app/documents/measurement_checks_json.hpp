@@ -27,7 +27,7 @@ void addChecks(const calibration::MeasurementChecks& checks, const Units& units,
 [[nodiscard]] std::string mistakeText(const calibration::MeasurementChecks& checks, const Units& units);
 
 /// Value of the key `verdict_words` if the measurements contain a mistake, that is, if mistakeText() is not empty.
-inline constexpr const char* kMistakeWords = "Inconclusive: a mistake in the readings is to be mended first";
+inline constexpr const char* kMistakeWords = "Inconclusive: a mistake in the readings must be corrected first";
 
 /// Returns the sentence "No verdict is possible: REASON."
 [[nodiscard]] std::string noVerdictSentence(const std::string& reason);

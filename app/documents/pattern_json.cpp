@@ -53,7 +53,7 @@ std::string patternSentence(const PatternTest& test, const Units& units) {
       fmt::format("{:.0f} % of the error, {} over all tests", 100 * test.share, chanceText(test.p_corrected));
   const std::string verb = test.is_finding ? "follows" : "does not significantly follow";
   if (test.trend.size() == 1)
-    return fmt::format("{} of the error {} the same everywhere: {} {} beside what the fit absorbs ({}).",
+    return fmt::format("{} of the error {} the same everywhere: {} {} in addition to what the fit absorbs ({}).",
                        test.is_finding ? "A part" : "No part", test.is_finding ? "is" : "is shown to be",
                        lengthText(test.size, units, 3), where, chance);
   const auto& low = test.trend.at(static_cast<std::size_t>(test.low));

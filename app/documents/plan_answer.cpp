@@ -37,7 +37,7 @@ std::string tubesByStepsText(const std::vector<int>& counts) {
 }
 
 std::string plannedStepsText(const PlanOutcome& outcome) {
-  std::string text = "how far the tool goes in is not known";
+  std::string text = "the insertion of the tool is not known";
   if (!outcome.chances.by_posture.empty())
     text = "expected of the tool: " + tubesByStepsText(roundedCounts(expectedCounts(outcome.chances)));
   if (const auto counts = trueCounts(outcome); !counts.empty())

@@ -43,7 +43,7 @@ constexpr TextLine kPlanWords[] = {
      "tubes {#tubes} planned, {#unreachable} unreachable; model tip within {worst:.1e units/length} of each centre, "
      "tilt "
      "at most {tilt:.2f units/angle}\n"},
-    {"left_out", "  {} left out: such tubes are planned by state (--tubes all,plugged) or by name alone\n"},
+    {"left_out", "  {} left out: such tubes are planned only by state (--tubes all,plugged) or by name\n"},
     {"unreachable", "  R{row}C{column} {reason}\n", {}, {}, kUnreachableShown},
     {"more_unreachable", "  and {} more, each with its reason in plan.json\n"},
     {"",
@@ -60,7 +60,7 @@ constexpr TextLine kPlanWords[] = {
 constexpr TextLine kMissedWords[] = {{"missed", "   ({} out of this model's reach)"}, {"", "\n"}};
 constexpr TextLine kPlanStepWords[] = {
     {"", "tubes by number of inserted steps of the calibration tool, from none\n  {base/words}\n"},
-    {"probabilities/expected_counts", "  {@:<40}{expected_counts:*8.1f}\n", {}, "as predicted, on the average", 1},
+    {"probabilities/expected_counts", "  {@:<40}{expected_counts:*8.1f}\n", {}, "predicted, on average", 1},
     {"by_true_arm", "  by the true arm, {mode:<23}{counts:*8}", kMissedWords}};
 
 double largest(const nlohmann::json& tubes, const char* key) {

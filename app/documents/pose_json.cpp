@@ -59,7 +59,7 @@ nlohmann::json segmentsJson(const Cell& cell, const deflection::Posture& posture
   std::string warning;
   if (found.factor != 1)
     warning = fmt::format(
-        "the tip's discretisation error is about {:.2g} {}, {:.2g} % of its deflection, since its beams have too few "
+        "the tip's discretisation error is about {:.2g} {}, {:.2g} % of its deflection, because its beams have too few "
         "segments{}",
         lengthOf(found.tip_error, cell.units), cell.units.length().name, 100 * found.tip_error / sag,
         found.factor == 0 ? "" : fmt::format(": set `segments: {}` in each beam", needed));

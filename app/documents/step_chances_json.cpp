@@ -25,9 +25,9 @@ std::vector<std::string> leftOutOf(const StepChances& chances) {
   if (chances.base_is_exact) left_out.emplace_back("the base pose, which the cell states as known");
   if (chances.numbers_are_exact)
     left_out.emplace_back(
-        "the arm's numbers, whose uncertainty beside this base is not known (touch holes, or `identify`)");
+        "the arm's numbers, whose uncertainty together with this base is not known (touch holes, or `identify`)");
   if (!chances.model_error)
-    left_out.emplace_back("the model's own error, which nothing shows (`identify` estimates it)");
+    left_out.emplace_back("the model's own error, which is not known (`identify` estimates it)");
   return left_out;
 }
 

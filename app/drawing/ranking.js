@@ -14,7 +14,7 @@ export const LEAST_FALL = 4;
  *    kept_fraction?: number | null, size?: RankedSize | null}} Ranked */
 
 /** Heading of a ranked effect's probability: the sum over all explanations that contain the effect. */
-export const IS_THERE = "probability that it is there";
+export const IS_THERE = "probability that it is present";
 
 /** Text with a bar, whose length is the fraction `share`. @typedef {{share: number, text: string}} Barred */
 

@@ -47,9 +47,9 @@ IdentificationOptions identificationOptions(const IdentificationRequest& request
   for (const auto& method : calibration::leastSquaresMethods())
     if (method.name == request.method) result.solver.method = method.method;
   if (result.free.names.empty() && request.stages.empty() && cell.base_known)
-    throw InputError::saying(
-        cell.path, "no parameter is free",
-        "free one with a list `identify`, or --free NAME; `tubeplan identify --help` lists what can be freed");
+    throw InputError::saying(cell.path, "no parameter is free",
+                             "free one with a list `identify`, or --free NAME; `tubeplan identify --help` lists the "
+                             "numbers that can be freed");
   return result;
 }
 
@@ -60,7 +60,8 @@ void requireAccepted(const Identification& result, const IdentificationRequest& 
   const Cell& cell = input.cell;
   if (result.measurement_problem) throw refusalOf(result.measurement_problem, result.reason, input);
   if (result.problems.empty())
-    throw InputError::saying(cell.path, result.reason, "`tubeplan identify --help` lists what can be freed");
+    throw InputError::saying(cell.path, result.reason,
+                             "`tubeplan identify --help` lists the numbers that can be freed");
   refuseName(request.free.empty() ? cell.path + " (identify)" : "--free", result.problems.front(), cell.arm);
 }
 
@@ -87,7 +88,7 @@ Identification identifyAsAsked(const IdentificationRequest& request, const Cell&
   if (request.stages.empty()) return calibration::identify(start, measurements, asked);
   if (!request.free.empty())
     throw InputError::saying("--free", "this option cannot be combined with --stage",
-                             "name what is freed in each stage: --stage NAME,NAME");
+                             "name the numbers freed in each stage: --stage NAME,NAME");
   std::vector<calibration::IdentificationStage> stages;
   for (const auto& text : request.stages) stages.push_back(stageOf(text));
   auto results = calibration::identifyInStages(start, measurements, stages, asked);
@@ -153,14 +154,14 @@ void fitMeasurements(const CellMeasurements& input, const IdentificationRequest&
 std::string refutation(const calibration::ModelLackOfFit& lack) {
   const bool is_off = lack.p_value < calibration::kPatternLevel;
   if (lack.adequacy == calibration::Adequacy::kInadequate)
-    return is_off ? "the fit leaves more than noise explains"
+    return is_off ? "the residuals are larger than noise explains"
                   : fmt::format(
-                        "repeated readings scatter {:.2g} times as much as stated, and the fit leaves more than that "
-                        "explains",
+                        "repeated readings scatter {:.2g} times as much as stated, and the residuals are larger than "
+                        "that explains",
                         lack.repeats.noise_ratio);
   return is_off ? fmt::format(
-                      "the fit leaves more than the stated noise explains, but no more than repeated readings scatter, "
-                      "{:.2g} times as much",
+                      "the residuals are larger than the stated noise explains, but not larger than the scatter of "
+                      "repeated readings, {:.2g} times as much",
                       lack.repeats.noise_ratio)
                 : "";
 }
@@ -182,9 +183,9 @@ void judgeByNoise(const IdentificationRequest& request, IdentificationOutcome& o
       fmt::format("{}: chi-square {:.3g} for each of {} degrees of freedom by the stated noise{}; {}", refuted,
                   lack.chi2 / std::max(1, lack.degrees_of_freedom), lack.degrees_of_freedom,
                   is_robust ? ", of the outliers too" : "",
-                  is_base_alone ? "the base alone was found: free what the drawing leaves open (a list `identify`, or "
-                                  "--free), and see `tubeplan compare`"
-                                : "`tubeplan compare` says what the error follows"));
+                  is_base_alone ? "only the base was fitted: free the numbers that the drawing leaves uncertain (a "
+                                  "list `identify`, or --free), and see `tubeplan compare`"
+                                : "`tubeplan compare` shows what the error depends on"));
 }
 
 }  // namespace

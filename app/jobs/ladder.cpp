@@ -45,7 +45,7 @@ void requireOneSheet(const Cell& cell, const tubesheets::Sheet& sheet) {
 /// and the tool are taken from `with_sheet`.
 RealArm realArmOf(const LadderRequest& request, const Cell& with_sheet, const ModelComparisonRow* best) {
   RealArm real;
-  real.cell = workcellOf(with_sheet, "count the steps that go in");
+  real.cell = workcellOf(with_sheet, "count the inserted steps");
   if (request.truth.empty()) {
     takeAsRealArm(*best, real);
   } else {

@@ -182,7 +182,7 @@ void startAtTube(const PlanRequest& request, const PlanCheckpoint* checkpoint, P
 void requireSameModel(const PlanRequest& request, const PlanCheckpoint& checkpoint, const PlanOutcome& outcome) {
   if (checkpoint.modelDifferences().empty() || !startTubeOf(request.conditions, outcome.nominal.sheet)) return;
   throw InputError::saying("--start",
-                           fmt::format("the earlier plan visits {} with {}", request.conditions.start,
+                           fmt::format("the earlier plan visits {}, but with {}", request.conditions.start,
                                        fmt::join(checkpoint.modelDifferences(), ", ")),
                            "write the arm's joint readings, --start=A,B,...");
 }

@@ -53,7 +53,7 @@ IdentityFinding comparePosition(const TubeAddress& meant, double x, double y, co
       least = distance;
       nearest = &end;
     }
-  if (!nearest) return {false, "", "the position is at no hole of this steam generator"};
+  if (!nearest) return {false, "", "the position is not at a hole of this steam generator"};
   if (nearest->tube == meant) return {true, addressText(meant), ""};
   std::string reason = differenceOf(meant, nearest->tube);
   if (isMirrorImage(ends, meant, *nearest, kNearHole * pitch)) reason += ", its mirror image: check the map's columns";
@@ -78,7 +78,7 @@ std::string findMissingConfirmation(const WorkPackage& package, const std::vecto
   if (const std::string wrong = findWrongMethod(package, latest->method); !wrong.empty()) return wrong;
   if (latest->value != "same") return fmt::format("the last confirmation found {}", latest->value);
   if (package.confirm == ConfirmationMethod::kReadBack && isSamePerson(latest->who, who))
-    return fmt::format("the tube was read back by {}, who marks it too; another person must read it", latest->who);
+    return fmt::format("the tube was read back by {}, who also marks it; another person must read it", latest->who);
   return "";
 }
 

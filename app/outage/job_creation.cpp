@@ -95,7 +95,7 @@ void requireSameTubes(const ReadLeg& one, const ReadLeg& other) {
     if (const auto* tube = lacking(lacks->sheet, has->sheet))
       throw InputError::saying(
           fmt::format("steam generator {}", one.generator),
-          fmt::format("the {} leg has {}, but the {} leg has not", tubesheets::legName(has->leg.leg),
+          fmt::format("the {} leg has {}, but the {} leg does not", tubesheets::legName(has->leg.leg),
                       tubesheets::tubeName(tube->row, tube->column), tubesheets::legName(lacks->leg.leg)),
           "give both legs sheets with the same rows and columns");
 }
@@ -246,7 +246,7 @@ std::vector<std::string> JobStore::create(const JobFile& job, const std::string&
   claimOutput(path, "--out");
   std::error_code none;
   if (std::filesystem::exists(path, none))
-    throw InputError::saying(path, "the file exists, and what it records must not be lost", "choose another name");
+    throw InputError::saying(path, "the file already exists, and its record must not be lost", "choose another name");
   const std::string scratch = path + ".new";
   const auto removeScratch = [&] {
     for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(scratch + suffix, none);

@@ -170,7 +170,7 @@ std::vector<LegName> readApart(const YamlNode& node, const std::vector<SteamGene
     if (std::ranges::count(group, group.back()) > 1)
       item.failSaying(fmt::format("the leg {} is named twice", item.text()), "name each leg of a group once");
   }
-  if (group.size() < 2) node.failSaying("a leg alone has nothing to be apart from", "name two legs or more");
+  if (group.size() < 2) node.failSaying("the group has only one leg", "name two legs or more");
   return group;
 }
 
@@ -255,7 +255,7 @@ JobFile readJobFile(const std::string& path) {
 std::string untimedText(const WorkPackage& package, const JobFile& job) {
   const JobTool& tool = job.toolOf(package);
   if ((tool.speed > 0) == (package.length > 0)) return "";
-  return fmt::format("the package {} counts no time in the tubes: {}", package.name,
+  return fmt::format("the time in the tubes is not counted for the package {}: {}", package.name,
                      tool.speed > 0 ? fmt::format("its tool {} has a speed, but the package has no length", tool.name)
                                     : fmt::format("it has a length, but its tool {} has no speed", tool.name));
 }

@@ -20,7 +20,7 @@ json eventJson(const JobEvent& event) {
   return result;
 }
 
-constexpr TextLine kReopenedWords[] = {{"reopened", ", {} done no longer"}, {"", "\n"}};
+constexpr TextLine kReopenedWords[] = {{"reopened", ", {} no longer done"}, {"", "\n"}};
 
 constexpr TextLine kTotalsWords[] = {
     {"", "{job}\npackage          sg       leg    planned    done  excluded  unresolved  (open, queued, held)\n"},
@@ -36,7 +36,7 @@ constexpr TextLine kTotalsWords[] = {
     {"plugged_at_one_end",
      "warning: {} is plugged at this end only: plug the other end too, or check which tube it is\n"},
     {"plugged_in_the_meantime",
-     "warning: {tube} is plugged, but the package {package} still has it to be visited: mark it excluded there\n"},
+     "warning: {tube} is plugged, but the package {package} still plans to visit it: mark it excluded there\n"},
     {"wrong_tubes", "warning: at {tube} {who} found {found} ({at}): confirm the tube again before any tool enters\n"},
 };
 

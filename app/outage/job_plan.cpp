@@ -149,7 +149,7 @@ double LegPlan::total() const {
 JobPlan planJob(JobStore& store, const JobPlanRequest& request, const planner::PlanHooks& hooks,
                 const KeepPackagePlan& keep) {
   if (!request.start.empty() && (request.part.generator.empty() || !request.part.leg))
-    throw InputError::saying("--start", "the arm stands under one leg, but several are planned",
+    throw InputError::saying("--start", "the arm can start under one leg only, but several are planned",
                              "name the leg with --sg and --leg");
   JobPlan plan;
   const std::vector<JobItem> items = store.items();

@@ -39,7 +39,7 @@ json waitJson(const ScheduledLeg& at, const std::vector<LegPlan>& legs) {
   const bool is_apart = at.wait == WaitReason::kApart;
   return {{"for", addressText(LegName{other.generator, other.leg})},
           {"reason", is_apart ? "apart" : "arm"},
-          {"words", is_apart ? "the two legs are apart" : "its arm is there until then"},
+          {"words", is_apart ? "the two legs must not have an arm at the same time" : "its arm works there until then"},
           {"idle_s", at.idle},
           {"idle_h", at.idle / kHour}};
 }

@@ -13,7 +13,7 @@ using tubesheets::TubeState;
 constexpr std::array kMarks{
     Mark{"done", 'd', "examined over its full extent", kDone},
     Mark{"retest", 'r', "to be examined again", kQueued},
-    Mark{"skipped", 's', "passed over for now", kQueued, false},
+    Mark{"skipped", 's', "skipped for now", kQueued, false},
     Mark{"obstructed", 'o', "the tool does not enter or pass", kHeld},
     Mark{"restricted", 'c', "only a smaller tool passes", kHeld},
     Mark{"to-plug", 't', "examined, and recommended for plugging", kDone, true, false, TubeState::kToPlug},

@@ -43,7 +43,7 @@ std::string bytesOfText(const std::string& path) {
                              "check the file's permissions");
   std::string text = readAtMost(stream, kLargestFile);
   if (text.size() > kLargestFile)
-    throw InputError(path, "more than 64 MB", "a file of at most 64 MB", "check that this is the file you mean");
+    throw InputError(path, "more than 64 MB", "a file of at most 64 MB", "check that this is the intended file");
   return text;
 }
 

@@ -101,7 +101,7 @@ std::string exportedRunSheet(const Session& s) {
   const auto sheet = figures.find("run_sheet");
   if (sheet == figures.end())
     throw InputError::saying("export", "the diagnosis proposes no readings",
-                             "only a diagnosis that leaves something open has a run sheet");
+                             "only a diagnosis without a conclusive verdict has a run sheet");
   return sheet->get<std::string>();
 }
 std::string exportedPlan(const Session& s) { return planFileText(s.plan_request, planOf(s)); }
@@ -153,7 +153,7 @@ Answer download(Workbench& workbench, const Request& request) {
   const auto found = std::find_if(std::begin(kExports), std::end(kExports),
                                   [&](const Export& e) { return e.name == request.words[1]; });
   if (found == std::end(kExports))
-    return refusal(404, InputError::saying(inQuotes(request.words[1]), "there is no export of that name",
+    return refusal(404, InputError::saying(inQuotes(request.words[1]), "there is no export with this name",
                                            "docs/workbench_api.md lists the exports"));
   try {
     return downloadOf(std::string(found->name), std::string(found->content_type), found->text(workbench.session()));

@@ -57,7 +57,7 @@ Answer openProject(Workbench& workbench, const Request& request) {
   if (recent.empty()) return openInstead(workbench, body, workbench.folder().fileToRead(textOf(body, "file")));
   if (keeper.folder().empty())
     throw InputError::saying("recent",
-                             "the session " + inQuotes(recent) + " is not kept: the server has no state folder",
+                             "the session " + inQuotes(recent) + " is not saved: the server has no state folder",
                              "open a file of the opened folder");
   return openInstead(workbench, body, OpenedFolder(keeper.folder()).fileToRead(recent));
 }

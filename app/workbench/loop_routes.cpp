@@ -197,7 +197,7 @@ Answer improve(Workbench& workbench, const Request& request) {
         const auto outcome = improveModel(input, asked, hooksOf(context));
         if (!outcome.isUsable())
           throw InputError::saying(input.file,
-                                   "the readings allow no verdict: " +
+                                   "no verdict is possible on these readings: " +
                                        (outcome.steps.empty() ? outcome.models.front().fit.reason
                                                               : reasonText(outcome.steps.back(), input.cell.units)),
                                    "correct the readings, or add more");

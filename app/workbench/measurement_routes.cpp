@@ -87,7 +87,7 @@ Answer takeText(Workbench& workbench, const std::string& text, const std::string
 /// empty list revokes all assumptions.
 Answer assume(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
-  (void)requiredOf(body, "assume", "a list of NAME=VALUE, as the option --assume takes");
+  (void)requiredOf(body, "assume", "a list of NAME=VALUE, as for the option --assume");
   const auto names = textsOf(body, "assume");
   if (workbench.jobs().isBusy()) return jobRuns();
   const Session session = workbench.session();

@@ -53,7 +53,7 @@ Answer field(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const std::string of = textOf(body, "of", "centring");
   requireField(of);
-  (void)workcellOf(currentModel(workbench.session()).cell, "look at its holes");
+  (void)workcellOf(currentModel(workbench.session()).cell, "show its holes");
   const int model = integerOf(body, "model", currentModel(workbench.session()).id, 0, std::numeric_limits<int>::max());
   (void)atModel(workbench.session(), model);  // refuse an unknown model before the job begins
   return beginJob(workbench, "field", of + " over the sheet", [=, &workbench](JobContext& context) {

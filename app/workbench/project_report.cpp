@@ -112,7 +112,7 @@ json factsJson(const Session& session, const ProjectReportRequest& request) {
                             fact("Program", fmt::format("tubeplan {} ({})", kVersion, sourceCommit())),
                             fact("Current model", currentModel(session).label)});
   if (const Cell& cell = currentModel(session).cell; cell.sheet)
-    facts.push_back(fact("What is planned holds", wordsOf(standingOf(cell))));
+    facts.push_back(fact("Existing plans remain valid", wordsOf(standingOf(cell))));
   if (session.measurements)
     facts.push_back(fact("Readings in use", fmt::format("{}", measurementsInUse(*session.measurements).size())));
   return facts;

@@ -117,9 +117,9 @@ json reachOfAll(const Cell& cell, JobContext& context) {
 json fieldOf(const Session& session, const std::string& of, JobContext& context) {
   requireField(of);
   const Cell& cell = currentModel(session).cell;
-  const auto work = workcellOf(cell, "look at its holes");
+  const auto work = workcellOf(cell, "show its holes");
   std::optional<planner::Workcell> truth;
-  if (!session.truth.empty()) truth = workcellOf(readCell(session.truth), "set the model beside it");
+  if (!session.truth.empty()) truth = workcellOf(readCell(session.truth), "compare the model with it");
   std::vector<double> values(work.sheet.tubes.size(), std::numeric_limits<double>::quiet_NaN());
   if (of == "residual")
     values = residuals(session, work.sheet);

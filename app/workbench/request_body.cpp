@@ -43,7 +43,7 @@ std::vector<JsonValue> itemsIn(const json& list, const std::string& key) {
 json objectOf(const Request& request) {
   if (request.body.empty()) return json::object();
   constexpr const char* kBody = "request body";
-  constexpr const char* kExpected = "the JSON that this address takes";
+  constexpr const char* kExpected = "the JSON that this address expects";
   json object = parseJson(request.body, kBody, kExpected);
   if (!object.is_object()) throw NotJson(kBody, fmt::format("a JSON {}", object.type_name()), "a JSON object");
   return object;

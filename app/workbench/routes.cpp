@@ -63,7 +63,7 @@ Answer answer(Workbench& workbench, const Request& request) {
     const Route* route = findRoute(request, known_path);
     if (route) return answerBy(*route, workbench, request);
     if (known_path)
-      return refusal(405, InputError::saying(pathOf(request), "this address does not take " + request.method,
+      return refusal(405, InputError::saying(pathOf(request), "this address does not accept " + request.method,
                                              "docs/workbench_api.md lists the methods of every address"));
     return refusal(404, InputError::saying(pathOf(request), "the workbench has no such address",
                                            "docs/workbench_api.md lists the valid addresses"));
@@ -72,8 +72,8 @@ Answer answer(Workbench& workbench, const Request& request) {
   } catch (const InputError& error) {
     return refusal(422, error);
   } catch (const nlohmann::json::exception&) {
-    return refusal(400, InputError::saying("request body", "a value is not of the kind that this address takes",
-                                           "docs/workbench_api.md describes what the address takes"));
+    return refusal(400, InputError::saying("request body", "a value is not of the kind that this address expects",
+                                           "docs/workbench_api.md describes the values that it expects"));
   } catch (const std::filesystem::filesystem_error& error) {
     return refusal(422, inputErrorOf(error));
   } catch (const std::exception& error) {

@@ -84,7 +84,7 @@ std::optional<Session> SessionKeeper::begin(const std::string& cell) {
   } catch (const InputError& problem) {
     const auto other = freeName(file_, "unreadable");
     fs::rename(file_, other, error);
-    fmt::print(stderr, "tubeplan: the kept session is not resumed, and stays as {}: {}\n", other.string(),
+    fmt::print(stderr, "tubeplan: the saved session is not resumed, and remains as {}: {}\n", other.string(),
                problem.what());
     return std::nullopt;
   }
@@ -104,7 +104,7 @@ void SessionKeeper::keep(const Session& session) {
     kept_ = session.revision;
     problem_.clear();
   } catch (const std::exception& error) {
-    if (problem_.empty()) fmt::print(stderr, "tubeplan: the session is not kept: {}\n", error.what());
+    if (problem_.empty()) fmt::print(stderr, "tubeplan: the session is not saved: {}\n", error.what());
     problem_ = error.what();
   }
 }

@@ -53,8 +53,8 @@ Session takeUp(SessionKeeper& keeper, Session asked, const WorkbenchOptions& opt
   if (!options.fresh && !is_project && goesOn(*kept, asked)) return std::move(*kept);
   if (hasWork(*kept)) {
     keeper.putAside();
-    fmt::print(stderr, "tubeplan: {}; the kept session stays under Open, Recent\n",
-               options.fresh || is_project ? "begun anew" : "cell or readings differ from those kept");
+    fmt::print(stderr, "tubeplan: {}; the saved session remains under Open, Recent\n",
+               options.fresh || is_project ? "begun anew" : "cell or readings differ from the saved ones");
   }
   return asked;
 }

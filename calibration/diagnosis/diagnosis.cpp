@@ -123,8 +123,8 @@ void withholdAdequate(const DiagnosisWork& work, Diagnosis& result) {
   if (result.repeats.groups > 0) return;
   result.verdict = Verdict::kInconclusive;
   result.reason =
-      "noise alone leaves residuals as large as these in fewer than 1 of 100 cases, and no known effect is "
-      "likely; needed: more readings, or a sigma that is known";
+      "noise alone leaves residuals as large as these in fewer than 1 of 100 cases, and no known effect is likely; "
+      "more readings or a known sigma are needed";
 }
 
 /// Sets the verdict from the fits of the leading models.

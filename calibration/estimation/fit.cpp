@@ -180,7 +180,7 @@ class Fitting {
     fit_.p_value = chiSquareTail(fit_.chi2, fit_.degrees_of_freedom);
     if (fit_.solution.status == LeastSquaresStatus::kIterationLimit && distanceToMinimum() < kNearMinimum) {
       fit_.solution.status = LeastSquaresStatus::kConverged;
-      fit_.solution.reason = "the minimum is nearer than the noise lets it be known";
+      fit_.solution.reason = "the remaining step is far below the uncertainty due to noise";
     }
     return true;
   }

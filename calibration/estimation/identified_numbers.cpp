@@ -43,7 +43,7 @@ std::string noteOf(const IdentifiedNumber& number, bool is_nearly_rigid) {
   if (number.identifiable == Identifiability::kInCombination)
     return "determined only in combination with " + namesOf(number.with) + "; otherwise determined by its prior";
   if (number.is_at_bound && is_nearly_rigid)
-    return "the best fit has no compliance, or a negative one, which no part has: take it as rigid, or look for a "
+    return "the best fit has zero or negative compliance, which is not physical: treat it as rigid, or look for a "
            "missing effect";
   if (number.is_at_bound) return "at its bound: the unconstrained estimate is not physical";
   if (is_nearly_rigid) return "its compliance is within two standard deviations of zero: hardly significant";

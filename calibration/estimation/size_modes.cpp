@@ -283,7 +283,7 @@ std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm
 std::string decidedByText(const std::vector<MeasurementKind>& kinds) {
   std::vector<std::string> names;
   for (const auto kind : kinds) names.emplace_back(kindOf(kind).name);
-  return names.empty() ? "no kind of reading made here decides"
+  return names.empty() ? "no available kind of reading decides"
                        : fmt::format("one reading of kind {} decides", fmt::join(names, " or "));
 }
 

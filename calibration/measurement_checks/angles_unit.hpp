@@ -15,7 +15,7 @@ inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::s
   if (!factor) return std::nullopt;
   Mend mend{
       "angles", value,
-      "the unit of the joint readings is " + value + ", not " + checked.units.angles.name + " as their columns say"};
+      "the unit of the joint readings is " + value + ", not " + checked.units.angles.name + " as their columns state"};
   Eigen::VectorXd factors = Eigen::VectorXd::Ones(checked.start.arm.jointCount());
   for (Eigen::Index j = 0; j < factors.size(); ++j)
     if (checked.start.arm.joint(j).type == deflection::JointType::kRevolute) factors[j] = *factor;

@@ -19,7 +19,7 @@ inline std::vector<std::string> values(const CheckedMeasurements& checked) {
 inline std::optional<Mend> mendFrom(const CheckedMeasurements& checked, const std::string& from) {
   const auto first = std::ranges::find(checked.measurements, from, &Measurement::id);
   if (first == checked.measurements.end()) return std::nullopt;
-  Mend mend{"base", "unknown", "the base or the tracker stands elsewhere: it was bumped there, and is found anew"};
+  Mend mend{"base", "unknown", "the base or the tracker was moved there, and its pose is fitted again"};
   mend.new_setup = NewSetup{first->setup + (first->setup.empty() ? "" : "-") + "from-" + from, first->setup};
   mend.change = toEach([setup = *mend.new_setup](Measurement& measurement) {
     if (measurement.setup == setup.within) measurement.setup = setup.name;
@@ -33,7 +33,7 @@ inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::s
   const auto [value, from] = partedAtMeasurement(text);
   if (value != "unknown") return std::nullopt;
   if (from) return mendFrom(checked, *from);
-  Mend mend{"base", value, "the base does not stand where the cell says that it is known to stand"};
+  Mend mend{"base", value, "the base is not at the pose that the cell states as known"};
   mend.frees_base = true;
   return mend;
 }
@@ -56,7 +56,9 @@ inline std::vector<StepForm> steps(const CheckedMeasurements& checked) {
 inline MistakeKind kind() {
   return {.name = "base",
           .value = "unknown[@READING]",
-          .expected = "unknown: the base pose is fitted with the rest; unknown@P41: from that reading on it is another",
+          .expected =
+              "unknown: the base pose is fitted with the rest; unknown@P41: another base pose is fitted from that "
+              "reading on",
           .values = values,
           .mend = mend,
           .steps = steps};

@@ -71,10 +71,11 @@ class Clock {
       else if (isMidnight(k))
         checks.push_back(midnightBefore(k));
       else
-        checks.push_back(from(k, "back", "the clock was set there, or began anew"));
+        checks.push_back(from(k, "back", "the clock was set there, or was restarted"));
     }
     if (const auto k = forward())
-      checks.push_back(from(*k, "on", "was the clock set there? A pause of that length would leave the times right"));
+      checks.push_back(
+          from(*k, "forward", "was the clock set there? If it was only a pause of that length, the times are right"));
     return checks;
   }
 
@@ -106,17 +107,16 @@ class Clock {
   }
 
   [[nodiscard]] MeasurementCheck alone(std::size_t k, const char* side) const {
-    return remark(fmt::format("the time of reading {} is {} that of both its neighbours, of no other: was it written "
-                              "wrong?",
+    return remark(fmt::format("the time of reading {} is {} those of both its neighbours, and no other time is out of "
+                              "order: is it a typing error?",
                               timed_[k]->id, side),
                   "");
   }
 
   [[nodiscard]] MeasurementCheck from(std::size_t k, const char* way, const char* cause) const {
-    return remark(
-        fmt::format("from reading {} on the time has gone {} by {}, where readings are {} apart as a rule: {}",
-                    timed_[k]->id, way, durationText(jumpAt(k)), durationText(usual_), cause),
-        fmt::format("clock={:.6g}@{}", -jumpAt(k), timed_[k]->id));
+    return remark(fmt::format("at reading {} the time jumps {} by {}, while readings are usually {} apart: {}",
+                              timed_[k]->id, way, durationText(jumpAt(k)), durationText(usual_), cause),
+                  fmt::format("clock={:.6g}@{}", -jumpAt(k), timed_[k]->id));
   }
 
   /// Returns true if the times step back by one day, as on a clock without a date at midnight.
@@ -169,7 +169,7 @@ std::optional<Mend> mendOf(const CheckedMeasurements& checked, const std::string
 MistakeKind kind() {
   return {.name = "clock",
           .value = "SECONDS@READING",
-          .expected = "seconds to add to the times and from which reading on, such as -3600@P41",
+          .expected = "seconds to add to the times, and the first such reading, as in -3600@P41",
           .values = noValues,
           .mend = mendOf};
 }

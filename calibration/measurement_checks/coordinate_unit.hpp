@@ -22,8 +22,9 @@ inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::s
   const auto at = axis.size() == 1 ? kAxes.find(axis.front()) : std::string_view::npos;
   const auto factor = factorOf(checked.units.lengths, checked.units.coordinates, unit);
   if (at == std::string_view::npos || !factor) return std::nullopt;
-  Mend mend{"coordinate-unit", value,
-            "the unit of " + axis + " is " + unit + ", not " + checked.units.coordinates.name + " as its column says"};
+  Mend mend{
+      "coordinate-unit", value,
+      "the unit of " + axis + " is " + unit + ", not " + checked.units.coordinates.name + " as its column states"};
   mend.change = toEach([checked = &checked, at, factor = *factor](Measurement& measurement) {
     if (coordinates_unit::areWritten(*checked, measurement))
       (*measurement.p_W)[static_cast<Eigen::Index>(at)] *= factor;

@@ -20,9 +20,9 @@ inline std::vector<std::string> values(const CheckedMeasurements& checked) {
 inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
   const auto factor = factorOf(checked.units.lengths, checked.units.coordinates, value);
   if (!factor) return std::nullopt;
-  Mend mend{
-      "coordinates", value,
-      "the unit of the coordinates is " + value + ", not " + checked.units.coordinates.name + " as their columns say"};
+  Mend mend{"coordinates", value,
+            "the unit of the coordinates is " + value + ", not " + checked.units.coordinates.name +
+                " as their columns state"};
   mend.change = toEach([checked = &checked, factor = *factor](Measurement& measurement) {
     if (areWritten(*checked, measurement)) *measurement.p_W *= factor;
     const auto columns = kindOf(measurement).columns;

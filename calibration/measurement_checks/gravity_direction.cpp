@@ -104,8 +104,8 @@ std::optional<FoundMistake> gravityElsewhere(const MistakeTrials& trials) {
   MeasurementCheck check{
       "gravity",
       CheckSeverity::kMistake,
-      fmt::format("gravity points along {0:g}, {1:g}, {2:g} of the world in these readings, {3:.0f} deg from where the "
-                  "cell says: write `gravity: [{0:g}, {1:g}, {2:g}]` in the cell's file",
+      fmt::format("gravity points along {0:g}, {1:g}, {2:g} of the world in these readings, {3:.0f} deg from the "
+                  "direction in the cell: write `gravity: [{0:g}, {1:g}, {2:g}]` in the cell's file",
                   gravity_W.x(), gravity_W.y(), gravity_W.z(), turn * 180 / std::numbers::pi),
       as_is.error,
       best.error,

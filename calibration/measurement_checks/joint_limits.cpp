@@ -68,7 +68,7 @@ std::optional<MeasurementCheck> hairPastLimits(const CheckedMeasurements& checke
                                  past / unit.factor, unit.name, limit / unit.factor));
     }
   if (told.empty()) return std::nullopt;
-  return remarkOf("past-limit", "a hair past a joint's limit, and taken as read: " + listOf(told));
+  return remarkOf("past-limit", "slightly past a joint's limit, and used as read: " + listOf(told));
 }
 
 std::optional<double> oneTurnBack(const deflection::Joint<double>& joint, double q) {
@@ -93,10 +93,10 @@ std::optional<MeasurementCheck> unwindJoints(CheckedMeasurements& checked) {
   }
   if (told.empty()) return std::nullopt;
   linkReferences(checked.measurements);
-  return remarkOf("whole-turn",
-                  fmt::format("joint readings past their limits are taken a whole turn back, which is the same "
-                              "posture: {}",
-                              fmt::join(told, ", ")));
+  return remarkOf(
+      "whole-turn",
+      fmt::format("joint readings past their limits are changed by a whole turn, which is the same posture: {}",
+                  fmt::join(told, ", ")));
 }
 
 }  // namespace tubeplan::calibration

@@ -77,7 +77,8 @@ inline std::vector<Mend> ringsOf(const CheckedMeasurements& checked, const std::
 inline MistakeKind kind() {
   return {"joint-order",
           "JOINT:JOINT",
-          "joints of the arm, such as theta3:theta4; of more the column of each contains the next one's readings",
+          "joints of the arm, such as theta3:theta4; with more than two, the column of each contains the readings of "
+          "the next",
           values,
           mend,
           false,

@@ -56,11 +56,10 @@ std::optional<Mend> mendOf(const CheckedMeasurements& checked, const std::string
   const int joint = jointNamed(checked.start.arm, name);
   const double factor = tubesheets::parseNumber(number).value_or(0);
   if (joint < 0 || factor == 0) return std::nullopt;
-  Mend mend{
-      "joint-scale", value,
-      fmt::format("the readings of {} are no angles: multiplied by {:.6g} they are, as pulses of an encoder would "
-                  "be ({:.6g} to one {})",
-                  name, factor, 1 / std::abs(factor), checked.units.angles.name)};
+  Mend mend{"joint-scale", value,
+            fmt::format("the readings of {} are not angles; multiplied by {:.6g} they are, as encoder pulses would be "
+                        "({:.6g} for one {})",
+                        name, factor, 1 / std::abs(factor), checked.units.angles.name)};
   mend.change = toEach([joint, factor](Measurement& measurement) {
     measurement.q[joint] *= factor;
     if (factor < 0 && !measurement.approach_directions.empty())
@@ -108,7 +107,7 @@ std::vector<int> jointsBeyondTurns(const CheckedMeasurements& checked) {
 MistakeKind kind() {
   return {.name = "joint-scale",
           .value = "JOINT:FACTOR",
-          .expected = "a joint and what its readings are to be multiplied by, such as theta2:0.0123",
+          .expected = "a joint and the factor for its readings, such as theta2:0.0123",
           .values = valuesOf,
           .mend = mendOf,
           .joins_itself = true};

@@ -32,7 +32,7 @@ inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::s
   const auto factor = factorOf(unitsOf(checked, joint), unitOf(checked, joint), unit);
   if (!factor) return std::nullopt;
   Mend mend{"joint-unit", value,
-            "the unit of " + name + " is " + unit + ", not " + unitOf(checked, joint).name + " as its column says"};
+            "the unit of " + name + " is " + unit + ", not " + unitOf(checked, joint).name + " as its column states"};
   mend.change = toEach([joint, factor = *factor](Measurement& measurement) { measurement.q[joint] *= factor; });
   return mend;
 }

@@ -69,7 +69,7 @@ inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::s
                            Measurement& measurement) { measurement.q[joint] = wound(of, measurement.q[joint] + by); });
   mend.numbers_fitted = 1;
   if (from) {
-    mend.sentence += "; a turn or counts of its encoder were lost there, or it was knocked or homed anew";
+    mend.sentence += "; a turn or counts of its encoder were lost there, or it was hit or homed again";
     return fromMeasurement(checked, std::move(mend), *from);
   }
   mend.zeros_of = {joint};
@@ -90,7 +90,7 @@ inline std::vector<StepForm> steps(const CheckedMeasurements& checked) {
 inline MistakeKind kind() {
   return {"joint-zero",
           "JOINT:ANGLE[@READING]",
-          "a revolute joint and the offset to add to its readings, in their unit, and from which reading on, such as "
+          "a revolute joint and the offset to add to its readings, in their unit, and the first such reading, as in "
           "theta3:90 or theta3:8@P41",
           values,
           mend,

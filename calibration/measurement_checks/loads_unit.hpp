@@ -17,7 +17,7 @@ inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::s
   const auto factor = factorOf(checked.units.forces, checked.units.loads, value);
   if (!factor) return std::nullopt;
   Mend mend{"loads", value,
-            "the unit of the loads is " + value + ", not " + checked.units.loads.name + " as their column says"};
+            "the unit of the loads is " + value + ", not " + checked.units.loads.name + " as their column states"};
   mend.change = toEach([factor = *factor](Measurement& measurement) { measurement.load *= factor; });
   return mend;
 }

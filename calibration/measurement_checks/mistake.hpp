@@ -50,7 +50,7 @@ struct NewSetup {
 /// Correction of the measurements for one mistake.
 struct Mend {
   std::string mistake, value;  ///< parts of the option `--assume MISTAKE=VALUE`
-  std::string sentence;  ///< description, such as "the unit of the coordinates is mm, not in as their columns say"
+  std::string sentence;  ///< description, such as "the unit of the coordinates is mm, not in as their columns state"
   std::function<void(std::vector<Measurement>&)> change = [](std::vector<Measurement>&) {};
   /// Corrects the stated sigmas if they are in the same wrong unit; empty if there are no such sigmas.
   std::function<void(std::vector<Measurement>&)> change_sigma = {};

@@ -53,12 +53,10 @@ std::optional<MeasurementCheck> pulses(const CheckedMeasurements& checked) {
   std::vector<std::string> names;
   for (const int joint : joints) names.push_back(checked.start.arm.joint(joint).name);
   const auto& unit = checked.units.angles;
-  return remarkOf(
-      "joint-scale",
-      fmt::format(
-          "the readings of {} go farther than a joint turns: are they an encoder's pulses? State how many {} one "
-          "is, joint by joint, as --assume joint-scale={}:FACTOR",
-          listOf(names), unit.name, names.front()));
+  return remarkOf("joint-scale",
+                  fmt::format("the readings of {} exceed the range of a joint: are they encoder pulses? State the size "
+                              "of a pulse in {}, joint by joint, as --assume joint-scale={}:FACTOR",
+                              listOf(names), unit.name, names.front()));
 }
 
 std::optional<MeasurementCheck> heavyLoad(const CheckedMeasurements& checked) {

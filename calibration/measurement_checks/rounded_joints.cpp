@@ -120,11 +120,9 @@ std::optional<MeasurementCheck> roundedJoints(const MistakeTrials& trials) {
   const bool is_as_large = motion > kShareOfError * as_is.open_error && as_is.open_error > kShareOfError * left;
   if (motion < trials.noise({}) || !is_as_large) return std::nullopt;
   const auto& unit = checked.units.coordinates;
-  return remarkOf(
-      "rounded-joints",
-      fmt::format("{}: if they were rounded to it, that alone moves the tip by about {:.2g} {}; take them with all the "
-                  "digits that the controller has",
-                  stepsText(checked, steps), motion / unit.factor, unit.name));
+  return remarkOf("rounded-joints", fmt::format("{}: if they were rounded to it, that alone moves the tip by about "
+                                                "{:.2g} {}; record them with all digits of the controller",
+                                                stepsText(checked, steps), motion / unit.factor, unit.name));
 }
 
 }  // namespace tubeplan::calibration

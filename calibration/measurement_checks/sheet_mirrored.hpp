@@ -27,8 +27,7 @@ inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::s
 }
 
 inline MistakeKind kind() {
-  return {"sheet-mirrored", "rows|columns", "rows or columns, where the sheet has all the holes that it would be",
-          values, mend};
+  return {"sheet-mirrored", "rows|columns", "rows or columns, if the sheet has all the mirrored holes", values, mend};
 }
 
 }  // namespace tubeplan::calibration::mistakes::sheet_mirrored

@@ -14,9 +14,9 @@ namespace tubeplan::calibration::mistakes::shifted_rows {
 namespace {
 
 constexpr std::size_t kMostRowsLooked = 2000;
-constexpr std::size_t kFewest = 3;  // smallest number of rows before and after a lost point
-constexpr int kTried[] = {-1, 1};   // tried shifts [rows] that begin within the table
-constexpr double kNotShifted = 0.03;      // a row with a smaller error, relative to the reach, is not shifted
+constexpr std::size_t kFewest = 3;    // smallest number of rows before and after a lost point
+constexpr int kTried[] = {-1, 1};     // tried shifts [rows] that begin within the table
+constexpr double kNotShifted = 0.03;  // a row with a smaller error, relative to the reach, is not shifted
 
 /// Copies the measured values of a measurement, but not its joints and loads.
 void takeMeasured(const Measurement& from, Measurement& to) {
@@ -117,15 +117,14 @@ std::optional<Mend> mendOf(const CheckedMeasurements& checked, const std::string
   if (!named) return std::nullopt;
   const int by = named->by;
   const std::string rows = std::to_string(std::abs(by)) + (std::abs(by) == 1 ? " row" : " rows");
-  Mend mend{
-      "shift", value,
-      "the measured values stand " + rows + (by > 0 ? " below" : " above") + " the joint readings they belong to"};
+  Mend mend{"shift", value,
+            "the measured values are " + rows + (by > 0 ? " below" : " above") + " the joint readings they belong to"};
   mend.change = [by](std::vector<Measurement>& measurements) { shift(by, measurements); };
   if (!named->from) return mend;
   auto moved = idsFrom(checked.measurements, *named->from);
   if (moved.empty()) return std::nullopt;
   mend.sentence = "from reading " + *named->from + " on " + mend.sentence +
-                  (by < 0 ? ": a measured point was lost there" : ": a measured point is there twice, or too many");
+                  (by < 0 ? ": a measured point was lost there" : ": a measured point was repeated or added");
   mend.change = changeFrom(by, std::move(moved));
   mend.is_of_part = true;
   return mend;
@@ -148,8 +147,8 @@ void shift(int by, std::vector<Measurement>& measurements) {
 
 MistakeKind kind() {
   return {"shift", "ROWS[@READING]",
-          "how many rows lower the measured values stand than their joint readings, such as 1 or -1, and from which "
-          "reading on, such as -1@P37",
+          "number of rows by which the measured values are below their joint readings, such as 1 or -1, and the first "
+          "such reading, as in -1@P37",
           values, mendOf};
 }
 

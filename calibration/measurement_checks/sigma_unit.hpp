@@ -10,7 +10,7 @@ inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::s
   const auto factor = factorOf(checked.units.sigmas, checked.units.sigma, value);
   if (!factor) return std::nullopt;
   Mend mend{"sigma", value,
-            "the unit of sigma is " + value + ", not " + checked.units.sigma.name + " as its column says"};
+            "the unit of sigma is " + value + ", not " + checked.units.sigma.name + " as its column states"};
   mend.change = toEach([factor = *factor](Measurement& measurement) {
     measurement.sigma *= factor;
     if (measurement.sigma_W) *measurement.sigma_W *= factor;

@@ -53,12 +53,12 @@ struct Side {
 };
 
 constexpr Side kSides[] = {
-    {"stale-joints", "a reading states the joints of another reading, and what was measured does not belong there",
-     "readings state the joints of another reading, and what was measured does not belong there",
+    {"stale-joints", "a reading has the joint values of another reading, which do not fit its measured values",
+     "readings have the joint values of another reading, which do not fit their measured values",
      "the joints were logged too early, or copied", jointsOf},
-    {"stale-places", "a reading states the place of another reading, to the last digit, and the arm is not there",
-     "readings state the place of another reading, to the last digit, and the arm is not there",
-     "the tracker stood still while the arm moved on, or the place was copied", placeMeasured}};
+    {"stale-places", "a reading has exactly the coordinates of another reading, but the arm was elsewhere",
+     "readings have exactly the coordinates of another reading, but the arm was elsewhere",
+     "the tracker was not updated while the arm moved, or the coordinates were copied", placeMeasured}};
 
 /// Returns the norm of a measurement's residual [m]; NaN for touches of unknown points, and if the model cannot be
 /// evaluated.

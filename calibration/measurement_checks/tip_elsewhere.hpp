@@ -15,7 +15,7 @@ inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::s
   const auto offset = numbersAtColons(value, 3);
   if (!offset || !from) return std::nullopt;
   Mend mend{"tip", value,
-            "what is measured is elsewhere on the tool, by " + value + " " + unit.name +
+            "the measured point is elsewhere on the tool, by " + value + " " + unit.name +
                 " along its axes: the tool or target was changed there without a set-up of its own"};
   mend.change =
       [by = Eigen::Vector3d(Eigen::Vector3d(offset->data()) * unit.factor)](std::vector<Measurement>& measurements) {
@@ -43,8 +43,8 @@ inline MistakeKind kind() {
   return {.name = "tip",
           .value = "X:Y:Z@READING",
           .expected =
-              "how far the measured point is along the tool's axes, in the unit of the coordinates, and from "
-              "which reading on, such as 0:0.5:0@P41",
+              "offset of the measured point along the tool's axes, in the unit of the coordinates, and the first such "
+              "reading, as in 0:0.5:0@P41",
           .values = noValues,
           .mend = mend,
           .steps = steps};

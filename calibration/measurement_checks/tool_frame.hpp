@@ -81,7 +81,7 @@ inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::s
   const bool is_order = axes::matrixOf(value).has_value();
   Mend mend{"tool-frame", value,
             is_order ? "the turns are of a frame whose x, y and z are " + value + " of the tool's"
-                     : "the turns are of a body that sits on the tool with roll, pitch and yaw " + value + " " +
+                     : "the turns are those of a body mounted on the tool with roll, pitch and yaw " + value + " " +
                            checked.units.angles.name};
   mend.sentence += ": `rpy` of the tool is " + rpyText(checked, *R_TM);
   mend.numbers_fitted = is_order ? 0 : 3;

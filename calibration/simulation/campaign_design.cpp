@@ -77,7 +77,7 @@ std::string findLoadProblem(const CampaignDesign& design) {
     return "a deflection is measured under a load of zero, where it is zero";
   const bool is_seen = !kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles;
   if (is_seen && *std::max_element(loads.begin(), loads.end()) > 0)
-    return "holes are looked at under a load, which must be zero";
+    return "holes are observed under a load, which must be zero";
   return {};
 }
 
@@ -92,7 +92,7 @@ std::string findKindProblem(const CampaignDesign& design) {
     return "the design is at points of a plane, but its readings do not touch them";
   const bool is_of_holes = kind.is_place || kind.names_hole;
   if (!is_of_holes && design.place == CampaignPlace::kHoles)
-    return "the design is at holes, but its readings neither touch them nor look at them";
+    return "the design is at holes, but its readings neither touch nor observe them";
   if (kind.names_hole && !is_touch && design.place != CampaignPlace::kHoles)
     return std::string("readings of kind ") + kind.name + " are made at holes of the sheet only";
   if (!design.rows.empty() && !kind.may_be_of_row)

@@ -61,8 +61,9 @@ struct MeansRow {
 constexpr MeansRow kMeans[] = {
     {"touch", "touch a dozen of the visited holes or more", leave},
     {"load", "touch holes with and without 100 N (22 lbf) hung from the tool", hangLoad},
-    {"turn", "measure how the tool stands at the visited holes, as with an inclinometer", measureTurn},
-    {"track", "measure the tip by a tracker over the joints' whole range, the tool turned too", trackAnywhere},
+    {"turn", "measure the inclination of the tool at the visited holes", measureTurn},
+    {"track", "measure the tip by a tracker over the joints' whole range, with different turns of the tool",
+     trackAnywhere},
 };
 
 /// An answer as it predicts the virtual measurements.

@@ -99,7 +99,7 @@ RowsAndCandidates watchedRows(const WatchedArm& watched, const std::vector<Measu
     return result;
   }
   if (std::ranges::any_of(measurements, [&](const auto& m) { return m.setup != measurements.front().setup; })) {
-    rows.reason = "the readings are of several set-ups, but a watch is about one";
+    rows.reason = "the readings are of several set-ups, but a watch uses only one";
     return result;
   }
   const auto counts = [](const Measurement& m) { return kindOf(m).counts_steps; };

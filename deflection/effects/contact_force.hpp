@@ -25,7 +25,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kWord,
           .word = "tip",
           .odds = 1,
-          .odds_reason = "a tool that touches pushes",
+          .odds_reason = "a touching tool exerts a force",
           .varies_with = {EffectVariable::kJoint, EffectVariable::kMoment},
           .needs = {},
           .parameters = {{"force", Quantity::kForce, 0, -kUnbounded, kUnbounded, 200}},

@@ -25,7 +25,7 @@ inline EffectKind kind() {
           .stage = EffectStage::kJointReading,
           .at = PlaceRule::kJoint,
           .odds = 0.5,
-          .odds_reason = "gear ratios are counted teeth: only a wrong number or a belt is off",
+          .odds_reason = "gear ratios are exact numbers of teeth: only a wrong number or a belt gives an error",
           .varies_with = {EffectVariable::kJoint},
           .needs = {},
           .parameters = {{"scale", Quantity::kNone, 0, -0.5, 0.5, 0.01}},

@@ -27,7 +27,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kWord,
           .word = "tool",
           .odds = 2,
-          .odds_reason = "what is measured of the tool's turn is mounted by hand",
+          .odds_reason = "the target for the tool's turn is mounted by hand",
           .varies_with = {EffectVariable::kJoint},
           .needs = {.tool_turn = true},
           .parameters = {{"x", Quantity::kAngle, 0, -kFullTurn, kFullTurn, 0.1},

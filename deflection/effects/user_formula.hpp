@@ -86,7 +86,7 @@ inline EffectKind kind() {
           .at = PlaceRule::kJoint,
           .places_elsewhere = "the formula's target: a joint, tip.x to tip.z, base.x to base.z, base.yaw",
           .odds = 0,
-          .odds_reason = "a user's own law is never tried unasked",
+          .odds_reason = "a user's formula is tried only on request",
           .varies_with = {},
           .needs = {},
           .parameters = {},

@@ -144,7 +144,7 @@ class PathClearance {
     const double stated = *plan_.least_clearance - travel_scene_.clearance;
     const double slack = 2 * std::max(options_.distance_accuracy, options_.distance_share * std::abs(least_met_));
     if (stated > least_met_ + slack)
-      find_(fmt::format("the stated clearance is {:.4g} m, {:.4g} m are met at {}", *plan_.least_clearance,
+      find_(fmt::format("the stated clearance is {:.4g} m, but it is only {:.4g} m at {}", *plan_.least_clearance,
                         least_met_ + travel_scene_.clearance, result_.tightest));
   }
 

@@ -193,7 +193,7 @@ class Results(unittest.TestCase):
                 made = cell.plan(tubes='spread:2')
                 self.assertEqual(cell.base_standing.status, status)
                 self.assertEqual({key: made.base[key] for key in cell.base_standing}, dict(cell.base_standing))
-                self.assertEqual(any('hold only if' in word for word in made.warnings), status == 'nominal')
+                self.assertEqual(any('are valid only if' in word for word in made.warnings), status == 'nominal')
 
 
 if __name__ == '__main__':

@@ -48,7 +48,7 @@ class RealSets(unittest.TestCase):
 
     def check_exported(self, folder, table, text):
         """The file alone errs by what `arm export` printed, or by what the model does where nothing was left out."""
-        stated = re.search(r'fitted again by ([\d.e+-]+) ', text)
+        stated = re.search(r'exported model fitted again: ([\d.e+-]+) ', text)
         tubeplan.arm('import', folder / 'calibrated.urdf', out=folder / 'alone-arm.yaml', cell=folder / 'alone.yaml')
         alone = tubeplan.Cell(folder / 'alone.yaml', units='cell').compare(table)
         print(f'  the exported file: {alone.after_refit.rms:.4g}; {text.strip() or "states the whole model"}')

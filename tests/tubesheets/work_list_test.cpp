@@ -104,9 +104,9 @@ TEST(SelectTubes, InaccessibleAndUnresolvedOnesAreTakenOnlyWhereTheyAreNamedAndT
   }
   EXPECT_EQ(countOf(sheet, "all,inaccessible"), 25u);
   EXPECT_EQ(doubtfulText(sheet, selectTubes(sheet, "all,inaccessible")),
-            "1 inaccessible among the tubes asked for (R1C3): taken as asked");
+            "1 inaccessible among the requested tubes (R1C3): included as requested");
   EXPECT_EQ(doubtfulText(sheet, selectTubes(sheet, "R1C1,R1C3,R2C5")),
-            "1 inaccessible, 1 unresolved among the tubes asked for (R1C3, R2C5): taken as asked");
+            "1 inaccessible, 1 unresolved among the requested tubes (R1C3, R2C5): included as requested");
   EXPECT_EQ(doubtfulText(sheet, selectTubes(sheet, "all,inaccessible,-R1C3")), "");
 }
 

@@ -37,7 +37,7 @@ async function openFiles(tab, files) {
   await tab.waitForSelector(".project-tools");
   await tab.keyboard.press("o");
   await tab.setInputFiles("dialog[open] input[type=file]", files);
-  await tab.waitForSelector("dialog[open] >> text=Which column is what");
+  await tab.waitForSelector("dialog[open] >> text=Meaning of the columns");
 }
 
 describe("tables of other programs", () => {

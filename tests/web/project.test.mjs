@@ -209,7 +209,7 @@ describe("the report of a project", () => {
     const tab = await openTab(browser, `file://${path.join(made.folder, "reported.html")}`);
     assert.deepEqual(await tab.locator("h2").allInnerTexts(), [
       "1 The error of each model",
-      "2 How the models came about",
+      "2 History of the models",
       "3 Numbers of the current model",
       "4 Contents",
       "5 Reproducing the figures",

@@ -89,7 +89,7 @@ describe("several explanations", () => {
     await tab.selectOption("select[aria-label='Explanation beside']", "-1");
     await tab.waitForFunction(() => document.querySelectorAll(".plots .uplot").length === 1);
 
-    await tab.click(".next:has-text('What would tell them apart')");
+    await tab.click(".next:has-text('Readings that distinguish them')");
     const rows = tab.locator(".run-sheet tbody tr");
     await rows.first().waitFor();
     const count = await rows.count();

@@ -116,7 +116,7 @@ void requireFilledIn(const tubesheets::CsvTable& table, const MeasurementColumns
       fmt::format("{}:{}", file, blank.front()->line),
       blank.size() == 1 ? fmt::format("the reading of kind {} does not state {}", kind->name, valuesOf(*kind))
                         : fmt::format("{} readings are not filled in: {}", blank.size(), fmt::join(named, ", ")),
-      fmt::format("fill in what was measured, {}{}, or remove {}", is_some ? "one or more of " : "", what,
+      fmt::format("fill in the measured values, {}{}, or remove {}", is_some ? "one or more of " : "", what,
                   blank.size() == 1 ? "the row" : "these rows"));
 }
 

@@ -109,7 +109,7 @@ PlyHeader readHeader(TextWords& words) {
     } else if (word == "element") {
       header.elements.push_back(readElement(words));
     } else if (word == "property") {
-      if (header.elements.empty()) words.failSaying("the property stands before any element");
+      if (header.elements.empty()) words.failSaying("the property occurs before any element");
       header.elements.back().properties.push_back(readProperty(words));
     } else if (word != "comment" && word != "obj_info") {
       words.fail(word, "element, property, comment or end_header");

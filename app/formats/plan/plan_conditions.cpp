@@ -36,7 +36,7 @@ std::optional<int> startTubeOf(const ConditionsRequest& request, const tubesheet
   if (!name) return std::nullopt;
   if (const auto tube = sheet.indexOf(name->row, name->column)) return tube;
   throw InputError::saying("--start", fmt::format("{} is not on this sheet", inQuotes(request.start)),
-                           "name the tube at which the arm stands, or write its joint readings, --start=A,B,...");
+                           "name the tube at which the arm is, or write its joint readings, --start=A,B,...");
 }
 
 planner::VisitConditions conditionsOf(const ConditionsRequest& request, const Cell& cell,

@@ -18,15 +18,16 @@ struct PlacingRow {
 
 constexpr PlacingRow kPlacings[] = {
     {BasePlacing::kNominal, "nominal", "for the nominal base; not calibrated",
-     "the base is the cell's nominal one and was not calibrated: clearance, proofs and steps hold only if the arm "
-     "stands exactly there; touch three holes and calibrate (--touches)",
+     "the base is the cell's nominal one and was not calibrated: clearance, proofs and steps are valid only if the "
+     "base is exactly there; touch three holes and calibrate (--touches)",
      false},
     {BasePlacing::kStated, "stated", "for the base that the cell states as known", "", true},
     {BasePlacing::kIdentified, "identified", "for the base found by a fit of readings", "", true},
     {BasePlacing::kCalibrated, "calibrated", "for the base calibrated from {}", "", true},
     {BasePlacing::kMisfit, "misfit", "for the base calibrated from {} that do not fit",
-     "the base was calibrated from {} that do not fit: clearance, proofs and steps hold only if it stands there; "
-     "`tubeplan calibrate` says what may be wrong",
+     "the base was calibrated from {} that do not fit: clearance, proofs and steps are valid only if the base is "
+     "there; "
+     "`tubeplan calibrate` shows what may be wrong",
      true},
     {BasePlacing::kEachRun, "each-run", "for the base that each run calibrates from {}", "", true}};
 
@@ -67,9 +68,10 @@ std::string warningOf(const BaseStanding& standing) {
 
 std::vector<std::string> misfitWarnings(std::uint64_t misfits, std::uint64_t runs) {
   if (misfits == 0) return {};
-  return {fmt::format(
-      "in {} of {} runs the touches do not fit: `tubeplan calibrate` would say so; their steps are counted as well",
-      misfits, runs)};
+  return {
+      fmt::format("in {} of {} runs the touches do not fit: `tubeplan calibrate` would report this; their steps are "
+                  "counted as well",
+                  misfits, runs)};
 }
 
 }  // namespace tubeplan::app

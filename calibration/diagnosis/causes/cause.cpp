@@ -45,7 +45,8 @@ std::string lackOf(const EffectKind& kind, const PlacedArm& placed, const std::v
   if (kind.needs.load && !has_load) return "no reading is under a load";
   if (kind.needs.moments && !is_loaded && !hasWeights(arm))
     return "the arm file states no weights and no reading is under a load";
-  if (kind.needs.no_weights && hasWeights(arm)) return "the arm file states weights: compliances cover it";
+  if (kind.needs.no_weights && hasWeights(arm))
+    return "the arm file states weights, so compliances include this effect";
   if (kind.needs.tool_turn && !placed.shows_tool_turn)
     return "no reading states the tool's turn, or a point beside its tip";
   if (*kind.place_needs && kind.places(arm).empty()) return deflection::lackOfPlace(kind);

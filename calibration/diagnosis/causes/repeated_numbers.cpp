@@ -110,8 +110,8 @@ bool removeRepeated(const PlacedArm& placed, const std::vector<Measurement>& mea
   });
   removeFromCollective(repeated, list.causes);
   for (const auto& [effect, places] : places_of)
-    list.not_tried.push_back(
-        fmt::format("{}: at {} the free numbers of the arm's file do the same", effect, fmt::join(places, ", ")));
+    list.not_tried.push_back(fmt::format("{}: at {} the free numbers of the arm's file have the same effect", effect,
+                                         fmt::join(places, ", ")));
   return !repeated.empty();
 }
 

@@ -194,7 +194,7 @@ std::vector<AlternativeMeasurements> findAlternativeMeasurements(const std::vect
                 value = (std::isfinite(value) ? value : usual[kind.condition]) + kind.change;
               }));
     }
-    attempt("set the base up once more, leaning by some 20 deg", placedAgain(rivals), some);
+    attempt("set the base up again, tilted by about 20 deg", placedAgain(rivals), some);
     addLinks(rivals, some, options, means);
   }
   std::erase_if(means, [&](const AlternativeMeasurements& mean) {

@@ -24,7 +24,8 @@ void dropWhatDoesNotHelp(Diagnosis& result) {
   } else if (result.alternatives.empty()) {
     result.verdict = Verdict::kInconclusive;
     result.reason =
-        "what explains the fitted readings does not lower the error of held-out readings; needed: more readings";
+        "the explanation of the fitted readings does not lower the error of held-out readings; more readings are "
+        "needed";
   } else if (result.verdict == Verdict::kAmbiguous && before > 1 && result.alternatives.size() == 1) {
     result.verdict = Verdict::kExplained;
   }

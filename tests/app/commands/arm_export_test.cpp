@@ -128,7 +128,8 @@ TEST_F(ArmExport, TheExportedFileAloneErrsByWhatIsPrinted) {
       run("arm export better.yaml --measurements made/measurements.csv --into robot.urdf --out out.urdf");
   ASSERT_EQ(again.exit_code, 0) << again.err;
   std::smatch stated;
-  ASSERT_TRUE(std::regex_search(again.out, stated, std::regex("fitted again by ([0-9.e-]+) m"))) << again.out;
+  ASSERT_TRUE(std::regex_search(again.out, stated, std::regex("exported model fitted again: ([0-9.e-]+) m")))
+      << again.out;
   EXPECT_NEAR(errorAlone() / std::stod(stated[1]), 1, 0.01);
   EXPECT_LT(errorAlone(), without);
 }

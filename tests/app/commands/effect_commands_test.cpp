@@ -77,7 +77,7 @@ TEST_F(EffectCommands, ABaseThatLeavesTheMeasurementsOffIsSaid) {
   const std::string asked = "identify " + shipped("mockup.yaml") + " set/measurements.csv --folds 0";
   const auto alone = run(asked);
   EXPECT_EQ(alone.exit_code, 1) << alone.out << alone.err;
-  expectSays(alone.out, "warning: the fit leaves more than noise explains");
+  expectSays(alone.out, "warning: the residuals are larger than noise explains");
   const auto freed =
       run(asked +
           " --free tool.joint_stiffness.z,forearm.joint_stiffness.z,latch-link.beam.Iz,"

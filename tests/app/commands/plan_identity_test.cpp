@@ -76,7 +76,7 @@ TEST_F(PlanIdentity, ATubeOfDoubtfulStateIsPlannedWhereItIsNamedAndBothAreSaid) 
   (void)write("list.csv", "row,column,state\n20,40,inaccessible\n22,44,\n22,45,plugged\n");
   const Outcome named = run("plan mockup.yaml --tubes list.csv --out named");
   ASSERT_EQ(named.exit_code, 0) << named.err;
-  const std::string sentence = "1 inaccessible among the tubes asked for (R20C40): taken as asked";
+  const std::string sentence = "1 inaccessible among the requested tubes (R20C40): included as requested";
   expectSays(named.out, sentence);
   expectSays(named.out, "1 plugged according to the list left out");
   const json plan = json::parse(contentOf(folder / "named/plan.json"));

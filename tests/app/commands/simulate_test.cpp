@@ -240,7 +240,7 @@ TEST_F(Simulate, RefusesCampaignsThatCannotBe) {
   expectRefused(shipped("bench.yaml") + " --design touch --readings 9 --loads 20", {"touched only once"});
   (void)write("holes.yaml", "kind: position\nat: holes\n");
   expectRefused(shipped("bench.yaml") + " --design holes.yaml --readings 9", {"bench.yaml", "tubesheet"});
-  expectRefused(shipped("mockup.yaml") + " --design holes.yaml --readings 9 --loads 10", {"looked at under a load"});
+  expectRefused(shipped("mockup.yaml") + " --design holes.yaml --readings 9 --loads 10", {"observed under a load"});
   (void)write("setups.yaml", "kind: position\nsetups: 2\n");
   expectRefused(shipped("bench.yaml") + " --design setups.yaml --readings 9", {"2 set-ups", "known: false"});
 }

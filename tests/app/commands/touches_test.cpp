@@ -192,7 +192,7 @@ TEST_F(LookAhead, touchesSharpensTheStiffnessesOfTheBench) {
   const Outcome unfilled = run("identify " + shipped("bench.yaml") + " next.csv");
   EXPECT_EQ(unfilled.exit_code, 2);
   expectSays(unfilled.err, "6 readings are not filled in");
-  expectSays(unfilled.err, "fill in what was measured, x_in, y_in, z_in");
+  expectSays(unfilled.err, "fill in the measured values, x_in, y_in, z_in");
 }
 
 TEST_F(LookAhead, touchesOfUnknownPointsCarryEveryLoad) {

@@ -69,7 +69,7 @@ class BaseStandings : public ProgramTest {
     EXPECT_EQ(document["base"]["words"], base.words);
     EXPECT_EQ(document["base"]["placed"], std::string(base.status) != "nominal");
     EXPECT_EQ(document["base"]["position"].size(), 3u) << "the pose stays where it was";
-    EXPECT_EQ(document["warnings"].dump().find("hold only if") != std::string::npos, base.is_warned_of)
+    EXPECT_EQ(document["warnings"].dump().find("are valid only if") != std::string::npos, base.is_warned_of)
         << document["warnings"];
   }
 };
@@ -172,7 +172,7 @@ TEST_F(BaseStandings, ARefusedCalibrationLeavesTheNominalBaseAndSaysSo) {
     SCOPED_TRACE(question);
     const Outcome outcome = run(question);
     EXPECT_EQ(outcome.exit_code, 1);
-    expectSays(outcome.out + outcome.err, std::string("what is planned holds ") + kNominalWords);
+    expectSays(outcome.out + outcome.err, std::string("existing plans remain valid ") + kNominalWords);
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "placed.yaml"));
   EXPECT_FALSE(std::filesystem::exists(folder / "refused/plan.json"));

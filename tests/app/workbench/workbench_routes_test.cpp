@@ -226,7 +226,7 @@ TEST_F(WorkbenchRoutes, whatACheckSuspectsIsTakenToBeSo) {
   const json check = wrong.body["measurements"]["checks"][0];
   EXPECT_EQ(check["severity"], "mistake");
   EXPECT_EQ(check["assume"], "coordinates=in");
-  EXPECT_NE(check.dump().find("the unit of the coordinates is in, not mm as their columns say"), std::string::npos);
+  EXPECT_NE(check.dump().find("the unit of the coordinates is in, not mm as their columns state"), std::string::npos);
   EXPECT_EQ(post("/api/measurements/set-aside", {{"ids", {"3", "4"}}, {"aside", true}}).status, 200);
   EXPECT_EQ(post("/api/measurements/hold-out", {{"ids", {"5"}}, {"held_out", true}}).status, 200);
   EXPECT_EQ(post("/api/measurements/assume").status, 422);

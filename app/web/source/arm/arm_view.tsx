@@ -76,7 +76,7 @@ function ReadOut() {
 /** Switch that makes this browser follow the running arm. */
 function LiveSwitch() {
   return (
-    <label class="live-switch" title="The arm goes where the encoders of the running arm say it is">
+    <label class="live-switch" title="The arm follows the encoders of the running arm">
       <i class={`live-sign ${isFollowing.value ? "on" : ""}`} /> live
       <input
         type="checkbox"

@@ -39,7 +39,7 @@ function FoundBase({document}: {document: CalibrateDocument}) {
     <Panel title="Base" end={end} kind="grow">
       {document.reason ? (
         <p class="warning">
-          {document.status === "done" ? "" : "The base stays where it was: "}
+          {document.status === "done" ? "" : "The base has not moved: "}
           {pageWords(document.reason)}
         </p>
       ) : null}

@@ -44,7 +44,7 @@ export function TouchPanel({model}: {model: SheetModel}) {
             {jointsText(touch.joints)}
             {touch.simulated ? <small class="muted"> simulated</small> : null}
           </span>
-          <button class="tool" title="Take this touch away" onClick={() => takeAway(index)}>
+          <button class="tool" title="Remove this touch" onClick={() => takeAway(index)}>
             <Icon name="close" size={14} />
           </button>
         </div>

@@ -63,7 +63,7 @@ export function EffectsView() {
               </button>
             </li>
           ))}
-          {shown.length === 0 ? <li class="muted pad">None has all of these words.</li> : null}
+          {shown.length === 0 ? <li class="muted pad">No effect has all of these words.</li> : null}
         </ul>
       </Panel>
       {kind ? <KindPanel kind={kind} /> : null}
@@ -101,7 +101,7 @@ function PlaceTable({kind, shown}: {kind: EffectKind; shown: string}) {
         {confounding.value.document
           ? `By ${plural(confounding.value.document.readings, "reading")} and the numbers that are fitted`
           : "Open readings to see how observable this effect is"}
-        {hasLeast ? "" : "; the least size that would be seen, after a diagnosis"}
+        {hasLeast ? "" : "; the smallest detectable size, after a diagnosis"}
       </caption>
       <thead>
         <tr>

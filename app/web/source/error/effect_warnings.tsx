@@ -72,7 +72,7 @@ function RemoveButton({warnings}: {warnings: readonly EffectWarning[]}) {
   return (
     <button
       class="button small"
-      title="The model is fitted without them; Undo takes it back"
+      title="The model is fitted without them; Undo restores them"
       disabled={runningJob("remove", "add") !== null}
       onClick={() => removeCauses(warnings.map(({effect = "", at = ""}) => causeKey({effect, at})))}
     >

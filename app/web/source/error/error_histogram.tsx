@@ -29,7 +29,7 @@ export function ErrorHistogram() {
     [errors, what.value, palette.value],
   );
   if (!errors || !made || made.data[0].length === 0)
-    return <p class="muted pad">The errors are counted here once readings are compared.</p>;
+    return <p class="muted pad">The histogram of the errors appears here after a comparison.</p>;
   return (
     <div class="panel-body flush with-legend">
       <Plot options={made.options} data={made.data} label={made.words} />

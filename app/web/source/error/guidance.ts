@@ -83,7 +83,7 @@ const STEPS = {
           },
   },
   read: {
-    words: "Take the readings that tell the explanations apart",
+    words: "Take the readings that distinguish the explanations",
     of: ({diagnosis: {next_readings: next, splitting}}) => {
       if (next.length === 0) return null;
       const told = splitting?.pairs?.map((pair) => pair.probability_distinguished).filter(isNumber) ?? [];
@@ -97,7 +97,7 @@ const STEPS = {
     },
   },
   otherMeans: {
-    words: "Measure something else as well",
+    words: "Also measure something else",
     of: ({diagnosis: {splitting}}) => {
       const means = (splitting?.other_means ?? []).map(({what}) => what);
       return means.length > 0 ? {evidence: means.join("; ")} : null;
@@ -163,12 +163,12 @@ const STEPS = {
           },
   },
   geometry: {
-    words: "Free the geometry that the model holds",
+    words: "Free the geometry that the model keeps fixed",
     of: ({free}) =>
       free.includes("geometry")
         ? null
         : {
-            evidence: "lengths and twists off the drawing look like an unknown effect of the posture",
+            evidence: "lengths and twists that differ from the drawing look like an unknown effect of the posture",
             button: "Free",
             act: {kind: "add", effects: [{effect: "free", at: "geometry"}]},
           },
@@ -247,7 +247,7 @@ const STEPS = {
       },
     }) => ({
       evidence: isNumber(nothing)
-        ? `the probability that nothing is missing is ${probability(nothing)}, which decides nothing`
+        ? `the probability that nothing is missing is ${probability(nothing)}, which is not conclusive`
         : "these readings allow no verdict",
       button: "Open readings",
       act: {kind: "open"},

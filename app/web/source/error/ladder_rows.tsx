@@ -77,7 +77,7 @@ function ModelName({model, limit}: {model: ComparedModel; limit: number | null})
       ) : null}
       {model.name}
       {model.centred ? (
-        <small title="holes of the sheet in which every step of the tool would go in, were this model to steer">
+        <small title="holes of the sheet that every step of the tool would enter if this model commanded the arm">
           all steps: {model.centred.all} of {model.centred.holes}
         </small>
       ) : null}

@@ -74,7 +74,7 @@ function stepAfter(diagnosis: DiagnoseDocument, isBusy: boolean): Step | null {
     [first] = explanations;
   if (verdict === "unexplained") return {words: "Try a formula", act: () => openFormula(suggestedFormula.peek())};
   if (isOpen(diagnosis)) {
-    const words = explanations.length > 1 ? "What would tell them apart" : "What to read next";
+    const words = explanations.length > 1 ? "Readings that distinguish them" : "Next readings";
     return {words, act: () => (effectsTab.value = "split")};
   }
   if (first && ADDED.has(verdict))

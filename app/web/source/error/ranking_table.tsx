@@ -19,12 +19,9 @@ export function RankingTable({rows, action: Action}: RankingTableProps) {
       <thead>
         <tr>
           <th>effect</th>
-          <th title={`${IS_THERE}; several may be`}>{Action ? "is there" : IS_THERE}</th>
+          <th title={`${IS_THERE}; several may be present`}>{Action ? "is there" : IS_THERE}</th>
           <th class="number">chi² falls by</th>
-          <th
-            class="size"
-            title="as this effect alone would have it, by one linear step; the cards have the fitted sizes"
-          >
+          <th class="size" title="size of this effect alone, from one linear step; the cards show the fitted sizes">
             size, alone
           </th>
           {Action ? <th /> : <th>observable</th>}

@@ -60,7 +60,7 @@ export const mistake = computed(() => {
  */
 export async function assume(...ways: string[]): Promise<void> {
   const taken = () => post<WorkbenchState>("/api/measurements/assume", {assume: ways});
-  if (await changeReadings("The readings cannot be taken so", taken)) await startCompare();
+  if (await changeReadings("The readings cannot be corrected in this way", taken)) await startCompare();
 }
 
 /** Assumptions about the readings, with a button to revoke them. */
@@ -68,9 +68,9 @@ function Assumed({assumed}: {assumed: string[]}) {
   const isAsIs = assumed.every((way) => way === "as-is");
   return (
     <Reversible
-      words={isAsIs ? "Taken as they are, whatever looks wrong" : `Taken with ${assumed.join(", ")}`}
+      words={isAsIs ? "Used as they are, despite all warnings" : `Used with ${assumed.join(", ")}`}
       back="Take back"
-      title="As their file has them"
+      title="As they are in their file"
       onBack={() => void assume()}
     />
   );
@@ -87,7 +87,7 @@ function Joined({count, all}: {count: number; all: number}) {
     <Reversible
       words={`${plural(count, "reading")} joined the ${all - count} before`}
       back="Take out again"
-      title="The others stay, with what is set aside or held out of them"
+      title="The other readings remain, with those set aside or held out"
       onBack={() => void part()}
     />
   );
@@ -136,7 +136,7 @@ function Check({check}: {check: ReadingCheck}) {
               key={way}
               class={`button small ${check.severity === "mistake" && way === ways[0] ? "first" : ""}`}
               disabled={!areChangeable.value}
-              title={`The readings are taken with ${way}; their file stays as it is`}
+              title={`The readings are used with ${way}; their file is not changed`}
               onClick={() => void assume(way)}
             >
               Assume {way}
@@ -146,7 +146,7 @@ function Check({check}: {check: ReadingCheck}) {
             <button
               class="button small"
               disabled={!areChangeable.value}
-              title="Nothing is wrong with them: go on"
+              title="Nothing is wrong with the readings: continue"
               onClick={() => void assume("as-is")}
             >
               Leave as they are

@@ -185,7 +185,7 @@ function Row({row, columns, top, layout, isBusy}: RowPlace) {
         onClick={() => showReading(row.id)}
       >
         {row.id}
-        {row.isHeldOut ? <small title="held out: no fit sees it"> ◇</small> : null}
+        {row.isHeldOut ? <small title="held out: not used in the fit"> ◇</small> : null}
       </button>
       <span class={`number ${isMany ? "bad" : ""}`}>{row.isAside ? "aside" : text}</span>
       <span class="number">{sizeText(row.before, row, columns)}</span>

@@ -106,7 +106,7 @@ function ErrorPlot({errors, view, most, index}: ErrorPlotProps) {
       {plot ? (
         <Plot options={plot.options} data={plot.data} label={plot.words} onReady={pointing.onReady} />
       ) : (
-        <p class="muted pad">Readings are drawn here once they are compared.</p>
+        <p class="muted pad">Readings appear here after a comparison.</p>
       )}
       <PointedReading place={pointing.place} errors={errors} />
       <PlotLegend errors={errors} hasLaw={(plot?.law.length ?? 0) > 0} isBrief={index >= 0} />
@@ -121,7 +121,7 @@ function PlotLegend({errors, hasLaw, isBrief}: {errors: ReadingErrors | null; ha
         <i class="means-sign" /> means {isBrief ? "" : errors?.judged === 1 ? "after " : "before "}± 2 s.e.
       </span>
       {hasLaw ? (
-        <span title="What the chosen cause takes away from the error, as a mean along the variable; the band is its spread">
+        <span title="Part of the error that the chosen cause explains, as a mean along the variable; the band is its spread">
           <i class="law-sign" /> law
         </span>
       ) : null}

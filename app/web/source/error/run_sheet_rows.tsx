@@ -85,7 +85,7 @@ function RunSheetHead({layout}: {layout: Layout}) {
         ))}
         {layout.load >= 0 ? <th class="number">load</th> : null}
         {layout.hasSeparations ? (
-          <th class="number" title="how far it sets the explanations apart, in sigmas">
+          <th class="number" title="separation of the explanations, in sigmas">
             σ apart
           </th>
         ) : null}

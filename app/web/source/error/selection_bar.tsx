@@ -42,7 +42,7 @@ function SelectionTools({ids}: {ids: string[]}) {
         <button
           class="button small"
           disabled={isBusy}
-          title="No fit sees them: they judge it"
+          title="Not used in the fit: they judge it"
           onClick={() => void markReadings("held_out", fitted, true)}
         >
           Hold out{kept.length > 0 ? ` ${fitted.length}` : ""}

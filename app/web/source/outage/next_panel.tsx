@@ -116,7 +116,7 @@ function Marks({tube}: {tube: NextTube}) {
     return () => document.removeEventListener("keydown", follow, true);
   });
   return (
-    <div class="desk-marks" role="group" aria-label="What became of the visit">
+    <div class="desk-marks" role="group" aria-label="Result of the visit">
       {kinds.map((kind) => (
         <button
           key={kind.name}
@@ -134,7 +134,7 @@ function Marks({tube}: {tube: NextTube}) {
         aria-label="Reason"
         onInput={(event) => (reason.value = event.currentTarget.value)}
       />
-      {person.value.trim() === "" ? <p class="muted">Enter above who marks.</p> : null}
+      {person.value.trim() === "" ? <p class="muted">Enter your name above.</p> : null}
     </div>
   );
 }

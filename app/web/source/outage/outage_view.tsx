@@ -119,7 +119,7 @@ function PlanPanel() {
   return (
     <Panel title="Plan of the job" kind="desk-plan">
       <Gantt plan={plan.value} />
-      <h3>Where the time goes</h3>
+      <h3>Time by activity</h3>
       <TimeShares plan={plan.value} />
     </Panel>
   );
@@ -141,7 +141,7 @@ function Warnings() {
       ))}
       {meantime.map(({tube, package: of}) => (
         <p class="desk-warning" key={tube + of}>
-          ▲ {tube} is plugged, but {of} still has it to be visited: mark it excluded there.
+          ▲ {tube} is plugged, but {of} still plans to visit it: mark it excluded there.
         </p>
       ))}
     </>

@@ -33,7 +33,7 @@ export function TimeShares({plan}: {plan: JobPlan}) {
   ];
   return (
     <figure class="gantt">
-      <svg class="drawing" viewBox={`0 0 ${WIDTH} ${ROW * rows.length}`} role="img" aria-label="Where the time goes">
+      <svg class="drawing" viewBox={`0 0 ${WIDTH} ${ROW * rows.length}`} role="img" aria-label="Time by activity">
         <FillPatterns fills={plan.times.map(({key}) => timeFill(key))} />
         {rows.map(({name, parts}, k) => (
           <g key={name} transform={`translate(0 ${ROW * k})`}>

@@ -75,7 +75,7 @@ export function TotalsTable({totals}: {totals: Totals}) {
       {totals.shifts.map(({date, shift, done, reopened}) => (
         <p class="muted" key={date + shift}>
           {date} {shift}: {done} done
-          {reopened > 0 ? `, ${reopened} done no longer` : ""}
+          {reopened > 0 ? `, ${reopened} no longer done` : ""}
         </p>
       ))}
     </>

@@ -40,12 +40,15 @@ export function PlanOrder() {
         onChoose={(way) => (compensation.value = way)}
       />
       {compensation.value === "via-point" ? (
-        <Check of={isOnLines} title="the tip straight from tube to tube, wherever that is possible and free">
+        <Check
+          of={isOnLines}
+          title="the tip moves straight from tube to tube, where that is possible without collision"
+        >
           straight
         </Check>
       ) : null}
       {cell.value?.has_park ? (
-        <Check of={isParked} title="set out from the park posture and come back to it">
+        <Check of={isParked} title="start from the park posture and return to it">
           park
         </Check>
       ) : null}

@@ -114,7 +114,7 @@ function Outcome({document}: {document: PlanDocument}) {
           <b>{whole(document.unreachable.length)}</b> out of reach
         </span>
       ) : null}
-      <span title="between the tubes, and with the ways up and down and the stays at the tubes">
+      <span title="between the tubes, and with approaches, retreats and dwell times">
         travel <b>{duration(document.travel_time_s)}</b> of {duration(document.total_time_s)}
       </span>
       <span title={`at best ${duration(document.lower_bound_s)}; row by row ${duration(document.row_by_row_time_s)}`}>

@@ -29,7 +29,7 @@ export function StayCount() {
     most = Math.max(...seconds);
   const words = least === most ? `${most} s each` : `${least} to ${most} s each`;
   return (
-    <span class="muted" title={`${words}, as the work list says`}>
+    <span class="muted" title={`${words}, as in the work list`}>
       stays at {plural(seconds.length, "tube")}
     </span>
   );

@@ -9,7 +9,7 @@ const ADVICE: readonly (readonly [RegExp, string])[] = [
   [/--sigma\b/, "Enter one standard deviation of a coordinate below the tables."],
   [/--touches\b/, "Touch holes under Calibrate."],
   [/--tubes\b/, "Select holes on the sheet."],
-  [/`tubeplan compare/, "Open readings: under Error stands what the error depends on."],
+  [/`tubeplan compare/, "Open readings: the view Error shows what the error depends on."],
 ];
 
 const NAMES_A_COMMAND = /--[a-z]|`tubeplan /;

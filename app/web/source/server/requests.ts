@@ -31,7 +31,7 @@ async function ask<T>(path: string, options?: RequestInit): Promise<T> {
   } catch {
     throw new ServerProblem(0, {
       message: "The program does not respond.",
-      advice: "See whether it still runs in its terminal; this page goes on by itself once it does.",
+      advice: "Check whether it still runs in its terminal; this page reconnects by itself.",
     });
   }
   if (!response.ok) throw new ServerProblem(response.status, await problemOf(response));

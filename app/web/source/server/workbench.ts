@@ -31,7 +31,7 @@ export const hasModelBefore = computed(
 export function otherModelOf(name: string): string {
   const id = state.value?.results[name]?.model;
   if (id === undefined || id === state.value?.model) return "";
-  return state.value?.models.find((model) => model.id === id)?.label ?? "a model that is gone";
+  return state.value?.models.find((model) => model.id === id)?.label ?? "a model that no longer exists";
 }
 
 /** Returns the running job of one of the given kinds; null if there is none. */

@@ -15,13 +15,13 @@ import {SheetPanel, WithSheet} from "./with_sheet";
 
 const HOW: Record<string, {words: string; action: string}> = {
   reach: {
-    words: "Which holes the arm can bring its tool under, and why not the others.",
+    words: "Holes under which the arm can bring its tool, and reasons why not for the others.",
     action: "Compute reachable holes",
   },
-  centring: {words: "How far from each hole's centre the tool comes.", action: "Predict the error"},
-  residual: {words: "How far the model is from each hole that was touched.", action: "Compute residuals"},
-  sag: {words: "How far the tool sags under each hole.", action: "Compute sag"},
-  steps: {words: "How far the stepped tool goes in, once a plan is made.", action: "Make a plan"},
+  centring: {words: "Distance of the tool from each hole's centre.", action: "Predict the error"},
+  residual: {words: "Distance of the model's tip from each touched hole.", action: "Compute residuals"},
+  sag: {words: "Deflection of the tool under each hole.", action: "Compute sag"},
+  steps: {words: "Insertion of the stepped tool, once a plan is made.", action: "Make a plan"},
 };
 
 function compute(choice: Choice): void {

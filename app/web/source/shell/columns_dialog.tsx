@@ -68,7 +68,7 @@ export async function askForColumns(tables: TableText[], use: ColumnsUse): Promi
 export function ColumnsDialog() {
   const shown = foreign.value;
   return (
-    <Dialog name="columns" title="Which column is what">
+    <Dialog name="columns" title="Meaning of the columns">
       {shown ? <ColumnsForm shown={shown} /> : null}
     </Dialog>
   );
@@ -141,7 +141,7 @@ function OptionChoice({shown, option}: {shown: Foreign; option: ColumnsDocument[
     <label class="field narrow">
       {option.label}
       <Select
-        choices={[{value: "", words: "as the columns say"}, ...option.values]}
+        choices={[{value: "", words: "as the columns state"}, ...option.values]}
         value={shown.options[option.name] ?? ""}
         onChoose={(value) => void changeOptions(shown, {...shown.options, [option.name]: value})}
       />

@@ -19,7 +19,7 @@ const LIST: Record<string, Record<string, string>> = {
     "Ctrl S": "save as a project",
     D: "dark or light",
     "?": "this list",
-    Esc: "close, put a message away, or clear the selection",
+    Esc: "close, dismiss a message, or clear the selection",
   },
   "On a sheet": {
     arrows: "from hole to hole",

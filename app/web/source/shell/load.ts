@@ -120,7 +120,7 @@ export async function loadFiles(files: File[]): Promise<void> {
   forget(OPENING);
   if (files.some(({name}) => /\.(ya?ml|tubeplan)$/i.test(name))) {
     const advice = "A cell or a project is opened from the folder: O.";
-    return report(names, {message: "This is no table of readings.", advice}, OPENING);
+    return report(names, {message: "This is not a table of readings.", advice}, OPENING);
   }
   const tables = await Promise.all(files.map(async (file) => ({name: file.name, text: await file.text()}))),
     texts = tables.map(({text}) => text);
@@ -145,7 +145,7 @@ export async function loadFiles(files: File[]): Promise<void> {
   }
   try {
     await askForColumns(tables, READINGS);
-    if (refused !== null) report(`${names} is no measurement table as it is`, refused, OPENING);
+    if (refused !== null) report(`${names} is not a measurement table`, refused, OPENING);
   } catch (error) {
     report(`${names} cannot be read`, refused ?? error, OPENING);
   }

@@ -132,7 +132,7 @@ function StepButton({model, side, isBusy}: {model: Model; side: number; isBusy: 
     <button
       class={side > 0 ? "undone" : ""}
       aria-current={side === 0 ? "step" : undefined}
-      title={side > 0 ? "taken back; there to be done again" : side === 0 ? "Rename" : model.label}
+      title={side > 0 ? "undone; can be redone" : side === 0 ? "Rename" : model.label}
       disabled={isBusy}
       onClick={() => (side === 0 ? (isNamed.value = true) : void goTo(model))}
     >
@@ -183,7 +183,7 @@ function Switches({title, none, switches, isBusy}: {title: string; none: string;
       <ul>
         {switches.map((entry) => (
           <li key={entry.key}>
-            <label title={hasReadings ? "" : "it takes readings to fit the model again"}>
+            <label title={hasReadings ? "" : "readings are needed to fit the model again"}>
               <input
                 type="checkbox"
                 checked={entry.isOn}

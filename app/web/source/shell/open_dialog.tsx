@@ -35,7 +35,7 @@ export function OpenDialog() {
 function OpenBody() {
   const {document: files, problem} = useAnswer<Files>("/api/files");
   if (problem) return <ProblemWords problem={problem} />;
-  if (!files) return <Waiting words="Looking into the folder" isBusy />;
+  if (!files) return <Waiting words="Reading the folder" isBusy />;
   return (
     <div class="open">
       <p class="lead">{files.folder}</p>

@@ -104,7 +104,7 @@ export function UnsavedDialog() {
     <Dialog name="unsaved" title="Keep the work?">
       <p class="lead">
         The work on <b>{cell.value?.name}</b> is not saved in a project. Opening {opening.value?.name} closes it
-        {project.value?.kept ? "; it stays under Open, Recent" : ""}.
+        {project.value?.kept ? "; it remains under Open, Recent" : ""}.
       </p>
       <div class="row">
         <button class="button first" onClick={() => void save()}>

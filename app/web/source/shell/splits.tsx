@@ -55,7 +55,7 @@ export function Splitter({name}: {name: SplitName}) {
       aria-valuenow={Math.round(100 * shareOf(name))}
       aria-valuemin={100 * LEAST}
       aria-valuemax={100 * (1 - LEAST)}
-      title="Drag, or move by the arrow keys; double click: as at first"
+      title="Drag, or move by the arrow keys; double click: initial size"
       onDblClick={() => {
         setShare(name, SPLITS[name].share);
         keepShares();

@@ -37,7 +37,7 @@ const SHOWN: Record<ViewName, ComponentType> = {
 function CurrentView({name}: {name: ViewName}) {
   if (state.value === null) {
     return connection.value === "lost" ? (
-      <Waiting words="The program does not respond. See whether it still runs in its terminal; this page reconnects by itself." />
+      <Waiting words="The program does not respond. Check whether it still runs in its terminal; this page reconnects by itself." />
     ) : (
       <Waiting words="Asking the program for its cell" isBusy />
     );

@@ -28,7 +28,7 @@ const DIAGNOSIS: PageKind = {
   title: "Campaign",
   Head: ({report}) => <Runs report={report}>{diagnosisSentence(report)}</Runs>,
   sections: [
-    {id: "rates", title: "How often it is right", Content: RatesSection},
+    {id: "rates", title: "Fraction of correct answers", Content: RatesSection},
     {id: "sizes", title: "By size", Content: SizesSection},
     {id: "effects", title: "By effect", Content: EffectsSection},
   ],

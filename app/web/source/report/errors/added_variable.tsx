@@ -20,7 +20,7 @@ export function AddedVariableSection({report}: OfReport) {
     return (
       <p class="missing">
         {report.verdict === "adequate"
-          ? "Nothing is left to explain, so no effect is drawn against it."
+          ? "No error remains unexplained, so no effect is drawn against it."
           : "No effect was fitted, so none is drawn against what is left."}
       </p>
     );
@@ -62,8 +62,8 @@ function AddedVariable({report, plot}: {plot: Report} & OfReport) {
     others = effects.filter((other) => other !== own).map(effectTitle);
   const tell = (row: number) => [
     readingName(list(report.readings)[points[row][0]]),
-    `the effect would do ${fixed(points[row][1], 1)} sigmas`,
-    `left to explain ${fixed(points[row][2], 1)} sigmas`,
+    `change by the effect ${fixed(points[row][1], 1)} sigmas`,
+    `unexplained ${fixed(points[row][2], 1)} sigmas`,
   ];
   return (
     <Card title={`${title}${own && others.length > 0 ? ` beside ${others.join(", ")}` : ""}`}>
@@ -83,10 +83,7 @@ function makeScatter(points: readonly Report[], slope: unknown, colours: Palette
   const data: uPlot.AlignedData = [xs, ys];
   const options: PlotOptions = {
     scales: {x: {time: false, range: symmetric(...rangeOf(xs))}, y: {range: symmetric(...rangeOf(ys))}},
-    axes: [
-      axis(colours, "what the effect would do, noise sigmas"),
-      axis(colours, "left to explain, noise sigmas", {side: 3}),
-    ],
+    axes: [axis(colours, "change by the effect, noise sigmas"), axis(colours, "unexplained, noise sigmas", {side: 3})],
     series: [{}, markPaths({shape: "disc", colour: "accent"}, colours.accent)],
     hooks: {draw: [(plot) => paintSlope(plot, slope, colours)]},
   };

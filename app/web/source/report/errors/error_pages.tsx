@@ -52,10 +52,10 @@ export const ERROR_PAGES: Record<string, PageKind> = {
     JOINTS,
     {id: "next", title: "What to measure next", Content: NextReadingsSection, of: isSplit},
     {id: "ranking", title: "Effects, most probable first", Content: RankingSection},
-    {id: "added", title: "What is left beside what the effect would do", Content: AddedVariableSection},
+    {id: "added", title: "Unexplained error against the change by the effect", Content: AddedVariableSection},
     MAPS,
     CHARTS,
-    {id: "hidden", title: "What could still hide", Content: HiddenSection},
+    {id: "hidden", title: "Effects that could remain undetected", Content: HiddenSection},
     {
       id: "alternatives",
       title: "Explanations side by side",
@@ -85,7 +85,7 @@ export const ERROR_PAGES: Record<string, PageKind> = {
   ]),
   project: pageOf("Project", [
     {...LADDER, of: hasAny("models")},
-    {id: "history", title: "How the models came about", Content: history.HistorySection},
+    {id: "history", title: "History of the models", Content: history.HistorySection},
     {
       id: "numbers",
       title: "Numbers of the current model",

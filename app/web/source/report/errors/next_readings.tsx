@@ -27,7 +27,7 @@ export function NextReadingsSection({report}: OfReport) {
         </>
       )}
       {pairs.length === 0 ? null : (
-        <Card title="What they would do">
+        <Card title="Effect of these readings">
           <Table heads={PAIR_HEADS} rows={pairs.map(pairCells)} text={[0, 1]} />
         </Card>
       )}

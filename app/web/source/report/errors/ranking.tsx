@@ -140,7 +140,7 @@ export function HiddenSection({report}: OfReport) {
           ) : (
             <NoneOf
               given={report.not_tried}
-              what="What was not tried"
+              what="Effects that were not tried"
               none="Every effect of the catalogue was tried."
             />
           )}
@@ -185,5 +185,5 @@ function DetectableTable({detectable}: {detectable: Report[]}) {
     return [<Named name={textOf(effect)} />, plainName(number), unit === "1" ? "" : textOf(unit), places];
   });
   const heads = ["effect", "number", "unit", "smallest detectable size, by place"];
-  return <TableCard what="What could still hide" heads={heads} rows={rows} text={[0, 1, 2, 3]} />;
+  return <TableCard what="Effects that could remain undetected" heads={heads} rows={rows} text={[0, 1, 2, 3]} />;
 }

@@ -16,7 +16,7 @@ export const HAND_OVER_PAGE: PageKind = {
     {id: "first", title: "Know this first", Content: FirstSection},
     {id: "work", title: "Done in the shift", Content: WorkSection},
     {id: "totals", title: "Totals", Content: TotalsSection},
-    {id: "maps", title: "What is left of each leg", Content: MapsSection},
+    {id: "maps", title: "Remaining work on each leg", Content: MapsSection},
     {id: "plan", title: "The plan", Content: ScheduleSection},
     {id: "log", title: "Log of the shift", Content: LogSection},
   ],
@@ -98,7 +98,7 @@ const WARNINGS: {key: string; sign: string; words: (of: Report) => string}[] = [
     key: "plugged_in_the_meantime",
     sign: "\u25b2",
     words: ({tube, package: of}) =>
-      `${textOf(tube)} is plugged, but ${textOf(of)} still has it to be visited: mark it excluded there.`,
+      `${textOf(tube)} is plugged, but ${textOf(of)} still plans to visit it: mark it excluded there.`,
   },
 ];
 

@@ -18,7 +18,7 @@ export const JOB_PLAN_PAGE: PageKind = {
   title: "Plan of a job",
   Head,
   sections: [
-    {id: "schedule", title: "Who works where, and when", Content: ScheduleSection},
+    {id: "schedule", title: "Schedule of the arms", Content: ScheduleSection},
     {id: "packages", title: "Every package on every leg", Content: PackagesSection},
     {id: "reach", title: "Out of reach", Content: ReachSection},
   ],
@@ -47,7 +47,7 @@ export function ScheduleSection({report}: OfReport) {
       <Card>
         <Gantt plan={plan} />
       </Card>
-      <Card title="Where the time goes">
+      <Card title="Time by activity">
         <TimeShares plan={plan} />
       </Card>
     </>

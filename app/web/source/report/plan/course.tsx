@@ -24,7 +24,7 @@ export function StepsSection({report}: OfReport) {
   if (scored.length === 0) return <Missing what="Scores against a true arm" />;
   return (
     <>
-      <Lead>How far the tool enters, by number of tubes, without compensation and with it.</Lead>
+      <Lead>Number of tubes by insertion of the tool, without compensation and with it.</Lead>
       <div class="pair">
         <Card title="Tubes by steps inserted">
           <StepTable report={report} rows={rows} />
