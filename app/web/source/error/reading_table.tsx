@@ -113,7 +113,9 @@ function Rows({rows, columns, isBusy}: {rows: ReadingRow[]; columns: readonly Co
       }}
     >
       <div class="reading-row head" role="row" style={layout}>
-        <span title="In use">use</span>
+        <span role="columnheader" title="In use">
+          use
+        </span>
         {columns.map((column) => (
           <ColumnHead key={column.key} column={column} />
         ))}
@@ -171,31 +173,43 @@ function Row({row, columns, top, layout, isBusy}: RowPlace) {
       onPointerEnter={() => (pointed.value = row.id)}
       onPointerLeave={() => (pointed.value = "")}
     >
-      <input
-        type="checkbox"
-        checked={!row.isAside}
-        disabled={isBusy}
-        aria-label={`Use reading ${row.id}`}
-        onChange={() => void markReadings("aside", [row.id], !row.isAside)}
-      />
-      <button
-        class="link"
-        aria-label={`The arm at reading ${row.id}`}
-        disabled={row.isAside}
-        onClick={() => showReading(row.id)}
-      >
-        {row.id}
-        {row.isHeldOut ? <small title="held out: not used in the fit"> ◇</small> : null}
-      </button>
-      <span class={`number ${isMany ? "bad" : ""}`}>{row.isAside ? "aside" : text}</span>
-      <span class="number">{sizeText(row.before, row, columns)}</span>
-      <span class="number">{sizeText(row.after, row, columns)}</span>
-      <span class="reading-point">{row.name}</span>
-      <span class="number" title={`${exact(row.load)} ${units.value.force}`}>
+      <span role="cell">
+        <input
+          type="checkbox"
+          checked={!row.isAside}
+          disabled={isBusy}
+          aria-label={`Use reading ${row.id}`}
+          onChange={() => void markReadings("aside", [row.id], !row.isAside)}
+        />
+      </span>
+      <span role="cell">
+        <button
+          class="link"
+          aria-label={`The arm at reading ${row.id}`}
+          disabled={row.isAside}
+          onClick={() => showReading(row.id)}
+        >
+          {row.id}
+          {row.isHeldOut ? <small title="held out: not used in the fit"> ◇</small> : null}
+        </button>
+      </span>
+      <span role="cell" class={`number ${isMany ? "bad" : ""}`}>
+        {row.isAside ? "aside" : text}
+      </span>
+      <span role="cell" class="number">
+        {sizeText(row.before, row, columns)}
+      </span>
+      <span role="cell" class="number">
+        {sizeText(row.after, row, columns)}
+      </span>
+      <span role="cell" class="reading-point">
+        {row.name}
+      </span>
+      <span role="cell" class="number" title={`${exact(row.load)} ${units.value.force}`}>
         {exact(row.load)}
       </span>
       {row.joints.map((value, k) => (
-        <span class="number">
+        <span role="cell" class="number">
           {fixed(value, jointDecimals(joints[k].unit))}
           {senseArrow(row.senses[k])}
         </span>
