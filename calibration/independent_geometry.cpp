@@ -22,7 +22,7 @@ constexpr int kPostures = 12;
 constexpr double kNothingNew = 1e-6;
 // Newness below which a parameter is deferred until all ranks have been tried.
 constexpr double kHardlyNew = 0.01;
-// The first column in file order with at least this fraction of the largest newness is taken.
+// The first column in file order with at least this fraction of the largest newness is chosen.
 constexpr double kNearlyAsNew = 0.3;
 constexpr std::uint64_t kPosturesSeed = 7;
 constexpr int kRanks = 5;

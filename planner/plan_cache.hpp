@@ -33,7 +33,7 @@ struct SegmentProof {
 /// A proved lower bound of the travel time through the tubes of a completed plan.
 struct KnownBound {
   double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< lower bound [s]; NaN if unknown
-  std::optional<Eigen::VectorXd> start, end;  ///< end postures for which the bound holds; any if std::nullopt
+  std::optional<Eigen::VectorXd> start, end;  ///< end postures for which the bound is valid; any if std::nullopt
 };
 
 struct PlanCache {

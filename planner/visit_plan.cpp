@@ -192,7 +192,7 @@ std::set<MotionEnds> keysOf(const std::map<MotionEnds, MotionPlan>& travels) {
   return keys;
 }
 
-/// Keeps what the next plan of a changed list begins with.
+/// Stores the results from which the next plan of a changed list starts.
 void keepForTheNext(const PlanContext& context, const std::vector<Stop>& stops, const VisitPlan& plan) {
   PlanCache& cache = context.cache;
   const VisitConditions& conditions = context.options.conditions;

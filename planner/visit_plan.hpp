@@ -104,7 +104,7 @@ struct VisitPlan {
   std::vector<PlannedVisit> visits;  ///< visits in the order of the path
   std::vector<UnreachableTube> unreachable;
   /// Approach, retreat, travel, approach, ...; preceded by a travel from the start posture and followed by a travel to
-  /// the end posture, if these are given. If the arm stands at a hole in the start posture, a retreat comes first.
+  /// the end posture, if these are given. If the tool is at a hole in the start posture, a retreat comes first.
   std::vector<PathSegment> segments;
   int departed = -1;  ///< index in the sheet of the hole at the start posture; -1 if there is none
   /// Time of all travels between standoffs, and from start and to end postures [s].

@@ -2,7 +2,7 @@
 """real_robots.py TUBEPLAN REAL-FOLDER [SET...] [--farthest]: compares `improve` with a black box on measured robots.
 
 REAL-FOLDER holds one folder per robot, with a nominal cell and readings, half of which the column `split` holds out.
-REAL-FOLDER is not part of the repository; without it, the study says so and exits with code 77. For each set:
+REAL-FOLDER is not part of the repository; without it, the study reports this and exits with code 77. For each set:
 
   improve   `improve` from the nominal cell; `compare` judges the resulting cell without a refit. A cell has only one
             base, so for sets with several set-ups the bases, and nothing else, are fitted before the cell is judged

@@ -1,6 +1,6 @@
 // Study of the two campaigns that identified the Cobra's stiffnesses (Calkins 1994, section 5.3), repeated many times
 // on a known arm. In the first campaign the arm is bolted to a rigid platform: 31 points are touched without load and
-// under 20, 30 and 40 lbf, and eight stiffnesses are free. In the second it stands on its mezzanine: 14 points are
+// under 20, 30 and 40 lbf, and eight stiffnesses are free. In the second it is mounted on its mezzanine: 14 points are
 // touched and three stiffnesses are free, with the arm's stiffnesses as found in the first campaign. In every fit, each
 // stiffness starts with an error of a factor of three. The output states how often the fit reaches the optimum found
 // from the true values, how often the 95 % intervals contain the truth, and the touch error compared with the thesis.

@@ -170,7 +170,7 @@ def arguments(command, cell, rng):
 
 
 def complaint(done, command, as_json):
-    """Returns what is wrong with a finished run, or an empty string."""
+    """Returns a description of the error of a finished run, or an empty string."""
     if done.returncode not in (0, 1, 2):
         return f"exit code {done.returncode}: {done.stderr[-300:]}"
     if done.returncode == 2 and not done.stderr.strip():
@@ -223,7 +223,7 @@ def refuse_constant(word):
 
 
 def serve(program, cell, folder, rng):
-    """Opens the readings in a workbench and runs three random jobs; returns what is wrong, or an empty string."""
+    """Opens the readings in a workbench and runs three random jobs; returns the error as text, or an empty string."""
     bench = Workbench(program, [cell, "m.csv"], folder, SECONDS)
     try:
         if bench.code is not None:
@@ -245,8 +245,7 @@ def serve(program, cell, folder, rng):
 
 
 def attempt(program, cells, seed, command, pairs):
-    """Alters one set and runs one command (by default a random command); returns a description of the run and
-    what is wrong with it."""
+    """Alters one set and runs one command (by default a random command); returns texts on the run and its error."""
     rng = random.Random(seed)
     cell, design = rng.choice(CELLS)
     effect, size, command = rng.choice(EFFECTS), rng.choice(SIZES), command or COMMANDS[seed % len(COMMANDS)]

@@ -17,7 +17,7 @@ struct CsvRow {
 };
 
 /// A parsed table. Every row has as many fields as the header. Blank lines and lines that start with # are skipped.
-/// Fields are trimmed. A field may be in double quotes; within them, "" stands for one quote.
+/// Fields are trimmed. A field may be in double quotes; within them, "" means one quote.
 struct CsvTable {
   std::vector<std::string> columns;
   int header_line = 0;

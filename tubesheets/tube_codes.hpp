@@ -30,7 +30,7 @@ struct TubeCode {
 /// Finds a code by name, ignoring case, blanks and punctuation; null if there is none.
 [[nodiscard]] const TubeCode* findTubeCode(std::string_view name);
 
-/// Returns the names of all codes that stand for a state, for messages: "open, plugged, ..., PLG, ...".
+/// Returns the names of all codes that mean a state, for messages: "open, plugged, ..., PLG, ...".
 [[nodiscard]] std::string tubeCodeNames();
 
 }  // namespace tubeplan::tubesheets

@@ -70,8 +70,8 @@ struct Selection {
 /// list"; empty if there are none.
 [[nodiscard]] std::string leftOutText(const Selection& selection);
 
-/// Returns a sentence on the tubes in `doubtful`, such as "2 inaccessible, 1 unresolved among the tubes asked for
-/// (R3C4, ...): taken as asked"; empty if there are none.
+/// Returns a sentence on the tubes in `doubtful`, such as "2 inaccessible, 1 unresolved among the requested tubes
+/// (R3C4, ...): included as requested"; empty if there are none.
 [[nodiscard]] std::string doubtfulText(const Sheet& sheet, const Selection& selection);
 
 /// Selects tubes by a request in the language described above. Refuses malformed items, tubes that are not on the

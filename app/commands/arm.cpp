@@ -134,7 +134,7 @@ std::string inLengths(double metres, const Units& units) {
   return fmt::format("{:.3g} {}", lengthOf(metres, units), units.length().name);
 }
 
-/// Prints what the file does not state of the cell's model, and the errors with it and without it.
+/// Prints the parts of the cell's model that the file does not contain, and the errors with and without them.
 void tellFit(const ExportFit& fit, const Units& units) {
   tell("left out", fit.left_out);
   say("rms error of the cell's model: {} ({} measurements); of the exported model: {}; of the exported model fitted "

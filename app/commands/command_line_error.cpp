@@ -27,7 +27,7 @@ std::string typeOf(const CLI::Option& option) {
   return name.substr(0, name.find(':'));
 }
 
-/// Returns true for the type of a real number: without a unit, or in the file's unit of what the type names.
+/// Returns true for the type of a real number: without a unit, or in the file's unit for the named quantity.
 bool isReal(const std::string& type) {
   constexpr std::string_view kReal[] = {"FLOAT", "LENGTH", "ANGLE", "FORCE", "TORQUE", "LENGTH,ANGLE"};
   return std::ranges::find(kReal, type) != std::end(kReal);

@@ -15,7 +15,7 @@ void addCell(CLI::App& cli, std::string& cell);
 void addMeasurements(CLI::App& cli, MeasurementFiles& files);  ///< MEASUREMENTS: one or more files
 void addFigures(CLI::App& cli, FiguresTarget& target);         ///< --json and --format
 
-/// Adds --seed; `of` is its help text, which states what is random.
+/// Adds --seed; `of` is its help text, which names the random quantities.
 void addSeed(CLI::App& cli, std::uint64_t& seed, const std::string& of);
 
 /// Adds --sigma (above zero): the standard deviation of a coordinate in the cell's length unit. The help text ends with

@@ -22,7 +22,7 @@ namespace tubeplan::app {
 void addOwnNumbers(const calibration::Measurement& measurement, const Units& units, nlohmann::json& entry);
 
 /// Returns [{name, rms, heldout_rms}, ...] for the given model, the refitted model, and one model for each explanation
-/// that users see. The held-out error is null for a model that was not fitted.
+/// in the results. The held-out error is null for a model that was not fitted.
 [[nodiscard]] nlohmann::json modelComparisonJson(const calibration::Diagnosis& result, const Units& units);
 
 /// Adds to the JSON of a diagnosis: `joints`; `ladder`; `readings`, each as in measurementJson() with position: [3],

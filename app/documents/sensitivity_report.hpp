@@ -25,8 +25,8 @@ struct SensitivityReport {
 
 [[nodiscard]] nlohmann::json sensitivityJson(const SensitivityReport& report, const Cell& cell);
 
-/// Returns, from the JSON of the analysis, a text with two rankings: the parameters worth changing to reduce the error,
-/// and those that must be known accurately.
+/// Returns, from the JSON of the analysis, a text with two rankings: the parameters whose change reduces the error
+/// most, and those that must be known accurately.
 [[nodiscard]] std::string sensitivityText(nlohmann::json figures);
 
 }  // namespace tubeplan::app

@@ -1,5 +1,5 @@
-// Fit of an arm for a file that cannot state all of the cell's model. Numbers that were fitted beside an effect or a
-// compliance do not suit an arm without it, so that they are fitted again to the measurements.
+// Fit of an arm for a file that cannot state all of the cell's model. Numbers that were fitted together with an effect
+// or a compliance are wrong for an arm without it, so they are fitted again to the measurements.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct ExportFit {
   std::vector<std::string> left_out;  ///< parts of the model that the file cannot state
   int measurements = 0;
   calibration::ErrorSize of_model;   ///< error of the cell's whole model
-  calibration::ErrorSize as_fitted;  ///< error without what the file cannot state, by the numbers of the cell
+  calibration::ErrorSize as_fitted;  ///< error of the part that the file can state, with the numbers of the cell
   calibration::ErrorSize again;      ///< error of `arm`
   calibration::ErrorSize heldout;    ///< error of `arm` at measurements held out of its fit
 };

@@ -134,8 +134,8 @@ PlanOutcome begun(const Cell& cell, const PlanRequest& request) {
   return outcome;
 }
 
-/// Throws InputError for a zone that contains none of the tubes to visit; such a zone was probably meant for another
-/// work list.
+/// Throws InputError for a zone that contains none of the tubes to visit; such a zone probably belongs to another work
+/// list.
 void requireZonesOfTheList(const ConditionsRequest& asked, const planner::VisitConditions& conditions,
                            const std::vector<int>& tubes) {
   for (std::size_t k = 0; k < conditions.zones.size(); ++k) {

@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Throws InputError, naming the option, for a name that no entry has; an empty name stands for all entries.
+/// Throws InputError, naming the option, for a name that no entry has; an empty name means all entries.
 template <class Entry>
 void requireName(const char* option, const std::string& name, const std::vector<Entry>& entries) {
   if (!name.empty()) (void)entryNamed(entries, name, option);

@@ -32,7 +32,7 @@ struct LegName {
 struct SteamGenerator {
   std::string name;
   std::vector<JobLeg> legs;
-  std::string states;  ///< path of a table with the states of tubes, which hold at both ends; empty if there is none
+  std::string states;  ///< path of a table with the states of tubes, valid for both ends; empty if there is none
 };
 
 struct JobTool {

@@ -9,7 +9,8 @@
 
 namespace tubeplan::app {
 
-/// Returns {planned, done, excluded, unresolved, open, queued, held, percent}; `percent` is of what is not excluded.
+/// Returns {planned, done, excluded, unresolved, open, queued, held, percent}; `percent` refers to the items that are
+/// not excluded.
 [[nodiscard]] nlohmann::json countsJson(const ItemCounts& counts);
 
 /// Returns {job, packages: [{package, steam_generator, leg, planned, done, excluded, unresolved, open, queued, held,
@@ -24,7 +25,7 @@ namespace tubeplan::app {
 [[nodiscard]] nlohmann::json nextJson(JobStore& store, const JobPart& part);
 [[nodiscard]] std::string nextText(const nlohmann::json& next);
 
-/// Returns {tube, found, same, reason} for a confirmation of the tube that was meant.
+/// Returns {tube, found, same, reason} for a confirmation of the intended tube.
 [[nodiscard]] nlohmann::json findingJson(const TubeAddress& meant, const IdentityFinding& finding);
 
 /// Returns {events: [{event, at, who, kind, package, tube, value, method, reason, undoes, undone}]}.

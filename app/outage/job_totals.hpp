@@ -12,10 +12,10 @@ namespace tubeplan::app {
 
 struct ItemCounts {
   int planned = 0;                   ///< number of all items
-  std::map<ItemStanding, int> with;  ///< number of items with each standing
+  std::map<ItemStanding, int> with;  ///< number of items in each standing (open, queued, held, done, excluded)
 
   void add(ItemStanding standing);
-  void move(ItemStanding from, ItemStanding to);  ///< counts an item with another standing than before
+  void move(ItemStanding from, ItemStanding to);  ///< counts an item whose standing has changed
   [[nodiscard]] int of(ItemStanding standing) const;
   [[nodiscard]] int unresolved() const;
 };

@@ -69,7 +69,7 @@ void restoreModels(const SessionPart& part, Session& session) {
 }
 
 /// Restores measurements and the results obtained with them. The measurements get a new change number, by which jobs
-/// and browsers know that they are others.
+/// and browsers detect that they have changed.
 void restoreMeasurements(const SessionPart& part, Session& session) {
   if (part.measurements == session.measurements) return;
   const int change = session.measurements ? session.measurements->change + 1 : part.measurements->change + 1;

@@ -39,7 +39,7 @@ struct ModelLackOfFit {
   /// Number of measured values less the number of parameters that they determine; can be zero or negative.
   int degrees_of_freedom = 0;
   double p_value = std::numeric_limits<double>::quiet_NaN();  ///< p-value of chi-square with the stated noise
-  /// Reason why the measurements allow no verdict, and what is needed for one; empty if they allow one.
+  /// Reason why no verdict is possible on the measurements, and the data needed for one; empty if there is a verdict.
   std::string inconclusive;
   Repeats repeats;
   Adequacy adequacy = Adequacy::kNotRun;

@@ -1,5 +1,5 @@
-// Change detection for a calibrated arm in service: determines from measurements of its visits whether and since
-// when the model no longer holds, and which changes explain it.
+// Change detection for a calibrated arm in service: determines from measurements of its visits whether and since when
+// the model is no longer valid, and which changes explain it.
 //
 // Before a change, the whitened residuals of the measurements are e = H x + noise of unit variance, where x is the
 // error of base and parameters with the covariance P of the calibration. Tests after every measurement k, for changes

@@ -2,7 +2,7 @@
 //
 // A step enters if both of its ends are within its tolerance of the hole's axis (tubesheets/stepped_tool.hpp). The
 // offset counted is that of the section amid the last step, whose tolerance is the smallest. Errors of the tool's tilt
-// move this section beside the hole, and the step's own ends by at most half its length times the error more.
+// move this section sideways. They move the ends of the step by at most half its length times the error more.
 #pragma once
 
 #include <vector>

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSameShift = 1e-12;  // tolerance of a joint's shift at different readings [rad or m]
 
-/// Returns the arm with these effects alone, and without what acts by weight or by set-up.
+/// Returns the arm with only these effects, without those that act by weight or by set-up.
 Arm withEffects(const Arm& arm, std::vector<Effect> effects) {
   Arm bare = arm;
   bare.side_chains.clear();

@@ -1,5 +1,5 @@
 // Effects that act alike at every posture, written as numbers of the arm: offsets of joints, and errors of links and
-// tool. Files that know no effects, such as URDF, can then state them.
+// tool. Files without effects, such as URDF, can then state them.
 #pragma once
 
 #include <string>

@@ -7,10 +7,10 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr double kLeastUse = 1e-3;   // smallest mean use of an edge that is considered
+constexpr double kLeastUse = 1e-3;   // smallest mean use of an edge that the search considers
 constexpr double kEnough = 0.95;     // a flow of at least this much is treated as a full crossing
 constexpr double kLeastFlow = 1e-6;  // smallest residual capacity of an edge that a path may use
-constexpr int kSources = 4;          // number of visits from which flows start
+constexpr int kSources = 4;          // number of visits that are used as sources of flows
 
 /// Flow network of the used edges; all postures of a visit together form one source or sink.
 class UsedEdges {

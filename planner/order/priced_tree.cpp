@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTieShare = 1e-9;
-constexpr double kRounding = 1e-9;  // more than rounding can change a sum of prices [s]
+constexpr double kRounding = 1e-9;  // tolerance above the rounding error of a sum of prices [s]
 constexpr int kFewPostures = 3;
 constexpr std::size_t kNoPrice = std::numeric_limits<std::size_t>::max();
 
@@ -66,7 +66,7 @@ class PairGraph::Sum {
     magnitude_ += std::abs(value);
   }
 
-  // Selects the posture of highest worth at a node. Postures of equal worth share the node in proportion to their edge
+  // Selects the posture of highest value at a node. Postures of equal value share the node in proportion to their edge
   // ends, so that prices need less correction.
   void takePostures(int node, const std::vector<double>& worth) {
     const double greatest = *std::max_element(worth.begin() + table_.first(node), worth.begin() + table_.last(node));

@@ -19,7 +19,7 @@ struct Visit {
   std::vector<Eigen::VectorXd> branches;
 };
 
-/// Visit indices that stand for the start and the end posture (branch 0).
+/// Visit indices that represent the start and the end posture (branch 0).
 inline constexpr int kStartPosture = -1;
 inline constexpr int kEndPosture = -2;
 

@@ -20,7 +20,7 @@ struct BaseCoverOptions {
 enum class BaseCoverStatus {
   kNotRun,
   kProved,          ///< optimum proved: no other choice is better
-  kNotProved,       ///< the search ended at its limit; the bounds hold
+  kNotProved,       ///< the search ended at its limit; the bounds are valid
   kNothingReached,  ///< empty problem: no candidate reaches a tube
 };
 

@@ -255,7 +255,7 @@ class Checker {
     if (tube < plan_.tubes.size()) find(fmt::format("the path approaches {} of {} tubes", tube, plan_.tubes.size()));
   }
 
-  /// Checks that a retreat from the start posture begins at a hole and goes straight down, at the rows and midway
+  /// Checks that a retreat from the start posture begins at a hole and moves straight down, at the rows and midway
   /// between them.
   void checkDeparture() {
     if (leading() < 2) return;

@@ -15,7 +15,7 @@ namespace tubeplan::app {
 /// New base pose of a cell, with the touches that determined it. Touches for an earlier base pose are removed.
 struct BaseChange {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  std::optional<Matrix6d> covariance;  ///< as Cell::base_covariance; std::nullopt keeps the covariance in the file
+  std::optional<Matrix6d> covariance;  ///< as Cell::base_covariance; std::nullopt leaves the file unchanged
   bool known = true;
   /// Std::nullopt keeps the error in the file, unless it came from earlier touches.
   std::optional<ModelError> model_error = {};

@@ -124,7 +124,7 @@ deflection::Effect ofTypicalSize(deflection::Effect effect) {
   return effect;
 }
 
-/// Returns the true arm and base poses, including effects and errors that the cell does not know.
+/// Returns the true arm and base poses, including effects and errors that the cell does not contain.
 calibration::CampaignTruth makeTruth(const SimulationRequest& request, const Cell& cell, const CampaignDesign& design,
                                      const BaseError& base) {
   checkNotNegative("--spread", request.spread, "a fraction of zero or more, which applies to every stiffness");

@@ -34,7 +34,7 @@ struct OwnUnit {
 };
 [[nodiscard]] OwnUnit ownUnitOf(const Unit& unit);
 
-/// Returns the names of all units of the given kind that findUnitWord() knows.
+/// Returns the names of all units of the given kind that findUnitWord() recognises.
 [[nodiscard]] std::vector<std::string> foreignUnitNames(UnitKind kind);
 
 /// Parses a heading; its unit is in brackets or follows the last blank, underscore, comma or slash.

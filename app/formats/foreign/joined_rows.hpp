@@ -13,7 +13,7 @@ struct JoinedRows {
   std::vector<std::vector<std::size_t>> rows;  ///< row indices: measurement k combines row rows[t][k] of each table t
   /// Index of the leading table; the rows of all other tables are matched with its rows.
   std::size_t lead = 0;
-  std::string how;                    ///< how rows are matched: "by name", "row by row", or both; empty for one table
+  std::string how;  ///< method of matching rows: "by name", "row by row", or both; empty for one table
   std::vector<std::string> left_out;  ///< rows without a match, one sentence for each table
 };
 

@@ -195,7 +195,7 @@ void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measu
 }  // namespace
 
 double RowReader::number(std::size_t index) const {
-  constexpr double kMost = 1e30;  // larger than any quantity, but small enough that sums of squares are finite
+  constexpr double kMost = 1e30;  // limit of all quantities; the sum of their squares is still finite
   const auto value = tubesheets::parseNumber(field(index));
   if (!value)
     fail(index, field(index).empty() ? "nothing" : inQuotes(field(index)), "a finite number",

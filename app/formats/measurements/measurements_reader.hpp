@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 /// Reads the measurements in a file, in file order. Required columns are id, kind and `<joint>_UNIT` for every joint of
 /// the arm. Optional columns include point, setup, load_UNIT, x_UNIT, y_UNIT, z_UNIT, distance_UNIT, sigma_UNIT,
-/// `<joint>_dir`, CONDITION_UNIT and split (fit, held-out); findColumns() knows all of them. A touch without
+/// `<joint>_dir`, CONDITION_UNIT and split (fit, held-out); findColumns() recognises all of them. A touch without
 /// coordinates has those of a hole of the sheet if its point is the hole's name (R10C20).
 ///
 /// Throws InputError with line and column. Causes in the table are an unknown, duplicate or missing column, an unknown

@@ -14,7 +14,7 @@ namespace tubeplan::app {
 
 struct ConditionsRequest {
   /// `park` (the cell's posture), joint readings "A,B,...", or empty for any posture; `start` may also be a tube's
-  /// name, which stands for the posture in which an earlier plan visits it.
+  /// name, which means the posture in which an earlier plan visits it.
   std::string start, end;
   std::vector<std::string> first;         ///< zones visited first, each given as a selection of tubes or a CSV file
   double dwell = 0;                       ///< dwell time at each hole [s], unless the work list states one

@@ -28,7 +28,7 @@ struct UrdfArm {
   std::string tip;                ///< name of the link at the end of the chain
   std::vector<UrdfJoint> joints;  ///< joints from the root to the tip: joints with rows, then fixed joints of the tool
   std::vector<UrdfShape> shapes;
-  std::vector<std::string> left_out;  ///< content of the file that an arm does not have, one sentence each
+  std::vector<std::string> left_out;  ///< parts of the file that an arm cannot represent, one sentence each
   std::vector<std::string> remarks;   ///< remarks on values that are accepted but may be mistakes, one sentence each
 };
 

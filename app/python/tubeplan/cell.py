@@ -104,7 +104,7 @@ class Holes(_Brief):
 
 
 class Cell(_Commands):
-    """A cell's file and the arm's beside it.
+    """A cell file and its arm file.
 
     units='si': all numbers and arrays are in m, rad, N and s, as arguments and as figures. units='cell': they are in the
     units of the cell's file. Text is always in the units of the file, as on the command line.
@@ -168,7 +168,7 @@ class Cell(_Commands):
 
     @property
     def base_standing(self) -> Figures:
-        """How the base was placed: status, words, whether it is placed, number of touches."""
+        """Source of the base pose: status, words, whether it is placed, number of touches."""
         return Figures(json.loads(self._arrays.base_standing))
 
     def poses(self, q: npt.ArrayLike, load: npt.ArrayLike = 0.0) -> Poses:
@@ -225,7 +225,7 @@ def _reopened(path: str, units: str) -> Cell:
 
 
 def _numbers(name: str, values: npt.ArrayLike) -> Array:
-    """Returns finite numbers as a contiguous array of floats. Whole numbers are taken; booleans and text are not."""
+    """Returns finite numbers as a contiguous array of floats. Whole numbers are accepted; booleans and text are not."""
     given = np.asarray(values)
     if given.dtype.kind not in 'iuf' and given.size:
         raise InputError(name, f'values of type {given.dtype}', 'numbers')

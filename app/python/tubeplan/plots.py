@@ -31,7 +31,7 @@ def plot(result: Result, ax: Axes | None = None) -> Figure:
 
 
 def ladder(result: Result, ax: Axes) -> None:
-    """Draws fitted and held-out error of every model beside the noise floor."""
+    """Draws fitted and held-out error of every model, and the noise floor."""
     errors = [model['rms'] for model in result['models']]
     rows = np.arange(len(errors))
     ax.barh(rows - 0.2, [_known(error['fitted']) for error in errors], 0.38, label='fitted')
@@ -70,7 +70,7 @@ def error_map(result: Result, ax: Axes) -> None:
 
 
 def law(result: Result, ax: Axes) -> None:
-    """Draws the error, and what the first explanation takes of it, by the variable of its law that it follows most closely."""
+    """Draws the error and its explained part against the variable of the law that the error follows most closely."""
     readings = [one for one in result['readings'] if one['before']]
     if not readings:
         raise TypeError('the diagnosis has no error of a reading')

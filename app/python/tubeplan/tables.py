@@ -24,5 +24,5 @@ def is_frame(value: Any) -> bool:
 
 
 def write_frame(frame: Any, path: pathlib.Path) -> None:
-    """Writes a DataFrame as CSV. Its index is not written; what is not known (NaN) is empty."""
+    """Writes a DataFrame as CSV. Its index is not written; unknown values (NaN) are empty."""
     frame.to_csv(path, index=False)

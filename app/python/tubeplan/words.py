@@ -106,7 +106,7 @@ class Words:
         return repr(float(value) / (self._factor(option, k) or 1))
 
     def _factor(self, option: Option, k: int) -> float | None:
-        """Returns the SI units in one unit of the cell for value k; None if values are taken as they are."""
+        """Returns the SI units in one unit of the cell for value k; None if values are used unchanged."""
         if self._units is None:
             return None
         kind = option.kinds[min(k, len(option.kinds) - 1)]

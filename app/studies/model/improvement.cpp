@@ -259,9 +259,9 @@ class Improver {
     return true;
   }
 
-  /// Returns the model without the added effects that the fit found to be zero: without all of them, or else without
-  /// each that the others can do without. A model that predicts held-out measurements less well is not taken. The model
-  /// is unchanged if fewer than three effects were added.
+  /// Returns the model without the added effects that the fit found to be zero: without all of them, or otherwise
+  /// without each effect that is unnecessary given the others. A model that predicts held-out measurements less well is
+  /// rejected. The model is unchanged if fewer than three effects were added.
   ImprovedModel withoutNone(ImprovedModel model, const CellModel& cell, const WorkHooks& hooks) {
     constexpr std::size_t kSeveral = 3;
     constexpr double kAsLow = 1.01;  // largest ratio of the held-out error without these effects to that with them

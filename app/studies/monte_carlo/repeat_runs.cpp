@@ -46,7 +46,8 @@ class Master {
     return RepeatStatus::kDone;
   }
 
-  /// Tells all ranks to leave and waits until they have left. Other messages that arrive meanwhile are dropped.
+  /// Sends all ranks the request to stop and waits until they have stopped. Other messages that arrive meanwhile are
+  /// dropped.
   void dismiss() {
     if (!ranks_) return;
     for (int rank = 1; rank < ranks_->size(); ++rank) ranks_->send(rank, kEnd, {});

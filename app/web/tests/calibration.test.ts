@@ -1,4 +1,4 @@
-// Tests of what the calibrate view says about touches, including refused ones.
+// Tests of the words of the calibrate view on touches, including refused ones.
 import {describe, expect, it} from "vitest";
 import type {CalibrateDocument} from "../source/server/documents";
 import {readingWords, suspicionOf} from "../source/calibrate/suspicion";

@@ -49,7 +49,7 @@ interface Server {
 const servers = new Map<string, Server>();
 let folder = "";
 
-/** Returns the path of the cell file, without the weights of the arm if the row says so. */
+/** Returns the path of the cell file, without the weights of the arm if the row requests it. */
 function fileOf({cell = "bench", weightless}: Row): string {
   const shipped = path.join(cells, `${cell}.yaml`);
   if (!weightless) return shipped;

@@ -25,7 +25,8 @@ inline constexpr const char* kAllJoints = "all joints";
 [[nodiscard]] std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, const std::string& effect);
 
 /// Returns the description of the cause named `effect`, which is an effect of the catalogue or kFreedNumbers; an empty
-/// string if there is no such cause. `at` is its place, which tells one freed parameter from all of the geometry.
+/// string if there is no such cause. `at` is its place, which distinguishes one freed parameter from the whole
+/// geometry.
 [[nodiscard]] const char* causeWords(const std::string& effect, const std::string& at = "");
 
 /// Returns the title of a cause for sentences: "hysteresis at theta4", or for freed parameters "geometry: numbers of

@@ -1,5 +1,5 @@
 // Effects that the free parameters of a fit reproduce at every posture of the arm, such as an offset of the tool where
-// the tip is free. Beside these parameters, their sizes would be held by priors alone.
+// the tip is free. Together with these parameters, their sizes would be determined only by priors.
 #pragma once
 
 #include <vector>

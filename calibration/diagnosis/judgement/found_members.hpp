@@ -1,5 +1,5 @@
-// Explanation by the members that were found of an effect that acts at every joint: joints whose fitted sizes are
-// within the noise are not named.
+// Explanation by an effect that acts at every joint, limited to the joints found: joints whose fitted sizes are within
+// the noise are omitted.
 #pragma once
 
 #include "calibration/diagnosis/model_selection/competing_models.hpp"

@@ -209,7 +209,7 @@ double logOddsOfLikeness(double length, double left) {
 }
 
 /// Weighs, for each term of a model with a discrepancy, the hypothesis that the term only resembles an unknown effect.
-/// In this case, the search has found the known effect that is most similar, with a discrepancy for the rest. The
+/// In this case, the search has found the known effect that is most similar, with a discrepancy for the remainder. The
 /// length of such a term is of the order of the discrepancy, whereas an independent cause may have any length.
 void weighLikenesses(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<AtOptimum>& at,
                      CompetingModel& model) {

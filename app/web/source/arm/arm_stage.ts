@@ -49,7 +49,7 @@ export const openStage = signal<ArmStage | null>(null);
 
 /** Reach of the picture without a sheet, relative to the total length of the arm's members. */
 const BESIDE_ARM = 0.7;
-/** Relative change of the arm's length beyond which the picture is framed anew, as for another arm. */
+/** Relative change of the arm's length beyond which the view is fitted again, as for another arm. */
 const SAME_ARM = 0.3;
 
 function empty(group: Group): void {

@@ -71,7 +71,7 @@ function lawOf({key, kind}: Variable): string {
 const OUTSIDE_FORMULAS = new Set(["position", "set-up", "point", "order"]);
 
 /**
- * Formula suggested for what an explanation leaves: an error of the joint that follows the remainder's first variable
+ * Formula suggested for the remainder of an explanation: an error of the joint that follows the first variable
  * which a formula can name; empty if there is none.
  */
 export const remainderFormula = computed(() => {

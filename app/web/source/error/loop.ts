@@ -34,7 +34,7 @@ export async function startCompare(): Promise<void> {
   await runJob("Compare", "/api/compare", {ladder: !hasLadder});
 }
 
-// Readings given when the program was started are compared as soon as the page knows them.
+// Readings given when the program was started are compared as soon as the page has received them.
 let isFirst = true;
 effect(() => {
   const now = state.value;

@@ -76,7 +76,7 @@ export interface ReadingsInfo {
   change: number;
   /** Number of readings that were added last and can be removed again. */
   joined: number;
-  /** Assumptions under which the readings were read, in addition to what their file states. */
+  /** Assumptions under which the readings were read, in addition to the content of their file. */
   assumed: string[];
   checks: ReadingCheck[];
   missing_columns: MissingColumn[];

@@ -132,7 +132,7 @@ export const sceneDocument = perCell<SceneDocument>("/api/scene", () => true);
 
 export interface Notice {
   id: number;
-  /** What was tried: a further attempt replaces the notice, and success removes it. */
+  /** Action that failed: a further attempt replaces the notice, and success removes it. */
   about: string;
   title: string;
   problem: Problem;
@@ -147,7 +147,7 @@ export function report(title: string, error: unknown, about = title): void {
   notices.value = [...notices.peek().slice(-2), {id: nextNotice++, about, title, problem}]; // peek() does not add a dependency
 }
 
-/** Removes the notices about earlier attempts of the same. */
+/** Removes the notices about earlier attempts of the same action. */
 export function forget(about: string): void {
   if (notices.peek().some((notice) => notice.about === about))
     notices.value = notices.peek().filter((notice) => notice.about !== about);

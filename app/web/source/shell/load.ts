@@ -84,7 +84,7 @@ const READINGS: ColumnsUse = {
   then: afterReadings,
 };
 
-/** Returns true if a file is a robot description; faults in it are the program's to tell. */
+/** Returns true if a file is a robot description; the program reports its errors. */
 function isRobot({name, text}: TableText): boolean {
   return /\.urdf$/i.test(name) || /^\s*<[^]*<robot[\s>]/.test(text.slice(0, 65536));
 }
@@ -95,7 +95,7 @@ interface ImportedRobot {
   remarks: string[];
 }
 
-/** Makes a cell of a robot description, opens it, and tells what of the description it has not. */
+/** Converts a robot description to a cell, opens it, and lists the parts that were not converted. */
 async function importRobot(robot: TableText): Promise<void> {
   await attempt(
     `${robot.name} cannot be imported`,

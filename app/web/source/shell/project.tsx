@@ -12,7 +12,7 @@ import {ProblemWords} from "./states";
 
 const project = computed(() => state.value?.project ?? null);
 
-/** What notices about opened files have in common: opening another file removes them. */
+/** Common label of notices about opened files: opening another file removes them. */
 export const OPENING = "opening";
 
 /** Action that waits until the work is saved or discarded; null if there is none. */

@@ -15,7 +15,7 @@ import {conditionsText, readingName} from "./pairs";
 /** Maximum distance from the pointer to a point at which the point is selected [pixels]. */
 const NEAR = 12;
 
-/** Plot with text about the point under the pointer; `tell` returns the lines of the text for a row of the data. */
+/** Plot with text about the point under the pointer; `tell` returns its lines for a row of the data. */
 export function PlotBox({tell, class: name = "", ...plot}: PlotProps & {tell: (row: number) => Lines; class?: string}) {
   const held = useRef<uPlot | null>(null);
   const find = (event: PointerEvent) => {

@@ -1,4 +1,4 @@
-// The report page of a shift's hand-over. What the next shift must know comes first.
+// The report page of a shift's hand-over. The most important information for the next shift comes first.
 import {duration, fixed, isNumber, plural, whole} from "../../../../drawing/numbers.js";
 import {CountsTable, type NamedCounts} from "../../outage/totals_table";
 import {type PageKind, Summary} from "../page";
