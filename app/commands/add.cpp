@@ -74,7 +74,7 @@ Run configureAdd(CLI::App& cli) {
           "Every other name is a parameter in the target's unit, initially zero; one in which the formula is "
           "not linear is dimensionless and needs an initial value: 'theta3 += c*sin(k*theta1); k=3'");
   cli.add_option("--readings", options->measurements,
-                 "measurements (CSV) at which to compute how far the formula overlaps with effects of the catalogue");
+                 "measurements (CSV) for the overlap of the formula with effects of the catalogue");
   addSigma(cli, options->sigma, "if --readings states none");
   cli.add_option("--out", options->out, "write the cell with the effect to this file")->required();
   return [options] { return run(*options); };

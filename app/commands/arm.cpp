@@ -281,7 +281,7 @@ Run configureArm(CLI::App& cli) {
                  "export of a cell: measurements to which the numbers are fitted again, without the effects that the "
                  "file cannot state");
   addMeasurementOptions(cli, options->given);
-  cli.add_option("--tip", options->tip, "of a URDF: the link at the tool's tip, where the robot has several end links");
+  cli.add_option("--tip", options->tip, "of a URDF: the link at the tool's tip, if the robot has several end links");
   cli.add_option("--cell", options->cell, "import: also write a cell with the arm and its solids");
   cli.add_option("--svg", options->svg, "show: draw the arm from the side and from above");
   addFigures(cli, options->figures);

@@ -38,7 +38,7 @@ std::string sheetText(const DiagnoseOptions& options, const CellMeasurements& in
                       const std::vector<calibration::ProposedMeasurement>& sheet) {
   if (options.run_sheet.empty() || calibration::grossMistake(input.checks)) return "";
   if (sheet.empty()) return "no run sheet: no reading is proposed\n";
-  return fmt::format("wrote {}: {} and give it after the readings\n", options.run_sheet,
+  return fmt::format("wrote {}: {} and pass it after the readings\n", options.run_sheet,
                      fillInText(sheet, input.cell.arm, input.cell.units));
 }
 

@@ -73,7 +73,7 @@ Run configureReport(CLI::App& cli) {
   cli.add_flag("--open", options->open, "open the report in a browser");
   cli.add_option("--pdf", options->pdf, "also print it to this file, by headless Chromium");
   cli.add_option("--files", options->files,
-                 "write the readings in use and every model into this folder, as the report's command lines take them");
+                 "write the readings in use and every model into this folder, as input of the report's command lines");
   addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }

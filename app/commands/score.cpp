@@ -164,8 +164,7 @@ constexpr TextLine kScoredWords[] = {
      kWithoutPosture}};
 
 std::string scoredText(const nlohmann::json& figures, const Scored& scored, const Cell& nominal) {
-  return textOf(figures,
-                "scored with the base that {#calibration/residuals} simulated touches of the true arm give\n") +
+  return textOf(figures, "scored with the base from {#calibration/residuals} simulated touches of the true arm\n") +
          calibrationText(scored.calibration.flexible, nominal) + textOf(figures, kScoredWords);
 }
 

@@ -144,7 +144,7 @@ int run(const VerifyOptions& options) {
   planner::Workcell work = checkedWorkcell(cell, planned, files);
   if (files.padding_sigmas > 0 && work.base_covariance.isZero(0))
     throw InputError::saying(options.folder + "/plan.json padding",
-                             "the plan has a padding for the uncertainty of the base, but the cell.yaml beside "
+                             "the plan has a padding for the uncertainty of the base, but the cell.yaml next to "
                              "plan.json has no covariance of the base",
                              "plan again");
   if (files.padding_sigmas > 0) work.row_deviations = rowDeviations(work, jointUncertaintyOf(planned, work, nullptr));

@@ -30,7 +30,7 @@ constexpr EndRow kEnds[] = {
     {ImprovementEnd::kAmbiguous, "ambiguous",
      "several effects explain the remainder, and these readings cannot distinguish them"},
     {ImprovementEnd::kDoesNotCarryOver, "does-not-carry-over",
-     "no further effect predicts the readings that it was not fitted to"},
+     "no further effect improves the prediction of held-out readings"},
     {ImprovementEnd::kMistake, "mistake", "a mistake in the readings is suspected and must be corrected first"},
     {ImprovementEnd::kInconclusive, "inconclusive", "these readings allow no verdict on the remainder"},
     {ImprovementEnd::kMostSteps, "most-steps", "the requested number of steps is reached, and more may be missing"},

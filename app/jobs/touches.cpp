@@ -178,7 +178,7 @@ TouchOutcome proposeTouches(const TouchRequest& asked, const Cell& cell, const s
   static_cast<TouchProposals&>(outcome) = proposeTouches(task);
   if (outcome.holes_unsure > 0)
     outcome.notes.push_back(fmt::format(
-        "{} of {} holes are excluded as touches for the base: they may be out of reach if the base stands elsewhere",
+        "{} of {} holes are excluded as touches for the base: they may be out of reach if the base is elsewhere",
         outcome.holes_unsure, outcome.holes));
   return outcome;
 }

@@ -30,8 +30,8 @@ inline EffectKind kind() {
   return {.name = "gravity-sag",
           .words = "a joint sags under weights that the arm file does not state",
           .law =
-              "rotation of a joint = its moment by unknown weights: its own part horizontal along x, along y, and that "
-              "at the tip",
+              "rotation of a joint = its moment by unknown weights: the joint's own part, horizontal along x and along "
+              "y, and the part at the tip",
           .validity = "linear; the arm's weights need not be stated",
           .source = "Gautier and Khalil 1990, base parameters of gravity",
           .stage = EffectStage::kFlexibility,

@@ -72,9 +72,8 @@ const std::vector<ShapeRow> kSceneShapes = {
      true,
      makeCylinder},
     {"mesh",
-     "The triangles of an STL, OBJ or PLY file, its origin at `position`, turned by rpy: solid where they close, else "
-     "a "
-     "surface.",
+     "The triangles of an STL, OBJ or PLY file, its origin at `position`, turned by rpy: a solid if they are closed, "
+     "otherwise a surface.",
      {{"file", kMesh, 0}, {"unit", kUnit, 0, false}, {"position", kPosition, 3, false}, {"rpy", kAngle, 3, false}},
      false,
      makeMesh},

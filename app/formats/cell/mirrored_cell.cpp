@@ -69,8 +69,7 @@ class Mirror {
       const YamlNode* value = shape.find(field.name);
       if (!value) continue;
       if (field.quantity == ShapeQuantity::kMesh)
-        value->failSaying("the other leg needs the mirror image of this mesh, which only a file of its own can give",
-                          kOwnCell);
+        value->failSaying("the other leg needs the mirror image of this mesh, which needs a separate file", kOwnCell);
       if (field.quantity == ShapeQuantity::kPosition || field.quantity == ShapeQuantity::kDirection)
         change(value, mirroredVector);
       if (field.quantity == ShapeQuantity::kAngle) change(value, mirroredAngles);

@@ -289,8 +289,7 @@ std::vector<std::string> sceneWarnings(const planner::Scene& scene, const std::v
   std::vector<std::string> warnings;
   for (const auto& [a, b] : scene.inseparable)
     warnings.push_back(
-        fmt::format("the shapes of {} and {} are too near each other in every posture: they are not "
-                    "checked against one another",
+        fmt::format("the shapes of {} and {} are too close in every posture: they are not checked against each other",
                     planner::bodyLabel(scene.bodies[static_cast<std::size_t>(a)]),
                     planner::bodyLabel(scene.bodies[static_cast<std::size_t>(b)])));
   if (const auto bare = bareMembers(scene, arm, X_WB); !scene.bodies.empty() && !bare.empty())

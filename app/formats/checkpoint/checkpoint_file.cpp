@@ -51,7 +51,7 @@ void readPayload(const CheckpointFormat& format, const std::filesystem::path& pa
   try {
     read(json::parse(file.payload));
   } catch (const json::exception&) {
-    refuseDamaged(format, path, "the file's content is of another kind than is written to it");
+    refuseDamaged(format, path, "the file's content does not have the form that this program writes");
   }
 }
 
@@ -74,7 +74,7 @@ void putAside(const std::filesystem::path& path, const std::vector<std::string>&
     throw InputError::saying(
         "--out", fmt::format("{} cannot be set aside: renaming the file failed ({})", path.string(), error.message()),
         "choose a folder with write permission");
-  say(fmt::format("started again: {} is of {}; it is kept as {}", path.string(), fmt::join(differences, ", "),
+  say(fmt::format("started again: {} is of {}; it is renamed to {}", path.string(), fmt::join(differences, ", "),
                   aside.filename().string()));
 }
 

@@ -34,7 +34,7 @@ void readEntries(const fs::path& path, const std::function<void()>& read) {
   try {
     read();
   } catch (const json::exception&) {
-    refuseDamaged(kPlanFormat, path, "the file's content is of another kind than is written to it");
+    refuseDamaged(kPlanFormat, path, "the file's content does not have the form that this program writes");
   }
 }
 

@@ -127,13 +127,13 @@ class PointingParser {
     auto& remarks = table_.remarks;
     const bool is_altaz = head_.is_altaz.value_or(false);
     remarks.emplace_back(
-        "the world is x north, y west, z up: azimuths count from north by west, so with another sign "
-        "than in the file");
+        "the world is x north, y west, z up: azimuths are counted from north by west, with the opposite sign of the "
+        "file");
     remarks.emplace_back(is_altaz ? "joint 1 is the azimuth as read, counted likewise, joint 2 the elevation"
                                   : fmt::format("joint 1 is the hour angle as read, counted to the east, joint 2 the "
-                                                "declination: an equatorial base stands at rpy 0, {:.6f}, 180",
+                                                "declination: an equatorial base is at rpy 0, {:.6f}, 180",
                                                 head_.latitude - 90));
-    if (!head_.is_altaz) remarks.emplace_back("no option says which mount: an equatorial one is taken");
+    if (!head_.is_altaz) remarks.emplace_back("no option states the mount: an equatorial mount is assumed");
     if (is_stars_) remarkOnStars();
     const std::size_t auxiliary = width_ - (is_stars_ ? kStarNumbers : kAltazNumbers);
     if (auxiliary > 0) remarks.push_back(fmt::format("the last {} of each row are left out", auxiliary));
@@ -141,9 +141,10 @@ class PointingParser {
 
   void remarkOnStars() {
     auto& remarks = table_.remarks;
-    remarks.emplace_back("places are taken as apparent ones of date; a catalogue's would be minutes of arc off");
+    remarks.emplace_back(
+        "places are assumed to be apparent places of date; catalogue places would be wrong by minutes of arc");
     if (!head_.pressure)
-      remarks.emplace_back("no pressure is stated: places are taken to be with refraction, and none is added");
+      remarks.emplace_back("no pressure is stated: places are assumed to include refraction, and none is added");
     else
       remarks.push_back(fmt::format("refraction at {} hPa is added, up to {:.2f} minutes of arc, good to 0.1",
                                     *head_.pressure, greatest_refraction_ * 60));

@@ -59,7 +59,8 @@ std::string shrunkenArm(const Identification& result, const std::vector<Measurem
   if (!(per_degree < kTooGood)) return "";
   return fmt::format(
       "the residuals are far below the noise (chi-square per degree of freedom {:.2g}): touches of points of unknown "
-      "position are fitted best by an arm that shrinks; hold its lengths or measure one, unless sigma is too large",
+      "position are fitted best by an arm that shrinks; keep its lengths fixed or measure one, unless sigma is too "
+      "large",
       per_degree);
 }
 
@@ -269,8 +270,8 @@ std::vector<std::string> fitWarnings(const Identification& result, const std::ve
   if (auto shrunken = shrunkenArm(result, measurements); !shrunken.empty()) warnings.push_back(std::move(shrunken));
   if (result.not_judged > 0)
     warnings.push_back(
-        fmt::format("{} held-out reading{} not judged: a single touch of a point that nobody measured, or a set-up "
-                    "without a fitted reading, has nothing to be compared with",
+        fmt::format("{} held-out reading{} not judged: a single touch of an unmeasured point, or a set-up without a "
+                    "fitted reading, cannot be compared with anything",
                     result.not_judged, result.not_judged == 1 ? " is" : "s are"));
   return warnings;
 }

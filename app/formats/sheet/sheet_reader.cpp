@@ -130,9 +130,9 @@ void warnOfMisnamedHoles(const tubesheets::Sheet& sheet, std::vector<std::string
     const auto& tube = sheet.tubes[static_cast<std::size_t>(hole.tube)];
     const auto* there = hole.there < 0 ? nullptr : &sheet.tubes[static_cast<std::size_t>(hole.there)];
     warnings.push_back(
-        fmt::format("hole map: {} does not lie where its row puts column {}{}: check its name",
+        fmt::format("hole map: {} is not at the position that its row gives for column {}{}: check its name",
                     tubesheets::tubeName(tube.row, tube.column), tube.column,
-                    there ? fmt::format(", {} does", tubesheets::tubeName(there->row, there->column)) : ""));
+                    there ? fmt::format(", {} is", tubesheets::tubeName(there->row, there->column)) : ""));
   }
 }
 

@@ -172,7 +172,7 @@ class UrdfEditor {
       if (isAsWritten(number.was, number.is)) continue;
       const bool is_limit = number.attribute != std::string_view("velocity");
       if (!tags.limit || !std::isfinite(number.is) || (is_limit && is_continuous)) {
-        out_.left_out.push_back(fmt::format("{} of joint {}: its limits stay as they are in {}", number.attribute,
+        out_.left_out.push_back(fmt::format("{} of joint {}: its limits in {} are unchanged", number.attribute,
                                             nameInLine(was.name), file_));
         continue;
       }
@@ -220,8 +220,8 @@ class UrdfEditor {
       const auto was = deflection::rowWeightOf(read_.arm, k), is = deflection::rowWeightOf(arm_, k);
       if (std::abs(was.weight - is.weight) > 1e-9 * (1 + was.weight) ||
           (was.moment_R - is.moment_R).norm() > 1e-9 * (1 + was.moment_R.norm()))
-        out_.left_out.push_back(fmt::format("what row {} weighs, and where: masses stay as they are in {}",
-                                            nameInLine(arm_.rows[k].name), file_));
+        out_.left_out.push_back(
+            fmt::format("the weights of row {}: the masses in {} are unchanged", nameInLine(arm_.rows[k].name), file_));
     }
   }
 

@@ -17,7 +17,7 @@ namespace {
 /// Returns advice on text that should be numbers but is not; empty if the cause is unknown.
 const char* adviceOn(std::string_view text) {
   if (text.find('$') != std::string_view::npos) return "convert xacro files first: xacro FILE > robot.urdf";
-  if (text.find(',') != std::string_view::npos) return "numbers have a decimal point and stand apart by blanks";
+  if (text.find(',') != std::string_view::npos) return "numbers have a decimal point and are separated by blanks";
   const auto begin_unit = [](char before, char c) { return before >= '0' && before <= '9' && (c == 'm' || c == 'd'); };
   if (std::ranges::adjacent_find(text, begin_unit) != text.end()) return "URDF has metres and radians, without units";
   return "";

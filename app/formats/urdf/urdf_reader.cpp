@@ -247,7 +247,7 @@ class ChainReader {
   void leaveOutStanding(const Link& link) {
     if (!link.solids.empty())
       out_.left_out.push_back(
-          fmt::format("the solids of link {}, which stands still: write them into the cell's scene", link.name));
+          fmt::format("the solids of link {}, which does not move: write them into the cell's scene", link.name));
     for (const auto& child : link.children) {
       if (isOnChain(*child)) continue;
       if (isMoving(*child->joint))
@@ -258,8 +258,8 @@ class ChainReader {
   }
 
   static std::string sideBranch(const Link& link) {
-    return fmt::format("link {} and what it carries: joint {} is not in the chain from the base to the tip", link.name,
-                       link.joint->name);
+    return fmt::format("link {} and the links that it carries: joint {} is not in the chain from the base to the tip",
+                       link.name, link.joint->name);
   }
 
   void addShape(const std::string& row, const UrdfTree::Solid& solid, const Isometry3d& X_LK) {

@@ -149,9 +149,9 @@ std::vector<std::string> beyondUrdf(const Arm& arm) {
   add(std::ranges::any_of(arm.rows, hasStiffness), "stiffnesses and beams: URDF's links are rigid");
   add(!keepsToolFrame(arm), "the tool frame's turn (rpy): the exported tip's z is the tool's axis");
   add(keepsToolFrame(arm) && !arm.tool_turn_L.isZero(0),
-      "the tool's axis beside its frame: the exported tip's z is that of the frame, by `turn`");
+      "the tool's axis, which differs from its frame: z of the exported tip is z of the frame, by `turn`");
   add(!arm.gravity_W.isApprox(-Vector3d::UnitZ(), 1e-12),
-      "the direction of gravity: URDF has none, and what is imported falls along -z");
+      "the direction of gravity: URDF has none, and an imported arm has gravity along -z");
   add(std::ranges::any_of(arm.rows, isRead), "the encoders' noise: URDF has no place for it");
   add(!arm.side_chains.empty(), "side chains: only a serial chain can be imported again");
   for (const auto& effect : arm.effects)

@@ -97,7 +97,7 @@ TEST_F(Commands, bodiesThatNoPosturePartsAreNamedByThePlanItsReportAndVerify) {
   ASSERT_EQ(warnings.size(), 2u) << "the other is of the base, which nobody placed";
   const std::string warning =
       warnings[0].get<std::string>().find("not checked") != std::string::npos ? warnings[0] : warnings[1];
-  expectSays(warning, "not checked against one another");
+  expectSays(warning, "not checked against each other");
   expectSays(planned.out, warning);
   expectSays(contentOf(folder / "made/report.html"), warning);
   expectSays(run("verify " + shipped("puma.yaml") + " made").out, warning);
@@ -189,7 +189,8 @@ TEST_F(Commands, mapWarnsOfExchangedNames) {
                                               "\n20,0,", "\n20,41,"));
   const json found = jsonOf("map exchanged.yaml");
   ASSERT_EQ(found["warnings"].size(), 2u) << found["warnings"];
-  expectSays(run("map exchanged.yaml").out, "R20C41 does not lie where its row puts column 41, R20C40 does");
+  expectSays(run("map exchanged.yaml").out,
+             "R20C41 is not at the position that its row gives for column 41, R20C40 is");
   EXPECT_EQ(jsonOf("map " + shipped("mockup.yaml"))["warnings"], json::array());
 }
 

@@ -116,7 +116,7 @@ const STEPS = {
       if (!remainder || !isNumber(remainder.size) || !(remainder.size > 0)) return null;
       const size = `${short(remainder.size)} ${errorUnit(document)}`;
       if (remainder.follows.length === 0)
-        return {evidence: `${size} follows nothing that the readings record: it looks like scatter`};
+        return {evidence: `${size} does not depend on anything that the readings record: it looks like scatter`};
       const list = listed(
         remainder.follows.map(({variable, share}) => `${variable} (${percent(share)})`),
         5,

@@ -32,7 +32,7 @@ const LIST: Record<string, Record<string, string>> = {
   },
   "On readings": {
     drag: "a loop in the plot or the places selects readings (with Shift: more)",
-    "Ctrl A": "in the table: select all that the filter leaves",
+    "Ctrl A": "in the table: select all readings that pass the filter",
   },
   "In the bar that plays a plan": {Space: "play or pause", "← →": "a tube back or on", Home: "to the start"},
   Sliders: {"← →": "a small step", "Page up, down": "a large one", "Home, End": "to the limits"},

@@ -108,8 +108,8 @@ TEST_F(CellOverMap, namesTwoHolesOfAMapWhoseNamesAreExchanged) {
     }
   const Cell cell = cellOverMap(map);
   const std::string all = fmt::format("{}", fmt::join(cell.warnings, "\n"));
-  expectSays(all, "R3C4 does not lie where its row puts column 4, R3C5 does");
-  expectSays(all, "R3C5 does not lie where its row puts column 5, R3C4 does");
+  expectSays(all, "R3C4 is not at the position that its row gives for column 4, R3C5 is");
+  expectSays(all, "R3C5 is not at the position that its row gives for column 5, R3C4 is");
 }
 
 TEST_F(CellReader, readsTheManwayAndKeepsItInTheCellsThatItWrites) {

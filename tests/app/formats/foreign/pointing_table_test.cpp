@@ -135,7 +135,7 @@ TEST(PointingTable, takesTabsColonsCarriageReturnsAndNoOptions) {
   const auto table = parsePointingData(text, "sky.dat");
   ASSERT_EQ(table.rows.size(), 1u);
   EXPECT_NEAR(numberAt(table, 0, 2), fromHourAngle(30, -20, -33 - 10.0 / 60).altitude, 1e-6);
-  EXPECT_TRUE(says(table, "an equatorial one is taken"));
+  EXPECT_TRUE(says(table, "an equatorial mount is assumed"));
 }
 
 TEST(PointingTable, refusesWhatItDoesNotUnderstand) {

@@ -311,7 +311,7 @@ TEST(UrdfEdit, WhatUrdfCannotSayIsLeftOutInWords) {
   };
   for (const Beyond& beyond : {
            Beyond{[](Arm& arm) { arm.rows[1].joint_stiffness.z() = 1e4; }, "stiffnesses"},
-           Beyond{[](Arm& arm) { arm.rows[0].weight.lumps[0].weight *= 1.1; }, "masses stay"},
+           Beyond{[](Arm& arm) { arm.rows[0].weight.lumps[0].weight *= 1.1; }, "the masses in"},
            Beyond{[](Arm& arm) { arm.gravity_W = Vector3d::UnitX(); }, "gravity"},
            Beyond{[](Arm& arm) {
                     arm.side_chains.push_back({0, {arm.rows[0]}});
