@@ -48,23 +48,23 @@ std::optional<std::size_t> stationChange(const PlacedArm& drawing, const std::ve
   const double reach = deflection::reachOf(drawing.arm);
   const auto tips = QuickAlignment(drawing, reach).tips(measurements);
   std::vector<std::size_t> members;
-  std::vector<PairSums> upto{{}};
+  std::vector<PairSums> until{{}};
   Vector3d origin = Vector3d::Zero();
   for (std::size_t k = 0; k < measurements.size(); ++k) {
     if (measurements[k].setup != setup || !tips[k].allFinite()) continue;
     if (members.empty()) origin = *measurements[k].p_W;  // keeps the sums small for positions far from the origin
     members.push_back(k);
-    upto.push_back(upto.back());
-    upto.back().add(tips[k], *measurements[k].p_W - origin);
+    until.push_back(until.back());
+    until.back().add(tips[k], *measurements[k].p_W - origin);
   }
   if (members.size() < 2 * kFewestOfStation) return std::nullopt;
   const auto rows = 3 * static_cast<double>(members.size());
   const double blind = std::pow(kBlindOfStation * reach, 2);
   const auto cost = [&](double squares) { return rows / 2 * std::log(std::max(blind, squares / rows)); };
-  double least = cost(upto.back().error()) - priceOfStep(6, measurements);
+  double least = cost(until.back().error()) - priceOfStep(6, measurements);
   std::optional<std::size_t> best;
   for (std::size_t m = kFewestOfStation; m + kFewestOfStation <= members.size(); ++m)
-    if (const double found = cost(upto[m].error() + upto.back().without(upto[m]).error()); found < least)
+    if (const double found = cost(until[m].error() + until.back().without(until[m]).error()); found < least)
       least = found, best = members[m];
   return best;
 }

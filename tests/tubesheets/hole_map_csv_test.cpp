@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
                             "ELF\x02\x01\n",
                             1, "no line names the columns"},
                     BadText{"ZeroByte", kHeader + std::string("1,1,0,\0,open\n", 13), 2, "zero byte"},
-                    BadText{"CommaBelowSemicolons", "row;column;x_in;y_in\n1;1;1;1\n1,2,2,1\n", 3, "apart by commas"},
+                    BadText{"CommaBelowSemicolons", "row;column;x_in;y_in\n1;1;1;1\n1,2,2,1\n", 3, "separated by commas"},
                     BadText{"TwoStates", "row,column,x_in,y_in,state,ind\n1,1,1,1,PLG,SLV\n", 2,
                             "plugged, as in the column beside it"},
                     BadText{"UnknownLeg", "row,column,x_in,y_in,leg\n1,1,1,1,warm\n", 2, "\"warm\""},

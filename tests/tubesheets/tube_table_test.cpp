@@ -88,10 +88,10 @@ TEST(TubeTable, AListGivesItsTubesInEveryDialectAndNameForm) {
 TEST(TubeTable, AColumnOfWhichNothingIsKnownIsNotedOnce) {
   const auto notesOf = [](const std::string& text) { return parseWorkListCsv(text).notes; };
   EXPECT_EQ(notesOf("row,column,exam,probe\n1,1,Bobbin,A\n1,2,Bobbin,A\n"),
-            (std::vector<std::string>{"left out of planning, and kept: the columns exam, probe"}));
+            (std::vector<std::string>{"not used in planning, but kept: the columns exam, probe"}));
   EXPECT_EQ(notesOf("row,column,zone,tool,priority,comment\n1,1,,,,\n"), std::vector<std::string>{});
   EXPECT_EQ(notesOf("row,column,code\n1,1,QQQ\n1,2,QQQ\n1,3,NDD\n1,4,37\n"),
-            (std::vector<std::string>{"codes that are not known, taken as remarks: QQQ (2 rows)"}));
+            (std::vector<std::string>{"unknown codes, treated as remarks: QQQ (2 rows)"}));
 }
 
 TEST(TubeForms, AreReadWhereTheyAreClear) {

@@ -118,7 +118,7 @@ TEST(SelectTubes, AWorkListNamesItsTubesSoThatDoubtfulOnesAreTakenAndReported) {
   ASSERT_EQ(selection.status, SelectionStatus::kSelected) << selection.reason;
   EXPECT_EQ(selection.tube_indices.size(), 3u);
   EXPECT_EQ(doubtfulText(sheet, selection),
-            "1 inaccessible, 1 unresolved among the tubes asked for (R1C1, R1C3): taken as asked");
+            "1 inaccessible, 1 unresolved among the requested tubes (R1C1, R1C3): included as requested");
   EXPECT_EQ(leftOutText(selection), "1 plugged according to the list");
   const Selection opened = selectTubes(sheet, parseWorkListCsv("row,column,state\n1,3,open\n"));
   EXPECT_EQ(doubtfulText(sheet, opened), "");

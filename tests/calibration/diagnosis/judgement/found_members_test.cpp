@@ -42,9 +42,9 @@ SoftJoints diagnosed(const SoftJoints& soft, std::uint64_t seed) {
   options.baseline.free = {{"tool.tip", "geometry"}, false};
   const Diagnosis found = diagnose(rigidSixAxes(), measurements, options);
   SoftJoints names;
-  for (const auto& explanation : found.alternatives)
-    for (const auto& effect : explanation.effects)
-      names.insert(effect.effect == std::string("joint-compliance") ? effect.at : effect.effect + "@" + effect.at);
+  if (found.alternatives.empty()) return names;
+  for (const auto& effect : found.alternatives.front().effects)
+    names.insert(effect.effect == std::string("joint-compliance") ? effect.at : effect.effect + "@" + effect.at);
   return names;
 }
 
