@@ -209,7 +209,7 @@ TEST_F(PlanIdentity, WhatAListHasBesideItsTubesIsSaidOnce) {
   (void)write("list.csv", "Row;Col;Ind;Exam\n20;40;NDD;Bobbin\n22;44;DSI;MRPC\n22;44;DSI;MRPC\n30;50;PLG;\n");
   const Outcome outcome = run("plan mockup.yaml --tubes list.csv --out noted");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  expectSays(outcome.out, "left out of planning, and kept: the column Exam");
+  expectSays(outcome.out, "not used in planning, but kept: the column Exam");
   expectSays(outcome.out, "visited once: R22C44 (lines 3 and 4)");
   expectSays(outcome.out, "1 plugged according to the list left out");
   expectSays(contentOf(folder / "noted/worklist.csv"), "30;50;PLG;");
