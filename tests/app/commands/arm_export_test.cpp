@@ -118,7 +118,7 @@ TEST_F(ArmExport, TheExportedFileAloneErrsByWhatIsPrinted) {
   const auto errorAlone = [&] {
     EXPECT_EQ(run("arm import out.urdf --out alone.yaml --cell alone-cell.yaml").exit_code, 0);
     return nlohmann::json::parse(
-               run("compare alone-cell.yaml made/measurements.csv --json -").out)["after_refit"]["rms"]
+               run("identify alone-cell.yaml made/measurements.csv --stage tool.tip --json -").out)["rms"]["after_base"]
         .get<double>();
   };
   const Outcome as_it_is = run("arm export better.yaml --into robot.urdf --out out.urdf");

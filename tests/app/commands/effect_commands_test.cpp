@@ -251,7 +251,7 @@ TEST_F(EffectCommands, AFormulaThatTheCatalogueHasIsNamed) {
   const auto added = run("add " + bench() + " --formula 'theta4 += a*sin(2*theta4)' --readings " +
                          path("set/measurements.csv") + " --out " + path("better.yaml"));
   ASSERT_EQ(added.exit_code, 0) << added.err;
-  EXPECT_NE(added.out.find("100 % of the rest is transmission-error@theta4"), std::string::npos) << added.out;
+  EXPECT_NE(added.out.find("100 % of the rest is transmission-error at theta4"), std::string::npos) << added.out;
 }
 
 TEST_F(EffectCommands, AFormulaReachesThePose) {

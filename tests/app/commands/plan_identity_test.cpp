@@ -111,7 +111,7 @@ TEST_F(PlanIdentity, APlanForAnotherBaseIsVerifiedAtItsOwnAndSaysSo) {
   if (moved.find("known: false") != std::string::npos) moved = changed(moved, "known: false", "known: true");
   (void)write("made/moved.yaml", moved);
   const Outcome verified = run("verify made/moved.yaml made");
-  expectSays(verified.out, "warning: the plan is verified at its own base, which stands ");
+  expectSays(verified.out, "warning: the plan is verified at its own base, which is ");
 }
 
 TEST_F(PlanIdentity, ThePlanOfOneLegIsRefusedOnTheOther) {

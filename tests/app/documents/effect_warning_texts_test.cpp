@@ -56,7 +56,7 @@ TEST(EffectWarningTexts, AskForTheLeastNeededToBeTakenOutFirst) {
   const auto texts = warningTexts(ofAllPlaces(EffectWarningKind::kNotNeeded), metricUnits());
   ASSERT_EQ(texts.size(), 1u);
   EXPECT_NE(texts[0].find("p = 0 to 0.6"), std::string::npos) << texts[0];
-  EXPECT_NE(texts[0].find("take out joint-compliance@wrist.z and"), std::string::npos) << texts[0];
+  EXPECT_NE(texts[0].find("remove joint-compliance@wrist.z and"), std::string::npos) << texts[0];
 }
 
 TEST(EffectWarningTexts, KeepApartWhatDiffers) {

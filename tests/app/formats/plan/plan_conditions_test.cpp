@@ -80,7 +80,7 @@ TEST_F(PlanConditions, PaddingKeepsTheArmFurtherOff) {
   write("padded/cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));
   const Outcome unknown = run("verify " + shipped("mockup.yaml") + " padded");
   EXPECT_EQ(unknown.exit_code, 2);
-  expectSays(unknown.err, "the cell.yaml beside plan.json has no covariance of the base");
+  expectSays(unknown.err, "the cell.yaml next to plan.json has no covariance of the base");
 }
 
 TEST_F(PlanConditions, PaddingCoversTheArmsUncertainParametersAsVerifyDoes) {

@@ -215,7 +215,7 @@ TEST(Urdf, SolidsThatStandStillAreLeftOutInWords) {
   const UrdfArm read = parseUrdf(text, "r.urdf");
   EXPECT_TRUE(read.shapes.empty());
   ASSERT_EQ(read.left_out.size(), 1u);
-  expectSays(read.left_out[0], "base, which stands still");
+  expectSays(read.left_out[0], "link base, which does not move");
 }
 
 // A link must be read completely or refused; the only exceptions are those listed in `left_out`.
