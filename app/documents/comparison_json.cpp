@@ -163,7 +163,7 @@ std::string noiseSentence(const Comparison& result) {
 
 std::string errorClause(const Comparison& result, const Units& units) {
   const ErrorUnit unit = errorUnitOf(result, units);
-  return fmt::format("the error is {} before and {} after the refit; noise alone explains {}",
+  return fmt::format("the error is {} as it stands and {} after the refit; noise alone explains {}",
                      errorText(result.as_it_stands.errors.rms, unit, 3),
                      errorText(result.after_refit.errors.rms, unit, 3),
                      errorText(result.after_refit.noise_floor, unit, 3));

@@ -184,7 +184,7 @@ TEST_F(CampaignCommand, GoesOnAfterAStopToTheSameBytesAndToMoreRuns) {
   const Outcome anew = run(mockup("--tubes spread:40 --seed 9 --runs 5 --out other"));
   EXPECT_EQ(anew.exit_code, 0);
   expectSays(anew.err, "started again: ");
-  expectSays(anew.err, "kept as tally-1.json");
+  expectSays(anew.err, "renamed to tally-1.json");
   EXPECT_EQ(contentOf(folder / "other/tally-1.json"), kept);
   ASSERT_EQ(run(mockup("--tubes spread:40 --seed 10 --runs 5 --out other")).exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(folder / "other/tally-2.json"));

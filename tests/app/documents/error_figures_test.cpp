@@ -101,7 +101,7 @@ TEST_F(ErrorFigures, areInTheUnitOfWhatWasMeasured) {
     expectAddsUp(figures, kind.name);
     for (const json& worst : figures["worst"]) EXPECT_EQ(worst["unit"], unit);
     for (const json& measurement : figures["readings"]) EXPECT_EQ(measurement["size_unit"], unit);
-    expectSays(comparisonText(figures), " " + unit + " before and ");
+    expectSays(comparisonText(figures), " " + unit + " as it stands");
     if (!is_angle) continue;
     EXPECT_EQ(figures["worst"][0]["id"], measurements[3].id);
     EXPECT_NEAR(figures["worst"][0]["size"].get<double>(), 0.5, 0.01);
