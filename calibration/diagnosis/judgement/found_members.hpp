@@ -6,9 +6,9 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the model's explanation without members of a collective cause that are not significant, refitted. As many of
-/// them are left out as the evidence allows: the smaller model must be at least as probable by the measurements alone,
-/// before the prior of its causes. The model must have a fit.
+/// Returns the model's explanation without doubtful members of a collective cause, refitted. As many of them are left
+/// out as the evidence allows: the measurements alone, before the prior of the causes, must be nearly as probable by
+/// the smaller model. The model must have a fit.
 [[nodiscard]] Explanation explanationByFoundMembers(const DiagnosisWork& work, const CompetingModel& model);
 
 }  // namespace tubeplan::calibration
