@@ -61,6 +61,7 @@ describe("a dropped file", () => {
     await tab.waitForSelector(".notice");
     await drop(tab, "readings.csv", readFileSync(path.join(setting.made.folder, "readings.csv"), "utf8"));
     await tab.waitForSelector(".notice", {state: "detached"});
+    while (!(await stateOf(server)).measurements) await tab.waitForTimeout(50);
     assert.equal((await stateOf(server)).measurements.readings, 40);
   });
 

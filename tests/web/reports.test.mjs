@@ -261,7 +261,7 @@ describe("reports", () => {
     const escaped = JSON.stringify(hostile).replaceAll("<", "\\u003c");
     writeFileSync(
       path.join(made.folder, "hostile.html"),
-      text.replace(/"title":"[^"]*"/, () => `"title":${escaped}`),
+      text.replace(/"title":"Diagnosis of [^"]*"/, () => `"title":${escaped}`),
     );
     const tab = await opened("hostile.html");
     assert.equal(await tab.innerText("h1"), hostile);

@@ -177,7 +177,7 @@ describe("readings that look wrong", () => {
     await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", LIMIT);
     assert.equal(await tab.locator(".reading-checks .mistake").count(), 0);
     await tab.waitForSelector(".ladder-row >> text=/× floor/");
-    await tab.click(".reading-checks li:has-text('Taken with coordinates=in') >> text=Take back");
+    await tab.click(".reading-checks li:has-text('Used with coordinates=in') >> text=Take back");
     await tab.waitForSelector(".reading-checks .mistake");
     await idle(tab);
     assert.deepEqual(tab.errors, []);
