@@ -26,9 +26,10 @@ std::string overview() {
     text += fmt::format("  {:<10}  {}\n", command.name, command.summary);
     text += fmt::format("  {:<10}    {}\n", "", command.example.substr(0, command.example.find('\n')));
   }
-  return text + fmt::format("\n`tubeplan COMMAND --help` describes one, `tubeplan --cells` prints the folder of the "
-                            "example cells. Exit codes: {}.\n",
-                            kExitCodes);
+  return text + fmt::format(
+                    "\n`tubeplan COMMAND --help` describes one, `tubeplan --cells` prints the folder of the "
+                    "example cells. Exit codes: {}.\n",
+                    kExitCodes);
 }
 
 /// Returns the folder of the example cells, which is installed beside the program. A program that was built in the
