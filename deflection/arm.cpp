@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "deflection/chain.hpp"
 #include "deflection/effects/effect.hpp"
@@ -53,6 +54,8 @@ bool hasFollowers(const Arm& arm) {
   return std::any_of(arm.rows.begin(), arm.rows.end(), [](const auto& row) { return !row.joint.follows.empty(); });
 }
 
+bool isCompliant(const Row<double>& row) { return row.beam || std::isfinite(row.joint_stiffness.minCoeff()); }
+
 Arm rigidCopy(const Arm& arm) {
   Arm rigid = arm;
   for (auto& row : rigid.rows) {
@@ -63,6 +66,11 @@ Arm rigidCopy(const Arm& arm) {
   std::erase_if(rigid.effects,
                 [](const Effect& effect) { return effectKinds().at(effect.kind).stage == EffectStage::kFlexibility; });
   return rigid;
+}
+
+std::pair<double, double> rangeOf(const Arm& arm, const Joint<double>& joint) {
+  const double span = joint.type == JointType::kPrismatic ? reachOf(arm) : std::numbers::pi;
+  return {std::isfinite(joint.lower) ? joint.lower : -span, std::isfinite(joint.upper) ? joint.upper : span};
 }
 
 Eigen::Vector3d memberOf(const Arm& arm, int row) { return offsetToNext<double>(arm, static_cast<std::size_t>(row)); }

@@ -17,6 +17,7 @@
 #include <ranges>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -243,6 +244,9 @@ bool dependsOnPosture(const ArmOf<S>& arm) {
   return !arm.effects.empty() || !arm.mountings.empty() || !arm.side_chains.empty();
 }
 
+/// Returns true if a row has a beam or a finite joint stiffness.
+bool isCompliant(const Row<double>& row);
+
 /// Returns a rigid copy of the arm, without the effects that add flexibility.
 Arm rigidCopy(const Arm& arm);
 
@@ -262,6 +266,10 @@ double slideLength(const Joint<double>& joint);
 /// shortest path from base to tip that touches every rotation axis in order, plus the largest length of each prismatic
 /// joint (zero without limits). The bound does not depend on the convention in which the rows are written.
 double reachOf(const Arm& arm);
+
+/// Returns the limits of one of the arm's joints [rad or m]. A missing limit is replaced by half a turn from zero or,
+/// for a prismatic joint, by the arm's reach.
+std::pair<double, double> rangeOf(const Arm& arm, const Joint<double>& joint);
 
 /// A problem with an arm. `path` is the dotted name of the entry in the arm file (`tool.joint_stiffness.z`).
 struct ArmProblem {

@@ -1,7 +1,6 @@
 #include "app/jobs/export_fit.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "app/documents/measurement_checks_json.hpp"
@@ -17,21 +16,16 @@ namespace {
 
 using calibration::IdentificationStatus;
 
-deflection::Arm statedArm(const deflection::Arm& arm, ArmFileContent content) {
-  deflection::Arm stated = deflection::writeConstantEffects(arm).arm;
-  stated.effects.clear();
-  return content == ArmFileContent::kRigid ? deflection::rigidCopy(stated) : stated;
+/// Returns the part of an arm with constant effects as numbers that the file states.
+deflection::Arm statedArm(deflection::Arm by_numbers, ArmFileContent content) {
+  by_numbers.effects.clear();
+  return content == ArmFileContent::kRigid ? deflection::rigidCopy(by_numbers) : by_numbers;
 }
 
-bool isCompliant(const deflection::Row<double>& row) {
-  return row.beam || std::isfinite(row.joint_stiffness.minCoeff());
-}
-
-std::vector<std::string> leftOut(const deflection::Arm& arm, ArmFileContent content) {
+std::vector<std::string> leftOut(const deflection::Arm& by_numbers, ArmFileContent content) {
   std::vector<std::string> parts;
-  for (const auto& effect : deflection::writeConstantEffects(arm).arm.effects)
-    parts.push_back("the effect " + deflection::textOf(arm, effect));
-  if (content == ArmFileContent::kRigid && std::ranges::any_of(arm.rows, isCompliant))
+  for (const auto& effect : by_numbers.effects) parts.push_back("the effect " + deflection::textOf(by_numbers, effect));
+  if (content == ArmFileContent::kRigid && std::ranges::any_of(by_numbers.rows, deflection::isCompliant))
     parts.emplace_back("stiffnesses and beams");
   return parts;
 }
@@ -66,7 +60,9 @@ calibration::ErrorSize errorOfModel(CellMeasurements& input, const WorkHooks& ho
 
 }  // namespace
 
-bool statesAll(const deflection::Arm& arm, ArmFileContent content) { return leftOut(arm, content).empty(); }
+bool statesAll(const deflection::Arm& arm, ArmFileContent content) {
+  return leftOut(deflection::writeConstantEffects(arm).arm, content).empty();
+}
 
 ExportFit fitForExport(const CellMeasurements& given, ArmFileContent content, const WorkHooks& hooks) {
   if (const auto mistake = mistakeText(given.checks, given.cell.units); !mistake.empty())
@@ -74,11 +70,12 @@ ExportFit fitForExport(const CellMeasurements& given, ArmFileContent content, co
   CellMeasurements input = given;
   if (input.cell.base_covariance) input.cell.base_known = false;  // the base was found, and is found again with the arm
   ExportFit result;
-  result.left_out = leftOut(input.cell.arm, content);
+  deflection::Arm by_numbers = deflection::writeConstantEffects(input.cell.arm).arm;
+  result.left_out = leftOut(by_numbers, content);
   beginStep(hooks, "fit of the cell's model");
   result.of_model = errorOfModel(input, hooks);
   beginStep(hooks, "fit of what the file states");
-  input.cell.arm = statedArm(input.cell.arm, content);
+  input.cell.arm = statedArm(std::move(by_numbers), content);
   input.cell.identify = freedWithoutEffects(given.cell, input.cell.arm, content);
   const auto fit = fitForLadder(input.cell, input.measurements, 1, hooks);
   if (fit.status != IdentificationStatus::kDone) refuse(input, fit.reason);

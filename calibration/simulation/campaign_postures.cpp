@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <tuple>
 
 #include "deflection/inverse/inverse_kinematics.hpp"
 
@@ -43,10 +43,7 @@ PostureSource::PostureSource(const deflection::Arm& arm, std::uint64_t seed)
   upper_ = lower_;
   for (int k = 0; k < lower_.size(); ++k) {
     const auto& joint = arm.joint(k);
-    const bool slides = joint.type == deflection::JointType::kPrismatic;
-    const double span = slides ? deflection::reachOf(arm) : std::numbers::pi;
-    lower_[k] = std::isfinite(joint.lower) ? joint.lower : -span;
-    upper_[k] = std::isfinite(joint.upper) ? joint.upper : span;
+    std::tie(lower_[k], upper_[k]) = deflection::rangeOf(arm, joint);
     const double margin = std::min(kNoiseMargin * joint.encoder_sigma, (upper_[k] - lower_[k]) / 4);
     lower_[k] += margin;
     upper_[k] -= margin;

@@ -69,10 +69,7 @@ std::vector<VectorXd> latticeStarts(const Arm& arm, int count) {
   for (int s = 0; s < count; ++s) {
     VectorXd q(n);
     for (int k = 0; k < n; ++k) {
-      const auto& joint = arm.joint(k);
-      const double span = joint.type == JointType::kPrismatic ? reachOf(arm) : kPi;
-      const double lower = std::isfinite(joint.lower) ? joint.lower : -span,
-                   upper = std::isfinite(joint.upper) ? joint.upper : span;
+      const auto [lower, upper] = rangeOf(arm, arm.joint(k));
       const double share = std::fmod(0.5 + (s + 1) * std::pow(1 / ratio, k + 1), 1.);
       q[k] = lower + share * (upper - lower);
     }

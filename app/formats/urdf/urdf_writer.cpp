@@ -35,8 +35,6 @@ std::string inertialText(const deflection::RowWeight& row) {
 /// Returns true if the z axis of the drawn tool frame is the tool axis, to the twelve digits of an arm file.
 bool keepsToolFrame(const Arm& arm) { return arm.R_LT.col(2).isApprox(arm.tool_axis_L, 1e-10); }
 
-bool hasStiffness(const ArmRow& row) { return row.beam || std::isfinite(row.joint_stiffness.minCoeff()); }
-
 bool isRead(const ArmRow& row) { return row.joint.encoder_sigma > 0; }
 
 class UrdfWriter {
@@ -146,7 +144,7 @@ std::vector<std::string> beyondUrdf(const Arm& arm) {
   const auto add = [&](bool is_there, const char* sentence) {
     if (is_there) sentences.emplace_back(sentence);
   };
-  add(std::ranges::any_of(arm.rows, hasStiffness), "stiffnesses and beams: URDF's links are rigid");
+  add(std::ranges::any_of(arm.rows, deflection::isCompliant), "stiffnesses and beams: URDF's links are rigid");
   add(!keepsToolFrame(arm), "the tool frame's turn (rpy): the exported tip's z is the tool's axis");
   add(keepsToolFrame(arm) && !arm.tool_turn_L.isZero(0),
       "the tool's axis, which differs from its frame: z of the exported tip is z of the frame, by `turn`");

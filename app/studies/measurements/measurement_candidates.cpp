@@ -8,7 +8,6 @@
 #include <boost/random/uniform_real_distribution.hpp>
 #include <cmath>
 #include <deque>
-#include <numbers>
 #include <optional>
 
 #include "planner/reach/tube_reach.hpp"
@@ -28,10 +27,7 @@ constexpr double kSamePlace = 1e-7;  // largest position error when a point is t
 VectorXd drawPosture(const deflection::Arm& arm, PostureChoice choice, boost::random::mt19937_64& random) {
   VectorXd q(arm.jointCount());
   for (Eigen::Index k = 0; k < arm.jointCount(); ++k) {
-    const auto& joint = arm.joint(k);
-    const double span = joint.type == deflection::JointType::kPrismatic ? deflection::reachOf(arm) : std::numbers::pi;
-    const double lower = std::isfinite(joint.lower) ? joint.lower : -span;
-    const double upper = std::isfinite(joint.upper) ? joint.upper : span;
+    const auto [lower, upper] = deflection::rangeOf(arm, arm.joint(k));
     const double within = choice == PostureChoice::kNearLimits ? kNearLimits * (upper - lower) : 0;
     q[k] = boost::random::uniform_real_distribution<double>(lower + within, upper - within)(random);
     // With equal probability, each joint keeps the drawn value or moves near its lower or its upper limit.

@@ -4,9 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
 
 #include "calibration/diagnosis/causes/confounding.hpp"
@@ -21,13 +19,6 @@ namespace {
 
 constexpr std::uint64_t kSeed = 11;
 constexpr std::size_t kLeastPostures = 24;
-constexpr double kSlide = 1;  // range of a slide without limits, on both sides of zero [m]
-
-double anywhereIn(const deflection::Joint<double>& joint, RandomStream& random) {
-  const double range = joint.type == deflection::JointType::kPrismatic ? kSlide : std::numbers::pi;
-  return random.uniform(std::isfinite(joint.lower) ? joint.lower : -range,
-                        std::isfinite(joint.upper) ? joint.upper : range);
-}
 
 /// Returns measurements of the tip's position at random postures, and of the tool's rotation if the measurements show
 /// it. Loads and conditions are those of measurements `all`, taken in turn; every sigma is 1 m or 1 rad.
@@ -45,7 +36,10 @@ std::vector<Measurement> measurementsAllOver(const PlacedArm& placed, const std:
     measurement.p_W = Eigen::Vector3d::Zero();
     measurement.own.setZero();
     measurement.sigma = measurement.turn_sigma = 1;
-    for (Index j = 0; j < measurement.q.size(); ++j) measurement.q[j] = anywhereIn(placed.arm.joint(j), random);
+    for (Index j = 0; j < measurement.q.size(); ++j) {
+      const auto [lower, upper] = deflection::rangeOf(placed.arm, placed.arm.joint(j));
+      measurement.q[j] = random.uniform(lower, upper);
+    }
     made.push_back(std::move(measurement));
   }
   return made;
