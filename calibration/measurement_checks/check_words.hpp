@@ -1,8 +1,10 @@
-// Lists of measurement ids, as text for the messages of checks.
+// Lists of measurement ids and units of joints, for the messages of checks.
 #pragma once
 
 #include <string>
 #include <vector>
+
+#include "calibration/measurement_checks/mistake.hpp"
 
 namespace tubeplan::calibration {
 
@@ -22,6 +24,13 @@ namespace tubeplan::calibration {
   std::string text;
   for (const auto& id : ids) text += (text.empty() ? "without=" : ",without=") + id;
   return text;
+}
+
+/// Returns the unit of a joint's column; the common unit of angles or coordinates if no unit is known for the column.
+[[nodiscard]] inline NamedUnit columnUnitOf(const CheckedMeasurements& checked, int joint) {
+  const auto& units = checked.units;
+  if (static_cast<std::size_t>(joint) < units.joints.size()) return units.joints[static_cast<std::size_t>(joint)];
+  return checked.start.arm.joint(joint).type == deflection::JointType::kRevolute ? units.angles : units.coordinates;
 }
 
 }  // namespace tubeplan::calibration

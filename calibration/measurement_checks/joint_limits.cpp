@@ -17,13 +17,6 @@ namespace {
 
 constexpr double kFullTurn = 2 * std::numbers::pi;
 
-/// Returns the unit of a joint's column; the common unit of angles or coordinates if no unit is known for the column.
-NamedUnit columnUnitOf(const CheckedMeasurements& checked, int joint) {
-  const auto& units = checked.units;
-  if (static_cast<std::size_t>(joint) < units.joints.size()) return units.joints[static_cast<std::size_t>(joint)];
-  return checked.start.arm.joint(joint).type == deflection::JointType::kRevolute ? units.angles : units.coordinates;
-}
-
 /// Returns how far a joint reading lies beyond the nearer limit [rad or m]; negative within the limits.
 double pastLimit(const deflection::Joint<double>& joint, double q) {
   return std::max(joint.lower - q, q - joint.upper);

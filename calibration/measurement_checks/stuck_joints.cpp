@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "calibration/measurement_checks/check_words.hpp"
 #include "calibration/measurement_checks/from_measurement.hpp"
 #include "calibration/measurement_checks/golden_section.hpp"
 #include "calibration/measurement_checks/row_comparison.hpp"
@@ -56,7 +57,7 @@ class StuckSearch {
   [[nodiscard]] double grossAt(std::size_t k) const { return kGrossOfStuck * std::max(usual_, all()[k].sigma); }
   [[nodiscard]] bool isGross(std::size_t k) { return rows_.at(k) > grossAt(k); }
 
-  /// Returns the runs of one set-up in which the joint has exactly one reading and other joints move.
+  /// Returns the runs of one set-up in which the joint has exactly one reading.
   [[nodiscard]] std::vector<Run> runsOf(int joint) const {
     std::vector<Run> runs;
     for (std::size_t first = 0, k = 1; k <= all().size(); ++k) {
@@ -105,13 +106,6 @@ class StuckSearch {
     return {best, errorAt(best)};
   }
 
-  [[nodiscard]] NamedUnit unitOf(int joint) const {
-    const auto& units = checked_.units;
-    if (static_cast<std::size_t>(joint) < units.joints.size()) return units.joints[static_cast<std::size_t>(joint)];
-    const bool turns = checked_.start.arm.joint(joint).type == deflection::JointType::kRevolute;
-    return turns ? units.angles : units.coordinates;
-  }
-
   /// Returns the root mean square of the errors [m], without those of a run if one is given.
   [[nodiscard]] double rmsWithout(const std::optional<Run>& run) {
     double sum = 0;
@@ -124,7 +118,7 @@ class StuckSearch {
   }
 
   MeasurementCheck checkOf(const StuckRun& stuck) {
-    const NamedUnit unit = unitOf(stuck.joint);
+    const NamedUnit unit = columnUnitOf(checked_, stuck.joint);
     const std::string &first = all()[stuck.run.first].id, &last = all()[stuck.run.last].id;
     MeasurementCheck check{
         "stuck-joint",
