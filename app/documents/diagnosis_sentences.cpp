@@ -64,12 +64,9 @@ std::string shortText(const Explanation& explanation, const Units& units) {
 /// Returns a string such as "gravity-sag at 6 places, certain at joint_2, joint_3"; the sizes at the other places are
 /// within two standard deviations of nothing.
 std::string placesText(const std::string& name, const std::vector<const FoundEffect*>& alike) {
-  constexpr double kSeen = 2;
   std::vector<std::string> seen;
   for (const FoundEffect* effect : alike)
-    if (effect->fitted.kind >= 0 && std::ranges::any_of(effect->numbers, [](const FoundNumber& number) {
-          return std::abs(number.value) > kSeen * number.sigma;
-        }))
+    if (effect->fitted.kind >= 0 && calibration::significanceOf(*effect) > calibration::kFoundSigmas)
       seen.push_back(effect->at);
   const std::string all = fmt::format("{} at {} places", name, alike.size());
   return seen.empty() || seen.size() == alike.size() ? all

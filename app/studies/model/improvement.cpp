@@ -131,12 +131,12 @@ double significanceOf(const calibration::Identification& fit, int effect) {
 /// significant first; at least one added effect is not among them.
 std::vector<std::string> foundToBeNone(const std::vector<std::string>& added, const calibration::Identification& fit,
                                        const CellModel& cell) {
-  constexpr double kNearNone = 2;
   std::vector<std::pair<double, std::string>> none;
   for (int e = 0; e < static_cast<int>(cell.arm.effects.size()); ++e) {
     const std::string name = deflection::textOf(cell.arm, cell.arm.effects[static_cast<std::size_t>(e)]);
     const double significance = significanceOf(fit, e);
-    if (std::ranges::count(added, name) > 0 && significance <= kNearNone) none.emplace_back(significance, name);
+    if (std::ranges::count(added, name) > 0 && significance <= calibration::kFoundSigmas)
+      none.emplace_back(significance, name);
   }
   std::ranges::stable_sort(none, {}, &std::pair<double, std::string>::first);
   if (none.size() == added.size()) none.pop_back();

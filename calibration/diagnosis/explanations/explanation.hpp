@@ -1,6 +1,8 @@
 // Explanation of a lack of fit: the effects found, their parameters, and the errors that remain with these effects.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +34,16 @@ struct FoundEffect {
   std::vector<std::vector<double>> modes;
   std::vector<MeasurementKind> decided_by;  ///< kinds of measurement; any one of them would decide between the modes
 };
+
+inline constexpr double kFoundSigmas = 2;  ///< smallest fitted value that is treated as nonzero [standard deviations]
+
+/// Returns the largest size of a found effect over its parameters [standard deviations]; 0 if none has one.
+[[nodiscard]] inline double significanceOf(const FoundEffect& effect) {
+  double most = 0;
+  for (const FoundNumber& number : effect.numbers)
+    if (number.sigma > 0) most = std::max(most, std::abs(number.value) / number.sigma);
+  return most;
+}
 
 /// Model with added causes, fitted together with all free parameters.
 struct Explanation {

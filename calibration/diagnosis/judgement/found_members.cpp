@@ -1,7 +1,6 @@
 #include "calibration/diagnosis/judgement/found_members.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "calibration/diagnosis/model_selection/leading_models.hpp"
 
@@ -13,14 +12,6 @@ namespace {
 constexpr double kDoubtful = 4;
 // Fall of the log evidence that is accepted for naming fewer members.
 constexpr double kWorthNaming = 1;
-
-/// Returns the largest size of a found effect in standard deviations, over its parameters.
-double significanceOf(const FoundEffect& effect) {
-  double most = 0;
-  for (const FoundNumber& number : effect.numbers)
-    if (number.sigma > 0) most = std::max(most, std::abs(number.value) / number.sigma);
-  return most;
-}
 
 /// Returns the effects of the explanation that are doubtful members of a collective cause, the least significant first.
 std::vector<const FoundEffect*> doubtfulMembers(const DiagnosisWork& work, const CompetingModel& model) {

@@ -5,8 +5,6 @@
 
 namespace tubeplan::calibration {
 
-inline constexpr double kFoundSigmas = 2;  ///< smallest fitted value that is treated as nonzero [standard deviations]
-
 /// Fits the model and recomputes its evidence, which is zero if the model cannot be fitted. Throws WorkStopped on a
 /// request to stop.
 void fitModel(const DiagnosisWork& work, CompetingModel& model);
