@@ -112,8 +112,8 @@ async function importRobot(robot: TableText): Promise<void> {
 }
 
 /**
- * Loads a robot description, measurement tables or a work list; otherwise tables of another program, in one file or in several files that
- * belong together.
+ * Loads a robot description, measurement tables or a work list; otherwise tables of another program, in one file or in
+ * several files that belong together.
  */
 export async function loadFiles(files: File[]): Promise<void> {
   const names = files.map((file) => file.name).join(" and ");
