@@ -71,6 +71,9 @@ struct Measurement {
   std::shared_ptr<const Measurement> reference;
   /// Position of the measured point in the tool frame [m]; empty means the tip itself.
   std::optional<Eigen::Vector3d> p_TQ;
+  /// Position of the counted section relative to the measured point, in the tool frame [m] (counted_section.hpp); empty
+  /// for kinds other than `steps`.
+  std::optional<Eigen::Vector3d> p_QS;
   /// Touched plane or sphere as fitted (surfaces.hpp); empty before the fit and for kinds that touch no surface.
   std::optional<Surface> surface;
   std::optional<int> row;  ///< row of the arm whose deflected frame is measured; empty means the tool frame

@@ -25,7 +25,7 @@ bool areAlike(const Measurement& a, const Measurement& b) {
   const bool same_anchor = kindOf(a).is_place || (a.p_W == b.p_W && a.direction_W == b.direction_W);
   return a.kind == b.kind && a.setup == b.setup && a.point == b.point &&
          a.approach_directions == b.approach_directions && a.reference == b.reference && a.row == b.row &&
-         a.p_TQ == b.p_TQ && rowsOf(a) == rowsOf(b) && same_anchor && std::abs(a.load - b.load) <= kSameLoad &&
+         pointOf(a) == pointOf(b) && rowsOf(a) == rowsOf(b) && same_anchor && std::abs(a.load - b.load) <= kSameLoad &&
          a.wrench == b.wrench && areClose(a.q, b.q) && areClose(a.side_q, b.side_q);
 }
 

@@ -42,7 +42,7 @@ const MeasurementKindRow* findMeasurementKind(std::string_view name) {
 }
 
 ToolPose atMeasuredPoint(const Measurement& measurement, ToolPose tool) {
-  if (measurement.p_TQ) tool.p_W += tool.R_WT * *measurement.p_TQ;
+  if (const auto point = pointOf(measurement)) tool.p_W += tool.R_WT * *point;
   return tool;
 }
 
@@ -52,9 +52,10 @@ MeasuredValue predictedValue(const Measurement& measurement, const ToolPose& too
 
 MeasuredSlope predictedSlope(const Measurement& measurement, const ToolPose& tool) {
   MeasuredSlope slope = kindOf(measurement).slope(measurement, atMeasuredPoint(measurement, tool));
-  if (!measurement.p_TQ) return slope;
+  const auto point = pointOf(measurement);
+  if (!point) return slope;
   // A rotation w about the tip moves a point at r from the tip by w x r.
-  const MeasuredRows by_lever = -slope.by_place * deflection::crossMatrix<double>(tool.R_WT * *measurement.p_TQ);
+  const MeasuredRows by_lever = -slope.by_place * deflection::crossMatrix<double>(tool.R_WT * *point);
   slope.by_turn = slope.by_turn.size() ? MeasuredRows(slope.by_turn + by_lever) : by_lever;
   return slope;
 }

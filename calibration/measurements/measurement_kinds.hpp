@@ -34,10 +34,16 @@ namespace tubeplan::calibration {
   return kind.rows_of ? kind.rows_of(measurement) : kind.rows;
 }
 
+/// Returns the position of the point whose place counts, in the tool frame [m]; empty for the tip itself.
+[[nodiscard]] inline std::optional<Eigen::Vector3d> pointOf(const Measurement& measurement) {
+  if (!measurement.p_QS) return measurement.p_TQ;
+  return *measurement.p_QS + measurement.p_TQ.value_or(Eigen::Vector3d::Zero());
+}
+
 /// Returns true if the measurement depends on the rotation of the measured frame: because of its kind, or because it
 /// measures a point other than the tip.
 [[nodiscard]] inline bool seesTurn(const Measurement& measurement) {
-  return kindOf(measurement).sees_turn || measurement.p_TQ;
+  return kindOf(measurement).sees_turn || pointOf(measurement);
 }
 
 /// Returns true if the measurement depends on the rotation of the tool frame relative to the arm; measurements of a

@@ -34,9 +34,9 @@ inline MeasuredValue measured(const Measurement& measurement) {
   if (isDisc(measurement)) return Eigen::Vector2d::Zero();
   return MeasuredValue::Constant(1, (measurement.own[1] + measurement.own[2]) / 2);
 }
-/// Writes the centring error as both bounds; the simulator derives the number of steps from it.
+/// Writes the tip's offset in the place of the bounds; the simulator derives the number of steps from it.
 inline void record(const ToolPose& tool, double, const MeasuredValue&, Measurement& measurement) {
-  measurement.own[1] = measurement.own[2] = aside(measurement, tool).norm();
+  measurement.own.tail<2>() = aside(measurement, tool);
 }
 
 /// Returns the standard deviation of each row [m] for a centring error between `beyond` and `within` [m].

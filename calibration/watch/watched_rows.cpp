@@ -55,8 +55,8 @@ CountedOffsets countedOffsets(const WatchedArm& watched, const std::vector<Measu
     counted.ok = shape.status == deflection::KinematicsStatus::kConverged;
     const Vector3d axis_W = watched.X_WB.linear() * shape.X_BD.R * watched.arm.tool_axis_L;
     counted.lean[k] = axis_W.head<2>() / axis_W.z();
-    offset.p_TQ = offset.p_TQ.value_or(Vector3d::Zero()) -
-                  depthAmidLastStep(watched.tool) / axis_W.z() * (shape.R_LT.transpose() * watched.arm.tool_axis_L);
+    offset.p_QS =
+        -depthAmidLastStep(watched.tool) / axis_W.z() * (shape.R_LT.transpose() * watched.arm.tool_axis_L);
     const auto next = std::min(static_cast<std::size_t>(offset.own[0]), watched.tool.steps.size() - 1);
     offset.own[1] = 0;
     offset.own[2] = watched.tool.steps[next].tolerance;

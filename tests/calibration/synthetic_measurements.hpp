@@ -197,7 +197,7 @@ class MeasurementMaker {
   /// Sets the number of steps that enter, for a tool with three steps; returns false if none enters.
   static bool settleSteps(Measurement& m) {
     static constexpr double kTolerances[] = {0.09 * kInch, 0.06 * kInch, 0.03 * kInch};
-    const double off = m.own[1];
+    const double off = m.own.tail<2>().norm();
     int inserted = 0;
     while (inserted < 3 && off <= kTolerances[inserted]) ++inserted;
     if (inserted == 0) return false;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -12,6 +13,7 @@
 #include "app/storage/input_error.hpp"
 #include "app/storage/suggestion.hpp"
 #include "app/studies/measurements/campaign_clearance.hpp"
+#include "calibration/measurements/counted_section.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "planner/workcell.hpp"
 
@@ -147,12 +149,17 @@ calibration::CampaignTruth makeTruth(const SimulationRequest& request, const Cel
   return drawn;
 }
 
-/// Sets the number of inserted steps in measurements from their centring error; removes measurements in which no step
-/// enters, because they carry no information.
-void countSteps(const tubesheets::SteppedTool& tool, std::vector<calibration::Measurement>& measurements) {
-  for (auto& measurement : measurements) measurement.own[0] = tubesheets::stepsInserted(tool, measurement.own[1]);
+/// Sets the number of inserted steps in measurements from the offset and the tilt of the true arm's tool; removes
+/// measurements in which no step enters, because they carry no information.
+void countSteps(const Cell& cell, const calibration::CampaignTruth& truth,
+                std::vector<calibration::Measurement>& measurements) {
+  for (auto& measurement : measurements) {
+    const auto base = std::ranges::find(truth.bases, measurement.setup, &calibration::TrueBase::setup);
+    const auto lean = calibration::toolLean(truth.arm, base->X_WB, measurement);
+    measurement.own[0] = lean ? tubesheets::stepsInserted(*cell.tool, measurement.own.tail<2>(), *lean) : 0;
+  }
   std::erase_if(measurements, [](const auto& measurement) { return measurement.own[0] == 0; });
-  settleSteps(measurements, tool, "simulated visits");
+  settleSteps(measurements, cell, "simulated visits");
 }
 
 }  // namespace
@@ -183,7 +190,7 @@ calibration::SimulatedCampaign simulateMeasurements(const Cell& cell, const Simu
   const bool touches_holes = kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles;
   campaign.is_clear = clearanceOf(cell, task.truth, touches_holes);
   auto simulated = calibration::simulateCampaign(task.truth, design, campaign, hooks);
-  if (kindOf(design.kind).counts_steps) countSteps(*cell.tool, simulated.measurements);
+  if (kindOf(design.kind).counts_steps) countSteps(cell, task.truth, simulated.measurements);
   return simulated;
 }
 

@@ -72,7 +72,7 @@ void settleCounts(std::vector<Measurement>& measurements, const Cell& cell, cons
     throw InputError::saying(fmt::format("{}:{}", file, first->line),
                              "the reading counts steps, but the cell has no calibration tool",
                              "add `calibration_tool` with its steps and tolerances to " + cell.path);
-  settleSteps(measurements, *cell.tool, file, takes_none);
+  settleSteps(measurements, cell, file, takes_none);
 }
 
 /// Sets the sigma of a measurement that measures only angles to the noise of the angles times a lever. Throws
@@ -218,6 +218,7 @@ MeasurementTable tableOfAll(const MeasurementFiles& files, const Cell& cell, con
 MeasurementsWithChecks checkTable(MeasurementTable table, const std::string& file, Cell& cell,
                                   const MeasurementOptions& options) {
   const bool is_overruled = takeAssumptions(options.assume, table, cell);
+  settleCounts(table.measurements, cell, file, options.takes_no_steps);
   const auto unwound = settleLimits(table, file, cell);
   requireDefinedFormulas(table.measurements, cell, file);
   auto checked = asChecked(table, cell);

@@ -9,8 +9,8 @@
 #include "app/formats/measurements/measurements_writer.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
+#include "calibration/measurements/counted_section.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/steps.hpp"
 #include "calibration/simulation/simulated_touch.hpp"
 #include "planner/workcell.hpp"
 
@@ -38,8 +38,6 @@ void requireNamedHole(const Measurement& measurement, const Cell& cell, const st
                            "correct the name or the coordinates");
 }
 
-constexpr double kNoBound = 1;  // upper limit of the centring error of a visit without any step [m]
-
 void requireOneSetup(const std::vector<Measurement>& measurements, const std::string& file, const std::string& setup) {
   std::set<std::string> setups;
   for (const auto& measurement : measurements)
@@ -58,8 +56,8 @@ void requireOneSetup(const std::vector<Measurement>& measurements, const std::st
 
 }  // namespace
 
-void settleSteps(std::vector<Measurement>& measurements, const tubesheets::SteppedTool& tool, const std::string& file,
-                 bool takes_none) {
+void settleSteps(std::vector<Measurement>& measurements, const Cell& cell, const std::string& file, bool takes_none) {
+  const tubesheets::SteppedTool& tool = *cell.tool;
   const auto most = static_cast<double>(tool.steps.size());
   for (auto& measurement : measurements) {
     if (!kindOf(measurement).counts_steps) continue;
@@ -71,10 +69,7 @@ void settleSteps(std::vector<Measurement>& measurements, const tubesheets::Stepp
           fmt::format("{} to {}, the number of steps that the tool has", fewest, tool.steps.size()),
           steps == 0 ? "leave the visit out, because a visit with no step inserted sets no bound on the centring error"
                      : "");
-    const auto last = static_cast<std::size_t>(steps);
-    measurement.own[1] = last < tool.steps.size() ? tool.steps[last].tolerance : 0;
-    measurement.own[2] = last > 0 ? tool.steps[last - 1].tolerance : kNoBound;
-    measurement.sigma = calibration::steps::sigmaBetween(measurement.own[1], measurement.own[2]);
+    calibration::settleCount(measurement, tool, cell.arm, cell.X_WB);
   }
 }
 

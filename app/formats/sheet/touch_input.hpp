@@ -19,11 +19,11 @@ namespace tubeplan::app {
                                                               const Cell& cell, const std::string& file,
                                                               const std::string& setup = "");
 
-/// Sets the bounds and the sigma of the centring error in measurements of kind steps, according to the tool's
-/// tolerances; messages name the file as `file`. Throws InputError for a number of steps that the tool does not have
-/// and, unless `takes_none`, for zero steps, which give no upper bound.
-void settleSteps(std::vector<calibration::Measurement>& measurements, const tubesheets::SteppedTool& tool,
-                 const std::string& file, bool takes_none = false);
+/// Sets the counted section, bounds and sigma of measurements of kind steps (counted_section.hpp), according to the
+/// cell's tool, which must exist; messages name the file as `file`. Throws InputError for a number of steps that the
+/// tool does not have and, unless `takes_none`, for zero steps, which give no upper bound.
+void settleSteps(std::vector<calibration::Measurement>& measurements, const Cell& cell, const std::string& file,
+                 bool takes_none = false);
 
 /// Returns the touches that `touches` contains. Throws InputError if no holes could be chosen.
 [[nodiscard]] std::vector<calibration::TouchPlan> requireTouches(BestTouches touches);
