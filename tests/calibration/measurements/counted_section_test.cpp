@@ -99,7 +99,7 @@ TEST(CountedSection, OfSimulatedVisitsAgreesWithTheTrueArmOnALeaningBase) {
   task.design.kind = MeasurementKind::kSteps;
   task.design.place = CampaignPlace::kHoles;
   task.design.loads = {0};
-  cell.X_WB = task.truth.bases.front().X_WB = cell.X_WB * AngleAxisd(0.02, Vector3d::UnitX());
+  cell.X_WB = task.truth.bases.front().X_WB = cell.X_WB * AngleAxisd(0.03, Vector3d(1, 1, 0).normalized());
   const auto campaign = app::simulateMeasurements(cell, task, 3, {});
   ASSERT_EQ(campaign.status, CampaignStatus::kDone);
   ASSERT_GT(campaign.measurements.size(), 60U);

@@ -82,7 +82,9 @@ TEST(MeasurementKinds, SlopesAreDifferencesOfValues) {
 TEST(MeasurementKinds, WhatIsRecordedWasMeasured) {
   const ToolPose tool = anyTool();
   for (const MeasurementKindRow& row : measurementKinds()) {
-    if (row.is_touch || row.settle) continue;  // records no value: the touched place is the tip's position
+    // A touch records no value, because the touched place is the tip's position; a count records an offset, from which
+    // the caller counts the steps.
+    if (row.is_touch || row.settle || row.counts_steps) continue;
     Measurement m = anyMeasurement(row);
     row.record(tool, 1, MeasuredValue::Zero(row.rows), m);
     EXPECT_LE((row.measured(m) - row.value(m, tool)).norm(), 1e-12) << row.name;
