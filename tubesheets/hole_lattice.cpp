@@ -24,7 +24,7 @@ constexpr double kMostAgree = 0.7;       // smallest fraction of the neighbours 
 
 // A remainder shorter than this [pitches] cannot be improved, because it is less than half of the shortest lattice
 // step.
-constexpr double kSurelyShortest = 0.4;
+constexpr double kProvablyShortest = 0.4;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -45,7 +45,7 @@ struct Basis {
     const double s = std::round(cross(difference, b) / area), t = std::round(cross(a, difference) / area);
     Vector2d shortest = difference - (s * a + t * b);
     const Vector2d rounded = shortest;
-    if (rounded.norm() < kSurelyShortest) return rounded;
+    if (rounded.norm() < kProvablyShortest) return rounded;
     for (const double i : {-1., 0., 1.})
       for (const double k : {-1., 0., 1.})
         if (const Vector2d other = rounded + i * a + k * b; other.norm() < shortest.norm()) shortest = other;

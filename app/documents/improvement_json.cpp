@@ -26,7 +26,7 @@ struct EndRow {
 constexpr EndRow kEnds[] = {
     {ImprovementEnd::kNotRun, "not-run", "the model was not improved"},
     {ImprovementEnd::kAdequate, "adequate", "nothing more is missing"},
-    {ImprovementEnd::kNothingSure, "nothing-sure", "no known effect is certain to explain the remainder"},
+    {ImprovementEnd::kNothingCertain, "nothing-sure", "no known effect is certain to explain the remainder"},
     {ImprovementEnd::kAmbiguous, "ambiguous",
      "several effects explain the remainder, and these readings cannot distinguish them"},
     {ImprovementEnd::kDoesNotCarryOver, "does-not-carry-over",
@@ -93,9 +93,9 @@ std::string reasonText(const ImprovementStep& step, const Units& units) {
     case ImprovementReason::kScatter:
       return fmt::format("the remainder, {} beyond the stated noise, {}",
                          errorText(budgetOf(step.diagnosis).remainder, unit), kFollowsNothing);
-    case ImprovementReason::kSure:
+    case ImprovementReason::kCertain:
       return "certain, and it predicts the farthest poses";
-    case ImprovementReason::kSureInAll:
+    case ImprovementReason::kCertainInAll:
       return "part of every alternative, and it predicts the farthest poses";
     case ImprovementReason::kAlternativesClose:
       return fmt::format(

@@ -56,8 +56,8 @@ std::vector<TouchPlan> keepTouchable(const deflection::Arm& arm, const Eigen::Is
   return kept;
 }
 
-std::vector<TouchPlan> surelyTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
-                                       const std::vector<TouchPlan>& candidates, int count) {
+std::vector<TouchPlan> robustlyTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
+                                         const std::vector<TouchPlan>& candidates, int count) {
   auto kept = keepTouchable(arm, X_WB, candidates);
   return static_cast<int>(kept.size()) < count ? candidates : kept;
 }

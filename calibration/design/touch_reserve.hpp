@@ -24,7 +24,7 @@ struct BaseDoubt {
                                                    const BaseDoubt& doubt = {});
 
 /// Returns the result of keepTouchable(), or all candidates if it has fewer than `count` entries.
-[[nodiscard]] std::vector<TouchPlan> surelyTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
-                                                     const std::vector<TouchPlan>& candidates, int count);
+[[nodiscard]] std::vector<TouchPlan> robustlyTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
+                                                       const std::vector<TouchPlan>& candidates, int count);
 
 }  // namespace tubeplan::calibration

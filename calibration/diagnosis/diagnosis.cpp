@@ -144,7 +144,7 @@ void conclude(Answer& answer) {
   result.model_error = best.model_error;
   const bool is_part = result.verdict == Verdict::kPartlyExplained;
   if (!is_part && result.verdict != Verdict::kUnexplained) return;
-  const CompetingModel& named = is_part ? posterior.sure_model : best;
+  const CompetingModel& named = is_part ? posterior.certain_model : best;
   result.remainder = remainderOf(work, named);
   if (is_part ? result.remainder.follows.empty() : result.isScatterAlone()) takeRepeatsForNoise(work, named, result);
 }

@@ -45,7 +45,7 @@ BestTouches bestTouches(const planner::Workcell& cell, const std::vector<calibra
 
 BestTouches bestTouches(const planner::Workcell& cell, const std::vector<calibration::TouchPlan>& candidates,
                         const std::vector<Eigen::VectorXd>& work, int count, const calibration::DoubtBeside& doubt) {
-  return bestTouches(cell.arm, cell.X_WB, calibration::surelyTouchable(cell.arm, cell.X_WB, candidates, count), work,
+  return bestTouches(cell.arm, cell.X_WB, calibration::robustlyTouchable(cell.arm, cell.X_WB, candidates, count), work,
                      {count, touchSigmaOf(cell.tool), doubt});
 }
 

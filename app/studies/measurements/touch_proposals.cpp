@@ -83,14 +83,14 @@ class TouchSearch {
 
   /// Returns the holes that remain in reach for other likely poses of the uncalibrated base; all holes if too few
   /// remain.
-  std::vector<ReachedHole> surelyReached(const std::vector<ReachedHole>& holes, int count) {
+  std::vector<ReachedHole> robustlyReached(const std::vector<ReachedHole>& holes, int count) {
     const auto& cell = *task_.under_sheet;
     std::vector<calibration::TouchPlan> plans;
     for (std::size_t k = 0; k < holes.size(); ++k)
       plans.push_back({std::to_string(k), "",
                        planner::holeCentre(cell.sheet.tubes[static_cast<std::size_t>(holes[k].tube)]), holes[k].q});
     std::vector<ReachedHole> kept;
-    for (const auto& plan : calibration::surelyTouchable(cell.arm, cell.X_WB, plans, count))
+    for (const auto& plan : calibration::robustlyTouchable(cell.arm, cell.X_WB, plans, count))
       kept.push_back(holes[std::stoul(plan.id)]);
     result_.holes = static_cast<int>(holes.size());
     result_.holes_unsure = static_cast<int>(holes.size() - kept.size());
@@ -123,7 +123,7 @@ class TouchSearch {
     auto& proposal = result_.base.emplace();
     const int count = task_.count > 0 ? task_.count : kBaseTouches;
     auto holes = reachHoles(*task_.under_sheet, spreadHoles(), false);
-    if (task_.is_first) holes = surelyReached(holes, count);
+    if (task_.is_first) holes = robustlyReached(holes, count);
     proposal.candidates = holeTouches(*task_.under_sheet, holes, task_.base_sigma);
     const auto posed = calibration::poseDesign(*task_.of_base, proposal.candidates, work_);
     calibration::NextMeasurementsOptions options;

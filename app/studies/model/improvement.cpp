@@ -55,7 +55,7 @@ Decision amongEquals(const Diagnosis& diagnosis) {
     return {best, ImprovementEnd::kNotRun, ImprovementReason::kAlternativesClose, widest, gain};
   if (diagnosis.agreed && diagnosis.agreed->heldout.rms < diagnosis.heldout_before.rms &&
       diagnosis.agreed->farthest.rms <= kNoWorse * diagnosis.farthest_before.rms)
-    return {&*diagnosis.agreed, ImprovementEnd::kNotRun, ImprovementReason::kSureInAll};
+    return {&*diagnosis.agreed, ImprovementEnd::kNotRun, ImprovementReason::kCertainInAll};
   return {nullptr, ImprovementEnd::kAmbiguous, ImprovementReason::kAlternativesApart, widest, std::max(0., gain)};
 }
 
@@ -66,16 +66,16 @@ Decision amongUnsure(const Diagnosis& diagnosis) {
     return one.heldout.rms < kWorthIt * diagnosis.heldout_before.rms &&
            one.farthest.rms < kWorthIt * diagnosis.farthest_before.rms;
   });
-  if (!best) return {nullptr, ImprovementEnd::kNothingSure, ImprovementReason::kNoneLower};
+  if (!best) return {nullptr, ImprovementEnd::kNothingCertain, ImprovementReason::kNoneLower};
   return {best, ImprovementEnd::kNotRun, ImprovementReason::kUnsureButLower};
 }
 
-Decision onSure(const Diagnosis& diagnosis) {
+Decision onCertain(const Diagnosis& diagnosis) {
   const Explanation& first = diagnosis.alternatives.front();
   if (first.farthest.rms > kNoWorse * diagnosis.farthest_before.rms)
     return {nullptr, ImprovementEnd::kDoesNotCarryOver, ImprovementReason::kFarthestWorse, first.farthest.rms,
             diagnosis.farthest_before.rms};
-  return {&first, ImprovementEnd::kNotRun, ImprovementReason::kSure};
+  return {&first, ImprovementEnd::kNotRun, ImprovementReason::kCertain};
 }
 
 Decision decisionOn(const Diagnosis& diagnosis) {
@@ -84,12 +84,12 @@ Decision decisionOn(const Diagnosis& diagnosis) {
       return {nullptr, ImprovementEnd::kAdequate, ImprovementReason::kNothingMissing};
     case Verdict::kExplained:
     case Verdict::kPartlyExplained:
-      return onSure(diagnosis);
+      return onCertain(diagnosis);
     case Verdict::kAmbiguous:
       return amongEquals(diagnosis);
     case Verdict::kUnexplained:
       if (diagnosis.isScatterAlone())
-        return {nullptr, ImprovementEnd::kNothingSure, ImprovementReason::kScatter, diagnosis.remainder.size};
+        return {nullptr, ImprovementEnd::kNothingCertain, ImprovementReason::kScatter, diagnosis.remainder.size};
       return amongUnsure(diagnosis);
     default:
       return {nullptr, ImprovementEnd::kInconclusive, ImprovementReason::kNoVerdict};

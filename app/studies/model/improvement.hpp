@@ -33,7 +33,7 @@ struct ImprovementRequest {
 enum class ImprovementEnd {
   kNotRun,
   kAdequate,          ///< the diagnosis finds that the model lacks no effect
-  kNothingSure,       ///< the remaining error is only scatter, or no cause lowers the error of held-out measurements
+  kNothingCertain,    ///< the remaining error is only scatter, or no cause lowers the error of held-out measurements
   kAmbiguous,         ///< the predictions of the alternatives differ by more than the improvement by the best one
   kDoesNotCarryOver,  ///< the cause does not lower the error of held-out measurements, or of the farthest poses
   kMistake,           ///< a mistake in the measurements explains the error
@@ -47,8 +47,8 @@ enum class ImprovementReason {
   kNothingMissing,
   /// The residual (magnitude `first`) looks like scatter: it is not a smooth function of the stated variables.
   kScatter,
-  kSure,       ///< the cause is certain and predicts the farthest poses
-  kSureInAll,  ///< the cause is certain in every alternative
+  kCertain,       ///< the cause is certain and predicts the farthest poses
+  kCertainInAll,  ///< the cause is certain in every alternative
   /// Predictions of the alternatives differ by `first`, less than the decrease `second` of the error.
   kAlternativesClose,
   /// Predictions of the alternatives differ by `first`, more than the decrease `second` of the error.

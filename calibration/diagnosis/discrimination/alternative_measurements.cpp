@@ -198,7 +198,7 @@ std::vector<AlternativeMeasurements> findAlternativeMeasurements(const std::vect
     addLinks(rivals, some, options, means);
   }
   std::erase_if(means, [&](const AlternativeMeasurements& mean) {
-    return !(mean.least_expected >= separationNeeded(options.sure));
+    return !(mean.least_expected >= separationNeeded(options.required_probability));
   });
   std::ranges::stable_sort(means, std::greater{}, &AlternativeMeasurements::least_expected);
   for (const auto& explanation : explanations)

@@ -89,7 +89,7 @@ std::vector<DiscriminatedPair> unlikelyPairs(const std::vector<double>& probabil
 /// pairs are decided with the probability `options.assured`.
 void countTimes(const RivalForecast& forecast, const std::vector<double>& probability,
                 const DiscriminationOptions& options, DiscriminatingMeasurements& result) {
-  const double gap = separationNeeded(options.sure);
+  const double gap = separationNeeded(options.required_probability);
   result.never = unlikelyPairs(probability, pairsOf(forecast, options.most_repeats, gap));
   if (2 * result.never.size() == result.pairs.size()) return;
   for (result.times = 1; result.times < options.most_repeats; ++result.times) {
@@ -138,7 +138,9 @@ std::vector<std::string> columnsMissing(const Diagnosis& diagnosis) {
 
 }  // namespace
 
-double separationNeeded(double sure) { return 2 * std::log(sure / (1 - sure)); }
+double separationNeeded(double required_probability) {
+  return 2 * std::log(required_probability / (1 - required_probability));
+}
 
 std::string nameOf(const Explanation& explanation) {
   std::string name;
@@ -190,7 +192,7 @@ DiscriminatingMeasurements proposed(const Diagnosis& diagnosis, const std::vecto
   } else {
     const RivalForecast forecast{rivals, predictions, result.measurements};
     const auto probability = probabilitiesOf(rivals);
-    result.pairs = pairsOf(forecast, 1, separationNeeded(options.sure));
+    result.pairs = pairsOf(forecast, 1, separationNeeded(options.required_probability));
     result.least_expected = std::ranges::min(result.pairs, {}, &DiscriminatedPair::expected).expected;
     result.probability = chanceOfNaming(probability, result.pairs);
     countTimes(forecast, probability, options, result);

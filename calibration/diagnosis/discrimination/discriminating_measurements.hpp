@@ -21,7 +21,7 @@ struct DiscriminationOptions {
   int count = 6;  ///< number of measurements to propose; all touches of one unknown point together are one measurement
   /// A decision between explanations requires this probability, both against each rival and against all rivals
   /// together.
-  double sure = 0.98;
+  double required_probability = 0.98;
   /// Measurements are repeated until each pair of explanations is decided correctly with at least this probability.
   double assured = 0.9;
   /// Maximum number of times that each chosen measurement is measured; pairs that would need more are treated as
@@ -31,8 +31,9 @@ struct DiscriminationOptions {
   WorkHooks hooks;
 };
 
-/// Returns the difference in -2 log posterior at which the better one of two explanations has the probability `sure`.
-[[nodiscard]] double separationNeeded(double sure);
+/// Returns the difference in -2 log posterior at which the better one of two explanations has the probability
+/// `required_probability`.
+[[nodiscard]] double separationNeeded(double required_probability);
 
 /// Expected outcome for an ordered pair of explanations, given that the first is true.
 struct DiscriminatedPair {

@@ -40,7 +40,7 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
   result.nothing_probability = posterior.nothing;
   result.unknown_probability = posterior.unknown;
   result.scatter_probability = posterior.scatter;
-  if (posterior.nothing > 1 - options.sure) {
+  if (posterior.nothing > 1 - options.required_probability) {
     result.verdict = posterior.nothing >= options.nothing ? Verdict::kAdequate : Verdict::kInconclusive;
     return;
   }
@@ -52,12 +52,12 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
     remains += one.probability / missing * one.remainder_probability;
   }
   if (classes.empty() || named < options.likely || remains > kRemains * named) {
-    const bool is_sure = !posterior.sure.causes.empty();
-    result.verdict = is_sure ? Verdict::kPartlyExplained : Verdict::kUnexplained;
-    if (is_sure) result.alternatives = {posterior.sure.explanation};
+    const bool has_certain = !posterior.certain.causes.empty();
+    result.verdict = has_certain ? Verdict::kPartlyExplained : Verdict::kUnexplained;
+    if (has_certain) result.alternatives = {posterior.certain.explanation};
     return;
   }
-  const bool is_single = classes.front().probability / missing >= options.sure;
+  const bool is_single = classes.front().probability / missing >= options.required_probability;
   double together = 0;
   for (const ModelClass& one : classes) {
     const bool is_needed = together < kCredible * named && one.probability > kLeastLikely * classes.front().probability;
@@ -65,7 +65,7 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
     result.alternatives.push_back(one.explanation);
     together += one.probability / missing;
   }
-  const bool is_ambiguous = result.alternatives.size() > 1 || named < options.sure;
+  const bool is_ambiguous = result.alternatives.size() > 1 || named < options.required_probability;
   // If a single class competes only with an unknown effect, the second best class is named as well.
   if (is_ambiguous && result.alternatives.size() == 1 && classes.size() > 1)
     result.alternatives.push_back(classes[1].explanation);
@@ -73,9 +73,9 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
     result.verdict = Verdict::kAmbiguous;
   else
     result.verdict = classes.front().scatter_probability > kRemains ? Verdict::kPartlyExplained : Verdict::kExplained;
-  if (result.alternatives.size() > 1 && !posterior.sure.causes.empty() &&
-      posterior.sure.causes.size() < classes.front().causes.size())
-    result.agreed = posterior.sure.explanation;
+  if (result.alternatives.size() > 1 && !posterior.certain.causes.empty() &&
+      posterior.certain.causes.size() < classes.front().causes.size())
+    result.agreed = posterior.certain.explanation;
 }
 
 }  // namespace tubeplan::calibration

@@ -110,17 +110,17 @@ std::set<int> impliedBy(const DiagnosisWork& work, const std::vector<int>& cause
 }
 
 /// Returns the causes that are certain if anything is missing, except those implied by another certain cause.
-std::vector<int> sureCauses(const DiagnosisWork& work, const Posterior& posterior) {
+std::vector<int> certainCauses(const DiagnosisWork& work, const Posterior& posterior) {
   std::map<int, double> probability;
   for (const auto* classes : {&posterior.classes, &posterior.others})
     for (const ModelClass& one : *classes)
       for (const int cause : impliedBy(work, one.causes)) probability[cause] += one.probability;
-  std::vector<int> sure;
+  std::vector<int> certain;
   for (const auto& [cause, p] : probability)
-    if (p >= work.options.sure * (1 - posterior.nothing)) sure.push_back(cause);
+    if (p >= work.options.required_probability * (1 - posterior.nothing)) certain.push_back(cause);
   std::vector<int> own;
-  for (const int cause : sure)
-    if (std::ranges::none_of(sure, [&](int all) {
+  for (const int cause : certain)
+    if (std::ranges::none_of(certain, [&](int all) {
           return all != cause && work.cause(all).effects.size() > 1 && impliedBy(work, {all}).contains(cause);
         }))
       own.push_back(cause);
@@ -147,32 +147,32 @@ CompetingModel competingModelOf(const DiagnosisWork& work, const std::vector<int
   return model;
 }
 
-void findSure(const DiagnosisWork& work, Posterior& posterior) {
-  const auto causes = sureCauses(work, posterior);
+void findCertain(const DiagnosisWork& work, Posterior& posterior) {
+  const auto causes = certainCauses(work, posterior);
   if (causes.empty()) return;
-  posterior.sure_model = competingModelOf(work, causes);
-  if (!posterior.sure_model.hasFit()) return;
-  ModelClass& sure = posterior.sure;
-  sure.causes = causes;
-  sure.explanation = explanationByFoundMembers(work, posterior.sure_model);
+  posterior.certain_model = competingModelOf(work, causes);
+  if (!posterior.certain_model.hasFit()) return;
+  ModelClass& certain = posterior.certain;
+  certain.causes = causes;
+  certain.explanation = explanationByFoundMembers(work, posterior.certain_model);
   double alone = 0;
   for (const auto* classes : {&posterior.classes, &posterior.others})
     for (const ModelClass& one : *classes) {
       const auto implied = impliedBy(work, one.causes);
       if (!std::ranges::all_of(causes, [&](int cause) { return implied.contains(cause); })) continue;
-      sure.probability += one.probability;
+      certain.probability += one.probability;
       if (one.causes == causes) alone += one.probability * (1 - one.remainder_probability);
     }
-  sure.remainder_probability = sure.probability > 0 ? 1 - alone / sure.probability : 1;
-  sure.explanation.probability = sure.probability;
-  sure.explanation.remainder_probability = sure.remainder_probability;
+  certain.remainder_probability = certain.probability > 0 ? 1 - alone / certain.probability : 1;
+  certain.explanation.probability = certain.probability;
+  certain.explanation.remainder_probability = certain.remainder_probability;
 }
 
 }  // namespace
 
 Posterior posteriorOf(const DiagnosisWork& work) {
   Posterior posterior{};
-  const bool repeats = samePostureBy(work, {}).isSure();
+  const bool repeats = samePostureBy(work, {}).isSignificant();
   std::map<std::vector<int>, ModelClass> classes;
   for (const Claim& claim : claimsOf(work)) {
     if (claim.causes.empty()) {
@@ -199,7 +199,7 @@ Posterior posteriorOf(const DiagnosisWork& work) {
     one.explanation.probability = one.probability;
     one.explanation.remainder_probability = one.remainder_probability;
   }
-  findSure(work, posterior);
+  findCertain(work, posterior);
   return posterior;
 }
 

@@ -23,8 +23,8 @@ struct Posterior {
   double scatter = 0;
   std::vector<ModelClass> classes;  ///< classes with a fitted model and at least one cause, most probable first
   std::vector<ModelClass> others;   ///< classes without a fitted model
-  ModelClass sure;                  ///< causes that are certain regardless of what else is missing; empty if none
-  CompetingModel sure_model;        ///< model with the causes of `sure`
+  ModelClass certain;               ///< causes that are certain regardless of what else is missing; empty if none
+  CompetingModel certain_model;     ///< model with the causes of `certain`
 };
 
 /// Computes the posterior from the complete list `work.models` and fits the model of the certain causes. Throws

@@ -87,7 +87,7 @@ Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model) {
   if (model.remainder.size() == 0) {  // the errors do not depend on any variable of the discrepancy
     remainder.floor = noise_floor;
     if (scatter > 0) remainder.size = scatter;
-    if (const SamePosture same = samePostureBy(work, model); same.isSure())
+    if (const SamePosture same = samePostureBy(work, model); same.isSignificant())
       remainder.follows.emplace_back("posture", same.share);
     else
       remainder.follows = patternsLeftBy(work, model);

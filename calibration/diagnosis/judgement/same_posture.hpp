@@ -15,7 +15,7 @@ struct SamePosture {
   double p_value = kNotKnown;
 
   /// Returns true if chance cannot explain the common fraction (p < 1e-4).
-  [[nodiscard]] bool isSure() const { return p_value < 1e-4; }
+  [[nodiscard]] bool isSignificant() const { return p_value < 1e-4; }
 };
 
 /// Analyses the errors of positions measured in the world frame; `whitened` is the residual of a model.

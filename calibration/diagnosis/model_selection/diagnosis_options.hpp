@@ -8,8 +8,8 @@
 namespace tubeplan::calibration {
 
 struct DiagnosisOptions {
-  IdentificationOptions baseline;  ///< baseline fit; its free parameters stay free in the fits with causes
-  double sure = 0.9;               ///< smallest probability at which a cause, or a set of alternatives, is named
+  IdentificationOptions baseline;     ///< baseline fit; its free parameters stay free in the fits with causes
+  double required_probability = 0.9;  ///< smallest probability at which a cause, or a set of alternatives, is named
   /// Smallest total probability at which alternatives are named, even though errors may remain unexplained.
   double likely = 0.7;
   /// The model is judged adequate only if nothing is missing with at least this probability.

@@ -190,9 +190,9 @@ void expectStepsLikeFits(bool with_touches) {
   for (std::size_t k = 0; k < maker.measurements.size(); ++k)
     if (folds[k] == 0 && maker.measurements[k].p_W) *maker.measurements[k].p_W += Eigen::Vector3d(0.05, 0, 0);
   const Fit torn = fitUnknowns(placed, unknowns, maker.measurements, Eigen::VectorXd::Zero(count), {});
-  Fit sure = torn;
-  sure.covariance *= 1e-6;
-  EXPECT_FALSE(crossValidateBySteps(placed, unknowns, maker.measurements, sure, folds));
+  Fit confident = torn;
+  confident.covariance *= 1e-6;
+  EXPECT_FALSE(crossValidateBySteps(placed, unknowns, maker.measurements, confident, folds));
 }
 
 TEST(HeldOut, CrossValidationByStepsIsThatByFits) {

@@ -101,7 +101,7 @@ TEST(Decide, ExplainsPartOfWhatLeavesARemainder) {
   Posterior posterior = posteriorWith(0, {classOf({1}, 0.95, 0.6)});
   EXPECT_EQ(decided(posterior).verdict, Verdict::kUnexplained);
   EXPECT_TRUE(decided(posterior).alternatives.empty());
-  posterior.sure = classOf({1}, 0.95);
+  posterior.certain = classOf({1}, 0.95);
   EXPECT_EQ(decided(posterior).verdict, Verdict::kPartlyExplained);
   EXPECT_EQ(alternativesOf(decided(posterior)), Names{"1"});
   EXPECT_EQ(decided(posteriorWith(0, {classOf({1}, 0.95, 0.4)})).verdict, Verdict::kExplained);
@@ -150,13 +150,13 @@ TEST(Decide, ListsAlternativesUntilTheyAreCredibleTogether) {
 TEST(Decide, SaysWhatAlternativesAgreeOnWhereItIsLessThanTheFirstSays) {
   Posterior posterior = posteriorWith(0, {classOf({1, 2}, 0.5), classOf({1, 3}, 0.5)});
   EXPECT_FALSE(decided(posterior).agreed);
-  posterior.sure = classOf({1}, 1);
+  posterior.certain = classOf({1}, 1);
   ASSERT_TRUE(decided(posterior).agreed);
   EXPECT_EQ(effectsOf(*decided(posterior).agreed), "1");
-  posterior.sure = classOf({1, 2}, 1);
+  posterior.certain = classOf({1, 2}, 1);
   EXPECT_FALSE(decided(posterior).agreed);
   posterior = posteriorWith(0, {classOf({1, 2}, 1)});
-  posterior.sure = classOf({1}, 1);
+  posterior.certain = classOf({1}, 1);
   EXPECT_FALSE(decided(posterior).agreed) << "there is one answer";
 }
 

@@ -55,7 +55,7 @@ TEST(SamePosture, HasItsShareOfTheVariance) {
   for (const double of_posture : {1., 3.}) {
     const SamePosture same = judgeSamePosture(made.measurements, made.weights, errorsOf(made, of_posture, random));
     EXPECT_EQ(same.postures, kPostures);
-    EXPECT_TRUE(same.isSure());
+    EXPECT_TRUE(same.isSignificant());
     EXPECT_NEAR(same.share, of_posture * of_posture / (of_posture * of_posture + 1), 0.15);
   }
 }
@@ -63,13 +63,13 @@ TEST(SamePosture, HasItsShareOfTheVariance) {
 TEST(SamePosture, NoiseAloneIsOfNoPosture) {
   std::mt19937_64 random(2);
   const Measurements made = measurementsUnderLoads(random);
-  int sure = 0, unlikely = 0;
+  int significant = 0, unlikely = 0;
   for (int k = 0; k < 500; ++k) {
     const SamePosture same = judgeSamePosture(made.measurements, made.weights, errorsOf(made, 0, random));
-    sure += same.isSure();
+    significant += same.isSignificant();
     unlikely += same.p_value < 0.05;
   }
-  EXPECT_EQ(sure, 0);
+  EXPECT_EQ(significant, 0);
   EXPECT_NEAR(unlikely, 25, 15);
 }
 
@@ -80,7 +80,7 @@ TEST(SamePosture, IsNotJudgedWhereEachWasReadOnce) {
   for (std::size_t k = 0; k < made.measurements.size(); ++k) made.measurements[k].q[0] += 0.1 * static_cast<double>(k);
   const SamePosture same = judgeSamePosture(made.measurements, made.weights, errors);
   EXPECT_EQ(same.postures, 0);
-  EXPECT_FALSE(same.isSure());
+  EXPECT_FALSE(same.isSignificant());
 }
 
 }  // namespace
