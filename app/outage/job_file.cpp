@@ -156,7 +156,7 @@ WorkPackage readPackage(const YamlNode& node, const JobFile& job) {
 }
 
 /// Reads a group of legs that must not have an arm at the same time.
-std::vector<LegName> readApart(const YamlNode& node, const std::vector<SteamGenerator>& generators) {
+std::vector<LegName> readExclusiveLegs(const YamlNode& node, const std::vector<SteamGenerator>& generators) {
   std::vector<std::string> names;
   std::vector<LegName> legs, group;
   for (const SteamGenerator& generator : generators)
@@ -228,8 +228,9 @@ JobFile parseJobFile(const std::string& text, const std::string& path) {
     requireNewName(node, job.packages);
     if (job.packages.back().tubes.ends_with(".csv")) job.packages.back().tubes = pathFrom(node.at("tubes"), folder);
   }
-  if (const YamlNode* apart = root.find("apart"))
-    for (const YamlNode& node : apart->list()) job.apart.push_back(readApart(node, job.generators));
+  if (const YamlNode* exclusive_legs = root.find("apart"))
+    for (const YamlNode& node : exclusive_legs->list())
+      job.exclusive_legs.push_back(readExclusiveLegs(node, job.generators));
   if (const YamlNode* shifts = root.find("shifts"))
     for (const YamlNode& node : shifts->list()) {
       node.expectKeys({"name", "from", "to"}, {});

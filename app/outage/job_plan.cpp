@@ -127,15 +127,15 @@ std::vector<std::vector<JobItem>> itemsToPlan(const std::vector<JobItem>& items,
 void schedule(JobPlan& plan, const JobFile& job) {
   std::vector<LegWork> work;
   for (const LegPlan& leg : plan.legs) work.push_back({leg.total()});
-  std::vector<ApartLegs> apart;
-  for (const auto& names : job.apart) {
-    ApartLegs group;
+  std::vector<ExclusiveLegs> exclusive_legs;
+  for (const auto& names : job.exclusive_legs) {
+    ExclusiveLegs group;
     for (std::size_t k = 0; k < plan.legs.size(); ++k)
       if (std::ranges::find(names, LegName{plan.legs[k].generator, plan.legs[k].leg}) != names.end())
         group.push_back(static_cast<int>(k));
-    if (group.size() > 1) apart.push_back(std::move(group));
+    if (group.size() > 1) exclusive_legs.push_back(std::move(group));
   }
-  plan.schedule = scheduleLegs(work, job.arms, apart);
+  plan.schedule = scheduleLegs(work, job.arms, exclusive_legs);
 }
 
 }  // namespace

@@ -36,12 +36,13 @@ json packageJson(const PackagePlan& plan) {
 json waitJson(const ScheduledLeg& at, const std::vector<LegPlan>& legs) {
   if (at.wait == WaitReason::kNone) return nullptr;
   const LegPlan& other = legs[static_cast<std::size_t>(at.waits_for)];
-  const bool is_apart = at.wait == WaitReason::kApart;
-  return {{"for", addressText(LegName{other.generator, other.leg})},
-          {"reason", is_apart ? "apart" : "arm"},
-          {"words", is_apart ? "the two legs must not have an arm at the same time" : "its arm works there until then"},
-          {"idle_s", at.idle},
-          {"idle_h", at.idle / kHour}};
+  const bool is_exclusive = at.wait == WaitReason::kExclusive;
+  return {
+      {"for", addressText(LegName{other.generator, other.leg})},
+      {"reason", is_exclusive ? "apart" : "arm"},
+      {"words", is_exclusive ? "the two legs must not have an arm at the same time" : "its arm works there until then"},
+      {"idle_s", at.idle},
+      {"idle_h", at.idle / kHour}};
 }
 
 json legJson(const LegPlan& leg, const ScheduledLeg& at, const std::vector<LegPlan>& legs) {

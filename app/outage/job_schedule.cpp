@@ -97,9 +97,10 @@ class ArmSearch {
 
 /// Returns a lower bound of every schedule's end [s]: that without exclusions, or the total work of a
 /// group.
-double lowerBound(const Schedule& without, const std::vector<LegWork>& legs, const std::vector<ApartLegs>& apart) {
+double lowerBound(const Schedule& without, const std::vector<LegWork>& legs,
+                  const std::vector<ExclusiveLegs>& exclusive_legs) {
   double bound = without.lower_bound;
-  for (const ApartLegs& group : apart) {
+  for (const ExclusiveLegs& group : exclusive_legs) {
     double sum = 0;
     for (const int leg : group) sum += legs[static_cast<std::size_t>(leg)].duration;
     bound = std::max(bound, sum);
@@ -107,11 +108,11 @@ double lowerBound(const Schedule& without, const std::vector<LegWork>& legs, con
   return bound;
 }
 
-Schedule withApart(const Schedule& without, const std::vector<LegWork>& legs, int arms,
-                   const std::vector<ApartLegs>& apart) {
+Schedule withExclusions(const Schedule& without, const std::vector<LegWork>& legs, int arms,
+                        const std::vector<ExclusiveLegs>& exclusive_legs) {
   Schedule schedule;
-  schedule.lower_bound = lowerBound(without, legs, apart);
-  const StartOrder order = bestStartOrder(legs, arms, apart, schedule.lower_bound);
+  schedule.lower_bound = lowerBound(without, legs, exclusive_legs);
+  const StartOrder order = bestStartOrder(legs, arms, exclusive_legs, schedule.lower_bound);
   schedule.legs = order.legs;
   std::ranges::sort(schedule.legs, {}, &ScheduledLeg::leg);
   schedule.end = order.end;
@@ -121,9 +122,9 @@ Schedule withApart(const Schedule& without, const std::vector<LegWork>& legs, in
 }
 
 /// Sets the predecessor of each leg: the leg that ends when it begins, of the same arm or otherwise of the same group.
-void nameWaits(Schedule& schedule, const std::vector<ApartLegs>& apart) {
-  const auto areApart = [&](int one, int other) {
-    return std::ranges::any_of(apart, [&](const ApartLegs& group) {
+void nameWaits(Schedule& schedule, const std::vector<ExclusiveLegs>& exclusive_legs) {
+  const auto areExclusive = [&](int one, int other) {
+    return std::ranges::any_of(exclusive_legs, [&](const ExclusiveLegs& group) {
       return std::ranges::count(group, one) > 0 && std::ranges::count(group, other) > 0;
     });
   };
@@ -131,20 +132,20 @@ void nameWaits(Schedule& schedule, const std::vector<ApartLegs>& apart) {
     for (const ScheduledLeg& other : schedule.legs) {
       if (other.leg == leg.leg || other.end != leg.start || leg.start == 0) continue;
       const bool is_arm = other.arm == leg.arm;
-      if (!is_arm && (leg.wait == WaitReason::kArm || !areApart(leg.leg, other.leg))) continue;
-      leg.wait = is_arm ? WaitReason::kArm : WaitReason::kApart;
+      if (!is_arm && (leg.wait == WaitReason::kArm || !areExclusive(leg.leg, other.leg))) continue;
+      leg.wait = is_arm ? WaitReason::kArm : WaitReason::kExclusive;
       leg.waits_for = other.leg;
     }
 }
 
 }  // namespace
 
-Schedule scheduleLegs(const std::vector<LegWork>& legs, int arms, const std::vector<ApartLegs>& apart) {
+Schedule scheduleLegs(const std::vector<LegWork>& legs, int arms, const std::vector<ExclusiveLegs>& exclusive_legs) {
   assert(arms > 0);
   if (legs.empty()) return {ScheduleStatus::kOptimal, {}, 0, 0};
   Schedule schedule = ArmSearch(legs, arms).solve();
-  if (!apart.empty()) schedule = withApart(schedule, legs, arms, apart);
-  nameWaits(schedule, apart);
+  if (!exclusive_legs.empty()) schedule = withExclusions(schedule, legs, arms, exclusive_legs);
+  nameWaits(schedule, exclusive_legs);
   return schedule;
 }
 

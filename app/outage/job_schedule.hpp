@@ -11,13 +11,13 @@ struct LegWork {
 };
 
 /// Indices of mutually exclusive legs: at most one of them has an arm at any time.
-using ApartLegs = std::vector<int>;
+using ExclusiveLegs = std::vector<int>;
 
 /// Reason why a leg does not begin at time zero.
 enum class WaitReason {
-  kNone,   ///< no wait: the leg begins at time zero
-  kArm,    ///< its arm is in another leg
-  kApart,  ///< another leg, which excludes this one, has an arm
+  kNone,       ///< no wait: the leg begins at time zero
+  kArm,        ///< its arm is in another leg
+  kExclusive,  ///< another leg, which excludes this one, has an arm
 };
 
 /// One leg in the schedule.
@@ -45,6 +45,6 @@ struct Schedule {
 /// which they begin. For more legs it is the first solution, which is optimal if it ends at the lower bound. Without
 /// legs that are apart, its end is at most 4/3 of the least.
 [[nodiscard]] Schedule scheduleLegs(const std::vector<LegWork>& legs, int arms,
-                                    const std::vector<ApartLegs>& apart = {});
+                                    const std::vector<ExclusiveLegs>& exclusive_legs = {});
 
 }  // namespace tubeplan::app

@@ -21,12 +21,13 @@ struct Begun {
 
 class StartOrderSearch {
  public:
-  StartOrderSearch(const std::vector<LegWork>& legs, int arms, const std::vector<ApartLegs>& apart, double lower_bound)
-      : legs_(legs), apart_(apart), groups_of_(legs.size()), lower_bound_(lower_bound) {
-    for (std::size_t group = 0; group < apart.size(); ++group)
-      for (const int leg : apart[group]) groups_of_[static_cast<std::size_t>(leg)].push_back(group);
+  StartOrderSearch(const std::vector<LegWork>& legs, int arms, const std::vector<ExclusiveLegs>& exclusive_legs,
+                   double lower_bound)
+      : legs_(legs), exclusive_legs_(exclusive_legs), groups_of_(legs.size()), lower_bound_(lower_bound) {
+    for (std::size_t group = 0; group < exclusive_legs.size(); ++group)
+      for (const int leg : exclusive_legs[group]) groups_of_[static_cast<std::size_t>(leg)].push_back(group);
     begun_.arms.assign(std::min(static_cast<std::size_t>(arms), legs.size()), 0);
-    begun_.groups.assign(apart.size(), 0);
+    begun_.groups.assign(exclusive_legs.size(), 0);
   }
 
   StartOrder solve() {
@@ -53,7 +54,7 @@ class StartOrderSearch {
     double longest = legs_[leg].duration;
     for (const std::size_t group : groups_of_[leg]) {
       double sum = 0;
-      for (const int other : apart_[group]) sum += legs_[static_cast<std::size_t>(other)].duration;
+      for (const int other : exclusive_legs_[group]) sum += legs_[static_cast<std::size_t>(other)].duration;
       longest = std::max(longest, sum);
     }
     return longest;
@@ -100,7 +101,7 @@ class StartOrderSearch {
   /// Returns a lower bound of the time at which all remaining legs have ended [s].
   [[nodiscard]] double bound() const {
     double work = 0, least = 0;
-    std::vector<double> of_group(apart_.size(), 0), group_from(apart_.size(), 1e300);
+    std::vector<double> of_group(exclusive_legs_.size(), 0), group_from(exclusive_legs_.size(), 1e300);
     for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
       if (hasBegun(leg)) continue;
       const double from = earliest(leg);
@@ -111,7 +112,7 @@ class StartOrderSearch {
         group_from[group] = std::min(group_from[group], from);
       }
     }
-    for (std::size_t group = 0; group < apart_.size(); ++group)
+    for (std::size_t group = 0; group < exclusive_legs_.size(); ++group)
       if (of_group[group] > 0) least = std::max(least, group_from[group] + of_group[group]);
     for (const double free : begun_.arms) work += std::max(free, begun_.last);
     return std::max(least, work / static_cast<double>(begun_.arms.size()));
@@ -148,7 +149,7 @@ class StartOrderSearch {
   }
 
   const std::vector<LegWork>& legs_;
-  const std::vector<ApartLegs>& apart_;
+  const std::vector<ExclusiveLegs>& exclusive_legs_;
   std::vector<std::vector<std::size_t>> groups_of_;  ///< indices of the groups of each leg
   double lower_bound_ = 0;
   Begun begun_;
@@ -159,9 +160,9 @@ class StartOrderSearch {
 
 }  // namespace
 
-StartOrder bestStartOrder(const std::vector<LegWork>& legs, int arms, const std::vector<ApartLegs>& apart,
+StartOrder bestStartOrder(const std::vector<LegWork>& legs, int arms, const std::vector<ExclusiveLegs>& exclusive_legs,
                           double lower_bound) {
-  return StartOrderSearch(legs, arms, apart, lower_bound).solve();
+  return StartOrderSearch(legs, arms, exclusive_legs, lower_bound).solve();
 }
 
 }  // namespace tubeplan::app

@@ -20,7 +20,7 @@ struct StartOrder {
 /// allows makes none of them end later, so that the orders contain an optimal schedule. The search cuts an order where
 /// the work left for the arms, a group or a leg cannot end before the best known end, and where the same legs were
 /// begun with arms and groups free at least as early.
-[[nodiscard]] StartOrder bestStartOrder(const std::vector<LegWork>& legs, int arms, const std::vector<ApartLegs>& apart,
-                                        double lower_bound);
+[[nodiscard]] StartOrder bestStartOrder(const std::vector<LegWork>& legs, int arms,
+                                        const std::vector<ExclusiveLegs>& exclusive_legs, double lower_bound);
 
 }  // namespace tubeplan::app

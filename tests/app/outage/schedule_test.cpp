@@ -62,7 +62,8 @@ TEST(Schedule, NoArmIsInTwoLegsAtOnce) {
 
 /// Returns the least end over all orders in which the legs can be placed, each at the earliest time at which an arm and
 /// its groups are free until its end. One of these schedules is optimal: none of its legs can begin earlier.
-double leastEndApart(const std::vector<LegWork>& legs, int arms, const std::vector<ApartLegs>& apart) {
+double leastEndWithExclusions(const std::vector<LegWork>& legs, int arms,
+                              const std::vector<ExclusiveLegs>& exclusive_legs) {
   std::vector<int> order(legs.size());
   std::iota(order.begin(), order.end(), 0);
   double least = 1e300;
@@ -74,7 +75,7 @@ double leastEndApart(const std::vector<LegWork>& legs, int arms, const std::vect
         const auto overlaps = [&](const ScheduledLeg& other) {
           return other.start < start + duration && start < other.end;
         };
-        for (const ApartLegs& group : apart)
+        for (const ExclusiveLegs& group : exclusive_legs)
           for (const ScheduledLeg& other : placed)
             if (std::ranges::count(group, leg) > 0 && std::ranges::count(group, other.leg) > 0 && overlaps(other))
               return false;
@@ -99,22 +100,23 @@ double leastEndApart(const std::vector<LegWork>& legs, int arms, const std::vect
 }
 
 /// Returns a few groups of two or three legs.
-std::vector<ApartLegs> drawnGroups(std::mt19937_64& random, int count) {
-  std::vector<ApartLegs> apart;
+std::vector<ExclusiveLegs> drawnGroups(std::mt19937_64& random, int count) {
+  std::vector<ExclusiveLegs> exclusive_legs;
   for (int k = 0; k < count / 2; ++k) {
-    ApartLegs group;
+    ExclusiveLegs group;
     for (int leg = 0; leg < count; ++leg)
       if (random() % 3 == 0 && group.size() < 3) group.push_back(leg);
-    if (group.size() > 1) apart.push_back(group);
+    if (group.size() > 1) exclusive_legs.push_back(group);
   }
-  return apart;
+  return exclusive_legs;
 }
 
 /// Expects that arms and groups have one leg at a time, and that each leg begins at once or when the one that it waits
 /// for ends.
-void expectApart(const Schedule& schedule, const std::vector<LegWork>& legs, const std::vector<ApartLegs>& apart) {
-  const auto areApart = [&](int one, int other) {
-    return std::ranges::any_of(apart, [&](const ApartLegs& group) {
+void expectExclusive(const Schedule& schedule, const std::vector<LegWork>& legs,
+                     const std::vector<ExclusiveLegs>& exclusive_legs) {
+  const auto areExclusive = [&](int one, int other) {
+    return std::ranges::any_of(exclusive_legs, [&](const ExclusiveLegs& group) {
       return std::ranges::count(group, one) > 0 && std::ranges::count(group, other) > 0;
     });
   };
@@ -124,7 +126,7 @@ void expectApart(const Schedule& schedule, const std::vector<LegWork>& legs, con
     EXPECT_EQ(leg.leg, static_cast<int>(k));
     EXPECT_DOUBLE_EQ(leg.end, leg.start + legs[k].duration);
     for (const ScheduledLeg& other : schedule.legs)
-      EXPECT_TRUE(other.leg == leg.leg || (other.arm != leg.arm && !areApart(other.leg, leg.leg)) ||
+      EXPECT_TRUE(other.leg == leg.leg || (other.arm != leg.arm && !areExclusive(other.leg, leg.leg)) ||
                   other.end <= leg.start || leg.end <= other.start);
     if (leg.start == 0) {
       EXPECT_EQ(leg.wait, WaitReason::kNone);
@@ -133,7 +135,8 @@ void expectApart(const Schedule& schedule, const std::vector<LegWork>& legs, con
     ASSERT_NE(leg.wait, WaitReason::kNone);
     const ScheduledLeg& other = schedule.legs[static_cast<std::size_t>(leg.waits_for)];
     EXPECT_EQ(other.end, leg.start);
-    EXPECT_TRUE(leg.wait == WaitReason::kArm ? other.arm == leg.arm && leg.idle == 0 : areApart(leg.leg, other.leg));
+    EXPECT_TRUE(leg.wait == WaitReason::kArm ? other.arm == leg.arm && leg.idle == 0
+                                             : areExclusive(leg.leg, other.leg));
   }
 }
 
@@ -143,12 +146,12 @@ TEST(Schedule, OfLegsThatAreApartEndsAsEarlyAsAnyOrder) {
   for (int trial = 0; trial < 120; ++trial) {
     const int count = 2 + trial % 5, arms = 1 + trial % 3;
     const auto legs = drawnLegs(random, count);
-    const auto apart = drawnGroups(random, count);
-    const Schedule schedule = scheduleLegs(legs, arms, apart);
+    const auto exclusive_legs = drawnGroups(random, count);
+    const Schedule schedule = scheduleLegs(legs, arms, exclusive_legs);
     EXPECT_EQ(schedule.status, ScheduleStatus::kOptimal);
-    EXPECT_NEAR(schedule.end, leastEndApart(legs, arms, apart), 1e-9);
+    EXPECT_NEAR(schedule.end, leastEndWithExclusions(legs, arms, exclusive_legs), 1e-9);
     EXPECT_DOUBLE_EQ(schedule.lower_bound, schedule.end);
-    expectApart(schedule, legs, apart);
+    expectExclusive(schedule, legs, exclusive_legs);
     later += schedule.end > scheduleLegs(legs, arms).end + 1e-9;
   }
   EXPECT_GT(later, 20);  // the groups matter
@@ -158,11 +161,11 @@ TEST(Schedule, OfManyLegsThatAreApartHoldsItsBound) {
   std::mt19937_64 random(4);
   for (int trial = 0; trial < 20; ++trial) {
     const auto legs = drawnLegs(random, 13 + trial);
-    const auto apart = drawnGroups(random, 13 + trial);
-    const Schedule schedule = scheduleLegs(legs, 3, apart);
+    const auto exclusive_legs = drawnGroups(random, 13 + trial);
+    const Schedule schedule = scheduleLegs(legs, 3, exclusive_legs);
     EXPECT_LE(schedule.lower_bound, schedule.end);
     EXPECT_EQ(schedule.status == ScheduleStatus::kOptimal, schedule.end == schedule.lower_bound);
-    expectApart(schedule, legs, apart);
+    expectExclusive(schedule, legs, exclusive_legs);
   }
 }
 
