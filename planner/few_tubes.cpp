@@ -104,9 +104,9 @@ void FewTubes::estimate(const std::vector<Move>& moves) {
     setTime(move, found.time, found.is_exact ? Knowledge::kExact : Knowledge::kEstimated);
     --estimates_left_;
     checks_left_ -= found.checks;
-    noteApart(found.apart, found.tightest);
+    noteDisconnected(found.is_disconnected, found.tightest);
   }
-  if (is_parted_ && !has_parts_) takePartsAsApart();
+  if (is_parted_ && !has_parts_) forbidMovesBetweenParts();
   if (isSpent()) expectTheUnknownToBeAsTheKnown();
 }
 
@@ -116,20 +116,20 @@ void FewTubes::plan(const std::vector<Move>& moves) {
     const MotionPlan& travel =
         network_.between(stops_[static_cast<std::size_t>(move.from)], stops_[static_cast<std::size_t>(move.to)]);
     setTime(move, network_.timeOf(travel), Knowledge::kExact);
-    noteApart(travel.apart, travel.tightest);
+    noteDisconnected(travel.is_disconnected, travel.tightest);
     context_.keepCache();
   }
 }
 
-void FewTubes::noteApart(bool is_apart, const Clearance& tightest) {
-  if (!is_apart || is_parted_) return;
+void FewTubes::noteDisconnected(bool is_disconnected, const Clearance& tightest) {
+  if (!is_disconnected || is_parted_) return;
   is_parted_ = true;
   between_ = tightest;
 }
 
 /// Marks all moves between disconnected parts of the free space as forbidden, once the first such move is found. This
 /// saves trying each of them.
-void FewTubes::takePartsAsApart() {
+void FewTubes::forbidMovesBetweenParts() {
   has_parts_ = true;
   const std::vector<int> parts = network_.partsOf(stops_);
   for (int p = 0; p < table_.postures(); ++p)

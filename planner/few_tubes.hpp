@@ -45,8 +45,8 @@ class FewTubes {
   void estimate(const std::vector<Move>& moves);
   void plan(const std::vector<Move>& moves);
   [[nodiscard]] bool isSpent() const { return estimates_left_ <= 0 || checks_left_ <= 0; }
-  void noteApart(bool is_apart, const Clearance& tightest);
-  void takePartsAsApart();
+  void noteDisconnected(bool is_disconnected, const Clearance& tightest);
+  void forbidMovesBetweenParts();
   void expectTheUnknownToBeAsTheKnown();
   void showProgress(const std::vector<int>& postures, std::size_t open) const;
   /// Returns the travel time [s] of an order whose moves all have exactly known times.

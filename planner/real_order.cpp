@@ -54,8 +54,8 @@ Priced priceOrder(const PlanContext& context, const std::vector<Stop>& stops, Tr
     const MotionPlan& travel = network.between(a, b);
     const double time = network.timeOf(travel);
     context.keepCache();
-    if (travel.apart && !priced.is_parted) priced.between = travel.tightest;
-    priced.is_parted |= travel.apart;
+    if (travel.is_disconnected && !priced.is_parted) priced.between = travel.tightest;
+    priced.is_parted |= travel.is_disconnected;
     priced.time += std::min(time, kForbiddenTime);
     const double extra = time - moveDuration(network.standoff(a), network.standoff(b), context.speeds);
     if (extra <= 1e-9 || penalties(a.visit, a.branch, b.visit, b.branch) > 0) continue;
@@ -170,7 +170,7 @@ std::vector<Stop> joinAnywhere(const std::vector<Stop>& stops, const VisitChoice
   return kept;
 }
 
-std::string apartReason(const Clearance& between, bool has_start) {
+std::string disconnectedReason(const Clearance& between, bool has_start) {
   std::string reason = std::string("no path to it was found: the search did not connect it to ") +
                        (has_start ? "the start posture" : "the visited tubes") + " (another --seed may)";
   if (!between.body.empty())
@@ -249,7 +249,7 @@ std::vector<UnreachableTube> keepOnePart(VisitChoice& choice, const Roadmap& roa
       if (const int part = parts[k][static_cast<std::size_t>(branch)]; part == kept || part < 0)
         branches.push_back(branch);
     if (branches.empty()) {
-      left_out.push_back({choice.reach[k].tube, apartReason(between, conditions.start.has_value()), between});
+      left_out.push_back({choice.reach[k].tube, disconnectedReason(between, conditions.start.has_value()), between});
       continue;
     }
     in_part.reach.push_back(std::move(choice.reach[k]));

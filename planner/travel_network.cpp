@@ -124,7 +124,7 @@ TravelEstimate TravelNetwork::estimate(Stop a, Stop b) {
   if (postureOf(b) < postureOf(a)) std::swap(a, b);
   const MotionPlan plan = planned(a, b, kRoughShaping);
   const bool is_shaped = plan.flows && std::isnan(plan.line_deviation);
-  return {timeOf(plan), !is_shaped, plan.apart, plan.tightest, plan.checks};
+  return {timeOf(plan), !is_shaped, plan.is_disconnected, plan.tightest, plan.checks};
 }
 
 std::vector<int> TravelNetwork::partsOf(const std::vector<Stop>& stops) {
@@ -138,7 +138,7 @@ const MotionPlan& TravelNetwork::forward(Stop a, Stop b) {
   const MotionEnds ends{postureOf(a), postureOf(b)};
   auto known = context_.cache.travels.find(ends);
   if (known == context_.cache.travels.end()) known = context_.cache.travels.emplace(ends, planned(a, b)).first;
-  if (!known->second.apart || !roadmap_.isBridged()) return known->second;
+  if (!known->second.is_disconnected || !roadmap_.isBridged()) return known->second;
   auto rejoined = roadmap_.rejoined().find(ends);
   if (rejoined == roadmap_.rejoined().end()) rejoined = roadmap_.rejoined().emplace(ends, planned(a, b)).first;
   return rejoined->second;

@@ -44,7 +44,7 @@ struct TravelEstimate {
   double time = std::numeric_limits<double>::infinity();  ///< time of the travel [s]; infinite if there is no path
   bool is_exact = false;  ///< true if the time is final; false for a detour that is not yet optimised
   /// True if there is no path because the ends are disconnected; `tightest` then has the obstacle.
-  bool apart = false;
+  bool is_disconnected = false;
   Clearance tightest;
   long checks = 0;  ///< number of postures checked
 };

@@ -170,8 +170,8 @@ bool findWay(const VectorXd& q0, const VectorXd& q1, const MotionProblem& proble
       plan.waypoints = std::move(way.waypoints);
       return true;
     }
-    if (way.status == RoadmapStatus::kApart) {
-      plan.apart = true;
+    if (way.status == RoadmapStatus::kDisconnected) {
+      plan.is_disconnected = true;
       plan.reason =
           "the two ends lie in disconnected parts of the free space; on the straight motion, " + straight.reason;
       return false;

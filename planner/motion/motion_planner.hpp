@@ -52,7 +52,7 @@ struct MotionPlan {
   std::vector<Eigen::VectorXd> waypoints;
   bool straight = false;  ///< true if the path consists of start and goal alone
   /// True if there is no path because the roadmap has start and goal in disconnected parts of the free space.
-  bool apart = false;
+  bool is_disconnected = false;
   bool flows = false;  ///< true if the motion passes the waypoints without stops; that motion is then proved free
   /// Largest distance of the deflected tip from the straight line between its positions at start and goal [m]; NaN if
   /// the tip need not follow a line.

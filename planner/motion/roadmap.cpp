@@ -283,7 +283,7 @@ RoadmapWay Roadmap::between(const VectorXd& q0, const VectorXd& q1, long& checks
   const std::vector<Edge> to = attach(q1, checks);
   if (to.empty()) return {RoadmapStatus::kUnattached, {}};
   const std::vector<int> nodes = quickest(from, to);
-  if (nodes.empty()) return {RoadmapStatus::kApart, {}};
+  if (nodes.empty()) return {RoadmapStatus::kDisconnected, {}};
   RoadmapWay way{RoadmapStatus::kFound, {q0}};
   for (const int node : nodes) way.waypoints.push_back(postures_[static_cast<std::size_t>(node)]);
   way.waypoints.push_back(q1);

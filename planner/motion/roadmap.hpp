@@ -25,8 +25,8 @@ struct RoadmapOptions {
 enum class RoadmapStatus {
   kNotRun,
   kFound,
-  kApart,       ///< start and goal are both attached, but to disconnected parts of the roadmap
-  kUnattached,  ///< the start or the goal cannot be attached to any posture
+  kDisconnected,  ///< start and goal are both attached, but to disconnected parts of the roadmap
+  kUnattached,    ///< the start or the goal cannot be attached to any posture
 };
 
 struct RoadmapWay {

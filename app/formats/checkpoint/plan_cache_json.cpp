@@ -159,7 +159,7 @@ json travelJson(const MotionEnds& ends, const planner::MotionPlan& plan) {
           {"reason", plan.reason},
           {"waypoints", posturesJson(plan.waypoints)},
           {"flows", plan.flows},
-          {"apart", plan.apart},
+          {"apart", plan.is_disconnected},
           {"line_deviation", numberJson(plan.line_deviation)},
           {"cost", numberJson(plan.cost)},
           {"margin", numberJson(plan.proved_margin)},
@@ -175,7 +175,7 @@ planner::MotionPlan travelFrom(const json& object) {
   plan.waypoints = posturesFrom(object.at("waypoints"));
   plan.straight = plan.waypoints.size() == 2;
   plan.flows = object.at("flows");
-  plan.apart = object.at("apart");
+  plan.is_disconnected = object.at("apart");
   if (object.contains("line_deviation")) plan.line_deviation = numberFrom(object["line_deviation"]);
   plan.cost = numberFrom(object.at("cost"));
   plan.proved_margin = numberFrom(object.at("margin"));

@@ -58,7 +58,7 @@ TEST(Roadmap, PartsThatNothingJoinsAreToldApart) {
   auto problem = timed(kTwoJoints.problem(world, 1.4));
   const Roadmap roadmap(problem, {}, small());
   long checks = 0;
-  EXPECT_EQ(roadmap.between(Vector2d(-0.8, 0), Vector2d(0.8, 0), checks).status, RoadmapStatus::kApart);
+  EXPECT_EQ(roadmap.between(Vector2d(-0.8, 0), Vector2d(0.8, 0), checks).status, RoadmapStatus::kDisconnected);
   problem.roadmap = [&](const VectorXd& a, const VectorXd& b, long& asked) { return roadmap.between(a, b, asked); };
   const auto plan = planMotion(Vector2d(-0.8, 0), Vector2d(0.8, 0), problem);
   EXPECT_EQ(plan.status, MotionPlanStatus::kNoPath);
