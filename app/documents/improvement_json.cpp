@@ -102,7 +102,7 @@ std::string reasonText(const ImprovementStep& step, const Units& units) {
           "the alternatives differ by {} over the arm's range, less than the {} that is gained; this "
           "one is the most probable of those that predict the farthest poses well",
           first, second);
-    case ImprovementReason::kAlternativesApart:
+    case ImprovementReason::kAlternativesDiffer:
       return fmt::format(
           "the alternatives differ by {} over the arm's range, more than the {} that is gained: take the readings that "
           "`diagnose` proposes, which discriminate between them",

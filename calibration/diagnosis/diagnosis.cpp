@@ -175,13 +175,13 @@ Answer compareAll(Identification baseline, const std::vector<Measurement>& all, 
 
 /// Sets the root-mean-square distance [m] between the tips that each alternative and the first alternative predict over
 /// the arm's range.
-void setApart(const DiagnosisWork& work, Diagnosis& result) {
+void setDistances(const DiagnosisWork& work, Diagnosis& result) {
   if (result.alternatives.size() < 2) return;
   const RangeViews views(work.basis, work.options.seed);
   const auto first = views.tipsBy(result.alternatives.front());
   for (auto& alternative : result.alternatives)
     if (const auto tips = views.tipsBy(alternative); tips.size() == first.size() && tips.size() > 0)
-      alternative.apart = std::sqrt((tips - first).squaredNorm() * 3 / static_cast<double>(tips.size()));
+      alternative.distance_from_first = std::sqrt((tips - first).squaredNorm() * 3 / static_cast<double>(tips.size()));
 }
 
 Diagnosis completed(Answer found, const std::vector<Measurement>& all) {
@@ -190,7 +190,7 @@ Diagnosis completed(Answer found, const std::vector<Measurement>& all) {
   listDetectable(found.work, result);
   for (auto& alternative : result.alternatives) findSizeSets(found.work.basis, alternative);
   judgeByMeasurementsKeptOut(found.work, found.held_out, result);
-  setApart(found.work, result);
+  setDistances(found.work, result);
   throwIfStopped(found.work.options.hooks.stop);
   result.views = viewsOf(found.work.basis, result, all);
   return std::move(result);

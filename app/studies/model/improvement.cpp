@@ -48,7 +48,7 @@ const Explanation* bestCarried(const std::vector<Explanation>& explanations, con
 Decision amongEquals(const Diagnosis& diagnosis) {
   double widest = 0;
   for (const auto& alternative : diagnosis.alternatives)
-    if (std::isfinite(alternative.apart)) widest = std::max(widest, alternative.apart);
+    if (std::isfinite(alternative.distance_from_first)) widest = std::max(widest, alternative.distance_from_first);
   const Explanation* best = bestCarried(diagnosis.alternatives, [](const Explanation&) { return true; });
   const double gain = best ? diagnosis.heldout_before.rms - best->heldout.rms : 0;
   if (best && widest <= gain)
@@ -56,7 +56,7 @@ Decision amongEquals(const Diagnosis& diagnosis) {
   if (diagnosis.agreed && diagnosis.agreed->heldout.rms < diagnosis.heldout_before.rms &&
       diagnosis.agreed->farthest.rms <= kNoWorse * diagnosis.farthest_before.rms)
     return {&*diagnosis.agreed, ImprovementEnd::kNotRun, ImprovementReason::kCertainInAll};
-  return {nullptr, ImprovementEnd::kAmbiguous, ImprovementReason::kAlternativesApart, widest, std::max(0., gain)};
+  return {nullptr, ImprovementEnd::kAmbiguous, ImprovementReason::kAlternativesDiffer, widest, std::max(0., gain)};
 }
 
 /// Decides if no cause is certain. A cause is added only if it lowers the error of measurements excluded from its fit,

@@ -52,7 +52,7 @@ enum class ImprovementReason {
   /// Predictions of the alternatives differ by `first`, less than the decrease `second` of the error.
   kAlternativesClose,
   /// Predictions of the alternatives differ by `first`, more than the decrease `second` of the error.
-  kAlternativesApart,
+  kAlternativesDiffer,
   kUnsureButLower,  ///< the cause is uncertain, but lowers the error of held-out measurements and of the farthest poses
   kNoneLower,  ///< no cause is certain, and none lowers the error of held-out measurements and of the farthest poses
   kFarthestWorse,  ///< adding the cause raises the error of the farthest poses from `second` to `first`

@@ -62,7 +62,7 @@ struct Explanation {
   ErrorSize farthest;
   /// Root-mean-square distance [m] between the tips predicted by this explanation and by the first alternative, over
   /// the arm's range.
-  double apart = kNotKnown;
+  double distance_from_first = kNotKnown;
 };
 
 }  // namespace tubeplan::calibration
