@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 namespace {
 
 /// A chain is shortened if its length exceeds its shortest length by more than this factor.
-constexpr double kFarApart = 2;
+constexpr double kExcessiveLength = 2;
 constexpr int kShortenings = 10;
 /// Lower bound on a piece's length in the computation of its weight, as a fraction of the chain's length. It avoids
 /// division by zero if points coincide.
@@ -74,7 +74,7 @@ std::vector<double> shortenChain(std::vector<ChainLine>& chain) {
 std::vector<double> drawTogether(std::vector<ChainLine>& chain) {
   std::vector<ChainLine> drawn = chain;
   const std::vector<double> slid = shortenChain(drawn);
-  if (!(chainLength(chain) > kFarApart * chainLength(drawn))) return std::vector<double>(chain.size(), 0.);
+  if (!(chainLength(chain) > kExcessiveLength * chainLength(drawn))) return std::vector<double>(chain.size(), 0.);
   chain = std::move(drawn);
   return slid;
 }

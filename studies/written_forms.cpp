@@ -131,7 +131,7 @@ void tryForm(const Form& form, const PlacedArm& written, const PlacedArm& built,
 
 void tryAll(int seeds, std::uint64_t first) {
   std::vector<Tally> tallies(std::size(kForms));
-  double apart = 0;
+  double largest_difference = 0;
   for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(seeds); ++seed) {
     RandomStream random(seed + 1000);
     PlacedArm drawn = mechanism(seed);
@@ -142,7 +142,7 @@ void tryAll(int seeds, std::uint64_t first) {
       const PlacedArm written = kForms[f].write(drawn);
       for (int k = 0; k < 5; ++k) {
         const VectorXd q = postureOf(drawn.arm, random);
-        apart = std::max(apart, (tipOf(written, q) - tipOf(drawn, q)).norm());
+        largest_difference = std::max(largest_difference, (tipOf(written, q) - tipOf(drawn, q)).norm());
       }
       tryForm(kForms[f], written, built, measurements, seed, tallies[f]);
     }
@@ -155,7 +155,7 @@ void tryAll(int seeds, std::uint64_t first) {
                tally.failed, tally.chi2 / tally.freedom, std::sqrt(tally.squares / tally.foretold), tally.worst,
                100. * tally.within / tally.asked);
   }
-  fmt::print("the same arm in its forms, farthest apart: {:.2g} m\n", apart);
+  fmt::print("the same arm in its forms, farthest apart: {:.2g} m\n", largest_difference);
 }
 
 }  // namespace

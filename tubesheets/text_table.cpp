@@ -34,7 +34,7 @@ std::string_view nameOfMark(char mark) {
 
 using Fields = std::vector<std::string>;
 
-std::optional<Fields> fieldsApart(std::string_view line, char separator) {
+std::optional<Fields> splitFields(std::string_view line, char separator) {
   if (separator != kBlanks) return splitCsvLine(line, separator);
   Fields fields;
   for (std::size_t start = 0; (start = line.find_first_not_of(" \t", start)) != std::string_view::npos;) {
@@ -123,9 +123,9 @@ class TableParser {
   /// Splits a line into fields. Tabs at the ends of the line separate empty fields only if the line has too few fields
   /// without them.
   [[nodiscard]] std::optional<Fields> fieldsIn(const TextLine& line, std::size_t width) const {
-    auto fields = fieldsApart(line.text, table_.separator);
+    auto fields = splitFields(line.text, table_.separator);
     if (table_.separator != '\t' || !fields || fields->size() >= width) return fields;
-    auto all = fieldsApart(line.raw, table_.separator);
+    auto all = splitFields(line.raw, table_.separator);
     return all && all->size() == width ? all : fields;
   }
 
@@ -206,7 +206,7 @@ class TableParser {
   [[nodiscard]] std::pair<std::size_t, std::size_t> usualWidth(char separator) const {
     std::map<std::size_t, std::size_t> counts;
     for (const auto& line : lines_)
-      if (const auto fields = fieldsApart(line.text, separator)) ++counts[fields->size()];
+      if (const auto fields = splitFields(line.text, separator)) ++counts[fields->size()];
     std::pair<std::size_t, std::size_t> usual{0, 0};
     for (const auto& [width, count] : counts)
       if (width > 1 && count > usual.second) usual = {width, count};
@@ -271,7 +271,7 @@ class TableParser {
     const auto below = std::find_if(comments_.begin(), comments_.end(),
                                     [&](const TextLine& comment) { return comment.number > first_line; });
     if (below == comments_.begin()) return;
-    auto names = fieldsApart(withoutCommentMark(std::prev(below)->text), table_.separator);
+    auto names = splitFields(withoutCommentMark(std::prev(below)->text), table_.separator);
     if (!names || names->size() != width || hasNumbers(*names, table_.separator)) return;
     table_.has_heading = true;
     table_.columns = std::move(*names);

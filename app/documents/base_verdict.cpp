@@ -71,14 +71,14 @@ void judgeFit(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdic
 }
 
 /// Displacement from one hole of the sheet to another, in rows, in columns and as a vector.
-struct HolesApart {
+struct HoleDisplacement {
   int rows = 0, columns = 0;
   Eigen::Vector2d way = Eigen::Vector2d::Zero();  ///< vector between the two holes [m]
 };
 
 /// Among the displacements from the hole nearest to the middle of the sheet to other holes, returns the one closest to
 /// `way`.
-HolesApart holesNearest(const tubesheets::Sheet& sheet, const Eigen::Vector2d& way) {
+HoleDisplacement holesNearest(const tubesheets::Sheet& sheet, const Eigen::Vector2d& way) {
   const auto placeOf = [](const tubesheets::Tube& tube) { return Eigen::Vector2d(tube.x, tube.y); };
   const auto nearestTo = [&](const Eigen::Vector2d& place) {
     return *std::ranges::min_element(
@@ -102,16 +102,16 @@ void judgeShift(const BaseCalibration& base, const Cell& cell, BaseVerdict& verd
   const Eigen::Vector3d shift = base.from_start.head<3>();
   verdict.distance = shift.norm();
   if (cell.sheet) verdict.pitches = shift.head<2>() / cell.sheet->pitch;
-  const HolesApart apart = cell.sheet ? holesNearest(*cell.sheet, shift.head<2>()) : HolesApart{};
-  const Eigen::Vector3d left(shift.x() - apart.way.x(), shift.y() - apart.way.y(), shift.z());
-  if (apart.way.norm() > 0 && apart.way.norm() <= kMostPitches * cell.sheet->pitch &&
+  const HoleDisplacement displacement = cell.sheet ? holesNearest(*cell.sheet, shift.head<2>()) : HoleDisplacement{};
+  const Eigen::Vector3d left(shift.x() - displacement.way.x(), shift.y() - displacement.way.y(), shift.z());
+  if (displacement.way.norm() > 0 && displacement.way.norm() <= kMostPitches * cell.sheet->pitch &&
       left.head<2>().norm() < kOnLattice * cell.sheet->pitch &&
       kMiscounted * likelihoodRatio(left, shift, cell.base_prior) > 1) {
     verdict.is_implausible = true;
     verdict.warnings.push_back(fmt::format(
         "the base is {:+.2f} pitches along x and {:+.2f} along y from nominal: if every hole name were off by {:+d} "
         "rows and {:+d} columns, the touches would fit as well, and the base would be {:.3g} {} from nominal",
-        verdict.pitches.x(), verdict.pitches.y(), apart.rows, apart.columns, lengthOf(left.norm(), units),
+        verdict.pitches.x(), verdict.pitches.y(), displacement.rows, displacement.columns, lengthOf(left.norm(), units),
         units.length().name));
     verdict.to_do.emplace_back(
         "count the position of one touched hole again, from an edge of the sheet: a name one column off has this "

@@ -17,9 +17,9 @@ constexpr double kNearHole = 0.4;  // largest distance from a hole's centre at w
 std::string differenceOf(const TubeAddress& meant, const TubeAddress& found) {
   if (found.generator != meant.generator) return "it is in another steam generator";
   if (found.leg != meant.leg) return "it is in the other leg";
-  const auto apart = [](int one, int other) { return static_cast<std::size_t>(std::abs(one - other)); };
-  const std::string rows = countText(apart(found.row, meant.row), "row");
-  const std::string columns = countText(apart(found.column, meant.column), "column");
+  const auto distance = [](int one, int other) { return static_cast<std::size_t>(std::abs(one - other)); };
+  const std::string rows = countText(distance(found.row, meant.row), "row");
+  const std::string columns = countText(distance(found.column, meant.column), "column");
   if (found.column == meant.column) return fmt::format("it is {} off", rows);
   if (found.row == meant.row) return fmt::format("it is {} off", columns);
   return fmt::format("it is {} and {} off", rows, columns);

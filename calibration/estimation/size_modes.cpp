@@ -23,7 +23,7 @@ constexpr std::size_t kMostMeasurements = 400;
 constexpr double kAsGood = 4;
 // A start is fitted if its decrease of chi-square is at least this fraction of the largest decrease.
 constexpr double kPromising = 0.5;
-constexpr double kApart = 3;  // modes closer than this many standard deviations are merged
+constexpr double kSeparateModes = 3;  // modes closer than this many standard deviations are merged
 // A measurement distinguishes two modes if its predictions differ by more than this many of its standard deviations.
 constexpr double kDecides = 4;
 constexpr int kIterations = 20;
@@ -231,7 +231,7 @@ class SizeSearch {
   static void keep(const SizeMode& mode, std::vector<SizeMode>& modes) {
     if (!std::isfinite(mode.cost)) return;
     for (SizeMode& other : modes) {
-      const VectorXd sigma = kApart * mode.sigma.cwiseMax(other.sigma);
+      const VectorXd sigma = kSeparateModes * mode.sigma.cwiseMax(other.sigma);
       if (((mode.values - other.values).cwiseAbs().array() > sigma.array()).any()) continue;
       if (mode.cost < other.cost - kAsGood) {
         const bool was_found = other.is_as_found;
@@ -268,9 +268,9 @@ std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm
       // The predicted value of a touch is the same in both states. Instead, as for a measured position, compare the two
       // predicted tips.
       kind.record(*here, 1, MeasuredValue::Zero(6), asked);
-      const double apart = kind.is_touch ? (here->p_W - there->p_W).norm()
-                                         : (predictedValue(asked, *there) - predictedValue(asked, *here)).norm();
-      if (!(apart > kDecides * measurements[k].sigma)) continue;
+      const double difference = kind.is_touch ? (here->p_W - there->p_W).norm()
+                                              : (predictedValue(asked, *there) - predictedValue(asked, *here)).norm();
+      if (!(difference > kDecides * measurements[k].sigma)) continue;
       kinds.push_back(kind.kind);
       break;
     }

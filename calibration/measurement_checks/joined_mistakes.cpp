@@ -29,8 +29,8 @@ constexpr int kMostOrdered = 7;            // maximum number of joints for which
 constexpr double kNearer = 0.25;           // smallest decrease of the mean log error required of each correction
 constexpr double kByWeights = 0.5;         // largest further decrease of the mean log error expected of robust weights
 constexpr std::size_t kMostSettled = 100;  // maximum number of hypotheses whose zeros are refined
-constexpr double kZerosApart = std::numbers::pi / 12;  // range on either side of a tried zero [rad]
-constexpr int kZeroSteps = 10;                         // number of golden-section steps
+constexpr double kZeroRange = std::numbers::pi / 12;  // range on either side of a tried zero [rad]
+constexpr int kZeroSteps = 10;                        // number of golden-section steps
 
 /// Corrections of one mistake or of a set of joints, with the corrected measurements and their score.
 struct TriedQuickly {
@@ -270,7 +270,7 @@ class JoinedSearch {
       for (Measurement& measurement : shifted.measurements) measurement.q[joint] += shift;
       return scoreOf(shifted);
     };
-    return leastOf(scoreAt, -kZerosApart, kZerosApart, kZeroSteps);
+    return leastOf(scoreAt, -kZeroRange, kZeroRange, kZeroSteps);
   }
 
   static constexpr std::size_t kKept = 200;

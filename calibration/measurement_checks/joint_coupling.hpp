@@ -15,9 +15,9 @@ namespace tubeplan::calibration::mistakes::joint_coupling {
 inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   const auto& arm = checked.start.arm;
   std::vector<std::string> texts;
-  for (int apart = 1; apart < arm.jointCount(); ++apart)
+  for (int separation = 1; separation < arm.jointCount(); ++separation)
     for (const int j : turningJoints(arm))
-      for (const int of : {j - apart, j + apart}) {
+      for (const int of : {j - separation, j + separation}) {
         if (of < 0 || of >= arm.jointCount() || arm.joint(of).type != deflection::JointType::kRevolute) continue;
         for (const int share : {-1, 1})
           texts.push_back(fmt::format("{}:{}:{}", arm.joint(j).name, arm.joint(of).name, share));

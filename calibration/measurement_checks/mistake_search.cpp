@@ -104,16 +104,16 @@ class MistakeSearch {
   /// errors far above it may be due to the model.
   void settleSigma(Suspect& best, MeasurementCheck& check) const {
     if (!best.mend.change_sigma) return;
-    Mend apart = best.mend;
-    apart.change_sigma = nullptr;
-    const Trial trial = trials_.tried(apart, TrialDepth::kOpen);
+    Mend unscaled_sigma = best.mend;
+    unscaled_sigma.change_sigma = nullptr;
+    const Trial trial = trials_.tried(unscaled_sigma, TrialDepth::kOpen);
     const auto offBy = [](const Trial& of) {
       return std::pair(of.chi2_per_freedom < kFarBelowNoise, std::abs(std::log(of.chi2_per_freedom)));
     };
     if (!trial.ok || !(offBy(trial) < offBy(best.open))) return;
     const auto kind = std::ranges::find_if(mistakeKinds(), [](const auto& other) { return other.settles_sigma; });
     check.assume += fmt::format(",{}={}", kind->name, trials_.checked().units.sigma.name);
-    best.mend = std::move(apart);
+    best.mend = std::move(unscaled_sigma);
     best.open = trial;
   }
 

@@ -180,7 +180,7 @@ PlacedArm MistakeTrials::startOf(const Mend& mend) const {
 }
 
 Trial MistakeTrials::tried(const Mend& mend, TrialDepth depth) const {
-  if (mend.parts_setups) return triedApart(depth);
+  if (mend.parts_setups) return triedPerSetup(depth);
   const PlacedArm start = startOf(mend);
   const auto measurements = mended(mend, depth);
   return judged(fit(start, measurements, depth), start, measurements);
@@ -202,7 +202,7 @@ Trial MistakeTrials::judged(const RobustFit& fit, const PlacedArm& nominal,
 }
 
 /// Fits each set-up separately, with a separate tip.
-Trial MistakeTrials::triedApart(TrialDepth depth) const {
+Trial MistakeTrials::triedPerSetup(TrialDepth depth) const {
   Trial whole;
   whole.ok = true;
   whole.lack_of_fit = 0;

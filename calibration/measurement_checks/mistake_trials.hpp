@@ -96,7 +96,7 @@ class MistakeTrials {
   [[nodiscard]] const FreeChoice& freeAt(TrialDepth depth) const;
   [[nodiscard]] Trial judged(const RobustFit& fit, const PlacedArm& nominal,
                              const std::vector<Measurement>& measurements) const;
-  [[nodiscard]] Trial triedApart(TrialDepth depth) const;
+  [[nodiscard]] Trial triedPerSetup(TrialDepth depth) const;
 
   const CheckedMeasurements& checked_;
   const CheckOptions& options_;

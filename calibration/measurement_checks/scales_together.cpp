@@ -90,15 +90,15 @@ class ScalesTogether {
   /// Improves the scales of one combination joint by joint; the search range is halved after each pass over the joints.
   void better(Scales& scales, double share) {
     scales.score = scaled_.score(scales.factors, share);
-    double apart = 0.3;  // search range relative to the scale
-    for (int turn = 0; turn < kScaleTurns; ++turn, apart /= 2)
+    double range = 0.3;  // search range relative to the scale
+    for (int turn = 0; turn < kScaleTurns; ++turn, range /= 2)
       for (double& factor : scales.factors) {
         const double before = factor;
         const auto scoreAt = [&](double by) {
           factor = before * by;
           return scaled_.score(scales.factors, share);
         };
-        const double by = leastOf(scoreAt, 1 - apart, 1 + apart, kSectionSteps);
+        const double by = leastOf(scoreAt, 1 - range, 1 + range, kSectionSteps);
         if (const double score = scoreAt(by); score < scales.score)
           scales.score = score;
         else

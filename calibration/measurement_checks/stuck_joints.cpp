@@ -90,7 +90,7 @@ class StuckSearch {
   /// Returns the value of the joint with which measurement `k` fits best [rad or m], and its error there [m].
   [[nodiscard]] std::pair<double, double> bestJoint(std::size_t k, int joint) const {
     const bool turns = checked_.start.arm.joint(joint).type == deflection::JointType::kRevolute;
-    const double apart = turns ? std::numbers::pi : deflection::reachOf(checked_.start.arm);
+    const double range = turns ? std::numbers::pi : deflection::reachOf(checked_.start.arm);
     std::vector<Measurement> one{all()[k]};
     const double reading = one.front().q[joint];
     const auto errorAt = [&](double value) {
@@ -99,9 +99,9 @@ class StuckSearch {
     };
     double best = reading, least = std::numeric_limits<double>::infinity();
     for (int step = -kTurnsTried / 2; step < kTurnsTried / 2; ++step)
-      if (const double value = reading + 2 * apart * step / kTurnsTried, error = errorAt(value); error < least)
+      if (const double value = reading + 2 * range * step / kTurnsTried, error = errorAt(value); error < least)
         best = value, least = error;
-    const double width = 2 * apart / kTurnsTried;
+    const double width = 2 * range / kTurnsTried;
     best = leastOf(errorAt, best - width, best + width, kStepsToJoint);
     return {best, errorAt(best)};
   }

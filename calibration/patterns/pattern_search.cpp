@@ -82,11 +82,11 @@ std::vector<std::vector<int>> lotsOf(const Variable& variable) {
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return variable.value[a] < variable.value[b]; });
   std::set<double> distinct;
   for (const int k : order) distinct.insert(variable.value[k]);
-  const bool all_apart = !variable.groups.empty() || static_cast<int>(distinct.size()) <= kTrendSteps;
+  const bool all_separate = !variable.groups.empty() || static_cast<int>(distinct.size()) <= kTrendSteps;
   std::vector<std::vector<int>> lots;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool is_equal = i > 0 && variable.value[order[i]] == variable.value[order[i - 1]];
-    const bool is_full = all_apart || i * kTrendSteps >= lots.size() * order.size();
+    const bool is_full = all_separate || i * kTrendSteps >= lots.size() * order.size();
     if (lots.empty() || (is_full && !is_equal)) lots.emplace_back();
     lots.back().push_back(order[i]);
   }

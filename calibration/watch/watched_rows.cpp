@@ -55,8 +55,7 @@ CountedOffsets countedOffsets(const WatchedArm& watched, const std::vector<Measu
     counted.ok = shape.status == deflection::KinematicsStatus::kConverged;
     const Vector3d axis_W = watched.X_WB.linear() * shape.X_BD.R * watched.arm.tool_axis_L;
     counted.lean[k] = axis_W.head<2>() / axis_W.z();
-    offset.p_QS =
-        -depthAmidLastStep(watched.tool) / axis_W.z() * (shape.R_LT.transpose() * watched.arm.tool_axis_L);
+    offset.p_QS = -depthAmidLastStep(watched.tool) / axis_W.z() * (shape.R_LT.transpose() * watched.arm.tool_axis_L);
     const auto next = std::min(static_cast<std::size_t>(offset.own[0]), watched.tool.steps.size() - 1);
     offset.own[1] = 0;
     offset.own[2] = watched.tool.steps[next].tolerance;
@@ -68,8 +67,8 @@ CountedOffsets countedOffsets(const WatchedArm& watched, const std::vector<Measu
 /// Whitens each measurement by its own covariance, and a count by the mean variance of its offset. Encoder noise that
 /// measurements at the same joint values share is then counted as if it were independent, because a watch must not mix
 /// a measurement with later ones.
-void whitenApart(const std::vector<Measurement>& measurements, MeasurementWeights& weights,
-                 std::vector<double>& scale) {
+void whitenIndependently(const std::vector<Measurement>& measurements, MeasurementWeights& weights,
+                         std::vector<double>& scale) {
   weights.shared.clear();
   scale.assign(measurements.size(), 0);
   for (std::size_t k = 0; k < measurements.size(); ++k) {
@@ -118,7 +117,7 @@ RowsAndCandidates watchedRows(const WatchedArm& watched, const std::vector<Measu
     rows.reason = "readings of points or surfaces of unknown place cannot be watched one by one";
     return result;
   }
-  whitenApart(measurements, *weights, rows.scale);
+  whitenIndependently(measurements, *weights, rows.scale);
   const auto residual = whitenedResidual(placed, unknowns, offsets, *weights, zerosOf(unknowns), true, stop);
   if (!residual.ok) return result;
   result.candidates = candidateChanges(placed, offsets, *weights, residual.jacobian.leftCols<6>(), stop);

@@ -84,7 +84,7 @@ void judge(const Arm& arm, const InverseKinematicsOptions& options, Branch& bran
 
 bool isSameBranch(const VectorXd& a, const VectorXd& b) {
   for (Eigen::Index k = 0; k < a.size(); ++k)
-    if (!(angleApart(a[k], b[k]) < 1e-4)) return false;
+    if (!(angleDifference(a[k], b[k]) < 1e-4)) return false;
   return true;
 }
 

@@ -10,7 +10,7 @@
 namespace tubeplan::deflection {
 
 /// Returns the absolute difference between two readings of a revolute joint [rad], modulo whole turns.
-inline double angleApart(double a, double b) {
+inline double angleDifference(double a, double b) {
   const double off = std::abs(a - b);
   return off <= kFullTurn / 2 ? off : std::abs(std::remainder(off, kFullTurn));
 }

@@ -98,9 +98,9 @@ std::vector<StartPostures::Candidate> StartPostures::search(const ToolGoal& goal
 }
 
 std::vector<VectorXd> StartPostures::unlike(std::span<const Candidate> candidates, int most) const {
-  const auto areApart = [this](const VectorXd& a, const VectorXd& b, double least) {
+  const auto areDistinct = [this](const VectorXd& a, const VectorXd& b, double least) {
     for (Eigen::Index j = 0; j < a.size(); ++j)
-      if ((rigid_.scale()[j] == 1 ? angleApart(a[j], b[j]) : std::abs(a[j] - b[j]) / rigid_.scale()[j]) > least)
+      if ((rigid_.scale()[j] == 1 ? angleDifference(a[j], b[j]) : std::abs(a[j] - b[j]) / rigid_.scale()[j]) > least)
         return true;
     return false;
   };
@@ -110,7 +110,7 @@ std::vector<VectorXd> StartPostures::unlike(std::span<const Candidate> candidate
   for (const double least : {kUnlike, kSamePosture})
     for (const Candidate& candidate : candidates) {
       if (static_cast<int>(chosen.size()) >= most) return chosen;
-      if (std::ranges::all_of(chosen, [&](const VectorXd& other) { return areApart(candidate.q, other, least); }))
+      if (std::ranges::all_of(chosen, [&](const VectorXd& other) { return areDistinct(candidate.q, other, least); }))
         chosen.push_back(candidate.q);
     }
   return chosen;

@@ -131,12 +131,12 @@ class Checker {
       return;
     }
     if (other.status != SegmentedStaticsStatus::kConverged) return find(tube + ": " + other.reason);
-    const double apart = (cell_.X_WB * other.p_BD - tip).norm();
-    result_.worst_statics = std::fmax(result_.worst_statics, apart);
-    if (!(apart <= options_.statics_tolerance))
+    const double distance = (cell_.X_WB * other.p_BD - tip).norm();
+    result_.worst_statics = std::fmax(result_.worst_statics, distance);
+    if (!(distance <= options_.statics_tolerance))
       find(fmt::format(
           "{}: with finely segmented members the tip is {:.3g} m from the model's: raise the beams' `segments`", tube,
-          apart));
+          distance));
   }
 
   /// Returns the number of segments before the first approach: 0 without a start posture; 1, a travel from it; or 2, a

@@ -23,7 +23,7 @@ TEST(AnchoredRows, areTheSameArmHoweverFarItsRowsGo) {
     const AnchoredRows anchored = anchoredRows(written);
     far += testing::longestRow(written) > 100;
     const double rounding = 1e-14 * testing::longestRow(written) + 1e-12;
-    EXPECT_LE(testing::writingsApart(arm, anchored.arm, draw.readings(arm)), rounding) << n;
+    EXPECT_LE(testing::formDifference(arm, anchored.arm, draw.readings(arm)), rounding) << n;
     EXPECT_LT(testing::longestRow(anchored.arm), 6) << n;
     EXPECT_NEAR(reachOf(written), reachOf(arm), 1e-7 * reachOf(arm)) << n;
   }
@@ -49,7 +49,7 @@ TEST(AnchoredRows, holdRowsThatBendOrWeighAtTheirOrigins) {
     EXPECT_FALSE(heldAgainstSlide(arm, k).empty());
     EXPECT_EQ(anchored.slid[k], 0) << k;
   }
-  EXPECT_LE(testing::writingsApart(arm, anchored.arm, draw.readings(arm)), 1e-14 * testing::longestRow(arm) + 1e-12);
+  EXPECT_LE(testing::formDifference(arm, anchored.arm, draw.readings(arm)), 1e-14 * testing::longestRow(arm) + 1e-12);
 }
 
 /// Returns a cobot whose three middle axes are parallel and whose other axes are at right angles, except for small

@@ -65,7 +65,7 @@ class DrawnRows {
 
 /// Returns the largest difference between two forms of an arm at joint readings q. Tip positions [m], rotations of the
 /// last rows and positions of lumped weights [m] are compared. Additional first rows of the second form are skipped.
-inline double writingsApart(const Arm& one, const Arm& other, const Eigen::VectorXd& q) {
+inline double formDifference(const Arm& one, const Arm& other, const Eigen::VectorXd& q) {
   const auto a = rigidFramesOf<double>(one, q), b = rigidFramesOf<double>(other, q);
   double most = std::max((a.tip - b.tip).norm(), (a.rows.back().R - b.rows.back().R).norm());
   const std::size_t first = other.rows.size() - one.rows.size();

@@ -19,7 +19,7 @@ TEST(RowConventions, writeTheSameArm) {
     for (const auto convention : {RowConvention::kModified, RowConvention::kStandard, RowConvention::kOrigin}) {
       const ConvertedArm written = convertRows(arm, convention);
       ASSERT_TRUE(written.is_converted) << written.row << ": " << written.reason;
-      for (int k = 0; k < 3; ++k) EXPECT_LE(testing::writingsApart(arm, written.arm, draw.readings(arm)), 1e-12) << n;
+      for (int k = 0; k < 3; ++k) EXPECT_LE(testing::formDifference(arm, written.arm, draw.readings(arm)), 1e-12) << n;
       EXPECT_LT(testing::longestRow(written.arm), 12) << n;
       EXPECT_NEAR(reachOf(written.arm), reachOf(arm), 1e-8 * reachOf(arm));
     }
@@ -39,7 +39,7 @@ TEST(RowConventions, readWhatTheStandardTableSays) {
     }
     readAsStandard(again.rows);
     EXPECT_EQ(again.rows.size(), standard.rows.size());
-    EXPECT_LE(testing::writingsApart(arm, again, draw.readings(arm)), 1e-12) << n;
+    EXPECT_LE(testing::formDifference(arm, again, draw.readings(arm)), 1e-12) << n;
   }
 }
 
@@ -138,7 +138,7 @@ TEST(RowConventions, followersAndSideChainsGoWithTheirRows) {
   ASSERT_TRUE(written.is_converted) << written.reason;
   ASSERT_EQ(written.arm.rows.size(), 5u);
   EXPECT_EQ(written.arm.rows[3].joint.follows.at(0).row, 2);
-  for (int k = 0; k < 5; ++k) EXPECT_LE(testing::writingsApart(arm, written.arm, draw.readings(arm)), 1e-12);
+  for (int k = 0; k < 5; ++k) EXPECT_LE(testing::formDifference(arm, written.arm, draw.readings(arm)), 1e-12);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct Shipped {
   const char* file;
   /// Relative difference of travel times allowed between base frames. An arm with more joints than a goal requires has
   /// a continuous family of postures; rounding decides which of its samples are considered equal.
-  double apart;
+  double tolerance;
 };
 
 class TurnedCells : public ::testing::TestWithParam<Shipped> {};
@@ -34,7 +34,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, TurnedCells,
                          [](const auto& shipped) { return std::string(shipped.param.file).substr(0, 4); });
 
 TEST_P(TurnedCells, TheSameTaskInOtherUnitsTurnedOrFromAnotherFrameHasTheSamePlan) {
-  const auto [name, apart] = GetParam();
+  const auto [name, tolerance] = GetParam();
   const std::string file = name;
   std::mt19937_64 generator(3);
   const Workcell cell = mockup(file);
@@ -46,8 +46,8 @@ TEST_P(TurnedCells, TheSameTaskInOtherUnitsTurnedOrFromAnotherFrameHasTheSamePla
         testing::fromAnotherBaseFrame(cell, generator)}) {
     const VisitPlan plan = planVisits(same, tubes);
     EXPECT_EQ(tubesIn(plan), tubesIn(first));
-    EXPECT_NEAR(plan.travel_time, first.travel_time, apart * first.travel_time);
-    EXPECT_NEAR(plan.lower_bound, first.lower_bound, apart * first.lower_bound);
+    EXPECT_NEAR(plan.travel_time, first.travel_time, tolerance * first.travel_time);
+    EXPECT_NEAR(plan.lower_bound, first.lower_bound, tolerance * first.lower_bound);
     EXPECT_EQ(checkPlan(same, testing::statedPlan(same, plan)).status, PlanCheckStatus::kProved);
   }
 }

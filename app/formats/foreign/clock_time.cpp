@@ -113,9 +113,9 @@ std::vector<DateOrder> dateOrders(const std::vector<std::string>& rows) {
   std::optional<double> shift;
   for (const auto& row : rows) {
     if (!isClockTime(row)) continue;
-    const double apart = *clockSeconds(row, orders[0]) - *clockSeconds(row, orders[1]);
-    if (shift && std::abs(apart - *shift) > kDay / 2) return orders;
-    shift = apart;
+    const double difference = *clockSeconds(row, orders[0]) - *clockSeconds(row, orders[1]);
+    if (shift && std::abs(difference - *shift) > kDay / 2) return orders;
+    shift = difference;
   }
   return {orders.front()};
 }

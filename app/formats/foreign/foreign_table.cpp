@@ -22,9 +22,9 @@ constexpr std::array<std::string_view, 8> kBesideUnits{"length", "lengths",  "an
 /// Returns the units that the text names; empty if it contains any word other than units and kBesideUnits.
 std::vector<const Unit*> unitsIn(std::string_view text) {
   std::vector<const Unit*> units;
-  constexpr std::string_view kApart = " \t,;/()[]:=";
-  for (std::size_t start = 0; (start = text.find_first_not_of(kApart, start)) != std::string_view::npos;) {
-    const std::size_t end = std::min(text.find_first_of(kApart, start), text.size());
+  constexpr std::string_view kWordSeparators = " \t,;/()[]:=";
+  for (std::size_t start = 0; (start = text.find_first_not_of(kWordSeparators, start)) != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(kWordSeparators, start), text.size());
     const std::string_view word = text.substr(start, end - start);
     start = end;
     if (const Unit* unit = findUnitWord(word))

@@ -44,7 +44,7 @@ std::optional<double> summed(bool is_negative, const std::vector<double>& parts)
 }
 
 /// Parses an angle of two or three numbers separated by colons or by blanks.
-std::optional<double> parseApart(std::string_view text, char between, bool is_negative) {
+std::optional<double> parseSeparated(std::string_view text, char between, bool is_negative) {
   std::vector<double> parts;
   for (bool is_last = false; !is_last;) {
     const std::size_t end = std::min(text.find(between), text.size());
@@ -103,8 +103,8 @@ std::optional<Sexagesimal> parseSexagesimal(std::string_view field) {
   std::string_view text = with_point;
   const bool is_negative = text.starts_with('-');
   if (is_negative || text.starts_with('+')) text = trimBlanks(text.substr(1));
-  if (const auto value = parseApart(text, ':', is_negative)) return Sexagesimal{*value, SixtiethForm::kColons};
-  if (const auto value = parseApart(text, ' ', is_negative)) return Sexagesimal{*value, SixtiethForm::kBlanks};
+  if (const auto value = parseSeparated(text, ':', is_negative)) return Sexagesimal{*value, SixtiethForm::kColons};
+  if (const auto value = parseSeparated(text, ' ', is_negative)) return Sexagesimal{*value, SixtiethForm::kBlanks};
   for (const auto form : {SixtiethForm::kHours, SixtiethForm::kDegrees})
     if (const auto value = parseMarked(text, marksOf(form), is_negative)) return Sexagesimal{*value, form};
   return std::nullopt;

@@ -18,10 +18,10 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kDegreeOfTurn = std::numbers::pi / 180;
-constexpr double kRounded = 5e-3;     // largest rounding error of an angle such as 3.14, 1.57 or 6.28 [rad]
-constexpr double kSeenAtTip = 1e-5;   // smallest tip error that an instrument can resolve [m]
-constexpr double kManyDigits = 1e-6;  // rounding error of an angle with many digits, such as 3.141593 [rad]
-constexpr double kFarApart = 20;      // implausible distance between two joints [m]
+constexpr double kRounded = 5e-3;            // largest rounding error of an angle such as 3.14, 1.57 or 6.28 [rad]
+constexpr double kSeenAtTip = 1e-5;          // smallest tip error that an instrument can resolve [m]
+constexpr double kManyDigits = 1e-6;         // rounding error of an angle with many digits, such as 3.141593 [rad]
+constexpr double kImplausibleDistance = 20;  // implausible distance between two joints [m]
 
 /// Returns the positions of a chain's joints at zero readings [m]; the last entry is the tip.
 std::vector<Vector3d> placesOf(const std::vector<const UrdfTree::Link*>& chain) {
@@ -61,7 +61,7 @@ std::optional<RoundedAngle> roundedAngleOf(double angle) {
 
 std::string remarkOnPlace(const UrdfTree::Joint& joint) {
   const double far = joint.origin.xyz.norm();
-  if (far <= kFarApart) return "";
+  if (far <= kImplausibleDistance) return "";
   return fmt::format("its origin is {:.4g} m from its parent's: millimetres in a file of metres?", far);
 }
 

@@ -46,14 +46,14 @@ double lowestOf(const std::vector<Link>& links) {
 
 /// Returns the distance between two links [m] (Ericson 2005, "Real-Time Collision Detection", 5.1.9).
 double distance(const Link& a, const Link& b) {
-  const Vector3d u = a.to - a.from, v = b.to - b.from, apart = a.from - b.from;
-  const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), u_apart = u.dot(apart),
-               v_apart = v.dot(apart);
+  const Vector3d u = a.to - a.from, v = b.to - b.from, offset = a.from - b.from;
+  const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), u_offset = u.dot(offset),
+               v_offset = v.dot(offset);
   const double square = uu * vv - uv * uv;
-  double s = square > 1e-12 * uu * vv ? std::clamp((uv * v_apart - u_apart * vv) / square, 0., 1.) : 0;
-  const double t = std::clamp((uv * s + v_apart) / vv, 0., 1.);
-  s = std::clamp((uv * t - u_apart) / uu, 0., 1.);
-  return (apart + s * u - t * v).norm();
+  double s = square > 1e-12 * uu * vv ? std::clamp((uv * v_offset - u_offset * vv) / square, 0., 1.) : 0;
+  const double t = std::clamp((uv * s + v_offset) / vv, 0., 1.);
+  s = std::clamp((uv * t - u_offset) / uu, 0., 1.);
+  return (offset + s * u - t * v).norm();
 }
 
 /// Returns the distance between the links of each pair [m], in a fixed order. Infinite for neighbouring links, and if a

@@ -35,7 +35,7 @@ planner::Workcell armOnly(planner::Workcell cell) {
 
 /// Returns holes chosen by farthest-point sampling: first the hole farthest from the centroid, then repeatedly the hole
 /// farthest from all holes chosen before.
-std::vector<TouchPlan> furthestApart(const std::vector<TouchPlan>& plans, int count) {
+std::vector<TouchPlan> farthestPointSample(const std::vector<TouchPlan>& plans, int count) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const auto& plan : plans) middle += plan.p_WH / static_cast<double>(plans.size());
   std::vector<TouchPlan> chosen;
@@ -115,7 +115,7 @@ std::vector<CentringTrials::Hole> CentringTrials::fixedHoles(const planner::Work
     if (problem_.empty()) problem_ = best.reason;
     return prepared(best.plans);
   }
-  if (setting.rule == TouchRule::kSpread) return prepared(furthestApart(holes.visited, setting.touches));
+  if (setting.rule == TouchRule::kSpread) return prepared(farthestPointSample(holes.visited, setting.touches));
   return {};
 }
 

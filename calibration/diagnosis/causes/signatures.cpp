@@ -87,13 +87,13 @@ MatrixXd Signatures::columnsAt(const std::vector<Measurement>& measurements, con
   MatrixXd all(weights.rows, static_cast<Index>(columns_.size()));
   // Unknown points absorb a part of a step that depends on its time, so this part is removed only from the finished
   // columns.
-  MeasurementWeights apart = weights;
-  apart.points.clear();
-  apart.shared.clear();
+  MeasurementWeights without_points = weights;
+  without_points.points.clear();
+  without_points.shared.clear();
   for (const Layer& layer : layers_) {
     throwIfStopped(stop);
-    auto residual =
-        whitenedResidual(layer.placed, layer.unknowns, measurements, apart, zerosOf(layer.unknowns), true, stop);
+    auto residual = whitenedResidual(layer.placed, layer.unknowns, measurements, without_points,
+                                     zerosOf(layer.unknowns), true, stop);
     if (!residual.ok) return {};
     const auto count = static_cast<Index>(layer.unknowns.size());
     residual.jacobian.array().rowwise() *= typicalsOf(layer.unknowns).transpose().array();

@@ -96,11 +96,11 @@ VectorXd RangeViews::tipsBy(const Explanation& explanation) const {
 
 bool areTheSame(const RangeView& a, const RangeView& b) {
   if (!a.ok || !b.ok) return false;
-  const VectorXd apart = a.value - b.value;
+  const VectorXd difference = a.value - b.value;
   const auto rise = [&](const RangeView& model) {
     const MatrixXd information = model.information + model.sensitivity.transpose() * model.sensitivity;
-    const VectorXd pull = model.sensitivity.transpose() * apart;
-    return apart.squaredNorm() - pull.dot(information.ldlt().solve(pull));
+    const VectorXd gradient = model.sensitivity.transpose() * difference;
+    return difference.squaredNorm() - gradient.dot(information.ldlt().solve(gradient));
   };
   return rise(a) < kHardly && rise(b) < kHardly;
 }

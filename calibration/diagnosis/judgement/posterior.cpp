@@ -50,9 +50,9 @@ void joinSame(const DiagnosisWork& work, std::vector<ModelClass>& classes) {
   for (std::size_t a = 0; a < seen.size(); ++a)
     for (std::size_t b = a + 1; b < seen.size(); ++b) {
       if (gone.contains(a) || gone.contains(b)) continue;
-      const auto apart = difference(classes[a].causes, classes[b].causes);
-      if (!apart || !areTheSame(seen[a], seen[b])) continue;
-      addName(work, apart->first, apart->second, classes[a].explanation);
+      const auto differing_effect = difference(classes[a].causes, classes[b].causes);
+      if (!differing_effect || !areTheSame(seen[a], seen[b])) continue;
+      addName(work, differing_effect->first, differing_effect->second, classes[a].explanation);
       mixIn(classes[b], classes[a]);
       gone.insert(b);
     }

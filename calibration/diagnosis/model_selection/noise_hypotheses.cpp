@@ -67,23 +67,23 @@ struct Block {
 /// Returns the causes' columns of one block for the stated noise. The columns are computed once and kept if they fit
 /// into memory.
 MatrixXd signaturesOf(DiagnosisWork& work, const std::vector<int>& which, const Block& block,
-                      const MeasurementWeights& apart) {
+                      const MeasurementWeights& without_points) {
   const std::vector<int>& first_row = work.basis.weights.first_row;
   const auto rowOf = [&](std::size_t k) { return first_row[static_cast<std::size_t>(which[k])]; };
   Eigen::MatrixXf& kept = work.kept_signatures;
   MatrixXd S(block.y.size(), static_cast<Index>(work.signatures->columns().size()));
   if (kept.size() > 0 && work.noise.size() == 1) {
     for (std::size_t k = 0; k < which.size(); ++k)
-      S.middleRows(apart.first_row[k], rowsOf(block.measurements[k])) =
+      S.middleRows(without_points.first_row[k], rowsOf(block.measurements[k])) =
           kept.middleRows(rowOf(k), rowsOf(block.measurements[k])).cast<double>();
     return S;
   }
-  S = work.signatures->columnsAt(block.measurements, apart, work.basis.stop);
+  S = work.signatures->columnsAt(block.measurements, without_points, work.basis.stop);
   if (S.rows() != block.y.size() || static_cast<double>(work.basis.weights.rows) * S.cols() > kMostKept) return S;
   kept.resize(work.basis.weights.rows, S.cols());
   for (std::size_t k = 0; k < which.size(); ++k)
     kept.middleRows(rowOf(k), rowsOf(block.measurements[k])) =
-        S.middleRows(apart.first_row[k], rowsOf(block.measurements[k])).cast<float>();
+        S.middleRows(without_points.first_row[k], rowsOf(block.measurements[k])).cast<float>();
   return S;
 }
 
@@ -93,16 +93,16 @@ bool fillBlock(DiagnosisWork& work, const std::vector<int>& which, Block& block)
   auto weights = weighMeasurements(basis.fitted, block.measurements, {}, 0, basis.stop);
   if (!weights) return false;
   block.weights = std::move(*weights);
-  MeasurementWeights apart = block.weights;
-  apart.points.clear();
-  apart.shared.clear();
-  auto residual = whitenedResidual(basis.fitted, basis.unknowns, block.measurements, apart, zerosOf(basis.unknowns),
-                                   true, basis.stop);
+  MeasurementWeights without_points = block.weights;
+  without_points.points.clear();
+  without_points.shared.clear();
+  auto residual = whitenedResidual(basis.fitted, basis.unknowns, block.measurements, without_points,
+                                   zerosOf(basis.unknowns), true, basis.stop);
   if (!residual.ok) return false;
   block.J = std::move(residual.jacobian);
   block.y = -residual.r;
-  block.S = signaturesOf(work, which, block, apart);
-  block.Z = work.discrepancy->columnsAt(block.measurements, apart);
+  block.S = signaturesOf(work, which, block, without_points);
+  block.Z = work.discrepancy->columnsAt(block.measurements, without_points);
   return block.S.rows() == block.y.size() && block.Z.rows() == block.y.size();
 }
 

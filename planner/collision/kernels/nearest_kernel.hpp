@@ -12,11 +12,11 @@ namespace {
 
 constexpr double kInfinity = __builtin_inf();
 
-/// Returns true in the lanes where two bodies can be nearer than `limit`. `squared_apart`: squared distance of their
+/// Returns true in the lanes where two bodies can be nearer than `limit`. `squared_distance`: squared distance of their
 /// centres; `reach`: sum of the bodies' extents about their centres.
-inline Bits mayBeNearer(Real squared_apart, Real limit, double reach) {
+inline Bits mayBeNearer(Real squared_distance, Real limit, double reach) {
   const Real most = limit + reach;
-  return isLess(constant(0), most) & ~isLess(most * most, squared_apart);
+  return isLess(constant(0), most) & ~isLess(most * most, squared_distance);
 }
 
 inline Vec middleOf(const Segment& segment) { return constant(0.5) * (segment.from + segment.to); }
@@ -28,8 +28,8 @@ struct Found {
   Bits asked;  ///< lanes where the distance may be smaller than the limit
 };
 
-inline Found capsulesApart(const Segment& a, const PlainBody& body, const Segment& b, double radius, double half_length,
-                           Real limit) {
+inline Found capsuleDistance(const Segment& a, const PlainBody& body, const Segment& b, double radius,
+                             double half_length, Real limit) {
   const Real radii = constant(body.radius) + constant(radius);
   const double reach = body.radius + radius + body.half_length + half_length;
   const Bits asked = mayBeNearer(squared(middleOf(a) - middleOf(b)), limit, reach);
@@ -72,7 +72,7 @@ inline Found look(const PlainScene& scene, const PlainPair& pair, const FoundPai
   const Segment a = axisOf(out, pair.body);
   if (pair.kind == kBodyAndBody) {
     const PlainBody& other = scene.bodies[pair.other];
-    return capsulesApart(a, body, axisOf(out, pair.other), other.radius, other.half_length, limit);
+    return capsuleDistance(a, body, axisOf(out, pair.other), other.radius, other.half_length, limit);
   }
   const PlainObstacle& other = scene.obstacles[pair.other];
   switch (pair.kind) {
@@ -81,7 +81,7 @@ inline Found look(const PlainScene& scene, const PlainPair& pair, const FoundPai
     case kSphereInside:
       return withinSphere(a, body, other, limit);
     case kFixedCapsule:
-      return capsulesApart(a, body, {same(other.from), same(other.to)}, other.radius, other.half_length, limit);
+      return capsuleDistance(a, body, {same(other.from), same(other.to)}, other.radius, other.half_length, limit);
     default:
       return fromSearched(a, body, other, pair.kind == kBox, limit);
   }

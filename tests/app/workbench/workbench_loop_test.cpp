@@ -244,14 +244,14 @@ TEST_F(WorkbenchLoop, leverageAndMomentsOfABaseThatIsNotKnownAreTheMeasurements)
   // The compliance of the model differs from the truth, and the fitted base absorbs part of the difference, so the
   // values agree only within 3 %.
   const auto expectNear = [](const json& one, const json& other) {
-    double largest = 0, apart = 0;
+    double largest = 0, largest_difference = 0;
     for (const auto& [id, numbers] : one["readings"].items())
       for (std::size_t k = 0; k < numbers.size(); ++k) {
         const double number = numbers[k];
         largest = std::max(largest, std::abs(number));
-        apart = std::max(apart, std::abs(number - other["readings"][id][k].get<double>()));
+        largest_difference = std::max(largest_difference, std::abs(number - other["readings"][id][k].get<double>()));
       }
-    EXPECT_LT(apart, 0.03 * largest);
+    EXPECT_LT(largest_difference, 0.03 * largest);
   };
   expectNear(levers, levers_found);
   expectNear(moments, moments_found);

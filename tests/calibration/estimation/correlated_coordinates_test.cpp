@@ -28,9 +28,9 @@ Measurement correlated(MeasurementKind kind) {
 TEST(CorrelatedCoordinates, WeighByTheirWholeCovariance) {
   for (const auto& row : measurementKinds()) {
     const Measurement m = correlated(row.kind);
-    Measurement apart = m;
-    apart.correlation_W.reset();
-    const MatrixXd with = statedCovariance(m), without = statedCovariance(apart);
+    Measurement uncorrelated = m;
+    uncorrelated.correlation_W.reset();
+    const MatrixXd with = statedCovariance(m), without = statedCovariance(uncorrelated);
     EXPECT_TRUE(with.diagonal().isApprox(without.diagonal())) << row.name;
     MatrixXd expected = without;
     if (row.has_coordinates) {
@@ -103,7 +103,7 @@ TEST(CorrelatedCoordinates, IntervalsHoldTheTruthAndAreSharperForIt) {
                                        "mezzanine-beam.joint_stiffness.z", "mezzanine-platform.joint_stiffness.x"};
   PlacedArm truth = cobra();
   for (auto& row : truth.arm.rows) row.joint.encoder_sigma /= 20;
-  IntervalCoverage whole, apart;
+  IntervalCoverage whole, uncorrelated;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     MeasurementMaker maker(truth, seed, MeasurementMaker::Noise::kStated);
     maker.sigma_W = Vector3d(0.001, 0.005, 0.005) * kInch;
@@ -111,12 +111,12 @@ TEST(CorrelatedCoordinates, IntervalsHoldTheTruthAndAreSharperForIt) {
     maker.add(MeasurementKind::kPosition, 40);
     fit(truth, maker.measurements, names, whole);
     for (auto& measurement : maker.measurements) measurement.correlation_W.reset();
-    fit(truth, maker.measurements, names, apart);
+    fit(truth, maker.measurements, names, uncorrelated);
   }
   ASSERT_EQ(whole.count, 800);
   EXPECT_GE(whole.holds, 0.93 * 800);
   EXPECT_LE(whole.holds, 0.97 * 800);
-  EXPECT_LT(whole.width, 0.5 * apart.width);
+  EXPECT_LT(whole.width, 0.5 * uncorrelated.width);
 }
 
 }  // namespace

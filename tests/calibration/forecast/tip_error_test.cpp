@@ -72,10 +72,10 @@ TEST(TipError, WhatBaseAndNumbersTakeUpOfEachOtherMovesNoTipThatWasTouched) {
   std::vector<Eigen::VectorXd> touched;
   for (const auto& touch : touches) touched.push_back(touch.q);
   const auto together = findTipError({base.arm, base.X_WB, 0, base.uncertainty, {}, touched});
-  const auto apart = findTipError({base.arm, base.X_WB, 0, base_alone, {}, touched});
+  const auto separate = findTipError({base.arm, base.X_WB, 0, base_alone, {}, touched});
   for (std::size_t k = 0; k < touched.size(); ++k) {
     EXPECT_LT(std::sqrt(covarianceOf(together[k]).trace() / 2), 0.01 * kInch) << "about the touch's own noise";
-    EXPECT_GT(std::sqrt(covarianceOf(apart[k]).trace() / 2), 0.01 * kInch);
+    EXPECT_GT(std::sqrt(covarianceOf(separate[k]).trace() / 2), 0.01 * kInch);
   }
 }
 

@@ -564,15 +564,15 @@ inline bool isSameStep(const std::string& a, const std::string& b) {
   };
   const auto of_a = partsOf(a), of_b = partsOf(b);
   if (of_a.size() != of_b.size()) return false;
-  double apart = 0, size = 0;
+  double squared_difference = 0, size = 0;
   for (std::size_t k = 0; k < of_a.size(); ++k) {
     const bool is_number = of_a[k].find_first_not_of("+-.0123456789e") == std::string::npos;
     if (!is_number && of_a[k] != of_b[k]) return false;
     if (!is_number) continue;
-    apart += std::pow(std::atof(of_a[k].c_str()) - std::atof(of_b[k].c_str()), 2);
+    squared_difference += std::pow(std::atof(of_a[k].c_str()) - std::atof(of_b[k].c_str()), 2);
     size += std::pow(std::atof(of_b[k].c_str()), 2);
   }
-  return apart <= kShare * kShare * size;
+  return squared_difference <= kShare * kShare * size;
 }
 
 enum class Naming { kRight, kEqually, kWrong, kMissed };

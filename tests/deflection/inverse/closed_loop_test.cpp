@@ -13,8 +13,8 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
-using testing::apart, testing::kQuarter, testing::DrawnChain, testing::chainOf, testing::Draw, testing::drawnChain,
-    testing::drawnReadings;
+using testing::postureDifference, testing::kQuarter, testing::DrawnChain, testing::chainOf, testing::Draw,
+    testing::drawnChain, testing::drawnReadings;
 /// Returns true if posture `q` is among the postures to which the roots of the closure equations lead.
 template <int Size>
 bool isAmongRoots(const DrawnChain& chain, const VectorXd& q) {
@@ -28,7 +28,7 @@ bool isAmongRoots(const DrawnChain& chain, const VectorXd& q) {
   options.singular_floor = 1e-6;
   GoalProblem problem(chain.arm, false, rigidTips(chain.axes), options);
   const auto led = leadToGoals(problem, std::vector(roots.size(), ToolGoal{tip.p, tip.axis}), roots);
-  return std::ranges::any_of(led, [&](const Branch& branch) { return apart(chain, branch.q, q) < 1e-4; });
+  return std::ranges::any_of(led, [&](const Branch& branch) { return postureDifference(chain, branch.q, q) < 1e-4; });
 }
 
 TEST(LoopClosure, AJointChangesItLinearly) {

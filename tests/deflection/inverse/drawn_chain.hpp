@@ -56,7 +56,7 @@ inline Eigen::VectorXd drawnReadings(const DrawnChain& chain, Draw& draw) {
   return q;
 }
 
-inline double apart(const DrawnChain& chain, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+inline double postureDifference(const DrawnChain& chain, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   double most = 0;
   for (Eigen::Index k = 0; k < a.size(); ++k) {
     const double off = a[k] - b[k];

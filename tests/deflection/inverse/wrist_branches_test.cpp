@@ -14,7 +14,8 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
-using testing::apart, testing::kQuarter, testing::DrawnChain, testing::chainOf, testing::Draw, testing::drawnReadings;
+using testing::postureDifference, testing::kQuarter, testing::DrawnChain, testing::chainOf, testing::Draw,
+    testing::drawnReadings;
 /// Returns a chain of `before` joints of any geometry (with the third axis parallel to the second if `is_plane`) and a
 /// wrist whose axes miss each other by `off` [m].
 DrawnChain drawnWrist(int before, int slide, bool is_plane, double off, Draw& draw) {
@@ -49,7 +50,8 @@ double offFrom(const DrawnChain& chain, const ToolGoal& goal, const VectorXd& q)
 }
 
 bool hasNear(const DrawnChain& chain, const std::vector<VectorXd>& postures, const VectorXd& q, double most) {
-  return std::ranges::any_of(postures, [&](const VectorXd& other) { return apart(chain, other, q) < most; });
+  return std::ranges::any_of(postures,
+                             [&](const VectorXd& other) { return postureDifference(chain, other, q) < most; });
 }
 
 TEST(WristBranches, EveryPostureIsFoundAtItsTurnAndNoneIsFalse) {
@@ -107,7 +109,7 @@ TEST(WristBranches, PosturesInLineAreFoundBetweenTheRolls) {
       search.addPostures(goal, all);
       const auto isNear = [&](const VectorXd& other) {
         return std::abs(other[4]) < 1e-6 && std::abs(std::remainder(other[3] - q4, 4 * kQuarter)) < 0.6 &&
-               apart(chain, other.head<3>(), q.head<3>()) < 0.05 && offFrom(chain, goal, other) < 0.005;
+               postureDifference(chain, other.head<3>(), q.head<3>()) < 0.05 && offFrom(chain, goal, other) < 0.005;
       };
       EXPECT_TRUE(std::ranges::any_of(all, isNear)) << q.transpose();
     }

@@ -32,7 +32,7 @@ struct BranchCount {
   }
 };
 
-inline double apartOf(const deflection::Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+inline double postureDifference(const deflection::Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   double most = 0;
   for (Eigen::Index k = 0; k < a.size(); ++k)
     most = std::max(most, arm.joint(k).type == deflection::JointType::kPrismatic
@@ -54,7 +54,7 @@ inline std::vector<Eigen::VectorXd> bruteForce(const deflection::Arm& rigid, con
   for (int k = 0; k < starts; ++k) from.push_back(randomPosture(rigid, generator));
   for (const auto& branch : solver.refine(std::vector(from.size(), goal), from)) {
     if (branch.status != deflection::BranchStatus::kConverged) continue;
-    if (std::ranges::all_of(found, [&](const auto& other) { return apartOf(rigid, other, branch.q) > 1e-4; }))
+    if (std::ranges::all_of(found, [&](const auto& other) { return postureDifference(rigid, other, branch.q) > 1e-4; }))
       found.push_back(branch.q);
   }
   return found;
@@ -91,7 +91,7 @@ inline bool isFound(const deflection::RigidSearch& search, const deflection::Arm
   for (const Branch& branch : leadToGoals(problem, std::vector(starts.size(), goal), starts)) {
     Eigen::VectorXd led = q;
     led(moved) = branch.q;
-    if (apartOf(arm, led, q) < 1e-3) return true;
+    if (postureDifference(arm, led, q) < 1e-3) return true;
   }
   return false;
 }
@@ -131,8 +131,8 @@ inline BranchCount countBranches(const Workcell& cell, std::span<const Eigen::Ve
     const auto known = rigid_solver.solve(goals[g]);
     count.without += !brute.empty() && known.status != BranchStatus::kConverged;
     for (const auto& q : brute) {
-      const bool is_known =
-          std::ranges::any_of(known.branches, [&](const Branch& branch) { return apartOf(rigid, branch.q, q) < 2e-3; });
+      const bool is_known = std::ranges::any_of(
+          known.branches, [&](const Branch& branch) { return postureDifference(rigid, branch.q, q) < 2e-3; });
       count.missed += !is_known && (turret || !isFound(*search, rigid, goals[g], q));
     }
   }

@@ -106,14 +106,14 @@ TEST(MeshSurvey, SaysWhetherASurfaceHasAnInside) {
   EXPECT_EQ(surveyMesh(box).open_edges, 3u);
   EXPECT_NE(describe(surveyMesh(box)).find("3 of its edges are open"), std::string::npos);
   // A box is closed even if each triangle has its own copies of its corners, as in an STL file.
-  TriangleMesh apart;
+  TriangleMesh unjoined;
   const TriangleMesh whole = testing::boxMesh({1, 2, 3});
   for (const auto& triangle : whole.triangles) {
-    const int first = static_cast<int>(apart.vertices.size());
-    for (const int k : triangle) apart.vertices.push_back(whole.vertices[static_cast<std::size_t>(k)]);
-    apart.triangles.push_back({first, first + 1, first + 2});
+    const int first = static_cast<int>(unjoined.vertices.size());
+    for (const int k : triangle) unjoined.vertices.push_back(whole.vertices[static_cast<std::size_t>(k)]);
+    unjoined.triangles.push_back({first, first + 1, first + 2});
   }
-  EXPECT_TRUE(surveyMesh(apart).isClosed());
+  EXPECT_TRUE(surveyMesh(unjoined).isClosed());
 }
 
 TEST(MeshSurvey, MeshesThatMakeNoSenseAreTold) {
@@ -139,7 +139,7 @@ void expectAsFarAs(const MeshShape& mesh, const Shape& exact, double sagitta, st
   std::mt19937_64 generator(seed);
   const auto box = testing::shape("box", {0, 0, 0, 0.4, 0.2, 0.1, 0, 0, 0});
   const auto cylinder = testing::shape("cylinder", {0, 0, -0.2, 0, 0, 0.2, 0.1});
-  int apart = 0, touching = 0;
+  int separated = 0, touching = 0;
   for (int round = 0; round < 2000; ++round) {
     const Capsule capsule = anyCapsule(generator, 1, 0.03);
     const Isometry3d X = uniformPose(generator, 1);
@@ -149,7 +149,7 @@ void expectAsFarAs(const MeshShape& mesh, const Shape& exact, double sagitta, st
         {mesh.separationFrom(X, solid(cylinder)).distance, exact.separationFrom(X, solid(cylinder)).distance}};
     for (const auto& [found, known] : pairs) {
       if (known > 1e-8) {
-        ++apart;
+        ++separated;
         EXPECT_GE(found, known - 1e-8);
         EXPECT_LE(found, known + sagitta + 1e-8);
       } else if (known < -0.03 - 1e-6 || sagitta < 1e-8) {
@@ -161,7 +161,7 @@ void expectAsFarAs(const MeshShape& mesh, const Shape& exact, double sagitta, st
     EXPECT_GE(mesh.pointDistance(p), exact.pointDistance(p) - 1e-8);
     EXPECT_LE(mesh.pointDistance(p), exact.pointDistance(p) + sagitta + 1e-8);
   }
-  EXPECT_GT(apart, 500);
+  EXPECT_GT(separated, 500);
   if (sagitta < 1e-8) {
     EXPECT_GT(touching, 500);
   }

@@ -111,14 +111,14 @@ class OfKinds : public ::testing::TestWithParam<std::pair<const char*, const cha
 /// a micro-inch. Where the two distances differ by more, alternating projections find the points.
 TEST_P(OfKinds, NeverFurtherThanTwoPointsNorNearerThanTheLibrary) {
   std::mt19937_64 generator(5);
-  int apart = 0, differ = 0, too_near = 0;
+  int separated = 0, differ = 0, too_near = 0;
   double most_over = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
     const auto a = randomSolid(GetParam().first, generator), b = randomSolid(GetParam().second, generator);
     const Isometry3d X_AB = uniformPose(generator, 1);
     const double own = separation(Isometry3d::Identity(), solid(a), X_AB, solid(b)).distance;
     const double other = separationByLibrary(Isometry3d::Identity(), solid(a), X_AB, solid(b)).distance;
-    apart += own > 0;
+    separated += own > 0;
     if (std::max(own, other) <= 0 || std::abs(own - other) <= 2.54e-8) continue;
     ++differ;
     const double above = fromAbove(X_AB, solid(a), solid(b), generator, 5);
@@ -128,7 +128,7 @@ TEST_P(OfKinds, NeverFurtherThanTwoPointsNorNearerThanTheLibrary) {
   }
   EXPECT_LE(most_over, 1e-12);
   EXPECT_EQ(too_near, 0) << "of " << differ;
-  EXPECT_GT(apart, kTrials / 4);
+  EXPECT_GT(separated, kTrials / 4);
   RecordProperty("differ", differ);
 }
 

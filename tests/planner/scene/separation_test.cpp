@@ -155,7 +155,7 @@ TEST(LibrarySeparation, BoxesBySupportAndByCorners) {
   std::mt19937_64 generator(21);
   const auto obstacle = shape("box", {0, 0, 0, 1, 0.6, 0.4, 0, 0, 0}),
              body = shape("box", {0, 0, 0, 0.5, 0.3, 0.2, 0, 0, 0});
-  int apart = 0;
+  int separated = 0;
   for (int i = 0; i < 3000; ++i) {
     const Isometry3d X = uniformPose(generator, 1.2);
     const double found = obstacle->separationFrom(X, solid(body)).distance;
@@ -176,9 +176,9 @@ TEST(LibrarySeparation, BoxesBySupportAndByCorners) {
     const double other_way = body->separationFrom(X.inverse(), solid(obstacle)).distance;
     if (found <= 1e-6) continue;
     EXPECT_NEAR(found, other_way, 1e-8);
-    ++apart;
+    ++separated;
   }
-  EXPECT_GT(apart, 500);
+  EXPECT_GT(separated, 500);
 }
 
 TEST(LibrarySeparation, TouchingAndAlmostTouchingIsNeverCalledFar) {

@@ -104,7 +104,7 @@ TEST_P(ByOtherMeans, EveryPairOfTheCellIsAsFarAsTheCollisionWorldSays) {
   const CollisionWorld world(cell.scene);
   std::mt19937_64 generator(static_cast<std::uint64_t>(GetParam()));
   constexpr double kAccuracy = 1e-5, kLibrary = 1e-8;
-  int compared = 0, apart = 0;
+  int compared = 0, separated = 0;
   for (int round = 0; round < 500; ++round) {
     const auto frames = bodyFrames(cell, testing::randomPosture(cell.arm, generator), nullptr);
     ASSERT_FALSE(frames.empty());
@@ -120,7 +120,7 @@ TEST_P(ByOtherMeans, EveryPairOfTheCellIsAsFarAsTheCollisionWorldSays) {
         const double known = distances.at(bodyLabel(body) + ", " + obstacle.name);
         ++compared;
         if (known > 0) {
-          ++apart;
+          ++separated;
           EXPECT_LE(found, known + kLibrary) << bodyLabel(body) << ", " << obstacle.name;
           EXPECT_GE(found, known - kAccuracy - kLibrary) << bodyLabel(body) << ", " << obstacle.name;
         } else {
@@ -129,8 +129,8 @@ TEST_P(ByOtherMeans, EveryPairOfTheCellIsAsFarAsTheCollisionWorldSays) {
       }
   }
   EXPECT_GT(compared, 5000);
-  EXPECT_GT(apart, compared / 4);
-  EXPECT_LT(apart, compared);
+  EXPECT_GT(separated, compared / 4);
+  EXPECT_LT(separated, compared);
 }
 
 /// Returns the cell with capsules replaced: every second body by a box about its capsule's axis, every third of the

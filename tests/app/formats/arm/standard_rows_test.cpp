@@ -62,7 +62,7 @@ std::string standardFile(const std::string& rows) { return fileOf(rows, "convent
 
 ArmSource armOfText(const std::string& text) { return readArm(parseYaml(text, "arm.yaml")); }
 
-double tipsApart(const deflection::Arm& one, const deflection::Arm& other) {
+double tipDistance(const deflection::Arm& one, const deflection::Arm& other) {
   double most = 0;
   for (int n = 0; n < 20; ++n) {
     Eigen::VectorXd q(one.jointCount());
@@ -76,15 +76,15 @@ double tipsApart(const deflection::Arm& one, const deflection::Arm& other) {
 TEST(StandardRows, areTheArmOfCraigsTable) {
   for (const auto& [name, standard, modified] : kTables) {
     const ArmSource source = armOfText(standardFile(standard));
-    EXPECT_LE(tipsApart(source.arm, armOfText(fileOf(modified)).arm), 1e-12) << name;
-    EXPECT_GT(tipsApart(source.arm, armOfText(fileOf(standard)).arm), 0.1) << name;
+    EXPECT_LE(tipDistance(source.arm, armOfText(fileOf(modified)).arm), 1e-12) << name;
+    EXPECT_GT(tipDistance(source.arm, armOfText(fileOf(standard)).arm), 0.1) << name;
     const std::string again = armYaml(source.arm, source.units);
     EXPECT_EQ(occurrences(again, "convention: standard"), 1u);
     EXPECT_EQ(occurrences(again, "- name: "), 6u) << again;
-    EXPECT_LE(tipsApart(source.arm, armOfText(again).arm), 1e-12) << name;
+    EXPECT_LE(tipDistance(source.arm, armOfText(again).arm), 1e-12) << name;
   }
-  EXPECT_LE(tipsApart(armOfText(fileOf(kTables[0].modified)).arm,
-                      armOfText(fileOf(kTables[0].modified, "convention: modified\n")).arm),
+  EXPECT_LE(tipDistance(armOfText(fileOf(kTables[0].modified)).arm,
+                        armOfText(fileOf(kTables[0].modified, "convention: modified\n")).arm),
             0);
 }
 
@@ -104,7 +104,7 @@ TEST(StandardRows, everyParameterIsWrittenBackWhereItStands) {
       EXPECT_NEAR(found->value, value, 1e-12) << parameter.name;
       deflection::Arm moved = source.arm;
       deflection::locate(moved, parameter.path) = value;
-      EXPECT_LE(tipsApart(again.arm, moved), 1e-12) << parameter.name;
+      EXPECT_LE(tipDistance(again.arm, moved), 1e-12) << parameter.name;
       EXPECT_EQ(occurrences(changed_text, "convention: standard"), 1u);
     }
   }
@@ -121,10 +121,10 @@ TEST(StandardRows, aFirstAxisMayStandElsewhere) {
     const std::string craigs =
         fileOf(changed(first_of_modified, "dh: {alpha: 0, a: 0,", "dh: {alpha: 0.4, a: 0.003, beta: -0.2, b: -0.002,"));
     const ArmSource source = armOfText(text);
-    EXPECT_LE(tipsApart(source.arm, armOfText(craigs).arm), 1e-12) << name;
+    EXPECT_LE(tipDistance(source.arm, armOfText(craigs).arm), 1e-12) << name;
     const std::string again = armYaml(source.arm, source.units);
     EXPECT_EQ(occurrences(again, "axis: {"), 1u) << again;
-    EXPECT_LE(tipsApart(source.arm, armOfText(again).arm), 1e-12) << name;
+    EXPECT_LE(tipDistance(source.arm, armOfText(again).arm), 1e-12) << name;
   }
 }
 
@@ -154,7 +154,7 @@ TEST(StandardRows, originsMayComeFirst) {
   const std::string foot = "- {name: foot, origin: {position: [0, 0, 1], rpy: [0, 0, 90]}}\n";
   const auto with = armOfText(standardFile(foot + kTables[0].standard)).arm;
   const auto same = armOfText(fileOf(foot + kTables[0].modified)).arm;
-  EXPECT_LE(tipsApart(with, same), 1e-12);
+  EXPECT_LE(tipDistance(with, same), 1e-12);
 }
 
 }  // namespace
