@@ -50,9 +50,9 @@ bool isTrue(const calibration::Diagnosis& diagnosis, const std::string& hidden) 
   const auto matches = [&](const std::string& effect, const std::string& at) {
     return hidden.starts_with(effect + "@" + at + ":");
   };
-  return matches(found.effect, found.at) || std::any_of(found.also.begin(), found.also.end(), [&](const auto& also) {
-           return matches(also.first, also.second);
-         });
+  return matches(found.effect, found.at) ||
+         std::any_of(found.indistinguishable.begin(), found.indistinguishable.end(),
+                     [&](const auto& other) { return matches(other.first, other.second); });
 }
 
 void describe(const calibration::Diagnosis& diagnosis) {

@@ -19,9 +19,9 @@ using nlohmann::json;
 json modelJson(const Explanation& explanation) {
   json names = json::array();
   for (const auto& effect : explanation.effects) {
-    json also = json::array({effect.effect + "@" + effect.at});
-    for (const auto& [name, at] : effect.also) also.push_back(name + "@" + at);
-    names.push_back(also);
+    json indistinguishable = json::array({effect.effect + "@" + effect.at});
+    for (const auto& [name, at] : effect.indistinguishable) indistinguishable.push_back(name + "@" + at);
+    names.push_back(indistinguishable);
   }
   return {{"effects", names},
           {"log_weight", -explanation.criterion / 2},

@@ -57,16 +57,16 @@ nlohmann::json effectJson(const FoundEffect& effect, const deflection::Arm& arm,
     if (number.is_beyond_usual) parameters[number.name]["beyond_usual"] = true;
     parameters[number.name].erase("name");
   }
-  nlohmann::json also = nlohmann::json::array();
-  for (const auto& [name, at] : effect.also) also.push_back({{"effect", name}, {"at", at}});
+  nlohmann::json indistinguishable = nlohmann::json::array();
+  for (const auto& [name, at] : effect.indistinguishable) indistinguishable.push_back({{"effect", name}, {"at", at}});
   nlohmann::json json = {{"effect", effect.effect},
                          {"at", effect.at},
                          {"parameters", parameters},
-                         {"also", also},
+                         {"also", indistinguishable},
                          {"add", additionText(effect, arm, units)}};
   for (const auto& number : effect.numbers)
     if (number.is_beyond_usual) json["beyond_usual"].push_back(number.name);
-  if (!effect.also.empty()) json["also_words"] = alsoText(effect);
+  if (!effect.indistinguishable.empty()) json["also_words"] = indistinguishableText(effect);
   if (!effect.frees.empty()) json["frees"] = effect.frees;
   addModes(effect, units, json);
   addEffectWords(effect.effect, json);

@@ -84,7 +84,7 @@ std::string orText(const Explanation& explanation) {
   std::vector<std::string> clauses;
   for (const auto& effect : explanation.effects) {
     std::vector<std::string> others;
-    for (const auto& [name, at] : effect.also)
+    for (const auto& [name, at] : effect.indistinguishable)
       if (!contains(explanation, name, at)) others.push_back(causeTitle(name, at));
     if (others.empty()) continue;
     const std::string instead = fmt::format("{}", fmt::join(others, " or "));
@@ -273,9 +273,9 @@ std::string namesText(const Explanation& explanation) {
   return joinedTitles(names, freed);
 }
 
-std::string alsoText(const FoundEffect& effect) {
+std::string indistinguishableText(const FoundEffect& effect) {
   std::vector<std::string> others;
-  for (const auto& [name, at] : effect.also) others.push_back(causeTitle(name, at));
+  for (const auto& [name, at] : effect.indistinguishable) others.push_back(causeTitle(name, at));
   if (others.empty()) return "";
   return fmt::format("no reading with this tool can distinguish {} from {}", causeTitle(effect.effect, effect.at),
                      fmt::join(others, ", "));

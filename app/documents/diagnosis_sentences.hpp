@@ -34,7 +34,7 @@ inline constexpr const char* kProbabilityWords =
 
 /// Returns a clause that names the effects that no measurement could distinguish from the given effect; empty if there
 /// are none.
-[[nodiscard]] std::string alsoText(const calibration::FoundEffect& effect);
+[[nodiscard]] std::string indistinguishableText(const calibration::FoundEffect& effect);
 
 /// Returns the conclusions of a diagnosis, one sentence per element.
 [[nodiscard]] std::vector<std::string> diagnosisSentences(const calibration::Diagnosis& result, const Units& units);

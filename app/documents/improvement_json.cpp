@@ -141,7 +141,7 @@ nlohmann::json improvementJson(const Improvement& result, const std::vector<cali
     json["steps"].push_back({{"verdict", nameOf(step.diagnosis.verdict)},
                              {"sentence", sentenceOf(step, units)},
                              {"added", step.added},
-                             {"also", step.also},
+                             {"also", step.indistinguishable},
                              {"not_needed", step.not_needed},
                              {"reason", reasonText(step, units)},
                              {"heldout_rms", pair(step.heldout_before, step.heldout_after)},

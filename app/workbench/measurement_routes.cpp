@@ -60,16 +60,16 @@ Answer leverage(Workbench& workbench, const Request& request) {
   return answerOf(leverageJson(currentModel(session).cell, session.measurements->measurements, namesAt(request)));
 }
 
-/// Loads the measurements; `also` applies further changes in the same undoable step.
+/// Loads the measurements; `changeSession` applies further changes in the same undoable step.
 void take(
     Workbench& workbench, std::shared_ptr<MeasurementSet> set,
-    const std::function<void(Session&)>& also = [](Session&) {}) {
+    const std::function<void(Session&)>& changeSession = [](Session&) {}) {
   if (set->measurements.size() > kMostLoaded)
     throw InputError(set->name, fmt::format("{} readings", set->measurements.size()),
                      fmt::format("at most {} in the workbench", kMostLoaded), "use the command line for more");
   workbench.change([&](Session& session) {
     putMeasurements(session, set);
-    also(session);
+    changeSession(session);
     return true;
   });
 }

@@ -52,7 +52,8 @@ bool isTruth(const calibration::Explanation& explanation, const std::string& eff
   if (explanation.effects.size() != 1) return false;
   const auto& found = explanation.effects.front();
   return (found.effect == effect && found.at == at) ||
-         std::find(found.also.begin(), found.also.end(), std::pair{effect, at}) != found.also.end();
+         std::find(found.indistinguishable.begin(), found.indistinguishable.end(), std::pair{effect, at}) !=
+             found.indistinguishable.end();
 }
 
 DiagnosisOutcomeKind outcomeOf(const calibration::Diagnosis& diagnosis, const std::string& effect,

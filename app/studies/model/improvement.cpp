@@ -254,7 +254,7 @@ class Improver {
     step.added = added.names;
     model = withoutNone(std::move(model), cell, hooks);
     for (const auto& effect : cause.effects)
-      for (const auto& [name, at] : effect.also) step.also.push_back(name + "@" + at);
+      for (const auto& [name, at] : effect.indistinguishable) step.indistinguishable.push_back(name + "@" + at);
     keep(std::move(model));
     return true;
   }

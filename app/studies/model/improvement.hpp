@@ -68,8 +68,8 @@ struct ImprovementStep {
   ImprovementReason reason = ImprovementReason::kNoVerdict;
   /// Values that belong to `reason`, as explained at ImprovementReason [m]; NaN if the reason has none.
   double first = std::numeric_limits<double>::quiet_NaN(), second = first;
-  std::vector<std::string> added;       ///< names of the added causes; empty if none was added
-  std::vector<std::string> also;        ///< causes that no measurement distinguishes from the added causes
+  std::vector<std::string> added;              ///< names of the added causes; empty if none was added
+  std::vector<std::string> indistinguishable;  ///< causes that no measurement distinguishes from the added causes
   std::vector<std::string> not_needed;  ///< added effects that the fit found to be zero and that were removed again
   /// Errors of poses held out in folds, before and after the addition.
   calibration::ErrorSize heldout_before, heldout_after;

@@ -28,7 +28,7 @@ struct FoundEffect {
   std::vector<std::string> frees;  ///< parameters of the arm's file that are freed instead of an effect
   std::vector<FoundNumber> numbers;
   /// Other causes (effect and location) that no measurement could distinguish from this one.
-  std::vector<std::pair<std::string, std::string>> also;
+  std::vector<std::pair<std::string, std::string>> indistinguishable;
   /// Sets of values of the effect's parameters that explain the measurements equally well, the fitted set first; empty
   /// if there is only one set.
   std::vector<std::vector<double>> modes;

@@ -32,7 +32,8 @@ void addName(const DiagnosisWork& work, int cause, int same, Explanation& explan
   for (FoundEffect& found : explanation.effects) {
     if (found.effect != known.effect || (found.at != known.at && known.effects.size() < 2)) continue;
     const std::pair name{other.effect, other.at};
-    if (std::ranges::find(found.also, name) == found.also.end()) found.also.push_back(name);
+    if (std::ranges::find(found.indistinguishable, name) == found.indistinguishable.end())
+      found.indistinguishable.push_back(name);
     return;
   }
 }
@@ -79,7 +80,8 @@ void nameFoundMembers(const DiagnosisWork& work, std::vector<ModelClass>& classe
       Explanation found = explanationByFoundMembers(work, *one.model);
       for (FoundEffect& effect : found.effects)
         for (const FoundEffect& joined : one.explanation.effects)
-          if (joined.effect == effect.effect && joined.at == effect.at) effect.also = joined.also;
+          if (joined.effect == effect.effect && joined.at == effect.at)
+            effect.indistinguishable = joined.indistinguishable;
       one.explanation = std::move(found);
     }
     const auto same = std::ranges::find_if(

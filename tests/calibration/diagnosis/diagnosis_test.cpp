@@ -135,7 +135,7 @@ TEST(Diagnosis, CausesThatNoMeasurementTellsApartAreOneWithBothNames) {
   ASSERT_EQ(found.verdict, Verdict::kExplained);
   ASSERT_EQ(found.alternatives.front().effects.size(), 1U);
   const FoundEffect& one = found.alternatives.front().effects.front();
-  std::vector<std::pair<std::string, std::string>> names = one.also;
+  std::vector<std::pair<std::string, std::string>> names = one.indistinguishable;
   names.emplace_back(one.effect, one.at);
   std::ranges::sort(names);
   EXPECT_EQ(names, (std::vector<std::pair<std::string, std::string>>{{"joint-compliance", "forearm.y"},
