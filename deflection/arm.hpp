@@ -130,9 +130,10 @@ struct EffectTerms {
   Vector3<S> gap = Vector3<S>::Zero();   ///< clearance [rad], see elements/clearance.hpp
   /// Bending compliance of the member about the row's axes [1/(N m^2)].
   Vector3<S> bending_compliance = Vector3<S>::Zero();
-  S torsion_compliance{0};               ///< torsion compliance of the member [1/(N m^2)]
-  Vector3<S> pull = Vector3<S>::Zero();  ///< force at the member's end, such as the pull of a hose, in base axes [N]
-  std::vector<Lump<S>> hung;             ///< weights that move with the row's origin, even if the member bends
+  S torsion_compliance{0};  ///< torsion compliance of the member [1/(N m^2)]
+  Vector3<S> end_force =
+      Vector3<S>::Zero();                 ///< force at the member's end, such as the pull of a hose, in base axes [N]
+  std::vector<Lump<S>> attached_weights;  ///< weights that move with the row's origin, even if the member bends
 };
 
 template <class S>

@@ -193,9 +193,9 @@ void addMember(Chain<S>& chain, const Row<S>& row, const Row<double>& values, in
 
 /// Adds the weights that effects hang from the row's origin.
 template <class S>
-void addHung(Chain<S>& chain, const Row<S>& row, int index) {
+void addAttachedWeights(Chain<S>& chain, const Row<S>& row, int index) {
   if (!row.effect_terms) return;
-  for (const Lump<S>& lump : row.effect_terms->hung) {
+  for (const Lump<S>& lump : row.effect_terms->attached_weights) {
     ChainLink<S> link{ChainLinkType::kLump, index};
     link.weight = lump.weight;
     link.lever = lump.at;
@@ -213,7 +213,7 @@ void addSlide(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int
   addMember<S>(chain, bar_row, bar_values, index, bar);
   chain.links.push_back({ChainLinkType::kFrame, index});
   addLumps<S>(chain, row, values, index, Vector3<double>::Zero(), 0, Vector3<S>::Zero());
-  addHung<S>(chain, row, index);
+  addAttachedWeights<S>(chain, row, index);
 }
 
 }  // namespace chain_assembly
@@ -237,7 +237,7 @@ void assembleRow(Chain<S>& chain, const Row<S>& row, const Row<double>& values, 
   } else {
     chain.links.push_back({ChainLinkType::kFrame, index});
     addLumps<S>(chain, row, values, index, valuesOf(to_next), 0, Vector3<S>::Zero());
-    addHung<S>(chain, row, index);
+    addAttachedWeights<S>(chain, row, index);
     addMember<S>(chain, row, values, index, to_next);
   }
 }

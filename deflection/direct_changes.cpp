@@ -128,8 +128,8 @@ void DirectChanges::addRow(std::size_t index, const Row<Dual>& row, const Dual& 
       addElement(e++, link, row, tip);
     else
       addLink(k, link, tip);
-    if (link.type == ChainLinkType::kEndWeight && row.effect_terms && changes(row.effect_terms->pull))
-      addProduct(sensitivity_.forceAt(k, sensitivity_.frames()[k].p), changesOf(row.effect_terms->pull), tip);
+    if (link.type == ChainLinkType::kEndWeight && row.effect_terms && changes(row.effect_terms->end_force))
+      addProduct(sensitivity_.forceAt(k, sensitivity_.frames()[k].p), changesOf(row.effect_terms->end_force), tip);
   }
 }
 

@@ -128,7 +128,7 @@ Row<To> shapeOf(const Row<From>& row) {
   terms.member_is_compliant = from.member_is_compliant;
   terms.bends = from.bends;
   terms.has_gap = from.has_gap;
-  terms.hung.resize(from.hung.size());
+  terms.attached_weights.resize(from.attached_weights.size());
   return out;
 }
 

@@ -99,12 +99,12 @@ void PreparedArm::addLink(const Arm& arm, const std::vector<int>& joints, std::s
   }
   rigid.weight += link.weight;
   rigid.far.p += p;
-  if (link.type != ChainLinkType::kEndWeight || !row.effect_terms || row.effect_terms->pull.isZero(0)) return;
-  DeadLoad pull;
-  pull.direction_B = row.effect_terms->pull;
-  pull.body = static_cast<int>(part_ends_.size());
+  if (link.type != ChainLinkType::kEndWeight || !row.effect_terms || row.effect_terms->end_force.isZero(0)) return;
+  DeadLoad end_force;
+  end_force.direction_B = row.effect_terms->end_force;
+  end_force.body = static_cast<int>(part_ends_.size());
   hanging_.push_back({equilibrium_.loads.size(), static_cast<int>(parts_.size()) - 1, rigid.far.p});
-  equilibrium_.loads.push_back(pull);
+  equilibrium_.loads.push_back(end_force);
 }
 
 /// Adds a force or moment on the tip.
@@ -283,7 +283,7 @@ void PreparedArm::recordLoads(const std::vector<PoseOf<double>>& frames, std::ve
         chord.cross(force) + (hangs_aside ? Vector3d(frames[k].R * link.lever) : Vector3d(chord / 2)).cross(weight);
     force += weight;
     const auto& effect_terms = arm.rows[static_cast<std::size_t>(link.row)].effect_terms;
-    if (link.type == ChainLinkType::kEndWeight && effect_terms) force += effect_terms->pull;
+    if (link.type == ChainLinkType::kEndWeight && effect_terms) force += effect_terms->end_force;
     if (link.type != ChainLinkType::kFrame) continue;
     RowState& row = rows[static_cast<std::size_t>(link.row)];
     row.force_B = force;

@@ -12,9 +12,9 @@ using Eigen::Vector3d;
 void PreparedArm::findRevoluteChain(const Arm& arm) {
   revolute_chain_.reset();
   const auto& tip = arm.tip_load;
-  const bool tip_pulls = tip && !(tip->contact_force == 0 && tip->payload_offset.isZero(0));
+  const bool tip_is_loaded = tip && !(tip->contact_force == 0 && tip->payload_offset.isZero(0));
   if (hasFollowers(arm)) return;
-  if (equilibrium_.loads.size() > 1 || equilibrium_.clearances > 0 || tip_pulls) return;
+  if (equilibrium_.loads.size() > 1 || equilibrium_.clearances > 0 || tip_is_loaded) return;
   std::vector<int> joint_of(chain_.links.size(), -1);
   for (const JointTurn& turn : turns_) joint_of[turn.link] = turn.joint;
   auto found = simd::RevoluteChain::of(chain_, arm, joint_of, equilibrium_.elements, equilibrium_.reach);

@@ -185,8 +185,8 @@ void visitLoads(Visit&& visit, R& row, Rest&... rest) {
   lump.name = "weight.lumps";
   visitLumps(lump, visit, row.weight.lumps, rest.weight.lumps...);
   if (!(row.effect_terms && ... && rest.effect_terms.has_value())) return;
-  visitVectors({}, {}, visit, row.effect_terms->pull, rest.effect_terms->pull...);
-  visitLumps({}, visit, row.effect_terms->hung, rest.effect_terms->hung...);
+  visitVectors({}, {}, visit, row.effect_terms->end_force, rest.effect_terms->end_force...);
+  visitLumps({}, visit, row.effect_terms->attached_weights, rest.effect_terms->attached_weights...);
 }
 
 /// Calls `visit(about, numbers...)` for every number of the rows, in the order in which arm files list the numbers. All

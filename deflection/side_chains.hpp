@@ -78,7 +78,7 @@ void hangSideChains(const ArmOf<S>& arm, const PostureOf<S>& posture, ArmOf<S>& 
   for (const SideChain<S>& chain : arm.side_chains) {
     auto& terms = to.rows[static_cast<std::size_t>(chain.row)].effect_terms;
     if (!terms) terms.emplace();
-    terms->hung.push_back(weightOfSideChain<S>(chain, q, joint));
+    terms->attached_weights.push_back(weightOfSideChain<S>(chain, q, joint));
   }
 }
 

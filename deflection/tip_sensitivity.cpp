@@ -137,8 +137,8 @@ void TipSensitivity::sweepInwards(const PreparedArm& arm) {
     }
     const auto& effect_terms = numbers.rows[static_cast<std::size_t>(link.row)].effect_terms;
     if (link.type != ChainLinkType::kEndWeight || !effect_terms) continue;
-    outboard.by_turn += momentByTurn(frames_[k].p, effect_terms->pull);
-    outboard.force += effect_terms->pull;
+    outboard.by_turn += momentByTurn(frames_[k].p, effect_terms->end_force);
+    outboard.force += effect_terms->end_force;
   }
 }
 

@@ -56,9 +56,9 @@ std::vector<Index> movable(const ScaledProblem& problem, const VectorXd& x, cons
   return free;
 }
 
-/// Returns -(normal + damping I)^-1 pull. If its length exceeds `radius`, increases `damping` until it no longer does
-/// (by Newton's method on the inverse of the length).
-VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, double& damping) {
+/// Returns -(normal + damping I)^-1 gradient. If its length exceeds `radius`, increases `damping` until it no longer
+/// does (by Newton's method on the inverse of the length).
+VectorXd dampedSolution(MatrixXd normal, const VectorXd& gradient, double radius, double& damping) {
   normal.diagonal() *= 1 + kRest;
   normal.diagonal().array() += kLeastDamping * normal.diagonal().maxCoeff() + damping;
   Eigen::LLT<MatrixXd> factor;
@@ -73,14 +73,14 @@ VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, do
       --k;
       continue;
     }
-    VectorXd step = -factor.solve(pull);
+    VectorXd step = -factor.solve(gradient);
     const double length = step.norm();
     if (length <= (1 + kLengthRest) * radius || k == kDampings) return step;
     const double more = (length - radius) / radius * length * length / factor.matrixL().solve(step).squaredNorm();
     normal.diagonal().array() += more;
     damping += more;
   }
-  return VectorXd::Zero(pull.size());
+  return VectorXd::Zero(gradient.size());
 }
 
 /// Returns the step of the variables `free`, damped to a length of at most `radius`. If variables would leave their
@@ -90,8 +90,8 @@ VectorXd boundedStep(const ScaledProblem& problem, const QuadraticModel& model, 
   VectorXd step = VectorXd::Zero(x.size());
   damping = 0;
   while (!free.empty()) {
-    const VectorXd pull = model.gradient + model.normal * step;
-    const VectorXd part = dampedSolution(model.normal(free, free), pull(free), radius, damping);
+    const VectorXd gradient = model.gradient + model.normal * step;
+    const VectorXd part = dampedSolution(model.normal(free, free), gradient(free), radius, damping);
     radius = std::numeric_limits<double>::infinity();
     std::vector<Index> inside;
     for (std::size_t k = 0; k < free.size(); ++k) {

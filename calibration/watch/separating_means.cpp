@@ -19,7 +19,7 @@ namespace {
 constexpr int kMostVirtual = 24;          // number of virtual measurements of each means
 constexpr std::size_t kMostCompared = 8;  // number of answers that are compared, the most probable ones
 constexpr double kSeparated = 9;          // squared distance in standard deviations from which on a pair is separated
-constexpr double kHungLoad = 100;         // load hung from the tip [N]
+constexpr double kTipLoad = 100;          // load hung from the tip [N]
 constexpr double kInclinometer = 2e-4;    // standard deviation of a tilt [rad]
 
 Measurement touchAt(const Measurement& visit) {
@@ -36,7 +36,7 @@ Measurement touchAt(const Measurement& visit) {
 }
 
 void leave(const deflection::Arm&, RandomStream&, Measurement&) {}
-void hangLoad(const deflection::Arm&, RandomStream&, Measurement& touch) { touch.load += kHungLoad; }
+void hangLoad(const deflection::Arm&, RandomStream&, Measurement& touch) { touch.load += kTipLoad; }
 void measureTurn(const deflection::Arm&, RandomStream&, Measurement& touch) {
   touch.kind = MeasurementKind::kOrientation;
   touch.own.setZero();

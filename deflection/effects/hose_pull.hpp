@@ -13,7 +13,7 @@ namespace tubeplan::deflection::hose_pull {
 template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   EffectTerms<S>& effect_terms = effectTermsOf(context, effect.place.row);
-  for (int k = 0; k < 3; ++k) effect_terms.pull[k] += effect.values[k];
+  for (int k = 0; k < 3; ++k) effect_terms.end_force[k] += effect.values[k];
 }
 
 inline EffectKind kind() {

@@ -20,12 +20,12 @@ void addWrench(const Chain<S>& chain, const WrenchOf<S>& wrench, Vector3<S>& for
 /// Returns, for each row, the moment about its origin of all loads outboard of its frame, in its axes [N m].
 template <class S>
 std::vector<Vector3<S>> rigidMoments(const ArmOf<S>& arm, const PostureOf<S>& posture) {
-  ArmOf<S> hung;
+  ArmOf<S> arm_with_side_chains;
   if (!arm.side_chains.empty()) {
-    hung = arm;
-    hangSideChains<S>(arm, posture, hung);
+    arm_with_side_chains = arm;
+    hangSideChains<S>(arm, posture, arm_with_side_chains);
   }
-  const ArmOf<S>& whole = arm.side_chains.empty() ? arm : hung;
+  const ArmOf<S>& whole = arm.side_chains.empty() ? arm : arm_with_side_chains;
   Chain<S> chain;
   if constexpr (std::is_same_v<S, double>)
     chain = assembleChain<double>(whole, whole, posture.q);

@@ -199,13 +199,15 @@ class Checker {
         find(fmt::format("path row {}: a joint exceeds its speed limit ({:.4f} of it)", k + 1, share));
       if (before.size()) {
         const VectorXd acceleration = (speed - before) / ((step + step_before) / 2);
-        const double pull = (acceleration.cwiseAbs().array() / limits.max_acceleration.array()).maxCoeff();
-        result_.worst_acceleration_share = std::max(result_.worst_acceleration_share, pull);
+        const double acceleration_share =
+            (acceleration.cwiseAbs().array() / limits.max_acceleration.array()).maxCoeff();
+        result_.worst_acceleration_share = std::max(result_.worst_acceleration_share, acceleration_share);
         // Joint values are written to 1e-12 rad; over two short steps, this rounding can cause an error that is a
         // noticeable fraction of the acceleration limit.
         const double rounding = 8e-12 / (step * std::min(step, step_before)) / limits.max_acceleration.minCoeff();
-        if (!(pull <= kLimitShare + rounding))
-          find(fmt::format("path row {}: a joint exceeds its acceleration limit ({:.4f} of it)", k + 1, pull));
+        if (!(acceleration_share <= kLimitShare + rounding))
+          find(fmt::format("path row {}: a joint exceeds its acceleration limit ({:.4f} of it)", k + 1,
+                           acceleration_share));
       }
       before = speed;
       step_before = step;

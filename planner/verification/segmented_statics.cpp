@@ -23,11 +23,11 @@ struct Step {
   Matrix3d compliance = Matrix3d::Zero();
   Vector3d softness = Vector3d::Zero(), knee = Vector3d::Zero();
   Vector3d way = Vector3d::Zero();
-  double weight = 0;                       ///< weight distributed along the translation [N]
-  double end_weight = 0;                   ///< weight at the end of the step [N]
-  Vector3d end_moment = Vector3d::Zero();  ///< first moment of eccentric loads at the end of the step [N m]
-  Vector3d pull_B = Vector3d::Zero();      ///< force at the end of the step, in base axes [N]
-  Vector3d bent = Vector3d::Zero();        ///< rotation of the spring, as a rotation vector [rad]
+  double weight = 0;                        ///< weight distributed along the translation [N]
+  double end_weight = 0;                    ///< weight at the end of the step [N]
+  Vector3d end_moment = Vector3d::Zero();   ///< first moment of eccentric loads at the end of the step [N m]
+  Vector3d end_force_B = Vector3d::Zero();  ///< force at the end of the step, in base axes [N]
+  Vector3d bent = Vector3d::Zero();         ///< rotation of the spring, as a rotation vector [rad]
 };
 
 Matrix3d turned(const Vector3d& by) {
@@ -99,7 +99,7 @@ class SegmentedArm {
     for (std::size_t k = steps_.size(); k-- > 0;) {
       Step& step = steps_[k];
       const Matrix3d& R = frames_[k];
-      force += step.end_weight * g + step.pull_B;
+      force += step.end_weight * g + step.end_force_B;
       moment += (R * step.end_moment).cross(g);
       const Vector3d way = R * step.way;
       moment += way.cross(force) + (way / 2).cross(step.weight * g);
@@ -166,7 +166,8 @@ class SegmentedArm {
       frame.end_weight += lump.weight;
       frame.end_moment += lump.weight * lump.at;
     };
-    if (row.effect_terms) std::for_each(row.effect_terms->hung.begin(), row.effect_terms->hung.end(), hang);
+    if (row.effect_terms)
+      std::for_each(row.effect_terms->attached_weights.begin(), row.effect_terms->attached_weights.end(), hang);
     for (const auto& lump : row.weight.lumps) {
       const double share = gives ? std::clamp(lump.at.dot(member) / member.squaredNorm(), 0., 1.) : 0;
       if (share > 0) {
@@ -195,7 +196,7 @@ class SegmentedArm {
     }
     pending_.clear();
     steps_.back().end_weight += row.weight.end;
-    if (row.effect_terms) steps_.back().pull_B += row.effect_terms->pull;
+    if (row.effect_terms) steps_.back().end_force_B += row.effect_terms->end_force;
   }
 
   void addWay(const Vector3d& way, double weight) {

@@ -100,8 +100,8 @@ TEST(SideChains, BendTheArmAsALumpAtTheirCentreOfGravity) {
     const Eigen::Vector3d member = next.X_BL.p - row.X_BL.p;
     own += (member / 2).cross(arm.rows[2].weight.distributed * undeflectedMember(arm, 2).norm() * posture.gravity_B);
     own += member.cross(arm.rows[2].weight.end * posture.gravity_B);
-    const Eigen::Vector3d hung = at_B.cross(carrier.weight.lumps[0].weight * posture.gravity_B);
-    EXPECT_LE((row.moment_B - beyond - own - hung).norm(), 1e-3 * row.moment_B.norm());
+    const Eigen::Vector3d attached_moment = at_B.cross(carrier.weight.lumps[0].weight * posture.gravity_B);
+    EXPECT_LE((row.moment_B - beyond - own - attached_moment).norm(), 1e-3 * row.moment_B.norm());
   }
 }
 

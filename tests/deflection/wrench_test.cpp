@@ -20,10 +20,11 @@ TEST(Wrench, AlongGravityIsALoad) {
   std::mt19937_64 random(31);
   for (const Arm& arm : effectArms()) {
     for (int n = 0; n < 20; ++n) {
-      Posture hung = randomPosture(arm, random), pulled = hung;
-      pulled.load = 0;
-      pulled.wrench = Wrench{hung.load * hung.gravity_B};
-      const auto one = solveFlexibleKinematics(arm, hung, kTight), other = solveFlexibleKinematics(arm, pulled, kTight);
+      Posture with_load = randomPosture(arm, random), with_wrench = with_load;
+      with_wrench.load = 0;
+      with_wrench.wrench = Wrench{with_load.load * with_load.gravity_B};
+      const auto one = solveFlexibleKinematics(arm, with_load, kTight),
+                 other = solveFlexibleKinematics(arm, with_wrench, kTight);
       ASSERT_EQ(other.status, KinematicsStatus::kConverged) << arm.name;
       EXPECT_LE((one.X_BD.p - other.X_BD.p).norm(), 1e-12 * reachOf(arm)) << arm.name;
       EXPECT_LE((one.rows[0].moment_B - other.rows[0].moment_B).norm(), 1e-9 * (1 + one.rows[0].moment_B.norm()));

@@ -75,12 +75,12 @@ TEST(LoadsOnTheArm, PushesShowWhatGravityCannot) {
   LoadedCoverage coverage;
   const std::vector<std::string> names{"tool.joint_stiffness.z", "forearm.joint_stiffness.z",
                                        "mezzanine-platform.joint_stiffness.x"};
-  double blind_p = 0, hung_width = 0, pushed_width = 0;
+  double blind_p = 0, loaded_width = 0, pushed_width = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     CampaignTruth truth = benchTruth(1, 3.5e-5);
     truth.bases.front().X_WB = benchCell().X_WB;
     CampaignDesign design = designOf(MeasurementKind::kPosition, kPositionSigma);
-    const auto hung = simulate(truth, design, 45, seed);
+    const auto loaded = simulate(truth, design, 45, seed);
     design.push = 180;
     auto campaign = simulate(truth, design, 45, seed);
     ASSERT_EQ(campaign.status, CampaignStatus::kDone) << campaign.reason;
@@ -93,15 +93,15 @@ TEST(LoadsOnTheArm, PushesShowWhatGravityCannot) {
     const auto pushed = identify(known, campaign.measurements, freeing(names));
     coverage.add(pushed, truth.arm);
     pushed_width += pushed.numbers[0].upper - pushed.numbers[0].lower;
-    const auto by_weight = identify(known, hung.measurements, freeing(names));
-    hung_width += by_weight.numbers[0].upper - by_weight.numbers[0].lower;
+    const auto by_weight = identify(known, loaded.measurements, freeing(names));
+    loaded_width += by_weight.numbers[0].upper - by_weight.numbers[0].lower;
     for (auto& measurement : campaign.measurements) measurement.wrench.reset();
     blind_p = std::max(blind_p, identify(known, campaign.measurements, freeing(names)).p_value);
   }
   EXPECT_EQ(coverage.all, 120);
   EXPECT_LE(coverage.outside, 14);  // 6 expected; more than 14 have a probability below 0.002
   EXPECT_LT(blind_p, 1e-6) << "without its column a push is a misfit";
-  EXPECT_LT(pushed_width, hung_width) << "what pushes sideways says more of the tool's joint";
+  EXPECT_LT(pushed_width, loaded_width) << "what pushes sideways says more of the tool's joint";
 }
 
 TEST(LoadsOnTheArm, WeightOfASideChainIsFound) {
