@@ -104,7 +104,7 @@ MotionPlan TravelNetwork::onLine(const Eigen::VectorXd& q0, const Eigen::VectorX
   MotionPlan plan;
   LineTravel line = lines_->between(q0, q1);
   if (line.status != LineTravelStatus::kOnLine) return plan;
-  takeFlow(std::move(line.waypoints), problem_, context_.options.motion.check, plan);
+  setFlowingPath(std::move(line.waypoints), problem_, context_.options.motion.check, plan);
   plan.line_deviation = line.deviation;
   return plan;
 }

@@ -129,7 +129,7 @@ bool proveStretches(const MotionProblem& problem, const MotionPlannerOptions& op
 
 void takeQuickest(Waypoints flow, const MotionProblem& problem, const MotionPlannerOptions& options, MotionPlan& plan) {
   quicken(flow, problem, options, plan.checks);
-  takeFlow(std::move(flow), problem, options.check, plan);
+  setFlowingPath(std::move(flow), problem, options.check, plan);
 }
 
 /// Finds a detour through one posture; returns false if there is none.
@@ -187,7 +187,7 @@ bool findWay(const VectorXd& q0, const VectorXd& q1, const MotionProblem& proble
 
 }  // namespace
 
-void takeFlow(Waypoints flow, const MotionProblem& problem, const MotionCheckOptions& options, MotionPlan& plan) {
+void setFlowingPath(Waypoints flow, const MotionProblem& problem, const MotionCheckOptions& options, MotionPlan& plan) {
   const MotionCheckResult check = checkFlow(flow, problem, options, plan.checks);
   plan.status = check.status == MotionCheckStatus::kFree ? MotionPlanStatus::kFree : MotionPlanStatus::kNoPath;
   plan.reason = check.reason;

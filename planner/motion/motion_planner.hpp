@@ -68,8 +68,8 @@ struct MotionPlan {
 
 /// Sets the plan's path to the motion through the waypoints `flow` without stops, and sets its proved margin. The plan
 /// has no path if any part of the motion is not proved free. The problem must have joint speeds.
-void takeFlow(std::vector<Eigen::VectorXd> flow, const MotionProblem& problem, const MotionCheckOptions& options,
-              MotionPlan& plan);
+void setFlowingPath(std::vector<Eigen::VectorXd> flow, const MotionProblem& problem, const MotionCheckOptions& options,
+                    MotionPlan& plan);
 
 /// Plans a motion from q0 to q1. The same problem, options and seed give bitwise identical waypoints.
 [[nodiscard]] MotionPlan planMotion(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, const MotionProblem& problem,
