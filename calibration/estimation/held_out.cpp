@@ -156,9 +156,10 @@ std::vector<Measurement> judgeable(const PlacedArm& placed, const std::vector<Me
   for (const auto& measurement : held_out) touches[placeOf(measurement)] += hasUnknownPlace(measurement) ? 1 : 0;
   std::vector<Measurement> kept = held_out;
   std::erase_if(kept, [&](const Measurement& measurement) {
-    const bool is_lone = hasUnknownPlace(measurement) && touches[placeOf(measurement)] < leastOfPlace(measurement);
+    const bool is_underdetermined =
+        hasUnknownPlace(measurement) && touches[placeOf(measurement)] < leastOfPlace(measurement);
     const auto& base = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, measurement))];
-    return is_lone || !(base.is_known || setups.contains(measurement.setup));
+    return is_underdetermined || !(base.is_known || setups.contains(measurement.setup));
   });
   return kept;
 }

@@ -20,7 +20,7 @@ bool isOnePosture(const std::vector<Measurement>& measurements) {
 
 /// Returns the index of the first measurement of an unknown place that has too few measurements; empty if there is
 /// none.
-std::optional<int> loneMeasurement(const std::vector<Measurement>& measurements) {
+std::optional<int> underdeterminedMeasurement(const std::vector<Measurement>& measurements) {
   std::map<std::string, std::vector<int>> touched;
   for (std::size_t k = 0; k < measurements.size(); ++k)
     if (hasUnknownPlace(measurements[k])) touched[placeOf(measurements[k])].push_back(static_cast<int>(k));
@@ -59,10 +59,11 @@ std::optional<MeasurementProblem> findMeasurementProblem(const std::vector<Measu
                                                          const std::vector<Unknown>& unknowns) {
   if (measurements.empty())
     return MeasurementProblem{-1, "there is no reading to fit", "mark some readings as fit, not held-out"};
-  if (const auto lone = loneMeasurement(measurements)) {
-    if (touchesSurface(measurements[static_cast<std::size_t>(*lone)])) return fewOfSurface(*lone, measurements);
-    const Measurement& touch = measurements[static_cast<std::size_t>(*lone)];
-    return MeasurementProblem{*lone,
+  if (const auto underdetermined = underdeterminedMeasurement(measurements)) {
+    if (touchesSurface(measurements[static_cast<std::size_t>(*underdetermined)]))
+      return fewOfSurface(*underdetermined, measurements);
+    const Measurement& touch = measurements[static_cast<std::size_t>(*underdetermined)];
+    return MeasurementProblem{*underdetermined,
                               "point " + touch.point + ", whose position is unknown, is touched only once (reading " +
                                   touch.id + "), which carries no information",
                               "touch the point again, give its position, or remove the reading"};

@@ -148,11 +148,11 @@ TEST(Identification, RefusesWithAReason) {
   const auto empty = identify(cobra(), {}, freeing(kSoft));
   EXPECT_EQ(empty.status, IdentificationStatus::kRefused);
   EXPECT_FALSE(empty.reason.empty());
-  MeasurementMaker lone(cobra(), 28);
-  lone.add(MeasurementKind::kPosition, 2);
-  lone.addTouches(1, {0}, false);
-  lone.measurements[0].is_held_out = true;
-  const auto once = identify(cobra(), lone.measurements, freeing(kSoft));
+  MeasurementMaker single_touch(cobra(), 28);
+  single_touch.add(MeasurementKind::kPosition, 2);
+  single_touch.addTouches(1, {0}, false);
+  single_touch.measurements[0].is_held_out = true;
+  const auto once = identify(cobra(), single_touch.measurements, freeing(kSoft));
   ASSERT_TRUE(once.measurement_problem);
   EXPECT_EQ(once.measurement_problem->measurement, 2) << "as it was given, held-out readings counted";
 }
