@@ -16,7 +16,7 @@ std::string describeSheet(const std::string& sheet) { return sheet.empty() ? "no
 
 // Returns a problem if a row is for a different leg, sheet or steam generator than the first row, for example because
 // it was pasted by mistake.
-std::optional<Problem> findOddLine(const WorkListItem& first, const WorkListItem& item) {
+std::optional<Problem> findInconsistentLine(const WorkListItem& first, const WorkListItem& item) {
   if (item.leg != first.leg)
     return Problem{"leg", describeLeg(item.leg), describeLeg(first.leg) + ", as on the lines above",
                    "keep one list for each leg", item.line};
@@ -92,7 +92,7 @@ class ListReader {
     if (!is_new) list_.refuse(findContradiction(list_.items[first->second], item));
     list_.items.push_back(std::move(item));
     lines_[first->first].push_back(row.line);
-    list_.refuse(findOddLine(list_.items.front(), list_.items.back()));
+    list_.refuse(findInconsistentLine(list_.items.front(), list_.items.back()));
   }
 
   void readLeg(const CsvRow& row, WorkListItem& item) {

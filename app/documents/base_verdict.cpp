@@ -49,12 +49,12 @@ void judgeFit(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdic
         "the touches do not fit: their error is {:.3g} times what their noise and the uncertainty of the arm's numbers "
         "explain ({})",
         std::sqrt(base.chi2 / std::max(1, base.degrees_of_freedom)), chanceText(base.p_value)));
-    if (base.odd_touch >= 0) {
-      const auto& odd = base.residuals[static_cast<std::size_t>(base.odd_touch)];
+    if (base.outlier_touch >= 0) {
+      const auto& outlier = base.residuals[static_cast<std::size_t>(base.outlier_touch)];
       verdict.to_do.push_back(fmt::format(
           "touch {} of hole {} does not agree with the others, which fit without it (rms {} instead of {}): "
           "touch it again, or leave it out (--assume without={})",
-          odd.id, odd.hole, lengthText(base.rms_of_others, units), lengthText(base.rms, units), odd.id));
+          outlier.id, outlier.hole, lengthText(base.rms_of_others, units), lengthText(base.rms, units), outlier.id));
     }
     for (const auto& suspect : base.suspect_measurements) verdict.to_do.push_back(suspectText(suspect, cell));
     if (base.residuals.size() < kEnoughTouches)

@@ -98,9 +98,9 @@ nlohmann::json calibrationJson(const BaseCalibration& result, const Cell& cell) 
     json["numbers"] = numbersJson(result, units);
   }
   json["suspect_readings"] = suspectMeasurementsJson(result, cell);
-  json["odd_touch"] = result.odd_touch < 0
+  json["odd_touch"] = result.outlier_touch < 0
                           ? nlohmann::json()
-                          : nlohmann::json(result.residuals[static_cast<std::size_t>(result.odd_touch)].id);
+                          : nlohmann::json(result.residuals[static_cast<std::size_t>(result.outlier_touch)].id);
   json["rms"] = lengthOf(result.rms, units);
   json["chi2"] = result.chi2;
   json["degrees_of_freedom"] = result.degrees_of_freedom;

@@ -125,9 +125,9 @@ BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Meas
   recordDistances(asked, fit, result);
   recordNumbers(numbers, fit, result);
   if (isFitRefused(result) && options.finds_suspects) {
-    const OddTouch odd = findOddTouch(asked);
-    result.odd_touch = odd.touch;
-    result.rms_of_others = odd.rms_of_others;
+    const OutlierTouch outlier = findOutlierTouch(asked);
+    result.outlier_touch = outlier.touch;
+    result.rms_of_others = outlier.rms_of_others;
     result.suspect_measurements = findSuspectMeasurements(asked);
   }
   if (isMistaken(asked, result)) return result;

@@ -80,8 +80,8 @@ struct BaseCalibration : TouchedBase {
   std::vector<TouchedNumber> numbers;  ///< uncertain parameters of the arm, which were fitted with the base
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Constant(kNotKnown);
   /// Index of the only touch whose removal makes the others fit, among at least four touches; otherwise -1.
-  int odd_touch = -1;
-  double rms_of_others = kNotKnown;  ///< rms error of the other touches in a fit without the odd touch [m]
+  int outlier_touch = -1;
+  double rms_of_others = kNotKnown;  ///< rms error of the other touches in a fit without the outlier touch [m]
   std::vector<SuspectMeasurement>
       suspect_measurements;  ///< joint readings that may explain a lack of fit, likeliest first
   std::vector<TouchResidual> residuals;

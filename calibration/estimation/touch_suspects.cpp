@@ -12,7 +12,7 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr double kFarBetter = 0.25;  // another hole is proposed only if chi-square falls below this fraction
-// Smallest number of touches in which an odd touch is searched for, so that three others remain.
+// Smallest number of touches in which an outlier touch is searched for, so that three others remain.
 constexpr std::size_t kLeastOthers = 4;
 constexpr double kFirstStep = 2e-3;        // first step of the search for the correction of a joint reading [rad or m]
 constexpr double kMostMisread = 0.2;       // largest correction of a joint reading that is considered [rad or m]
@@ -80,16 +80,16 @@ std::vector<std::string> findMistakenHoles(const TouchesToExplain& asked, double
   return names;
 }
 
-OddTouch findOddTouch(const TouchesToExplain& asked) {
+OutlierTouch findOutlierTouch(const TouchesToExplain& asked) {
   if (asked.touches.size() < kLeastOthers) return {};
-  std::vector<OddTouch> found;
+  std::vector<OutlierTouch> found;
   for (int k = 0; k < static_cast<int>(asked.touches.size()); ++k) {
     const auto others = withoutMeasurements(asked.touches, {k});
     if (!findTouchProblem(others, asked.options).empty()) continue;
     const TouchFit fit = fitOf(asked, others, asked.options.model_error);
     if (fit.p_value >= kLackOfFit) found.push_back({k, rmsOf(fit.error_W)});
   }
-  return found.size() == 1 ? found.front() : OddTouch{};
+  return found.size() == 1 ? found.front() : OutlierTouch{};
 }
 
 std::vector<SuspectMeasurement> findSuspectMeasurements(const TouchesToExplain& asked) {

@@ -25,11 +25,11 @@ struct TouchesToExplain {
 
 /// Single touch that does not fit the others: without it, the other touches fit. Its index is -1 unless there are at
 /// least four touches and exactly one such touch. Also the rms error of the others in that fit [m].
-struct OddTouch {
+struct OutlierTouch {
   int touch = -1;
   double rms_of_others = kNotKnown;
 };
-[[nodiscard]] OddTouch findOddTouch(const TouchesToExplain& asked);
+[[nodiscard]] OutlierTouch findOutlierTouch(const TouchesToExplain& asked);
 
 /// Returns the joint readings that, if any one of them is corrected, make all touches fit: at most three, likeliest
 /// first.

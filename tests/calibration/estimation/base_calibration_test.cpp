@@ -217,15 +217,15 @@ TEST(BaseCalibration, NamesTheOneTouchThatDoesNotAgreeWithTheOthers) {
   BaseCalibrationOptions options;
   options.arm = ArmUncertainty::none();
   options.mistaken_hole_p_value = 0;
-  EXPECT_EQ(calibrateBase(cell.arm, touches, cell.X_WB_nominal, options).odd_touch, -1) << "they all fit";
+  EXPECT_EQ(calibrateBase(cell.arm, touches, cell.X_WB_nominal, options).outlier_touch, -1) << "they all fit";
   touches[1].q[1] += 0.2 * kDegree;
   const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal, options);
   ASSERT_EQ(found.status, CalibrationStatus::kDone) << found.reason;
   EXPECT_TRUE(isFitRefused(found));
-  EXPECT_EQ(found.odd_touch, 1);
+  EXPECT_EQ(found.outlier_touch, 1);
   EXPECT_LT(found.rms_of_others, found.rms / 3);
   touches[4].q[1] -= 0.2 * kDegree;
-  EXPECT_EQ(calibrateBase(cell.arm, touches, cell.X_WB_nominal, options).odd_touch, -1) << "two do not agree";
+  EXPECT_EQ(calibrateBase(cell.arm, touches, cell.X_WB_nominal, options).outlier_touch, -1) << "two do not agree";
 }
 
 /// If one joint reading of one touch is wrong by half a degree or by five degrees, the fit must be rejected. Of ten

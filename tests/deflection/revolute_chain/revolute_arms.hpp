@@ -11,7 +11,7 @@ namespace tubeplan::deflection {
 /// Returns an arm with all features that kernels support: beams in several pieces, a twisting beam, lumped weights, a
 /// tilted tool, a spring about an axis perpendicular to its joint's axis, and a beam that does not start on its joint's
 /// axis.
-inline Arm oddRevoluteArm() {
+inline Arm asymmetricRevoluteArm() {
   Arm arm = cobraArm(3);
   arm.name = "odd";
   arm.rows[2].joint_stiffness[1] = 3e5;
@@ -41,7 +41,7 @@ inline Arm askewBeamArm() {
 }
 
 inline std::vector<Arm> kernelArms() {
-  return {cobraArm(), cobraArm(4), rigidCopy(cobraArm()), oddRevoluteArm(), askewBeamArm()};
+  return {cobraArm(), cobraArm(4), rigidCopy(cobraArm()), asymmetricRevoluteArm(), askewBeamArm()};
 }
 
 /// Returns the arm with a tip force too small to move it, which excludes the kernels, so that the general sweeps solve
