@@ -54,17 +54,17 @@ bool proveAll(const PlanContext& context, const std::vector<MotionEnds>& ends, V
     else
       open.push_back(k);
   }
-  std::mutex telling;
+  std::mutex mutex;
   std::size_t done = 0;
   bool stopped = false;
   oneapi::tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t k) {
     if (context.isStopped()) {
-      const std::lock_guard lock(telling);
+      const std::lock_guard lock(mutex);
       stopped = true;
       return;
     }
     const SegmentProof proof = proofOf(context, plan.segments[open[k]]);
-    const std::lock_guard lock(telling);
+    const std::lock_guard lock(mutex);
     proofs[ends[open[k]]] = proof;
     context.showProgress("proof", ++done, open.size());
     context.keepCache();

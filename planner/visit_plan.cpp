@@ -31,13 +31,13 @@ std::vector<TubeReach> reachAll(const PlanContext& context, const std::vector<in
       open.push_back(k);
   }
   plan.kept.reach = static_cast<int>(tubes.size() - open.size());
-  std::mutex telling;
+  std::mutex mutex;
   std::size_t done = tubes.size() - open.size();
   oneapi::tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t k) {
     if (context.isStopped()) return;
     TubeReach& found = reach[open[k]];
     found = reachTube(context.clearance, tubes[open[k]], context.options.reach);
-    const std::lock_guard lock(telling);
+    const std::lock_guard lock(mutex);
     cached[found.tube] = found;
     context.showProgress("reach", ++done, tubes.size());
     context.keepCache();

@@ -193,11 +193,11 @@ std::vector<double> probabilityBySteps(const SteppedTool& tool, const Eigen::Vec
   double tightest = std::numeric_limits<double>::infinity();
   for (const Step& step : tool.steps) {
     tightest = std::min(tightest, step.tolerance);
-    const bool is_told = !std::isnan(at_least.front());
+    const bool is_known = !std::isnan(at_least.front());
     const std::span sections(all.data(), leans ? 2 * at_least.size() : 0);  // both ends of the steps so far
-    at_least.push_back(leans && is_told ? probabilityWithinAll(sections, size, turn * mean_offset,
-                                                               turn * covariance * turn.transpose())
-                                        : probabilityWithin(tightest, mean_offset, covariance));
+    at_least.push_back(leans && is_known ? probabilityWithinAll(sections, size, turn * mean_offset,
+                                                                turn * covariance * turn.transpose())
+                                         : probabilityWithin(tightest, mean_offset, covariance));
   }
   for (std::size_t k = 0; k + 1 < at_least.size(); ++k) at_least[k] -= std::min(at_least[k], at_least[k + 1]);
   return at_least;

@@ -17,9 +17,9 @@ struct StageLine {
   std::unique_ptr<Progress> line;
 };
 
-using TellStage = std::function<void(std::string_view stage, std::size_t done, std::size_t total)>;
+using StageProgress = std::function<void(std::string_view stage, std::size_t done, std::size_t total)>;
 
-TellStage stageLines() {
+StageProgress stageLines() {
   return [shown = std::make_shared<StageLine>()](std::string_view stage, std::size_t done, std::size_t total) {
     if (!shown->line || shown->stage != stage || shown->total != total) {
       shown->line.reset();

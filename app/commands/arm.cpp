@@ -67,7 +67,7 @@ ShownArm readAnyArm(const std::string& path, const std::string& tip) {
   return {std::move(source.arm), source.units, source.names_tool_axis ? ToolAxis::kStated : ToolAxis::kLeftOut};
 }
 
-void tell(const char* kind, const std::vector<std::string>& sentences) {
+void remarkEach(const char* kind, const std::vector<std::string>& sentences) {
   constexpr std::size_t kLongest = 500;  // maximum length of a printed sentence [bytes]; names from a file may be long
   for (const auto& what : sentences) remark("{}: {}\n", kind, printable(what, kLongest));
 }
@@ -111,7 +111,7 @@ int importCalibration(const ArmOptions& options) {
   const CalibratedText text = options.file.ends_with(".conf") ? controllersArm(options) : robotsArm(options);
   const ArmSource calibrated = readArm(parseYaml(text.arm, options.out));
   writeFileAtomically(options.out, text.arm, "--out");
-  tell("remark", text.remarks);
+  remarkEach("remark", text.remarks);
   say("{}", armText(calibrated.arm, calibrated.units));
   return kDone;
 }
@@ -124,8 +124,8 @@ int importRobot(const ArmOptions& options) {
   std::vector<TextFile> files = {{options.out, imported.arm}};
   if (!options.cell.empty()) files.push_back({options.cell, cellOfUrdf(read, beside.string())});
   writeFilesTogether(files, "--out");
-  tell("left out", read.left_out);
-  tell("remark", read.remarks);
+  remarkEach("left out", read.left_out);
+  remarkEach("remark", read.remarks);
   say("{}  the tool is the link {}\n", armText(read.arm, urdfUnits()), nameInLine(read.tip));
   return kDone;
 }
@@ -135,8 +135,8 @@ std::string inLengths(double metres, const Units& units) {
 }
 
 /// Prints the parts of the cell's model that the file does not contain, and the errors with and without them.
-void tellFit(const ExportFit& fit, const Units& units) {
-  tell("left out", fit.left_out);
+void remarkOnFit(const ExportFit& fit, const Units& units) {
+  remarkEach("left out", fit.left_out);
   say("rms error of the cell's model: {} ({} measurements); of the exported model: {}; of the exported model fitted "
       "again: {} ({} at held-out measurements)\n",
       inLengths(fit.of_model.rms, units), fit.measurements, inLengths(fit.as_fitted.rms, units),
@@ -152,8 +152,9 @@ ShownArm armToExport(const ArmOptions& options, ArmFileContent content) {
     if (!written.empty())
       say("effects written as parameters of joints, links and tool: {}\n", fmt::join(written, ", "));
     if (!arm.effects.empty())
-      tell("remark", {"the numbers were fitted together with effects that are left out here, so the file alone may "
-                      "have a larger error: give --measurements to fit the numbers again"});
+      remarkEach("remark",
+                 {"the numbers were fitted together with effects that are left out here, so the file alone may "
+                  "have a larger error: give --measurements to fit the numbers again"});
     given.arm = std::move(arm);
     return given;
   }
@@ -161,7 +162,7 @@ ShownArm armToExport(const ArmOptions& options, ArmFileContent content) {
   if (statesAll(input.cell.arm, content))
     return {deflection::writeConstantEffects(input.cell.arm).arm, input.cell.units};
   ExportFit fit = fitForExport(input, content, terminalWorkHooks());
-  tellFit(fit, input.cell.units);
+  remarkOnFit(fit, input.cell.units);
   return {std::move(fit.arm), input.cell.units};
 }
 
@@ -179,7 +180,7 @@ int exportRows(const ArmOptions& options) {
   std::vector<std::string> left_out;
   if (!given.arm.effects.empty()) left_out.emplace_back("the cell's effects: rows of an arm file cannot express them");
   writeFileAtomically(options.out, armYaml(converted.arm, given.units, given.tool_axis), "--out");
-  tell("left out", left_out);
+  remarkEach("left out", left_out);
   return kDone;
 }
 
@@ -189,7 +190,7 @@ int exportIntoUrdf(const ArmOptions& options) {
   const deflection::Arm arm = armToExport(options, ArmFileContent::kRigid).arm;
   const UrdfEdit edit = withArmInUrdf(readTextBytes(options.into), options.into, options.tip, arm);
   writeFileAtomically(options.out, edit.text, "--out");
-  tell("left out", edit.left_out);
+  remarkEach("left out", edit.left_out);
   for (const auto& what : edit.changed) say("changed: {}\n", what);
   if (edit.changed.empty()) say("nothing changed: the copy is equal to {}\n", nameInLine(options.into));
   return kDone;
@@ -198,7 +199,7 @@ int exportIntoUrdf(const ArmOptions& options) {
 int exportUrdf(const ArmOptions& options) {
   const UrdfText urdf = urdfOf(armToExport(options, ArmFileContent::kRigid).arm);
   writeFileAtomically(options.out, urdf.text, "--out");
-  tell("left out", urdf.left_out);
+  remarkEach("left out", urdf.left_out);
   return kDone;
 }
 
@@ -206,7 +207,7 @@ int exportUrdf(const ArmOptions& options) {
 int exportKinematics(const ArmOptions& options) {
   const deflection::Arm arm = armToExport(options, ArmFileContent::kRigid).arm;
   writeFileAtomically(options.out, robotKinematicsText(robotKinematicsOf(arm, options.file)), "--out");
-  tell("left out", {"the tool, weights and compliances: the file contains only joint origins"});
+  remarkEach("left out", {"the tool, weights and compliances: the file contains only joint origins"});
   return kDone;
 }
 

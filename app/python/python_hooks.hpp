@@ -34,7 +34,7 @@ class __attribute__((visibility("hidden"))) PythonHooks {
     calibration::WorkHooks hooks;
     if (!progress_.is_none())
       hooks.progress = [this](std::string_view stage, std::size_t done, std::size_t total) {
-        tell(stage, done, total);
+        report(stage, done, total);
       };
     hooks.stop = [this] { return shouldStop(); };
     return hooks;
@@ -44,24 +44,24 @@ class __attribute__((visibility("hidden"))) PythonHooks {
 
  private:
   using Clock = std::chrono::steady_clock;
-  static constexpr std::chrono::milliseconds kAsked{50}, kTold{100};
+  static constexpr std::chrono::milliseconds kPollInterval{50}, kReportInterval{100};
 
   /// Polls Python's signals at most every 50 ms, because this acquires the lock. Only the calling thread polls.
   bool shouldStop() {
     if (is_stopped_ || std::this_thread::get_id() != caller_) return is_stopped_;
-    if (Clock::now() - asked_ < kAsked) return false;
+    if (Clock::now() - polled_ < kPollInterval) return false;
     const pybind11::gil_scoped_acquire lock;
     if (PyErr_CheckSignals() != 0) keepError();
-    asked_ = Clock::now();
+    polled_ = Clock::now();
     return is_stopped_;
   }
 
   /// Reports the start and the end of every stage, and intermediate progress at most ten times a second.
-  void tell(std::string_view stage, std::size_t done, std::size_t total) {
+  void report(std::string_view stage, std::size_t done, std::size_t total) {
     const auto now = Clock::now();
-    if (is_stopped_ || (stage == stage_ && now - told_ < kTold && (total == 0 || done < total))) return;
+    if (is_stopped_ || (stage == stage_ && now - reported_ < kReportInterval && (total == 0 || done < total))) return;
     stage_ = stage;
-    told_ = now;
+    reported_ = now;
     const pybind11::gil_scoped_acquire lock;
     try {
       progress_(stage_, done, total);
@@ -80,7 +80,7 @@ class __attribute__((visibility("hidden"))) PythonHooks {
   std::optional<pybind11::error_already_set> error_;
   std::atomic<bool> is_stopped_ = false;
   std::thread::id caller_ = std::this_thread::get_id();
-  Clock::time_point asked_, told_;
+  Clock::time_point polled_, reported_;
   std::string stage_;
 };
 

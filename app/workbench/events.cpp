@@ -4,7 +4,7 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr std::size_t kJobsTold = 20;
+constexpr std::size_t kMostReportedJobs = 20;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ void Events::stateChanged() {
 void Events::jobMoved(int id, std::string json) {
   const std::lock_guard lock(mutex_);
   jobs_[id] = {++job_number_, std::move(json)};
-  while (jobs_.size() > kJobsTold) jobs_.erase(jobs_.begin());
+  while (jobs_.size() > kMostReportedJobs) jobs_.erase(jobs_.begin());
   changed_.notify_all();
 }
 

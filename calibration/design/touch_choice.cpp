@@ -56,11 +56,11 @@ class GrownSet {
     const Eigen::LLT<MatrixXd> V(MatrixXd::Identity(B.rows(), B.rows()) + blocks.ZZ(set, set));
     const MatrixXd A = V.solve(B);
     shared_ = blocks.ZZ(more, set);
-    told_ = V.solve(shared_.transpose()).transpose();
+    gain_ = V.solve(shared_.transpose()).transpose();
     ZWZ_shared_ = blocks.ZWZ(more, set);
-    ZWZ_left_ = ZWZ_shared_ - told_ * ZWZ;
+    ZWZ_left_ = ZWZ_shared_ - gain_ * ZWZ;
     B_left_ = blocks.B(more, Eigen::all) - shared_ * A;
-    off_ = ZWZ_left_ * A - blocks.ZW(more, Eigen::all) + told_ * ZW;
+    off_ = ZWZ_left_ * A - blocks.ZW(more, Eigen::all) + gain_ * ZW;
     F_ = blocks.prior + B.transpose() * A;
     by_base_ = blocks.base_work - ZW.transpose() * A - A.transpose() * ZW + A.transpose() * ZWZ * A;
     by_numbers_ = blocks.numbers_variance - V.solve(ZWZ).trace();
@@ -71,12 +71,12 @@ class GrownSet {
   [[nodiscard]] double varianceWith(int touch) const {
     using Block = Eigen::Matrix<double, 3, 6>;
     const Index row = 3 * touch, here = row - 3 * first_;
-    const auto told = told_.middleRows<3>(here);
+    const auto gain = gain_.middleRows<3>(here);
     const Matrix3d S = Matrix3d::Identity() + blocks_.ZZ.block<3, 3>(row, row) -
-                       told.lazyProduct(shared_.middleRows<3>(here).transpose());
+                       gain.lazyProduct(shared_.middleRows<3>(here).transpose());
     const Matrix3d ZWZ = blocks_.ZWZ.block<3, 3>(row, row) -
-                         told.lazyProduct(ZWZ_shared_.middleRows<3>(here).transpose()) -
-                         ZWZ_left_.middleRows<3>(here).lazyProduct(told.transpose());
+                         gain.lazyProduct(ZWZ_shared_.middleRows<3>(here).transpose()) -
+                         ZWZ_left_.middleRows<3>(here).lazyProduct(gain.transpose());
     const Matrix3d S_inverse = S.inverse();
     const Block B = B_left_.middleRows<3>(here), A = S_inverse * B, off = off_.middleRows<3>(here);
     const Eigen::LDLT<Matrix6> F(F_ + B.transpose() * A);
@@ -89,7 +89,7 @@ class GrownSet {
  private:
   const TouchBlocks& blocks_;
   int first_ = 0;
-  MatrixXd shared_, told_, ZWZ_shared_, ZWZ_left_, B_left_, off_;
+  MatrixXd shared_, gain_, ZWZ_shared_, ZWZ_left_, B_left_, off_;
   Matrix6 F_, by_base_;
   double by_numbers_ = 0;
 };

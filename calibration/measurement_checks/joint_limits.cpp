@@ -49,7 +49,7 @@ bool isPastLimit(const deflection::Joint<double>& joint, double q) {
 
 std::optional<MeasurementCheck> hairPastLimits(const CheckedMeasurements& checked) {
   const auto& arm = checked.start.arm;
-  std::vector<std::string> told;
+  std::vector<std::string> excesses;
   for (const auto& measurement : checked.measurements)
     for (int j = 0; j < arm.jointCount(); ++j) {
       const auto& joint = arm.joint(j);
@@ -57,11 +57,11 @@ std::optional<MeasurementCheck> hairPastLimits(const CheckedMeasurements& checke
       if (!(past > usualNoiseOf(joint)) || isPastLimit(joint, measurement.q[j])) continue;
       const auto unit = columnUnitOf(checked, j);
       const double limit = measurement.q[j] > joint.upper ? joint.upper : joint.lower;
-      told.push_back(fmt::format("{} of reading {} by {:.2g} {} (limit {:.6g})", joint.name, measurement.id,
-                                 past / unit.factor, unit.name, limit / unit.factor));
+      excesses.push_back(fmt::format("{} of reading {} by {:.2g} {} (limit {:.6g})", joint.name, measurement.id,
+                                     past / unit.factor, unit.name, limit / unit.factor));
     }
-  if (told.empty()) return std::nullopt;
-  return remarkOf("past-limit", "slightly past a joint's limit, and used as read: " + listOf(told));
+  if (excesses.empty()) return std::nullopt;
+  return remarkOf("past-limit", "slightly past a joint's limit, and used as read: " + listOf(excesses));
 }
 
 std::optional<double> oneTurnBack(const deflection::Joint<double>& joint, double q) {
@@ -72,24 +72,24 @@ std::optional<double> oneTurnBack(const deflection::Joint<double>& joint, double
 
 std::optional<MeasurementCheck> unwindJoints(CheckedMeasurements& checked) {
   const auto& arm = checked.start.arm;
-  std::vector<std::string> told;
+  std::vector<std::string> unwound;
   for (int j = 0; j < arm.jointCount(); ++j) {
     const auto past = measurementsToUnwind(checked, j);
     if (past.empty()) continue;
     const auto unit = columnUnitOf(checked, j);
     const Measurement& first = checked.measurements[past.front()];
     const double back = *oneTurnBack(arm.joint(j), first.q[j]);
-    told.push_back(fmt::format("{} of {} (reading {}: {:.6g} is {:.6g} {})", past.size(), arm.joint(j).name, first.id,
-                               first.q[j] / unit.factor, back / unit.factor, unit.name));
+    unwound.push_back(fmt::format("{} of {} (reading {}: {:.6g} is {:.6g} {})", past.size(), arm.joint(j).name,
+                                  first.id, first.q[j] / unit.factor, back / unit.factor, unit.name));
     for (const std::size_t k : past)
       checked.measurements[k].q[j] = *oneTurnBack(arm.joint(j), checked.measurements[k].q[j]);
   }
-  if (told.empty()) return std::nullopt;
+  if (unwound.empty()) return std::nullopt;
   linkReferences(checked.measurements);
   return remarkOf(
       "whole-turn",
       fmt::format("joint readings past their limits are changed by a whole turn, which is the same posture: {}",
-                  fmt::join(told, ", ")));
+                  fmt::join(unwound, ", ")));
 }
 
 }  // namespace tubeplan::calibration

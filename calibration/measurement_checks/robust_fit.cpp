@@ -19,8 +19,8 @@ namespace {
 
 constexpr double kBest = 0.9;  // fraction of the measurements, with the smallest errors, that RobustFit::error includes
 constexpr int kScaleSteps = 40;
-constexpr double kTellingFreedom = 12;  // smallest number of degrees of freedom for a meaningful chi-square
-constexpr double kConverged = 0.05;     // the fit ends if a step decreases the lack of fit by less than this
+constexpr double kLeastMeaningfulFreedom = 12;  // smallest number of degrees of freedom for a meaningful chi-square
+constexpr double kConverged = 0.05;             // the fit ends if a step decreases the lack of fit by less than this
 // Maximum number of attempts at a step; each one is shorter than the previous one.
 constexpr int kMostTrials = 6;
 
@@ -211,7 +211,7 @@ RobustFit fitRobustly(PlacedArm start, const std::vector<Measurement>& measureme
   if (options.judges_noise) {
     const auto covariance = posteriorCovariance(at.jacobian, unknowns.list);
     const double freedom = weights->degrees_of_freedom - effectiveNumbers(covariance, unknowns.list);
-    if (freedom >= kTellingFreedom) fit.chi2_per_freedom = descent.loss().chi2PerFreedom(freedom);
+    if (freedom >= kLeastMeaningfulFreedom) fit.chi2_per_freedom = descent.loss().chi2PerFreedom(freedom);
   }
   fit.ok = std::isfinite(fit.error) && std::isfinite(fit.lack_of_fit);
   return fit;

@@ -103,9 +103,10 @@ bool StepScan::isOf(const StepForm& form, std::size_t measurement) const {
 
 std::optional<StepScan::Explained> StepScan::explained(const Sums& sums) const {
   MatrixXd left = sums.by_step - sums.by_fit.transpose() * sums.by_fit;
-  constexpr double kTold = 1e-6;  // smallest fraction of a column's squared length that the fit must leave unexplained
+  constexpr double kLeastUnexplained =
+      1e-6;  // smallest fraction of a column's squared length that the fit must leave unexplained
   for (Index k = 0; k < left.rows(); ++k)
-    if (!(left(k, k) > kTold * sums.by_step(k, k))) return std::nullopt;
+    if (!(left(k, k) > kLeastUnexplained * sums.by_step(k, k))) return std::nullopt;
   const VectorXd scale = left.diagonal().cwiseSqrt().cwiseInverse();
   left = scale.asDiagonal() * left * scale.asDiagonal();
   left.diagonal().array() += 1e-9;

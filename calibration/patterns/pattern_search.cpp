@@ -256,9 +256,9 @@ std::vector<PatternTest> distinctFindings(const SearchedScene& search, const std
   std::vector<PatternTest> findings;
   MatrixXd beside = search.absorbed;
   for (const auto& test : tests) {
-    const bool is_told = std::any_of(findings.begin(), findings.end(),
-                                     [&](const PatternTest& other) { return other.variable == test.variable; });
-    if (!test.is_finding || is_told) continue;
+    const bool is_reported = std::any_of(findings.begin(), findings.end(),
+                                         [&](const PatternTest& other) { return other.variable == test.variable; });
+    if (!test.is_finding || is_reported) continue;
     findings.push_back(test);
     const auto question = std::find_if(questions.begin(), questions.end(), [&](const Question& q) {
       return q.variable->name == test.variable && q.frame == test.frame;

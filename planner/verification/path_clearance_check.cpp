@@ -74,7 +74,7 @@ VectorXd leversOf(const deflection::Arm& arm, double thick) {
 class PathClearance {
  public:
   PathClearance(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options, const PlanHooks& hooks,
-                const TellFinding& find, PlanCheck& result)
+                const ReportFinding& find, PlanCheck& result)
       : arm_(cell.arm),
         plan_(plan),
         options_(options),
@@ -208,7 +208,7 @@ class PathClearance {
   const StatedPlan& plan_;
   const PlanCheckOptions& options_;
   const PlanHooks& hooks_;
-  const TellFinding& find_;
+  const ReportFinding& find_;
   PlanCheck& result_;
   Scene travel_scene_;
   LipschitzMargins travelling_, approaching_;
@@ -228,7 +228,7 @@ bool isPastLimit(const deflection::Joint<double>& joint, double q) {
 }
 
 void checkPathClearance(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options,
-                        const PlanHooks& hooks, const TellFinding& find, PlanCheck& result) {
+                        const PlanHooks& hooks, const ReportFinding& find, PlanCheck& result) {
   PathClearance(cell, plan, options, hooks, find, result).run();
 }
 

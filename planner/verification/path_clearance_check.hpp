@@ -5,7 +5,7 @@
 
 namespace tubeplan::planner {
 
-using TellFinding = std::function<void(std::string what)>;
+using ReportFinding = std::function<void(std::string what)>;
 
 /// Returns true if a joint value [rad or m] is outside the joint's limits by more than rounding errors.
 [[nodiscard]] bool isPastLimit(const deflection::Joint<double>& joint, double q);
@@ -14,6 +14,6 @@ using TellFinding = std::function<void(std::string what)>;
 /// All joint values must exist and be finite. `find` is called for each fault; `result` receives the smallest margin
 /// and the tightest pair.
 void checkPathClearance(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options,
-                        const PlanHooks& hooks, const TellFinding& find, PlanCheck& result);
+                        const PlanHooks& hooks, const ReportFinding& find, PlanCheck& result);
 
 }  // namespace tubeplan::planner

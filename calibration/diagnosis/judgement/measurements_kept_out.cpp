@@ -32,7 +32,7 @@ void dropWhatDoesNotHelp(Diagnosis& result) {
 }
 
 /// Sets the held-out errors of single causes in the ranking.
-void tellRanking(const std::vector<Explanation>& explanations, Diagnosis& result) {
+void setHeldOutErrors(const std::vector<Explanation>& explanations, Diagnosis& result) {
   for (auto& entry : result.ranking) {
     entry.heldout_before = result.heldout_before;
     for (const auto& explanation : explanations)
@@ -73,7 +73,7 @@ void judgeByMeasurementsKeptOut(const DiagnosisWork& work, const std::vector<Mea
   auto& explanations = result.alternatives.empty() ? result.closest : result.alternatives;
   judgeEach(explanations);
   if (result.agreed) judgeOne(*result.agreed);
-  tellRanking(explanations, result);
+  setHeldOutErrors(explanations, result);
   if (result.alternatives.empty()) return;
   dropWhatDoesNotHelp(result);
   if (result.verdict == Verdict::kUnexplained) {

@@ -122,11 +122,11 @@ TEST(Jobs, tellHowFarTheyAre) {
     return "";
   });
   const auto began = std::chrono::steady_clock::now();
-  int told = 0;
+  int reported = 0;
   bool with_rate = false;
   while (true) {
     const auto news = events.wait(seen, 1000ms);
-    told += static_cast<int>(news.jobs.size());
+    reported += static_cast<int>(news.jobs.size());
     if (news.jobs.empty()) continue;
     const auto last = nlohmann::json::parse(news.jobs.back());
     with_rate |= last["stage"] == "counting" && last["rate"].is_number() && last["left_s"].is_number();
@@ -134,7 +134,7 @@ TEST(Jobs, tellHowFarTheyAre) {
   }
   EXPECT_TRUE(with_rate);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  EXPECT_LE(told, 10 * seconds + 4);  // ten reports a second, plus the first and the last
+  EXPECT_LE(reported, 10 * seconds + 4);  // ten reports a second, plus the first and the last
 }
 
 TEST(Jobs, areForgottenInTime) {

@@ -321,14 +321,14 @@ TEST_F(WorkbenchLoop, allBrowsersSeeTheSame) {
   done("/api/compare");
   const json state = get("/api/state").body;
   const std::string revision = "\"revision\":" + std::to_string(state["revision"].get<int>());
-  bool is_told = false;
-  for (int k = 0; k < 400 && !is_told; ++k) {
+  bool is_reported = false;
+  for (int k = 0; k < 400 && !is_reported; ++k) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     const std::lock_guard lock(mutex);
     const std::size_t last = heard.rfind("event: state");
-    is_told = last != std::string::npos && heard.find(revision, last) != std::string::npos;
+    is_reported = last != std::string::npos && heard.find(revision, last) != std::string::npos;
   }
-  EXPECT_TRUE(is_told) << revision;
+  EXPECT_TRUE(is_reported) << revision;
   {
     const std::lock_guard lock(mutex);
     EXPECT_NE(heard.find("event: job"), std::string::npos);

@@ -47,19 +47,19 @@ TEST_P(EveryMethod, FindsTheBottomOfTheValley) {
 
 // A method must report its iterations to the observer from start to end, and the observer must not change the result.
 TEST_P(EveryMethod, TellsItsIterations) {
-  std::vector<LeastSquaresIteration> told;
+  std::vector<LeastSquaresIteration> iterations;
   LeastSquaresOptions options{std::nullopt, 100000, method()};
   const auto unwatched = minimizeLeastSquares(rosenbrock(), options);
-  options.observe = [&](const LeastSquaresIteration& now) { told.push_back(now); };
+  options.observe = [&](const LeastSquaresIteration& now) { iterations.push_back(now); };
   const auto found = minimizeLeastSquares(rosenbrock(), options);
   EXPECT_EQ(found.x, unwatched.x);
   EXPECT_EQ(found.evaluations, unwatched.evaluations);
-  ASSERT_GE(told.size(), 2u);
-  EXPECT_EQ(told.front().iteration, 0);
-  EXPECT_EQ(told.front().step, 0);
-  EXPECT_DOUBLE_EQ(told.front().chi2, chi2Of(rosenbrock(), rosenbrock().start));
-  EXPECT_NEAR(told.back().chi2, found.chi2, 1e-9);
-  for (const auto& now : told) {
+  ASSERT_GE(iterations.size(), 2u);
+  EXPECT_EQ(iterations.front().iteration, 0);
+  EXPECT_EQ(iterations.front().step, 0);
+  EXPECT_DOUBLE_EQ(iterations.front().chi2, chi2Of(rosenbrock(), rosenbrock().start));
+  EXPECT_NEAR(iterations.back().chi2, found.chi2, 1e-9);
+  for (const auto& now : iterations) {
     EXPECT_TRUE(std::any_of(leastSquaresMethods().begin(), leastSquaresMethods().end(), [&](const auto& kind) {
       return kind.name == now.method;
     })) << now.method;

@@ -12,7 +12,7 @@ namespace {
 using testing::shape;
 using testing::ToyArm;
 
-bool tells(const std::vector<SceneProblem>& problems, const std::string& path, const std::string& found) {
+bool hasProblem(const std::vector<SceneProblem>& problems, const std::string& path, const std::string& found) {
   return std::ranges::any_of(problems, [&](const SceneProblem& problem) {
     return problem.path.find(path) != std::string::npos && problem.found.find(found) != std::string::npos;
   });
@@ -35,14 +35,14 @@ TEST(SceneProblems, EachIsTold) {
   scene.obstacles.push_back({"", nullptr, {"elbow"}});
   scene.bodies.push_back({"link9", 1, "thing", shape("keep_side", {0, 0, 0, 1, 0, 0}), {"cupboard"}});
   const auto problems = findSceneProblems(scene);
-  EXPECT_TRUE(tells(problems, "clearance", "-1"));
-  EXPECT_TRUE(tells(problems, "obstacle wall: name", "the same name"));
-  EXPECT_TRUE(tells(problems, "obstacle 3: name", "nothing"));
-  EXPECT_TRUE(tells(problems, "obstacle 3", "no shape"));
-  EXPECT_TRUE(tells(problems, "obstacle 3: allow", "elbow"));
-  EXPECT_TRUE(tells(problems, "body thing: link", "link9"));
-  EXPECT_TRUE(tells(problems, "body thing", "a region"));
-  EXPECT_TRUE(tells(problems, "body thing: allow", "cupboard"));
+  EXPECT_TRUE(hasProblem(problems, "clearance", "-1"));
+  EXPECT_TRUE(hasProblem(problems, "obstacle wall: name", "the same name"));
+  EXPECT_TRUE(hasProblem(problems, "obstacle 3: name", "nothing"));
+  EXPECT_TRUE(hasProblem(problems, "obstacle 3", "no shape"));
+  EXPECT_TRUE(hasProblem(problems, "obstacle 3: allow", "elbow"));
+  EXPECT_TRUE(hasProblem(problems, "body thing: link", "link9"));
+  EXPECT_TRUE(hasProblem(problems, "body thing", "a region"));
+  EXPECT_TRUE(hasProblem(problems, "body thing: allow", "cupboard"));
   EXPECT_EQ(problems.size(), 8u);
 }
 

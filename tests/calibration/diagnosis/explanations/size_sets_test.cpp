@@ -58,18 +58,18 @@ bool holds(const FoundNumber& number, double truth) {
 
 TEST(SizeSets, OfStepsHoldTheTruthWhicheverWayTheBaseSlipped) {
   const std::vector<std::map<std::string, double>> slips{{{"x", 0.04}}, {{"y", -0.03}}, {{"x", 0.02}, {"y", 0.02}}};
-  int told = 0;
+  int named = 0;
   for (const auto& slip : slips) {
     std::string text;
     for (const auto& [axis, by] : slip) text += fmt::format("{}={}in,", axis, by);
     const auto result = diagnosisOf(slippedSet(text + "time=60", MeasurementKind::kSteps, 100, 3));
     const FoundEffect* found = slipOf(result);
     if (!found) continue;  // an effect that is not named is not a wrong answer
-    ++told;
+    ++named;
     for (const char* axis : {"x", "y"})
       EXPECT_TRUE(holds(numberOf(*found, axis), slip.contains(axis) ? slip.at(axis) * kInch : 0)) << text << axis;
   }
-  EXPECT_GE(told, 2);
+  EXPECT_GE(named, 2);
 }
 
 /// Returns visits to holes at the predicted tip positions: all steps of the tool enter in the first half of the visits,
