@@ -119,7 +119,7 @@ void studyFiles(const fs::path& cell, const fs::path& measurement_file) {
   fmt::print("{}\n{:.0f} ms\n", textOf(checks), 1e3 * cost.most);
 }
 
-std::vector<SeededSet> setsBeside() {
+std::vector<SeededSet> recordedSets() {
   const fs::path shared = fs::path(TUBEPLAN_SOURCE_DIR) / "../shared";
   std::vector<SeededSet> sets;
   if (!fs::exists(shared)) {
@@ -200,7 +200,7 @@ void studyCleanSets(int count, bool is_verbose) {
     remarks += is_remark && !is_mistake;
     if (is_mistake || is_remark || is_verbose) fmt::print("  {}: {}\n", set.name, textOf(checks));
   };
-  for (const auto& set : setsBeside()) look(set);
+  for (const auto& set : recordedSets()) look(set);
   for (std::uint64_t number = 0; made < count && number < 10u * static_cast<std::uint64_t>(count); ++number)
     if (const auto set = hidingSet(number)) look(*set);
   fmt::print(

@@ -31,7 +31,7 @@ inline MistakeKind kind() {
           .expected = "inverse: the turns are of the world in the tool's frame",
           .values = values,
           .mend = mend,
-          .values_beside = noValues,
+          .values_with_others = noValues,
           .is_of_turns = true};
 }
 

@@ -127,7 +127,7 @@ class JoinedSearch {
   void lookAlone() {
     const CheckedMeasurements& checked = trials_.checked();
     for (const auto& kind : mistakeKinds())
-      for (const auto& value : (kind.values_beside ? kind.values_beside : kind.values)(checked)) {
+      for (const auto& value : (kind.values_with_others ? kind.values_with_others : kind.values)(checked)) {
         throwIfStopped(trials_.options().stop);
         auto mend = kind.mend(checked, value);
         if (!mend || mend->parts_setups) continue;

@@ -53,7 +53,9 @@ inline std::vector<std::string> valuesOf(const CheckedMeasurements& checked, con
   return texts;
 }
 inline std::vector<std::string> values(const CheckedMeasurements& checked) { return valuesOf(checked, {0.5, 1}); }
-inline std::vector<std::string> valuesBeside(const CheckedMeasurements& checked) { return valuesOf(checked, {0.5}); }
+inline std::vector<std::string> valuesWithOthers(const CheckedMeasurements& checked) {
+  return valuesOf(checked, {0.5});
+}
 
 /// Returns a linear combination of two joint angles as text, such as "0.5 J5 - 0.5 J6" or "J5 - J6".
 inline std::string mixtureText(const Eigen::RowVector2d& shares, const std::string& first, const std::string& second) {
@@ -106,7 +108,7 @@ inline MistakeKind kind() {
               "theta3:theta4:0.5:0.5:0.5:-0.5",
           .values = values,
           .mend = mend,
-          .values_beside = valuesBeside};
+          .values_with_others = valuesWithOthers};
 }
 
 }  // namespace tubeplan::calibration::mistakes::joint_pair

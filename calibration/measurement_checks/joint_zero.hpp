@@ -38,7 +38,7 @@ inline std::vector<std::string> values(const CheckedMeasurements& checked) {
 
 /// Returns the values that are tried together with another mistake: offsets of +-15 deg and of multiples of 30 deg. The
 /// best of them is refined later, by a fit of the zero.
-inline std::vector<std::string> valuesBeside(const CheckedMeasurements& checked) {
+inline std::vector<std::string> valuesWithOthers(const CheckedMeasurements& checked) {
   std::vector<std::string> texts;
   for (const int j : turningJoints(checked.start.arm))
     for (const int part : {-10, -8, -6, -4, -2, -1, 1, 2, 4, 6, 8, 10, 12})
@@ -96,7 +96,7 @@ inline MistakeKind kind() {
           mend,
           false,
           true,
-          valuesBeside,
+          valuesWithOthers,
           steps};
 }
 

@@ -103,7 +103,7 @@ struct MistakeKind {
   bool settles_sigma = false;  ///< true if its correction sets the noise, which other corrections then do not change
   bool joins_itself = false;   ///< true if the mistake may occur several times, each for another joint or column
   /// Values worth trying together with another mistake; if null, `values` is used.
-  std::vector<std::string> (*values_beside)(const CheckedMeasurements&) = nullptr;
+  std::vector<std::string> (*values_with_others)(const CheckedMeasurements&) = nullptr;
   /// Step forms of the mistake that may begin at any measurement; null if none.
   std::vector<StepForm> (*steps)(const CheckedMeasurements&) = nullptr;
   /// True if the mistake concerns rotations of a measured frame, which do not affect positions.

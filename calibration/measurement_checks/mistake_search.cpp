@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "calibration/measurement_checks/rows_beside.hpp"
+#include "calibration/measurement_checks/rotation_search.hpp"
+#include "calibration/measurement_checks/shift_search.hpp"
 #include "calibration/measurement_checks/step_search.hpp"
 #include "calibration/measurement_checks/suspect_judgement.hpp"
-#include "calibration/measurement_checks/turns_beside.hpp"
 #include "calibration/measurement_checks/zero_search.hpp"
 
 namespace tubeplan::calibration {
@@ -59,9 +59,9 @@ class MistakeSearch {
       if (judgement_.explainsError(suspect) && judgement_.isAllNeeded(suspect)) suspects.push_back(std::move(suspect));
   }
 
-  /// Returns suspects with a step: in the measurements as stated and, if `beside` is true, also in the measurements
-  /// corrected for each of `suspects`.
-  std::vector<Suspect> withSteps(const std::vector<Suspect>& suspects, bool beside) const {
+  /// Returns suspects with a step: in the measurements as stated and, if `with_others` is true, also in the
+  /// measurements corrected for each of `suspects`.
+  std::vector<Suspect> withSteps(const std::vector<Suspect>& suspects, bool with_others) const {
     std::vector<Suspect> begun;
     const auto add = [&](const JoinedMends& parts, const Mend& before, const Trial& open) {
       for (Mend& step : likelySteps(trials_, before, open)) {
@@ -73,7 +73,7 @@ class MistakeSearch {
       }
     };
     if (trials_.asIs().ok) add({}, {}, trials_.asIs());
-    if (beside)
+    if (with_others)
       for (const Suspect& suspect : suspects)
         if (!suspect.mend.parts_setups) add(suspect.parts, suspect.mend, suspect.open);
     return begun;
@@ -152,7 +152,7 @@ class MistakeSearch {
 
   std::vector<Suspect> screenedTogether() const {
     std::vector<Suspect> suspects;
-    for (const auto& likely : {likelyTogether(trials_), likelyBesideTurns(trials_), likelyBesideRows(trials_)})
+    for (const auto& likely : {likelyTogether(trials_), likelyRotationMistakes(trials_), likelyRowShifts(trials_)})
       for (const auto& parts : likely) {
         throwIfStopped(trials_.options().stop);
         screen(parts, suspects);

@@ -49,7 +49,7 @@ inline MistakeKind kind() {
           .expected = "the order in which the numbers of the quaternions were written, xyzw or wxyz",
           .values = values,
           .mend = mend,
-          .values_beside = noValues,
+          .values_with_others = noValues,
           .is_of_turns = true};
 }
 

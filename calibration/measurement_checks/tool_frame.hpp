@@ -100,7 +100,7 @@ inline MistakeKind kind() {
               "roll, pitch and yaw of a mounted body on the tool, such as 90:0:35",
           .values = values,
           .mend = mend,
-          .values_beside = noValues,  // the search for pairs uses positions alone
+          .values_with_others = noValues,  // the search for pairs uses positions alone
           .is_of_turns = true};
 }
 

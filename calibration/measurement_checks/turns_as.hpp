@@ -35,7 +35,7 @@ inline MistakeKind kind() {
           .expected = "the form of the turns under roll, pitch, yaw, such as euler-zyz",
           .values = values,
           .mend = mend,
-          .values_beside = noValues,
+          .values_with_others = noValues,
           .is_of_turns = true};
 }
 

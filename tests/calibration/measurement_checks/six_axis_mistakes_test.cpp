@@ -130,7 +130,7 @@ struct SixAxisMistake {
   const char* label;
   MeasurementKind kind;
   std::string (*make)(std::vector<Measurement>&, Random&);
-  bool may_begin_beside = false;  ///< true if the first measurement may be found one row off
+  bool may_begin_a_row_off = false;  ///< true if the first measurement may be found one row off
 };
 
 constexpr SixAxisMistake kMade[] = {
@@ -178,7 +178,7 @@ TEST_P(SixAxisMistakes, AreNamed) {
     const std::string expected = GetParam().make(measurements, random);
     const auto checks = checksOfSixAxes(measurements);
     const auto* gross = grossMistake(checks);
-    const bool is_named = gross && agree(gross->assume, expected, GetParam().may_begin_beside);
+    const bool is_named = gross && agree(gross->assume, expected, GetParam().may_begin_a_row_off);
     named += is_named;
     if (!is_named) missed += fmt::format("{}: {}\n", expected, gross ? gross->assume : "nothing");
   }

@@ -1,6 +1,6 @@
 // If a mistake in the rotations under roll, pitch, yaw is combined with one in joints or coordinates, or with another
 // in the rotations, both are named.
-#include "calibration/measurement_checks/turns_beside.hpp"
+#include "calibration/measurement_checks/rotation_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ MeasurementChecks checksOfPoses(const std::vector<const MistakeMade*>& made, std
   return checkMeasurements({start, maker.measurements, {{"tool.tip"}, false}, {}});
 }
 
-TEST(TurnsBeside, AnotherMistakeBothAreNamed) {
+TEST(RotationSearch, AnotherMistakeBothAreNamed) {
   int made = 0, named = 0;
   std::string found;
   const auto& others = mistakesOfOthers();
@@ -72,7 +72,7 @@ TEST(TurnsBeside, AnotherMistakeBothAreNamed) {
   EXPECT_GE(named, made - 1) << found;
 }
 
-TEST(TurnsBeside, TwoOfTheTurnsAreBothNamed) {
+TEST(RotationSearch, TwoOfTheTurnsAreBothNamed) {
   const auto& kinds = mistakesOfTurns();
   for (std::size_t form = 0; form < 3; ++form)
     for (const std::uint64_t seed : {1, 2}) {

@@ -1,4 +1,4 @@
-#include "calibration/measurement_checks/rows_beside.hpp"
+#include "calibration/measurement_checks/shift_search.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kRowsOfEnd = 12;      // measurements at either end of the table that are compared quickly
-constexpr std::size_t kMostBesideRows = 8;  // maximum number of mistakes after which a shift is searched for
+constexpr std::size_t kRowsOfEnd = 12;       // measurements at either end of the table that are compared quickly
+constexpr std::size_t kMostBeforeShift = 8;  // maximum number of mistakes after which a shift is searched for
 
 /// Ends of the table that a shift from a measurement on leaves right, or that it shifts as a whole.
 class TableEnds {
@@ -51,7 +51,7 @@ std::vector<Mend> correctingAnEnd(const MistakeTrials& trials) {
   std::vector<std::pair<double, Mend>> scored;
   for (const auto& kind : mistakeKinds()) {
     if (kind.is_of_turns) continue;
-    for (const auto& value : (kind.values_beside ? kind.values_beside : kind.values)(trials.checked())) {
+    for (const auto& value : (kind.values_with_others ? kind.values_with_others : kind.values)(trials.checked())) {
       throwIfStopped(trials.options().stop);
       auto mend = kind.mend(trials.checked(), value);
       if (!mend || mend->parts_setups || mend->is_of_part || mend->mistake == mistakes::shifted_rows::kind().name)
@@ -62,13 +62,13 @@ std::vector<Mend> correctingAnEnd(const MistakeTrials& trials) {
   std::ranges::stable_sort(scored, {}, &std::pair<double, Mend>::first);
   std::vector<Mend> best;
   for (auto& [score, mend] : scored)
-    if (best.size() < kMostBesideRows) best.push_back(std::move(mend));
+    if (best.size() < kMostBeforeShift) best.push_back(std::move(mend));
   return best;
 }
 
 }  // namespace
 
-std::vector<JoinedMends> likelyBesideRows(const MistakeTrials& trials) {
+std::vector<JoinedMends> likelyRowShifts(const MistakeTrials& trials) {
   const MistakeKind shift = mistakes::shifted_rows::kind();
   std::vector<JoinedMends> likely;
   for (const Mend& mend : correctingAnEnd(trials)) {

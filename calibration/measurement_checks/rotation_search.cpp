@@ -1,4 +1,4 @@
-#include "calibration/measurement_checks/turns_beside.hpp"
+#include "calibration/measurement_checks/rotation_search.hpp"
 
 #include <algorithm>
 #include <string>
@@ -68,7 +68,7 @@ std::vector<JoinedMends> withTurns(const MistakeTrials& trials, const JoinedMend
 
 }  // namespace
 
-std::vector<JoinedMends> likelyBesideTurns(const MistakeTrials& trials) {
+std::vector<JoinedMends> likelyRotationMistakes(const MistakeTrials& trials) {
   const CheckedMeasurements& checked = trials.checked();
   std::vector<JoinedMends> likely;
   CheckedMeasurements places = checked;
