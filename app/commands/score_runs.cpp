@@ -123,12 +123,12 @@ int scoreRuns(const ScoredRunsOptions& options, const std::vector<int>& tubes, c
   TruthSpread spread;
   if (options.unmodelled >= 0) spread.unmodelled_sigma = cell.units.toInternal(options.unmodelled, dimension::kLength);
   if (options.stiffness >= 0) spread.stiffness_sigma = options.stiffness;
-  const auto trialsOf = [&](const calibration::DoubtBeside& doubt, int touches, TouchRule rule) {
+  const auto trialsOf = [&](const calibration::AdditionalUncertainty& doubt, int touches, TouchRule rule) {
     const CentringSetting setting{touches, rule, touchSigmaOf(model.tool)};
     return CentringTrials(model, truth, holes, {spread, doubt, kVisitedHoles, options.seed, {setting}});
   };
   const auto scored =
-      scoredBy(trialsOf(doubtBeside(cell), kTouchedHoles, TouchRule::kTested), options.runs, terminalHooks());
+      scoredBy(trialsOf(additionalUncertainty(cell), kTouchedHoles, TouchRule::kTested), options.runs, terminalHooks());
   if (scored.scores.empty()) {
     remark("no run was scored: {}\n", scored.refused.empty() ? "stopped before the first" : scored.refused.front());
     return kNegativeAnswer;

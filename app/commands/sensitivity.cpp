@@ -42,7 +42,8 @@ struct SensitivityOptions {
 BestTouches touchedHoles(const Cell& cell, const std::vector<Eigen::VectorXd>& work_postures) {
   planner::Workcell work = workcellOf(cell, "touch holes");
   work.load = 0;
-  return bestTouches(work, touchCandidates(work, kTouchable), work_postures, kChosenTouches, doubtBeside(cell));
+  return bestTouches(work, touchCandidates(work, kTouchable), work_postures, kChosenTouches,
+                     additionalUncertainty(cell));
 }
 
 /// Returns, for a cell without a sheet, the three postures in which touches of a mark determine the base most
@@ -52,7 +53,8 @@ BestTouches touchedPostures(const Cell& cell, const std::vector<Eigen::VectorXd>
   for (const auto& q : clearPostures(armAndScene(cell), {0}, kTouchable, seed))
     marks.push_back({"", "posture " + std::to_string(marks.size() + 1), {}, q});
   const calibration::SensitivityTask usual;
-  return bestTouches(cell.arm, cell.X_WB, marks, work_postures, {kChosenTouches, usual.touch_sigma, doubtBeside(cell)});
+  return bestTouches(cell.arm, cell.X_WB, marks, work_postures,
+                     {kChosenTouches, usual.touch_sigma, additionalUncertainty(cell)});
 }
 
 /// Chooses the three touches that determine the base most accurately. If there are none, returns the reason; otherwise
@@ -61,7 +63,7 @@ std::string chooseBaseTouches(const Cell& cell, std::uint64_t seed, SensitivityR
                               calibration::SensitivityTask& task) {
   const BestTouches best = cell.sheet ? touchedHoles(cell, task.work) : touchedPostures(cell, task.work, seed);
   if (cell.sheet) task.touch_sigma = touchSigmaOf(requireTool(cell, "touch holes"));
-  task.doubt = doubtBeside(cell);
+  task.doubt = additionalUncertainty(cell);
   for (const auto& plan : best.plans) {
     task.touches.push_back(plan.q_start);
     report.touches.push_back(plan.hole);

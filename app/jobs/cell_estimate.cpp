@@ -14,7 +14,7 @@ MeasurementsWithChecks measurementsMade(const std::string& file, Cell& cell, dou
 
 calibration::Estimate estimateOf(const Cell& cell, const std::vector<calibration::Measurement>& measurements,
                                  const calibration::FreeChoice& free, const std::string& where,
-                                 const calibration::DoubtBeside& doubt) {
+                                 const calibration::AdditionalUncertainty& doubt) {
   auto estimate = calibration::estimateFrom(cell.arm, cell.X_WB, cell.base_known, measurements, free, doubt);
   if (estimate.problems.empty()) return estimate;
   refuseName(where, estimate.problems.front(), cell.arm);

@@ -89,7 +89,7 @@ void learn(const TouchRequest& request, const std::vector<Measurement>& measurem
   Cell unplaced = outcome.cell;
   unplaced.base_known = false;
   if (!measurements.empty() && !wants(request, "parameters")) unplaced.arm = unplaced.filedArm();
-  const calibration::DoubtBeside doubt = doubtBeside(unplaced);
+  const calibration::AdditionalUncertainty doubt = additionalUncertainty(unplaced);
   task.of_base = estimateOf(unplaced, measurements, {{}, true}, named_by, doubt);
   if (wants(request, "parameters")) return;
   outcome.setup = lastSetup(*task.of_base);

@@ -87,7 +87,8 @@ bool fitFreeNumbers(const PlacedArm& placed, const std::vector<Measurement>& mea
 }  // namespace
 
 Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
-                      const std::vector<Measurement>& measurements, const FreeChoice& free, const DoubtBeside& doubt) {
+                      const std::vector<Measurement>& measurements, const FreeChoice& free,
+                      const AdditionalUncertainty& doubt) {
   std::vector<Measurement> used = measurements;
   std::erase_if(used, [](const Measurement& measurement) { return measurement.is_held_out; });
   Estimate estimate;

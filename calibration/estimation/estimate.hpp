@@ -12,7 +12,7 @@
 namespace tubeplan::calibration {
 
 /// Sources of uncertainty in addition to the free parameters and the noise of the measurements.
-struct DoubtBeside {
+struct AdditionalUncertainty {
   ArmUncertainty arm = ArmUncertainty::none();  ///< uncertainty of the arm's parameters that are not free
   double model_error = 0;  ///< standard deviation of the model error per coordinate, known beforehand [m]
 };
@@ -41,7 +41,7 @@ struct Estimate {
 /// with the uncertain parameters of `doubt`. In all other cases, these parameters are treated as exact.
 [[nodiscard]] Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                                     const std::vector<Measurement>& measurements, const FreeChoice& free,
-                                    const DoubtBeside& doubt = {});
+                                    const AdditionalUncertainty& doubt = {});
 
 /// Returns the placed arm with the estimated parameter values.
 [[nodiscard]] PlacedArm placedAsEstimated(const Estimate& estimate);

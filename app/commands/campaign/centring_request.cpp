@@ -154,7 +154,7 @@ CentringTask centringTask(const CampaignRequest& request) {
     for (auto* arm : {&task.model.arm, &task.truth.arm})
       setEncoderSigma(angleFrom("--encoder-sigma", request.encoder_sigma, 0, task.cell.units), *arm);
   task.options.spread = spreadOf(request, task.cell.units);
-  task.options.doubt = doubtBeside(task.cell);
+  task.options.doubt = additionalUncertainty(task.cell);
   task.options.holes = request.holes;
   task.options.seed = request.seed;
   task.options.settings = settingsOf(request, task);

@@ -100,7 +100,7 @@ std::vector<Measurement> touchesByTrueArm(const planner::Workcell& model, const 
                                           const planner::Workcell& truth, std::uint64_t seed) {
   constexpr int kCandidates = 24, kTouches = 3;
   const auto plans =
-      requireTouches(bestTouches(model, touchCandidates(model, kCandidates), kTouches, doubtBeside(cell)));
+      requireTouches(bestTouches(model, touchCandidates(model, kCandidates), kTouches, additionalUncertainty(cell)));
   calibration::TouchSimulationOptions options;
   options.sigma = touchSigmaOf(model.tool);
   options.load = truth.load;

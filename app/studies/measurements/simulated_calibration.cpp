@@ -37,14 +37,15 @@ int tubeOf(const calibration::TouchPlan& candidate, const tubesheets::Sheet& she
 }
 
 BestTouches bestTouches(const planner::Workcell& cell, const std::vector<calibration::TouchPlan>& candidates, int count,
-                        const calibration::DoubtBeside& doubt) {
+                        const calibration::AdditionalUncertainty& doubt) {
   std::vector<Eigen::VectorXd> work;
   for (const auto& candidate : candidates) work.push_back(candidate.q_start);
   return bestTouches(cell, candidates, work, count, doubt);
 }
 
 BestTouches bestTouches(const planner::Workcell& cell, const std::vector<calibration::TouchPlan>& candidates,
-                        const std::vector<Eigen::VectorXd>& work, int count, const calibration::DoubtBeside& doubt) {
+                        const std::vector<Eigen::VectorXd>& work, int count,
+                        const calibration::AdditionalUncertainty& doubt) {
   return bestTouches(cell.arm, cell.X_WB, calibration::robustlyTouchable(cell.arm, cell.X_WB, candidates, count), work,
                      {count, touchSigmaOf(cell.tool), doubt});
 }
@@ -90,7 +91,7 @@ BothCalibrations calibrateBoth(const planner::Workcell& placed, const CellModel&
 }
 
 BothCalibrations calibrateBoth(const deflection::Arm& flexible, const deflection::Arm& rigid,
-                               const calibration::DoubtBeside& doubt, const Eigen::Isometry3d& X_WB_start,
+                               const calibration::AdditionalUncertainty& doubt, const Eigen::Isometry3d& X_WB_start,
                                const tubesheets::Sheet& sheet, const std::vector<calibration::Measurement>& touches) {
   calibration::BaseCalibrationOptions options;
   options.arm = doubt.arm;

@@ -20,14 +20,14 @@ calibration::NeighbourQuestion neighboursOn(const tubesheets::Sheet& sheet) {
   };
 }
 
-calibration::DoubtBeside doubtBeside(const CellModel& cell) {
+calibration::AdditionalUncertainty additionalUncertainty(const CellModel& cell) {
   const auto known = cell.knownModelError();
   return {cell.uncertainty, known ? known->sigma : 0};
 }
 
 calibration::BaseCalibrationOptions calibrationOptionsOf(const CellModel& cell) {
   calibration::BaseCalibrationOptions options;
-  const calibration::DoubtBeside doubt = doubtBeside(cell);
+  const calibration::AdditionalUncertainty doubt = additionalUncertainty(cell);
   options.arm = doubt.arm;
   options.model_error = doubt.model_error;
   if (cell.sheet) options.neighbours = neighboursOn(*cell.sheet);

@@ -15,9 +15,9 @@ namespace tubeplan::app {
 
 /// Returns the uncertainties that a calibration of the cell's base from touches must consider: the uncertainty of the
 /// arm's parameters, and the model error if it is known. Touches must be chosen and fitted with the same uncertainties.
-[[nodiscard]] calibration::DoubtBeside doubtBeside(const CellModel& cell);
+[[nodiscard]] calibration::AdditionalUncertainty additionalUncertainty(const CellModel& cell);
 
-/// Returns the options to calibrate the cell's base from touches: the uncertainties of doubtBeside(), and the
+/// Returns the options to calibrate the cell's base from touches: the uncertainties of additionalUncertainty(), and the
 /// neighbours of holes. `cell` must outlive the options.
 [[nodiscard]] calibration::BaseCalibrationOptions calibrationOptionsOf(const CellModel& cell);
 

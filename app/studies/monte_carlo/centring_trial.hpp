@@ -44,8 +44,8 @@ struct CentringHoles {
 
 struct CentringOptions {
   TruthSpread spread;
-  calibration::DoubtBeside doubt;  ///< uncertainties considered in choosing touches and calibrating bases
-  int holes = 10;                  ///< number of holes visited in a run; each run draws its own holes
+  calibration::AdditionalUncertainty doubt;  ///< uncertainties considered in choosing touches and calibrating bases
+  int holes = 10;                            ///< number of holes visited in a run; each run draws its own holes
   std::uint64_t seed = 1;
   std::vector<CentringSetting> settings;
 };

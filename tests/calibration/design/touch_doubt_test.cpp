@@ -155,7 +155,8 @@ TEST_P(TouchDoubt, PlansAreChosenAsTheirMeasurementsAre) {
     const auto& touch = candidate.measurements.front();
     plans.push_back({"", touch.point, *touch.known_W, touch.q});
   }
-  for (const auto& doubt : {DoubtBeside{}, DoubtBeside{ArmUncertainty{}, 0}, DoubtBeside{ArmUncertainty{}, 1e-3}})
+  for (const auto& doubt : {AdditionalUncertainty{}, AdditionalUncertainty{ArmUncertainty{}, 0},
+                            AdditionalUncertainty{ArmUncertainty{}, 1e-3}})
     for (const int count : {3, 5}) {
       const auto posed = poseDesign(nothingTouched(cell, doubt.arm, doubt.model_error), cell.candidates, cell.work);
       const auto by_problem = chooseTouches(posed.problem, count);
