@@ -70,7 +70,7 @@ PosedDesign poseDesign(const Estimate& estimate, const std::vector<MeasurementCa
                        const Work& work) {
   PosedDesign posed;
   posed.problem.information = estimate.information;
-  posed.problem.beside = static_cast<int>(estimate.beside.root.cols());
+  posed.problem.nuisance_count = static_cast<int>(estimate.nuisance_parameters.root.cols());
   posed.problem.work = tipSensitivities(estimate, work.postures, work.load);
   const PlacedArm placed = placedAsEstimated(estimate);
   const auto expected = expectedMeasurements(placed, candidates);

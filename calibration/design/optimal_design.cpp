@@ -89,7 +89,8 @@ class Choice {
   [[nodiscard]] double gainOf(int candidate) const {
     const MatrixXd& H = problem_.candidates[static_cast<std::size_t>(candidate)];
     const double all = logDetOf(H, covariance_);
-    return problem_.beside == 0 ? all : all - logDetOf(H.rightCols(problem_.beside), beside_);
+    return problem_.nuisance_count == 0 ? all
+                                        : all - logDetOf(H.rightCols(problem_.nuisance_count), nuisance_covariance_);
   }
 
   /// Returns the score of the choice with the candidate added; a lower score is better. For kDeterminant, it is
@@ -139,7 +140,8 @@ class Choice {
       information += H.transpose() * H;
     }
     covariance_ = inverseOf(information);
-    if (problem_.beside > 0) beside_ = inverseOf(information.bottomRightCorner(problem_.beside, problem_.beside));
+    if (problem_.nuisance_count > 0)
+      nuisance_covariance_ = inverseOf(information.bottomRightCorner(problem_.nuisance_count, problem_.nuisance_count));
     variances_ = tipVariances(problem_.work, covariance_);
     if (stacked_work_.size()) return;
     stacked_work_.resize(3 * static_cast<Index>(problem_.work.size()), information.cols());
@@ -152,7 +154,7 @@ class Choice {
   std::vector<int> chosen_;
   std::vector<bool> is_chosen_;
   MatrixXd covariance_, stacked_work_, mean_work_;
-  MatrixXd beside_;  ///< covariance of the nuisance variables if all other variables are known
+  MatrixXd nuisance_covariance_;  ///< covariance of the nuisance variables if all other variables are known
   VectorXd variances_;
 };
 
@@ -204,7 +206,7 @@ void take(Choice& choice, int candidate, const DesignProblem& problem, Design& d
   step.tip = tipSigma(problem.work, choice.covariance());
   const VectorXd ratio = (choice.covariance().diagonal().array() / before.array()).sqrt();
   Index most = 0;
-  step.helped_by = ratio.head(ratio.size() - problem.beside).minCoeff(&most);
+  step.helped_by = ratio.head(ratio.size() - problem.nuisance_count).minCoeff(&most);
   step.most_helped = static_cast<int>(most);
 }
 

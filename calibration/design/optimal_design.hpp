@@ -10,14 +10,14 @@
 
 namespace tubeplan::calibration {
 
-/// Design problem with n variables, each an unknown divided by its typical size. The last `beside` of them are nuisance
-/// variables: measurements and tip depend on them, but their own accuracy is not an objective.
+/// Design problem with n variables, each an unknown divided by its typical size. The last `nuisance_count` of them are
+/// nuisance variables: measurements and tip depend on them, but their own accuracy is not an objective.
 struct DesignProblem {
   /// Information matrix before the new measurements, n x n, positive definite.
   Eigen::MatrixXd information;
   std::vector<Eigen::MatrixXd> candidates;  ///< whitened Jacobian of each candidate measurement: its number of rows x n
   std::vector<Eigen::MatrixXd> work;        ///< Jacobian of the tip at each work posture, 3 x n [m]
-  int beside = 0;
+  int nuisance_count = 0;
 };
 
 /// Quantity that the chosen measurements minimise.

@@ -22,18 +22,18 @@ constexpr double kNowhere = std::numeric_limits<double>::infinity();
 /// U].
 struct TouchBlocks {
   explicit TouchBlocks(const DesignProblem& problem) : prior(problem.information.topLeftCorner<6, 6>()) {
-    const Index rows = 3 * static_cast<Index>(problem.candidates.size()), all = 6 + problem.beside;
+    const Index rows = 3 * static_cast<Index>(problem.candidates.size()), all = 6 + problem.nuisance_count;
     MatrixXd slopes(rows, all), work = MatrixXd::Zero(all, all);
     for (std::size_t k = 0; k < problem.candidates.size(); ++k)
       slopes.middleRows(3 * static_cast<Index>(k), 3) = problem.candidates[k];
     for (const auto& J : problem.work) work += J.transpose() * J / (3. * static_cast<double>(problem.work.size()));
-    const MatrixXd Z = slopes.rightCols(problem.beside);
+    const MatrixXd Z = slopes.rightCols(problem.nuisance_count);
     B = slopes.leftCols(6);
     ZZ = Z * Z.transpose();
-    ZWZ = Z * work.bottomRightCorner(problem.beside, problem.beside) * Z.transpose();
-    ZW = Z * work.bottomLeftCorner(problem.beside, 6);
+    ZWZ = Z * work.bottomRightCorner(problem.nuisance_count, problem.nuisance_count) * Z.transpose();
+    ZW = Z * work.bottomLeftCorner(problem.nuisance_count, 6);
     base_work = work.topLeftCorner<6, 6>();
-    numbers_variance = work.diagonal().tail(problem.beside).sum();
+    numbers_variance = work.diagonal().tail(problem.nuisance_count).sum();
   }
 
   [[nodiscard]] int count() const { return static_cast<int>(B.rows() / 3); }

@@ -36,10 +36,10 @@ MatrixXd informationOf(const Estimate& estimate, const std::vector<Measurement>&
 }
 
 /// Returns the diagonal of the prior information matrix. The prior sigma of a free variable is its typical size, or the
-/// sigma of its own prior if smaller; each standard normal variable of `beside` has variance 1.
+/// sigma of its own prior if smaller; each standard normal variable of `nuisance_count` has variance 1.
 VectorXd informationBeforehand(const Estimate& estimate) {
   const VectorXd of_free = priorInformation(estimate.unknowns);
-  VectorXd information = VectorXd::Ones(of_free.size() + estimate.beside.root.cols());
+  VectorXd information = VectorXd::Ones(of_free.size() + estimate.nuisance_parameters.root.cols());
   information.head(of_free.size()) = of_free.cwiseMax(1);
   return information;
 }
@@ -57,14 +57,14 @@ bool placesByTouches(const Estimate& estimate, const std::vector<Measurement>& m
 /// Fits the base together with the arm's uncertain parameters; returns false if the fit does not converge.
 bool fitBaseByTouches(const std::vector<Measurement>& touches, Estimate& estimate) {
   BasePose& base = estimate.start.base_poses.front();
-  const TouchFit fit =
-      fitTouches(estimate.start.arm, estimate.beside, touches, base.X_WB, {.model_error = estimate.model_error});
+  const TouchFit fit = fitTouches(estimate.start.arm, estimate.nuisance_parameters, touches, base.X_WB,
+                                  {.model_error = estimate.model_error});
   estimate.note = fit.reason;
   if (fit.status != LeastSquaresStatus::kConverged) return false;
   estimate.note.clear();
   base.X_WB = fit.X_WB;
   estimate.start.arm = fit.arm;
-  estimate.beside.unknowns = fit.uncertainty.numbers;
+  estimate.nuisance_parameters.unknowns = fit.uncertainty.numbers;
   estimate.model_error = fit.model_error;
   return true;
 }
@@ -99,11 +99,11 @@ Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
   estimate.unknowns = std::move(unknowns.list);
   if (!estimate.problems.empty()) return estimate;
   estimate.x = zerosOf(estimate.unknowns);
-  estimate.beside = uncertainNumbers(arm, doubt.arm);
+  estimate.nuisance_parameters = uncertainNumbers(arm, doubt.arm);
   estimate.model_error = doubt.model_error;
   estimate.information = informationBeforehand(estimate).asDiagonal();
   if (used.empty() || estimate.unknowns.empty()) return estimate;
-  const bool is_fitted = !estimate.beside.unknowns.empty() && placesByTouches(estimate, used)
+  const bool is_fitted = !estimate.nuisance_parameters.unknowns.empty() && placesByTouches(estimate, used)
                              ? fitBaseByTouches(used, estimate)
                              : fitFreeNumbers(placed, used, free, estimate);
   if (!is_fitted) alignBases(estimate.start, used);
@@ -115,17 +115,17 @@ PlacedArm placedAsEstimated(const Estimate& estimate) { return applied(estimate.
 
 std::optional<MatrixXd> sensitivityOf(const Estimate& estimate, const std::vector<Measurement>& measurements,
                                       const MeasurementWeights& weights) {
-  const auto& [numbers, root] = estimate.beside;
-  const auto free = static_cast<Index>(estimate.unknowns.size()), beside = static_cast<Index>(numbers.size());
+  const auto& [numbers, root] = estimate.nuisance_parameters;
+  const auto free = static_cast<Index>(estimate.unknowns.size()), nuisance_count = static_cast<Index>(numbers.size());
   std::vector<Unknown> all = estimate.unknowns;
   all.insert(all.end(), numbers.begin(), numbers.end());
-  VectorXd x = VectorXd::Zero(free + beside);
+  VectorXd x = VectorXd::Zero(free + nuisance_count);
   x.head(free) = estimate.x;
   const auto residual = whitenedResidual(estimate.start, all, measurements, weights, x, true);
   if (!residual.ok) return std::nullopt;
   MatrixXd by_variables(residual.jacobian.rows(), free + root.cols());
   by_variables.leftCols(free) = residual.jacobian.leftCols(free) * typicalsOf(estimate.unknowns).asDiagonal();
-  by_variables.rightCols(root.cols()) = residual.jacobian.rightCols(beside) * root;
+  by_variables.rightCols(root.cols()) = residual.jacobian.rightCols(nuisance_count) * root;
   return by_variables;
 }
 

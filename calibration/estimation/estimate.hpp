@@ -30,9 +30,9 @@ struct Estimate {
   Eigen::VectorXd x;  ///< fitted values of the unknowns' variables, relative to `start`
   /// Standard deviation of the model error of each coordinate, in addition to the measurements' noise [m].
   double model_error = 0;
-  UncertainNumbers beside;  ///< uncertain parameters of the arm that are not free
+  UncertainNumbers nuisance_parameters;  ///< uncertain parameters of the arm that are not free
   /// Information matrix. Its variables are those of `unknowns`, each divided by its typical size, then the standard
-  /// normal variables of `beside`.
+  /// normal variables of `nuisance_parameters`.
   Eigen::MatrixXd information;
 };
 
