@@ -124,14 +124,14 @@ double priorOf(const Parameter& number, const Priors& priors) {
 }
 
 /// Returns the variance that each taken parameter absorbs from errors of the parameters held fixed: each column in
-/// `held` (with its standard deviation) is a combination of the columns `taken` and `beside`.
-VectorXd leftByOthers(const MatrixXd& motions, const std::vector<Index>& taken, std::vector<Index> beside,
+/// `held` (with its standard deviation) is a combination of the columns `taken` and `absorbing`.
+VectorXd leftByOthers(const MatrixXd& motions, const std::vector<Index>& taken, std::vector<Index> absorbing,
                       const std::vector<std::pair<Index, double>>& held) {
-  beside.insert(beside.begin(), taken.begin(), taken.end());
+  absorbing.insert(absorbing.begin(), taken.begin(), taken.end());
   const VectorXd lengths = motions.colwise().norm();
-  MatrixXd basis(motions.rows(), static_cast<Index>(beside.size()));
+  MatrixXd basis(motions.rows(), static_cast<Index>(absorbing.size()));
   for (Index k = 0; k < basis.cols(); ++k) {
-    const Index column = beside[static_cast<std::size_t>(k)];
+    const Index column = absorbing[static_cast<std::size_t>(k)];
     basis.col(k) = motions.col(column) / lengths[column];
   }
   const Eigen::ColPivHouseholderQR<MatrixXd> solver(basis);
@@ -168,9 +168,9 @@ std::vector<IndependentNumber> independentGeometry(const PlacedArm& placed, cons
   std::erase_if(numbers, [&](const Parameter& number) { return !rankOf(number, placed); });
   const MatrixXd motions = motionsBy(mechanism, numbers);
   Span span(motions);
-  std::vector<Index> taken, beside;
+  std::vector<Index> taken, absorbing;
   const auto takeFree = [&](Index column) {
-    if (span.newnessOf(column) >= kNothingNew) beside.push_back(column);
+    if (span.newnessOf(column) >= kNothingNew) absorbing.push_back(column);
     span.take(column);
   };
   if (placesEveryBase(placed, free))
@@ -192,7 +192,7 @@ std::vector<IndependentNumber> independentGeometry(const PlacedArm& placed, cons
     for (const Index column : columns)
       if (!std::ranges::binary_search(taken, column))
         held.emplace_back(column, priorOf(numbers[static_cast<std::size_t>(column)], placed.priors));
-  const VectorXd variances = leftByOthers(motions, taken, beside, held);
+  const VectorXd variances = leftByOthers(motions, taken, absorbing, held);
   std::vector<IndependentNumber> chosen;
   for (std::size_t k = 0; k < taken.size(); ++k)
     chosen.push_back({numbers[static_cast<std::size_t>(taken[k])].name, std::sqrt(variances[static_cast<Index>(k)])});

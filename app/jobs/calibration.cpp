@@ -15,7 +15,7 @@ CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration
   CalibrationOutcome outcome;
   outcome.touches = touches;
   outcome.calibration = calibration::calibrateBase(cell.filedArm(), touches, cell.X_WB, calibrationOptionsOf(cell));
-  outcome.model_error = modelErrorBeside(cell, outcome.calibration);
+  outcome.model_error = modelErrorFor(cell, outcome.calibration);
   outcome.figures = calibrationJson(outcome.calibration, cell);
   if (outcome.model_error) outcome.figures["model_error"] = modelErrorJson(*outcome.model_error, cell.units);
   return outcome;

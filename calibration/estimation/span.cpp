@@ -12,7 +12,7 @@ constexpr double kRank = 1e-8;  // a unit column adds to the rank if its norm ou
 
 }  // namespace
 
-Eigen::VectorXd leftBeside(const MatrixXd& columns, const Eigen::VectorXd& vector) {
+Eigen::VectorXd partOutsideSpan(const MatrixXd& columns, const Eigen::VectorXd& vector) {
   if (columns.cols() == 0) return vector;
   return vector - columns * columns.completeOrthogonalDecomposition().solve(vector);
 }

@@ -6,7 +6,7 @@
 namespace tubeplan::calibration {
 
 /// Returns the part of `vector` that no linear combination of the columns can represent: its least-squares residual.
-[[nodiscard]] Eigen::VectorXd leftBeside(const Eigen::MatrixXd& columns, const Eigen::VectorXd& vector);
+[[nodiscard]] Eigen::VectorXd partOutsideSpan(const Eigen::MatrixXd& columns, const Eigen::VectorXd& vector);
 
 /// Returns an orthonormal basis of the span of the columns. The result does not depend on the scales of the columns.
 [[nodiscard]] Eigen::MatrixXd spanOf(Eigen::MatrixXd columns);

@@ -159,11 +159,11 @@ MatrixXd membershipOf(const Variable& variable) {
   return basis;
 }
 
-Followed followFunctions(const SearchedScene& search, const Question& question, const MatrixXd& beside,
+Followed followFunctions(const SearchedScene& search, const Question& question, const MatrixXd& fitted_columns,
                          const VectorXd& r) {
   const Variable& variable = *question.variable;
   const MatrixXd basis = variable.groups.empty() ? variable.basis : membershipOf(variable);
-  const MatrixXd columns = search.columnsOf(basis, question.frame, beside);
+  const MatrixXd columns = search.columnsOf(basis, question.frame, fitted_columns);
   return {columns * (columns.transpose() * r), static_cast<int>(columns.cols())};
 }
 
@@ -179,21 +179,21 @@ std::vector<std::vector<int>> membersOf(const Variable& variable) {
 /// means and Q the fitted unknowns, r^T B r has tr B - tr Q^T B Q degrees of freedom. The computation runs group by
 /// group, so that many groups cost no more than one group of all measurements. A touched point or noise that
 /// measurements share with other groups is not removed.
-Followed followGroups(const SearchedScene& search, const Variable& variable, const MatrixXd& beside,
+Followed followGroups(const SearchedScene& search, const Variable& variable, const MatrixXd& fitted_columns,
                       const VectorXd& r) {
   Followed followed{VectorXd::Zero(r.size()), 0};
   double numbers = 0;
   for (const auto& group : membersOf(variable)) {
     Index rows = 0;
     for (const int k : group) rows += rowsOf(search.scene.measurements[static_cast<std::size_t>(k)]);
-    MatrixXd columns(rows, 3), fitted(rows, beside.cols());
+    MatrixXd columns(rows, 3), fitted(rows, fitted_columns.cols());
     VectorXd own(rows);
     Index at = 0;
     for (const int k : group) {
       const auto n = static_cast<std::size_t>(k);
       const MatrixXd along = search.weights.whitener[n] * placeSlope(search.scene, n);
       columns.middleRows(at, along.rows()) = along;
-      fitted.middleRows(at, along.rows()) = beside.middleRows(search.rowOf(k), along.rows());
+      fitted.middleRows(at, along.rows()) = fitted_columns.middleRows(search.rowOf(k), along.rows());
       own.segment(at, along.rows()) = r.segment(search.rowOf(k), along.rows());
       at += along.rows();
     }
@@ -222,15 +222,15 @@ PatternTest ask(const SearchedScene& search, const Question& question, const Mat
   test.variable = variable.name;
   test.unit = variable.unit;
   test.frame = question.frame;
-  MatrixXd beside = others;
+  MatrixXd fitted_columns = others;
   if (!isConstant(variable))
-    beside = joined(others, search.columnsOf(MatrixXd::Ones(variable.value.size(), 1), question.frame, others));
+    fitted_columns = joined(others, search.columnsOf(MatrixXd::Ones(variable.value.size(), 1), question.frame, others));
   throwIfStopped(search.stop);
-  const VectorXd r = search.r - beside * (beside.transpose() * search.r);
+  const VectorXd r = search.r - fitted_columns * (fitted_columns.transpose() * search.r);
   const bool is_dense = static_cast<Index>(variable.groups.size()) <= kFewGroups;
-  const Followed followed =
-      is_dense ? followFunctions(search, question, beside, r) : followGroups(search, variable, beside, r);
-  test.rest = search.freedom - static_cast<int>(beside.cols() - search.absorbed.cols()) - followed.numbers;
+  const Followed followed = is_dense ? followFunctions(search, question, fitted_columns, r)
+                                     : followGroups(search, variable, fitted_columns, r);
+  test.rest = search.freedom - static_cast<int>(fitted_columns.cols() - search.absorbed.cols()) - followed.numbers;
   if (followed.numbers <= 0 || test.rest < 1) return test;
   test.numbers = followed.numbers;
   test.fall = followed.part.squaredNorm();
@@ -254,7 +254,7 @@ void correctByHolm(std::vector<PatternTest>& tests, double level) {
 std::vector<PatternTest> distinctFindings(const SearchedScene& search, const std::vector<Question>& questions,
                                           const std::vector<PatternTest>& tests, double level) {
   std::vector<PatternTest> findings;
-  MatrixXd beside = search.absorbed;
+  MatrixXd fitted_columns = search.absorbed;
   for (const auto& test : tests) {
     const bool is_reported = std::any_of(findings.begin(), findings.end(),
                                          [&](const PatternTest& other) { return other.variable == test.variable; });
@@ -263,11 +263,12 @@ std::vector<PatternTest> distinctFindings(const SearchedScene& search, const std
     const auto question = std::find_if(questions.begin(), questions.end(), [&](const Question& q) {
       return q.variable->name == test.variable && q.frame == test.frame;
     });
-    const PatternTest again = findings.size() == 1 ? test : ask(search, *question, beside);
+    const PatternTest again = findings.size() == 1 ? test : ask(search, *question, fitted_columns);
     if (again.p_value * static_cast<double>(tests.size()) > level)
       findings.back().goes_with = findings.front().variable;
     else if (question->variable->groups.empty())
-      beside = joined(beside, search.columnsOf(question->variable->basis, question->frame, beside));
+      fitted_columns =
+          joined(fitted_columns, search.columnsOf(question->variable->basis, question->frame, fitted_columns));
   }
   return findings;
 }

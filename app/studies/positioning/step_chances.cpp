@@ -72,7 +72,7 @@ StepChances stepChances(const StepQuestion& question) {
     chances.reason = "the base has not been calibrated: touch holes and calibrate (--touches)";
     return chances;
   }
-  chances.model_error = question.placed_by ? modelErrorBeside(cell, *question.placed_by) : cell.model_error;
+  chances.model_error = question.placed_by ? modelErrorFor(cell, *question.placed_by) : cell.model_error;
   std::optional<calibration::StatedModelError> model_error;
   if (chances.model_error) model_error = {chances.model_error->sigma, chances.model_error->degrees_of_freedom};
   const calibration::TipErrorQuestion asked{
@@ -108,7 +108,7 @@ std::vector<double> expectedCounts(const StepChances& chances) {
   return counts;
 }
 
-std::optional<ModelError> modelErrorBeside(const CellModel& cell, const calibration::BaseCalibration& base) {
+std::optional<ModelError> modelErrorFor(const CellModel& cell, const calibration::BaseCalibration& base) {
   if (base.is_model_error_found) return ModelError{base.model_error, base.degrees_of_freedom, kByTouches};
   return cell.knownModelError();
 }

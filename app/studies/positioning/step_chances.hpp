@@ -48,7 +48,6 @@ struct StepQuestion {
 
 /// Returns the model error for a calibrated base: estimated from touches that do not fit, or else the known model error
 /// of the cell.
-[[nodiscard]] std::optional<ModelError> modelErrorBeside(const CellModel& cell,
-                                                         const calibration::BaseCalibration& base);
+[[nodiscard]] std::optional<ModelError> modelErrorFor(const CellModel& cell, const calibration::BaseCalibration& base);
 
 }  // namespace tubeplan::app

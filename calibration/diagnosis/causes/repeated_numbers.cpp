@@ -47,7 +47,7 @@ std::vector<Measurement> measurementsAllOver(const PlacedArm& placed, const std:
 
 /// Returns the fraction of each column's norm that lies outside the span of the orthonormal basis `Q`; 1 for a column
 /// of zeros, which shows nothing.
-VectorXd keptBeside(const MatrixXd& Q, const MatrixXd& columns) {
+VectorXd fractionOutsideSpan(const MatrixXd& Q, const MatrixXd& columns) {
   const MatrixXd left = without(Q, columns);
   VectorXd kept(columns.cols());
   for (Index c = 0; c < columns.cols(); ++c) {
@@ -92,7 +92,7 @@ bool removeRepeated(const PlacedArm& placed, const std::vector<Measurement>& mea
   const auto by_fitted = whitenedResidual(placed, fitted, postures, *weights, zerosOf(fitted), true, stop);
   const MatrixXd by_causes = signatures.columnsAt(postures, *weights, stop);
   if (!by_fitted.ok || by_causes.rows() != weights->rows) return false;
-  const VectorXd kept = keptBeside(spanOf(by_fitted.jacobian), by_causes);
+  const VectorXd kept = fractionOutsideSpan(spanOf(by_fitted.jacobian), by_causes);
   std::vector<Cause> repeated;
   std::map<std::string, std::vector<std::string>> places_of;
   int index = 0;

@@ -31,8 +31,9 @@ SourceView SingleSources::viewOf(const MatrixXd& W_y) const {
 /// Integrates out the parameters of W. For a source's columns Z, A = Z^T Z - Z^T W M^-1 W^T Z with
 /// M = W^T W + information, and b = Z^T y - Z^T W M^-1 W^T y. A size s then multiplies the evidence by
 /// det(I + s^2 A)^-1/2 exp(s^2 b^T (I + s^2 A)^-1 b / 2).
-SourceEvidence SingleSources::beside(const SourceView& view, const VectorXd& scale, const VectorXd& information,
-                                     const std::vector<double>& sizes, double noise_scale) const {
+SourceEvidence SingleSources::evidenceWithSource(const SourceView& view, const VectorXd& scale,
+                                                 const VectorXd& information, const std::vector<double>& sizes,
+                                                 double noise_scale) const {
   const Index n = scale.size();
   const MatrixXd Z_W = view.products.leftCols(n) * scale.asDiagonal();
   MatrixXd M = scale.asDiagonal() * view.gram.topLeftCorner(n, n) * scale.asDiagonal();

@@ -40,9 +40,9 @@ class SingleSources {
   /// Returns the evidence of the model of `view` with one source added. `scale` contains the units of the parameters of
   /// W, `information` the prior information on them in these units, `sizes` the root-mean-square sizes to try for a
   /// source [m].
-  [[nodiscard]] SourceEvidence beside(const SourceView& view, const Eigen::VectorXd& scale,
-                                      const Eigen::VectorXd& information, const std::vector<double>& sizes,
-                                      double noise_scale) const;
+  [[nodiscard]] SourceEvidence evidenceWithSource(const SourceView& view, const Eigen::VectorXd& scale,
+                                                  const Eigen::VectorXd& information, const std::vector<double>& sizes,
+                                                  double noise_scale) const;
 
   /// Returns the whitened errors due to a source with these weights.
   [[nodiscard]] Eigen::VectorXd errorsOf(int source, const Eigen::VectorXd& weights) const;

@@ -109,8 +109,8 @@ void addVariables(const FittedBasis& basis, const Explanation& explanation, int 
       columns.conservativeResize(columns.rows(), columns.cols() + 1);
       columns.rightCols<1>() = signatures[other];
     }
-    const VectorXd signature = leftBeside(columns, signatures[e]);
-    const VectorXd left = leftBeside(columns, -basis.residual.r);
+    const VectorXd signature = partOutsideSpan(columns, signatures[e]);
+    const VectorXd left = partOutsideSpan(columns, -basis.residual.r);
     AddedVariable variable;
     variable.explanation = index;
     variable.effect = static_cast<int>(e);

@@ -46,7 +46,7 @@ std::vector<ModelTerm> bestTerms(const DiagnosisWork& work, const std::vector<in
       seed.terms = terms;
       std::erase_if(seed.terms, [&](const ModelTerm& term) { return term.cause == cause; });
       seed.log_share = logShareOf(work, seed.terms);
-      terms = bestBeside(work, seed, cause, true).terms;
+      terms = bestExtension(work, seed, cause, true).terms;
     }
   return terms;
 }

@@ -156,8 +156,8 @@ WeighedDiscrepancy evidenceAt(const AtOptimum& at, const NoiseHypothesis& noise,
   VectorXd scale = at.scale;
   for (std::size_t k = 0; k < sizes.size(); ++k)
     scale[scale.size() - static_cast<Index>(sizes.size() - k)] = sizes[k].sigma;
-  const auto single =
-      noise.sources->beside(at.sources, scale, at.information, noise.options.discrepancies, evidence.none_scale);
+  const auto single = noise.sources->evidenceWithSource(at.sources, scale, at.information, noise.options.discrepancies,
+                                                        evidence.none_scale);
   return withSources(evidence, single, noise.options);
 }
 
@@ -173,7 +173,7 @@ void keepRemainder(const NoiseHypothesis& noise, const AtOptimum& at, const std:
     model.remainder = noise.discrepancy * weights;
     model.remainder_terms = noise.principal_terms * weights;
   }
-  if (model.remainder.size() > 0) model.remainder_left = leftBeside(at.residual.jacobian, model.remainder);
+  if (model.remainder.size() > 0) model.remainder_left = partOutsideSpan(at.residual.jacobian, model.remainder);
 }
 
 /// Returns the length of the errors that the model leaves unexplained, in noise sigmas: the errors due to the

@@ -27,7 +27,7 @@ constexpr std::size_t kMostLooked = 40;
 
 /// Returns quick estimates of each seed extended by the best term of every cause: grouped by seed, one estimate per
 /// cause.
-std::vector<Looked> lookBeside(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
+std::vector<Looked> estimateExtensions(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
   const std::size_t causes = work.causes.causes.size();
   std::vector<Looked> looked(seeds.size() * causes);
   std::atomic<bool> is_stopped = false;
@@ -39,7 +39,7 @@ std::vector<Looked> lookBeside(const DiagnosisWork& work, const std::vector<Comp
       is_stopped = true;
       return;
     }
-    looked[at] = bestBeside(work, seed, cause, seed.terms.empty());
+    looked[at] = bestExtension(work, seed, cause, seed.terms.empty());
   });
   throwIfStopped(work.basis.stop);
   return looked;
@@ -66,7 +66,7 @@ std::vector<std::size_t> mostProbable(const DiagnosisWork& work, const std::vect
 /// Returns the models extended by one cause, most probable first: the best term of every cause added to each seed.
 std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
   const std::size_t causes = work.causes.causes.size();
-  auto looked = lookBeside(work, seeds);
+  auto looked = estimateExtensions(work, seeds);
   const auto chosen = mostProbable(work, looked, seeds.front().terms.empty() ? looked.size() : kMostLooked);
   std::vector<CompetingModel> found(chosen.size());
   tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t k) {
@@ -74,7 +74,7 @@ std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vecto
     Looked& look = looked[chosen[k]];
     const CompetingModel& seed = seeds[chosen[k] / causes];
     const int cause = static_cast<int>(chosen[k] % causes);
-    if (!seed.terms.empty() && termsOf(work, cause).size() >= kManyTerms) look = bestBeside(work, seed, cause, true);
+    if (!seed.terms.empty() && termsOf(work, cause).size() >= kManyTerms) look = bestExtension(work, seed, cause, true);
     found[k] = weigh(work, look.terms, look.log_share);
   });
   throwIfStopped(work.basis.stop);
@@ -99,7 +99,7 @@ std::vector<CompetingModel> leadersOf(const DiagnosisWork& work, const std::vect
 
 }  // namespace
 
-Looked bestBeside(const DiagnosisWork& work, const CompetingModel& seed, int cause, bool of_all) {
+Looked bestExtension(const DiagnosisWork& work, const CompetingModel& seed, int cause, bool of_all) {
   Looked best;
   for (const WeighedTerm& more : of_all ? termsOf(work, cause) : someTermsOf(work, cause)) {
     auto terms = seed.terms;

@@ -20,6 +20,6 @@ struct Looked {
 
 /// Returns the terms of `seed` extended by the best term of `cause`, with the estimated weight. Tries all terms of the
 /// cause if `of_all` is true, otherwise only some.
-[[nodiscard]] Looked bestBeside(const DiagnosisWork& work, const CompetingModel& seed, int cause, bool of_all);
+[[nodiscard]] Looked bestExtension(const DiagnosisWork& work, const CompetingModel& seed, int cause, bool of_all);
 
 }  // namespace tubeplan::calibration

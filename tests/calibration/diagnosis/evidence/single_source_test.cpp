@@ -33,11 +33,11 @@ struct Example {
   std::vector<std::vector<int>> sources{{0, 1, 4}, {2, 3}, {5, 6}};
   std::vector<double> shares{0.1, 0.2, 0.05, 0.15, 0.1, 0.3, 0.1};
 
-  [[nodiscard]] SourceEvidence beside(const std::vector<double>& sizes, double noise_scale) const {
+  [[nodiscard]] SourceEvidence evidenceWithSource(const std::vector<double>& sizes, double noise_scale) const {
     MatrixXd W_y(40, 4);
     W_y << W, y;
     const SingleSources single(Z, sources, shares);
-    return single.beside(single.viewOf(W_y), scale, information, sizes, noise_scale);
+    return single.evidenceWithSource(single.viewOf(W_y), scale, information, sizes, noise_scale);
   }
 };
 
@@ -57,7 +57,7 @@ TEST(SingleSources, HaveTheEvidenceOfTheirNormalDensities) {
         factors += std::exp(logDensity(e.y, noise * noise * (C + size * size * own * own.transpose())) -
                             logDensity(e.y, noise * noise * C));
     }
-    EXPECT_NEAR(e.beside(sizes, noise).log_factor, std::log(factors / 9), 1e-9);
+    EXPECT_NEAR(e.evidenceWithSource(sizes, noise).log_factor, std::log(factors / 9), 1e-9);
   }
 }
 
@@ -65,7 +65,7 @@ TEST(SingleSources, FindTheOneThatErrs) {
   Example e;
   const VectorXd error = e.Z(Eigen::all, e.sources[1]) * Eigen::Vector2d(8, -5);
   e.y += error;
-  const auto found = e.beside({0.5, 2, 8, 32}, 1);
+  const auto found = e.evidenceWithSource({0.5, 2, 8, 32}, 1);
   EXPECT_EQ(found.source, 1);
   EXPECT_GT(found.log_factor, 50);
   EXPECT_LT((SingleSources(e.Z, e.sources, e.shares).errorsOf(1, found.weights) - error).norm(), 0.1 * error.norm());
