@@ -116,9 +116,9 @@ std::optional<Vector2d> agreedShift(const Basis& basis, const std::vector<Vector
     for (const Vector2d& shift : shifts) {
       // Shifts are compared modulo lattice steps, because a shift of half a step may point to either of two lattice
       // points.
-      const Vector2d beside = basis.remainder(shift - centre);
-      if (beside.norm() >= kAgrees) continue;
-      sum += centre + beside;
+      const Vector2d remainder = basis.remainder(shift - centre);
+      if (remainder.norm() >= kAgrees) continue;
+      sum += centre + remainder;
       ++count;
     }
     if (count >= kEnoughAgree && static_cast<double>(count) >= kMostAgree * static_cast<double>(shifts.size()))

@@ -146,7 +146,7 @@ Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
 }
 
 // Returns a phrase for messages about an empty selection that counts the tubes in `left_out`; empty if there are none.
-std::string besides(const Selection& selection) {
+std::string exceptText(const Selection& selection) {
   const std::string left_out = leftOutText(selection);
   return left_out.empty()
              ? ""
@@ -263,7 +263,7 @@ Selection selectTubes(const Sheet& sheet, const std::string& request) {
     selection.tube_indices = std::move(choice.tubes);
   }
   if (selection.status == SelectionStatus::kSelected && selection.tube_indices.empty())
-    return refuseList(fmt::format("\"{}\" selects no tube of this sheet{}", request, besides(selection)));
+    return refuseList(fmt::format("\"{}\" selects no tube of this sheet{}", request, exceptText(selection)));
   return selection;
 }
 

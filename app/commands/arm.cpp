@@ -120,9 +120,9 @@ int importRobot(const ArmOptions& options) {
   const ImportedUrdf imported = importUrdf(readTextFile(options.file), options.file, options.tip);
   const UrdfArm& read = imported.read;
   const auto folder = std::filesystem::absolute(options.cell.empty() ? "." : options.cell).parent_path();
-  const auto beside = std::filesystem::relative(std::filesystem::absolute(options.out), folder);
+  const auto arm_path = std::filesystem::relative(std::filesystem::absolute(options.out), folder);
   std::vector<TextFile> files = {{options.out, imported.arm}};
-  if (!options.cell.empty()) files.push_back({options.cell, cellOfUrdf(read, beside.string())});
+  if (!options.cell.empty()) files.push_back({options.cell, cellOfUrdf(read, arm_path.string())});
   writeFilesTogether(files, "--out");
   remarkEach("left out", read.left_out);
   remarkEach("remark", read.remarks);

@@ -28,7 +28,7 @@ struct ReportOptions {
   bool open = false;
 };
 
-std::filesystem::path besideProject(const std::string& project, const char* ending) {
+std::filesystem::path pathWithEnding(const std::string& project, const char* ending) {
   return std::filesystem::path(project).replace_extension(ending);
 }
 
@@ -39,7 +39,7 @@ void writeProjectFiles(const Session& session, const std::string& folder) {
 }
 
 int run(const ReportOptions& options) {
-  const std::string out = options.out.empty() ? besideProject(options.project, ".html").string() : options.out;
+  const std::string out = options.out.empty() ? pathWithEnding(options.project, ".html").string() : options.out;
   checkFigures(options.figures);
   checkWritableFile(out, "--out");
   if (!options.pdf.empty()) {
@@ -49,7 +49,7 @@ int run(const ReportOptions& options) {
   const Session session = readProject(options.project);
   ProjectReportRequest request;
   request.project = options.project;
-  request.files = options.files.empty() ? besideProject(options.project, ".files").string() : options.files;
+  request.files = options.files.empty() ? pathWithEnding(options.project, ".files").string() : options.files;
   request.made = fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr)));
   const nlohmann::json report = projectReportJson(session, request);
   if (!options.files.empty()) writeProjectFiles(session, options.files);

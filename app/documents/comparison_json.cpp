@@ -185,7 +185,7 @@ constexpr TextLine kLackOfFitChance[] = {
 constexpr std::string_view kLackOfFitWords =
     "  {@:<16} rms {rms:>10.3r error_unit}  mean {mean:>10.3r error_unit}  worst {worst:>10.3r error_unit}  chi-square "
     "per freedom {chi2_per_dof:.3r} (";
-constexpr TextLine kPatternBeside[] = {{"goes_with", " It correlates with {}."}, {"", "\n"}};
+constexpr TextLine kCorrelationWords[] = {{"goes_with", " It correlates with {}."}, {"", "\n"}};
 
 constexpr TextLine kComparisonWords[] = {
     {"", "{verdict}\n{sentence}\n"},
@@ -197,7 +197,7 @@ constexpr TextLine kComparisonWords[] = {
      "refit\n"},
     {"error_budget", "  {words}\n"},
     {"", "{noise}\n"},
-    {"patterns", "  {sentence}", kPatternBeside},
+    {"patterns", "  {sentence}", kCorrelationWords},
     {"", "  {#tested} patterns tested, {#patterns} found\n"},
     {"worst", "  worst: reading {id:n} is off by {size:.3r unit} ({sigmas:.1f} sigmas)\n", {}, {}, 3},
     {"joint_equivalents/after_refit/joints",

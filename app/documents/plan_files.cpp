@@ -247,10 +247,10 @@ std::string pathCsv(const PlanOutcome& outcome) {
 void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFolder& folder) {
   // The origin of plan.json is that of the calling thread, so only the path is written by another.
   std::string path;
-  oneapi::tbb::task_group beside;
-  beside.run([&] { path = pathCsv(outcome); });
+  oneapi::tbb::task_group tasks;
+  tasks.run([&] { path = pathCsv(outcome); });
   const std::string plan = planFileText(request, outcome), report = renderPlanReport(reportJson(request, outcome));
-  beside.wait();
+  tasks.wait();
   folder.write("plan.json", plan);
   folder.write("path.csv", path);
   const auto cell_file = folder.path() / "cell.yaml";

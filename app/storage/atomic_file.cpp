@@ -21,7 +21,7 @@ namespace {
 
 fs::path folderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-fs::path temporaryBeside(const fs::path& path) {
+fs::path temporaryPath(const fs::path& path) {
   return folderOf(path) / fmt::format(".{}.{}.part", path.filename().string(), ::getpid());
 }
 
@@ -89,7 +89,7 @@ void checkWritableFile(const fs::path& named, const std::string& option) {
   made.make(folderOf(path), option);
   removeLeftovers(folderOf(path), path.filename().string());
   removeLeftovers(folderOf(path), asideName(path));
-  StagedFiles(option).add(temporaryBeside(path), {}, path, "");
+  StagedFiles(option).add(temporaryPath(path), {}, path, "");
 }
 
 void writeFileAtomically(const fs::path& path, const std::string& content, const std::string& option) {
@@ -108,7 +108,7 @@ void writeFilesTogether(const std::vector<TextFile>& files, const std::string& o
     }
     claimOutput(path, option);
     made.make(folderOf(path), option);
-    staged.add(temporaryBeside(path), temporaryBeside(folderOf(path) / asideName(path)), path, file.text);
+    staged.add(temporaryPath(path), temporaryPath(folderOf(path) / asideName(path)), path, file.text);
   }
   made.sync(option);
   staged.putInPlace();

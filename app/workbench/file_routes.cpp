@@ -84,7 +84,7 @@ Answer saveProject(Workbench& workbench, const Request& request) {
 std::string freeName(const OpenedFolder& folder, const std::string& stem) {
   std::string name = stem;
   for (int k = 2; std::filesystem::exists(folder.fileToWrite(name + ".yaml")) ||
-                  std::filesystem::exists(armBeside(folder.path() / (name + ".yaml")));
+                  std::filesystem::exists(armPathFor(folder.path() / (name + ".yaml")));
        ++k)
     name = fmt::format("{}-{}", stem, k);
   return name + ".yaml";
@@ -104,7 +104,7 @@ Answer importArm(Workbench& workbench, const Request& request) {
   const auto text = requiredOf(body, "text", "the text of the file").get<std::string>();
   const ImportedUrdf imported = importUrdf(text, name, textOf(body, "tip"));
   const std::string cell = freeName(workbench.folder(), stemOf(name));
-  const auto arm = armBeside(workbench.folder().path() / cell);
+  const auto arm = armPathFor(workbench.folder().path() / cell);
   writeFilesTogether(
       {{arm, imported.arm}, {workbench.folder().fileToWrite(cell), cellOfUrdf(imported.read, arm.filename().string())}},
       "file");

@@ -36,7 +36,7 @@ MatrixXd informationOf(const Estimate& estimate, const std::vector<Measurement>&
 }
 
 /// Returns the diagonal of the prior information matrix. The prior sigma of a free variable is its typical size, or the
-/// sigma of its own prior if smaller; each standard normal variable of `nuisance_count` has variance 1.
+/// sigma of its own prior if smaller; each standard normal variable of `nuisance_parameters` has variance 1.
 VectorXd informationBeforehand(const Estimate& estimate) {
   const VectorXd of_free = priorInformation(estimate.unknowns);
   VectorXd information = VectorXd::Ones(of_free.size() + estimate.nuisance_parameters.root.cols());

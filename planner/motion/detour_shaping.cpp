@@ -37,7 +37,7 @@ VectorXd stepsPerMetre(const MotionProblem& problem) {
 }
 
 /// Returns postures within the joint limits that differ from `middle` in one or two joints.
-std::vector<VectorXd> posturesBeside(const VectorXd& middle, const MotionProblem& problem) {
+std::vector<VectorXd> posturesNear(const VectorXd& middle, const MotionProblem& problem) {
   const VectorXd steps = stepsPerMetre(problem);
   std::vector<VectorXd> postures;
   const auto add = [&](VectorXd q) {
@@ -137,7 +137,7 @@ Waypoints detourByOnePosture(const VectorXd& q0, const VectorXd& q1, const Motio
     Waypoints waypoints;
   };
   std::vector<Way> ways;
-  for (auto& q : posturesBeside((q0 + q1) / 2, problem)) {
+  for (auto& q : posturesNear((q0 + q1) / 2, problem)) {
     Waypoints waypoints{q0, std::move(q), q1};
     ways.push_back({flowTime(waypoints, problem), std::move(waypoints)});
   }

@@ -12,20 +12,20 @@ constexpr int kNarrowView = 3, kWideView = 60;  // rounds of averaging, for a na
 // round widens the region of the average.
 std::vector<int> locallyQuickest(const PostureTable& table, const std::vector<std::vector<Neighbour>>& neighbours,
                                  int rounds) {
-  std::vector<std::vector<int>> beside(table.postures());
+  std::vector<std::vector<int>> nearby(table.postures());
   std::vector<double> time(table.postures(), 0.0), averaged(time);
   for (int p = 0; p < table.postures(); ++p) {
     for (const Neighbour& neighbour : neighbours[table.nodeOf(p)]) {
       const int q = table.nearestPosture(p, neighbour.node);
-      beside[p].push_back(q);
+      nearby[p].push_back(q);
       time[p] += table.straight(p, q) / static_cast<double>(neighbours[table.nodeOf(p)].size());
     }
   }
   for (int round = 0; round < rounds; ++round) {
     for (int p = 0; p < table.postures(); ++p) {
       averaged[p] = time[p];
-      for (const int q : beside[p]) averaged[p] += time[q];
-      averaged[p] /= static_cast<double>(1 + beside[p].size());
+      for (const int q : nearby[p]) averaged[p] += time[q];
+      averaged[p] /= static_cast<double>(1 + nearby[p].size());
     }
     time.swap(averaged);
   }

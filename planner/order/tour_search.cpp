@@ -107,14 +107,14 @@ bool TourSearch::changeBranch(int node) {
 // Replaces the edge from `a` to its neighbour on one side by a shorter edge to `c`. Tries every way of closing the tour
 // again.
 bool TourSearch::moveFrom(int a, Side side) {
-  const int b = beside(a, side);
+  const int b = adjacent(a, side);
   const double now = cost(a, b);
   if (now <= 0) return false;
   const Stretches stretches = stretchesEndingAt(a, b, side);
   const auto tryWith = [&](int c) {
     if (c == b || c == a) return false;
     const double gain = now - cost(a, c);
-    const Junction junction{c, beside(c, side), beside(c, side == Side::kNext ? Side::kPrevious : Side::kNext)};
+    const Junction junction{c, adjacent(c, side), adjacent(c, side == Side::kNext ? Side::kPrevious : Side::kNext)};
     if (gain > 0 && (tryTwoOpt(a, b, junction, gain) || tryOrOpt(stretches, junction, gain))) return true;
     return stretches.size > 0 && tryOtherBranch(stretches, junction, now);
   };
@@ -130,7 +130,7 @@ TourSearch::Stretches TourSearch::stretchesEndingAt(int a, int b, Side side) con
   Stretches stretches;
   int first = a;
   while (stretches.size < kLongestInsertion) {
-    const int before = beside(first, side == Side::kNext ? Side::kPrevious : Side::kNext);
+    const int before = adjacent(first, side == Side::kNext ? Side::kPrevious : Side::kNext);
     if (before == b || before == a) break;
     stretches.segments[stretches.size] = {before, first, a, b};
     stretches.saved[stretches.size++] = cost(before, first) - cost(before, b);

@@ -48,7 +48,7 @@ class TourSearch {
   [[nodiscard]] int size() const { return static_cast<int>(tour_.size()); }
   [[nodiscard]] int next(int node) const { return tour_[place_[node] + 1 == size() ? 0 : place_[node] + 1]; }
   [[nodiscard]] int previous(int node) const { return tour_[place_[node] == 0 ? size() - 1 : place_[node] - 1]; }
-  [[nodiscard]] int beside(int node, Side side) const { return side == Side::kNext ? next(node) : previous(node); }
+  [[nodiscard]] int adjacent(int node, Side side) const { return side == Side::kNext ? next(node) : previous(node); }
   [[nodiscard]] double cost(int node_a, int node_b) const { return costAt(node_a, posture_of_node_[node_a], node_b); }
   [[nodiscard]] double costAt(int node_a, int posture_a, int node_b) const;
 

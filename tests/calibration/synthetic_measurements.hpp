@@ -75,7 +75,7 @@ class MeasurementMaker {
         tool.p_W -= toolOf(*m.reference).p_W;
         m.reference = withEncoderNoise(*m.reference);
       }
-      if (row.names_hole) m.p_W = tool.p_W + besideTheTip(row);
+      if (row.names_hole) m.p_W = tool.p_W + holeOffset(row);
       MeasuredValue noise_of_rows(row.rows);
       for (int i = 0; i < row.rows; ++i)
         noise_of_rows[i] = i < row.rows - row.turn_rows ? noise(m.sigma) : kTurnLever * noise(m.turn_sigma);
@@ -188,7 +188,7 @@ class MeasurementMaker {
 
   /// Returns a random position [m] of a hole relative to the tip, which is close to the tip for kinds that centre it in
   /// the hole.
-  [[nodiscard]] Eigen::Vector3d besideTheTip(const MeasurementKindRow& row) {
+  [[nodiscard]] Eigen::Vector3d holeOffset(const MeasurementKindRow& row) {
     const double far = row.is_centring ? 0.03 * kInch : 0.02, across = row.is_centring ? 0 : 0.05;
     return {far * noiseOf(), far * noiseOf(), across};
   }

@@ -63,7 +63,7 @@ void requireCellOrNothing(const fs::path& cell, const std::string& option) {
 }
 
 void requireOwnArmOrNothing(const fs::path& cell, const std::string& option) {
-  const fs::path arm = armBeside(cell);
+  const fs::path arm = armPathFor(cell);
   if (isFilled(arm) && beginningOf(cell).find(arm.filename().string()) == std::string::npos)
     throw InputError::saying(
         option,
@@ -76,7 +76,7 @@ void requireOwnArmOrNothing(const fs::path& cell, const std::string& option) {
 
 bool isCellFile(const fs::path& file) { return isLikeACell(beginningOf(file)); }
 
-fs::path armBeside(const fs::path& cell) {
+fs::path armPathFor(const fs::path& cell) {
   fs::path arm = cell;
   arm.replace_filename(cell.stem().string() + "-arm.yaml");
   return arm;
@@ -97,7 +97,7 @@ void checkWritableCellAndArm(const Cell& cell, const fs::path& out, const std::s
   checkWritableCell(cell, out, option);
   if (cell.arm_source.text.empty()) return;
   allowInPlace(cell, out, cell.arm_path);
-  checkWritableFile(armBeside(out), option);
+  checkWritableFile(armPathFor(out), option);
   requireOwnArmOrNothing(out, option);
 }
 

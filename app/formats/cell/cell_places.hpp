@@ -12,7 +12,7 @@ namespace tubeplan::app {
 [[nodiscard]] bool isCellFile(const std::filesystem::path& file);
 
 /// Returns the path for the arm file of a new cell: in the cell's folder, with the cell's name and "-arm".
-[[nodiscard]] std::filesystem::path armBeside(const std::filesystem::path& cell);
+[[nodiscard]] std::filesystem::path armPathFor(const std::filesystem::path& cell);
 
 /// Throws InputError if a new cell would overwrite a file that is not a cell. Also throws InputError if its arm would
 /// overwrite an arm file that the replaced cell does not name, because other cells may use that file.

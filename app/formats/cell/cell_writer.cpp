@@ -227,7 +227,7 @@ CellFiles filesOf(const Cell& cell, const calibration::Identification& result, c
   if (is_inline) {
     text = withoutArmParameters(withArmParameters(text, arm_node, source, numbers), arm_node, rigid);
   } else {
-    const fs::path arm_path = armBeside(out);
+    const fs::path arm_path = armPathFor(out);
     const std::string found = withArmParameters(cell.arm_source.text, arm_node, source, numbers);
     files.arm = {arm_path, withoutArmParameters(found, arm_node, rigid)};
     makePair(text, *files.arm);
@@ -305,7 +305,7 @@ std::string cellTextAt(const Cell& cell, const fs::path& out) {
 std::vector<TextFile> cellFiles(const Cell& cell, const fs::path& out) {
   std::string text = cellTextAt(cell, out);
   if (cell.arm_source.text.empty()) return {{out, text}};
-  TextFile arm{armBeside(out), cell.arm_source.text};
+  TextFile arm{armPathFor(out), cell.arm_source.text};
   makePair(text, arm);
   return {{out, text}, arm};
 }

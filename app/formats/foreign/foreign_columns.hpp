@@ -38,7 +38,7 @@ struct FormColumns {
   std::size_t table = 0;
   std::vector<std::size_t> columns;  ///< column index of each number of the form
   std::vector<const Unit*> units;    ///< unit of each number; null if dimensionless or not stated
-  bool is_beside = false;            ///< true if another column of the table indicates this form
+  bool is_indicated = false;         ///< true if another column of the table indicates this form
   std::string why = {};              ///< text on excluded forms with the same headings, with the reasons; may be empty
   const char* taken = "";            ///< FormHeadings::taken
 };

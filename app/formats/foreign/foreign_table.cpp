@@ -16,10 +16,10 @@ namespace tubeplan::app {
 namespace {
 
 /// Words that may accompany the units in a line such as "length mm, angle deg".
-constexpr std::array<std::string_view, 8> kBesideUnits{"length", "lengths",  "angle",   "angles",
-                                                       "linear", "distance", "angular", "and"};
+constexpr std::array<std::string_view, 8> kQuantityWords{"length", "lengths",  "angle",   "angles",
+                                                         "linear", "distance", "angular", "and"};
 
-/// Returns the units that the text names; empty if it contains any word other than units and kBesideUnits.
+/// Returns the units that the text names; empty if it contains any word other than units and kQuantityWords.
 std::vector<const Unit*> unitsIn(std::string_view text) {
   std::vector<const Unit*> units;
   constexpr std::string_view kWordSeparators = " \t,;/()[]:=";
@@ -29,7 +29,7 @@ std::vector<const Unit*> unitsIn(std::string_view text) {
     start = end;
     if (const Unit* unit = findUnitWord(word))
       units.push_back(unit);
-    else if (std::ranges::find(kBesideUnits, lowerCase(word)) == kBesideUnits.end())
+    else if (std::ranges::find(kQuantityWords, lowerCase(word)) == kQuantityWords.end())
       return {};
   }
   return units;

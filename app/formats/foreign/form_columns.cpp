@@ -50,7 +50,7 @@ bool hasColumn(const ForeignTable& table, const std::string& name) {
 /// Returns the columns of table t with the headings of a form; std::nullopt unless all columns exist.
 std::optional<FormColumns> columnsCalled(const FormSearch& search, std::size_t t, const WrittenForm& form,
                                          const FormHeadings& names) {
-  FormColumns found{&form, t, {}, {}, hasColumn(search.tables[t], names.beside), {}, names.taken};
+  FormColumns found{&form, t, {}, {}, hasColumn(search.tables[t], names.indicator), {}, names.taken};
   for (std::size_t i = 0; i < names.names.size(); ++i) {
     const auto& unit = form.numbers[i].unit;
     const auto column = columnCalled(search, t, names.names[i], unit);
@@ -106,9 +106,9 @@ void excludeByNumbers(std::vector<FormColumns>& forms, const std::vector<Foreign
 /// Removes forms if a further column of the table indicates another form of the same columns.
 void excludeByColumns(std::vector<FormColumns>& forms) {
   std::vector<FormColumns> decided;
-  std::ranges::copy_if(forms, std::back_inserter(decided), &FormColumns::is_beside);
+  std::ranges::copy_if(forms, std::back_inserter(decided), &FormColumns::is_indicated);
   std::erase_if(forms, [&](const auto& columns) {
-    return !columns.is_beside &&
+    return !columns.is_indicated &&
            std::ranges::any_of(decided, [&](const auto& other) { return haveSameColumns(columns, other); });
   });
 }

@@ -37,7 +37,7 @@ struct FormNumber {
 
 struct FormHeadings {
   std::vector<std::string> names;  ///< heading of each number, in the notation of parseHeading()
-  std::string beside = {};         ///< heading of a further column that indicates this form; may be empty
+  std::string indicator = {};      ///< heading of a further column that indicates this form; may be empty
   const char* taken = "";          ///< order of the numbers, if the headings do not state it: "w first"
 };
 

@@ -63,9 +63,10 @@ TEST_F(CommandInputs, readWorkListsByChosenColumns) {
   const auto found = readTubes(list, *cell.sheet, columns);
   EXPECT_EQ(found.tube_indices.size(), 2u);
   EXPECT_EQ(found.dwell.size(), 1u);
-  std::vector<std::string> beside = columns;
-  beside.push_back("row=" + zone + ":Zeile");
-  EXPECT_EQ(readTubes(list, *cell.sheet, beside).tube_indices, found.tube_indices) << "another list's is left out";
+  std::vector<std::string> with_other_list = columns;
+  with_other_list.push_back("row=" + zone + ":Zeile");
+  EXPECT_EQ(readTubes(list, *cell.sheet, with_other_list).tube_indices, found.tube_indices)
+      << "another list's is left out";
   for (const char* wrong : {"row=Reihen", "rows=Reihe", "Reihe", "dwell=Dauer", "row="})
     expectSays(messageOf([&] { (void)readTubes(list, *cell.sheet, {wrong, "column=Spalte"}); }), "--column");
 }

@@ -29,7 +29,7 @@ struct KdlRobot {
 };
 void PrintTo(const KdlRobot& robot, std::ostream* out) { *out << robot.name; }
 
-class BesideKdl : public testing::TestWithParam<KdlRobot> {
+class AgainstKdl : public testing::TestWithParam<KdlRobot> {
  protected:
   const std::string text = contentOf(std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "tests/app/urdf" /
                                      (std::string(GetParam().name) + ".urdf"));
@@ -91,19 +91,19 @@ class BesideKdl : public testing::TestWithParam<KdlRobot> {
   std::map<std::string, urdf::JointMimic> mimics_;
 };
 
-TEST_P(BesideKdl, TheTipIsWhereKdlHasIt) {
+TEST_P(AgainstKdl, TheTipIsWhereKdlHasIt) {
   EXPECT_EQ(arm.jointCount(), GetParam().joints);
   EXPECT_EQ(kdlJoints(), static_cast<unsigned>(GetParam().joints) + mimics());
   expectKdlsTips(arm);
 }
 
-TEST_P(BesideKdl, SoItIsOfTheArmWrittenAndReadAgain) {
+TEST_P(AgainstKdl, SoItIsOfTheArmWrittenAndReadAgain) {
   expectKdlsTips(parseUrdf(urdfOf(arm).text, "again.urdf").arm);
   const Units metres(parseYaml("units: {length: m, angle: deg, force: N}", "u.yaml").at("units"));
   expectKdlsTips(readArm(parseYaml(armYaml(arm, metres), "again.yaml")).arm);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, BesideKdl,
+INSTANTIATE_TEST_SUITE_P(Robots, AgainstKdl,
                          testing::Values(KdlRobot{"ur5", 6}, KdlRobot{"irb120", 6}, KdlRobot{"panda", 7},
                                          KdlRobot{"iiwa14", 7}, KdlRobot{"m10ia", 6}, KdlRobot{"palletizer", 4}),
                          [](const auto& robot) { return std::string(robot.param.name); });

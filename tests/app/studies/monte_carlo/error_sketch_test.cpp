@@ -84,8 +84,8 @@ TEST(ErrorSketch, WordsBringItBack) {
 TEST(ErrorSketch, EverySizeHasOnePartThatHoldsIt) {
   // The errors are all powers of two up to half of the largest error, each with both its neighbours.
   for (int power = 0; power < 43; ++power)
-    for (const int beside : {-1, 0, 1}) {
-      const std::uint64_t units = (std::uint64_t{1} << power) + static_cast<std::uint64_t>(beside);
+    for (const int offset : {-1, 0, 1}) {
+      const std::uint64_t units = (std::uint64_t{1} << power) + static_cast<std::uint64_t>(offset);
       ErrorSketch sketch;
       sketch.add(units);
       const auto points = sketch.distribution();
