@@ -25,7 +25,7 @@ constexpr double kNearGoal = 0.01;  ///< largest tip error of a usable search re
 constexpr std::size_t kEnough = 8;  ///< number of usable postures that suffices for a redundant arm
 /// Largest number of start postures outside limits or tilted too far; their branches explain to the user why a goal is
 /// not met.
-constexpr int kMostSpoilt = 4;
+constexpr int kMostPenalized = 4;
 
 InverseKinematicsOptions roughly(InverseKinematicsOptions options) {
   options.position_tolerance = options.pitch_tolerance = 1e-6;
@@ -119,12 +119,13 @@ std::vector<VectorXd> StartPostures::unlike(std::span<const Candidate> candidate
 void StartPostures::addStarts(const ToolGoal& goal, std::vector<VectorXd>& starts) {
   if (is_turret_) return addTurretBranches(axes_, goal, starts);
   std::vector<Candidate> found = search(goal);
-  const auto spoilt =
-      std::stable_partition(found.begin(), found.end(), [](const Candidate& c) { return c.spoilt <= kBendsBy; });
-  std::stable_sort(spoilt, found.end(), [](const Candidate& a, const Candidate& b) { return a.spoilt < b.spoilt; });
-  const auto good = static_cast<std::size_t>(spoilt - found.begin());
+  const auto penalized =
+      std::stable_partition(found.begin(), found.end(), [](const Candidate& c) { return c.penalty <= kBendsBy; });
+  std::stable_sort(penalized, found.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.penalty < b.penalty; });
+  const auto good = static_cast<std::size_t>(penalized - found.begin());
   for (auto& q : unlike(std::span(found).first(good), options_.most_branches)) starts.push_back(std::move(q));
-  for (auto& q : unlike(std::span(found).subspan(good), kMostSpoilt)) starts.push_back(std::move(q));
+  for (auto& q : unlike(std::span(found).subspan(good), kMostPenalized)) starts.push_back(std::move(q));
 }
 
 }  // namespace tubeplan::deflection

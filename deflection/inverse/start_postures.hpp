@@ -26,7 +26,7 @@ class StartPostures {
   struct Candidate {
     Eigen::VectorXd q;
     /// Penalty: excess over the joint limits [rad or fraction of the reach] plus excess over the largest tilt [rad].
-    double spoilt;
+    double penalty;
   };
   [[nodiscard]] std::vector<Candidate> search(const ToolGoal& goal);
   [[nodiscard]] std::vector<Candidate> within(const ToolGoal& goal, std::span<const Eigen::VectorXd> starts);

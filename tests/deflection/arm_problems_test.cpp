@@ -8,16 +8,16 @@
 namespace tubeplan::deflection {
 namespace {
 
-struct Spoilt {
+struct FaultyArm {
   std::string path;
-  std::function<void(Arm&)> spoil;
+  std::function<void(Arm&)> apply_fault;
 };
 
 TEST(ArmProblems, TheCobraHasNone) { EXPECT_TRUE(findProblems(cobraArm()).empty()); }
 
 TEST(ArmProblems, EachIsFoundByName) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const Spoilt cases[] = {
+  const FaultyArm cases[] = {
       {"tool.joint_stiffness.z", [](Arm& a) { a.rows[5].joint_stiffness[2] = -1; }},
       {"tool.joint_stiffness.z", [](Arm& a) { a.rows[5].joint_stiffness[2] = 0; }},
       {"latch-link.beam.E", [](Arm& a) { a.rows[3].beam->E = -2; }},
@@ -38,7 +38,7 @@ TEST(ArmProblems, EachIsFoundByName) {
   };
   for (const auto& c : cases) {
     Arm arm = cobraArm();
-    c.spoil(arm);
+    c.apply_fault(arm);
     const auto problems = findProblems(arm);
     ASSERT_FALSE(problems.empty()) << c.path;
     EXPECT_EQ(problems.front().path, c.path);

@@ -24,7 +24,7 @@ class Improve : public ProgramTest {
   }
 
   /// Adds `by` to the x coordinate of the measurement on line `line` of the table, counted from 0.
-  static void spoilPlace(std::string& text, int line, double by) {
+  static void shiftCoordinate(std::string& text, int line, double by) {
     std::vector<std::string> lines, fields;
     std::istringstream all(text), header(text.substr(0, text.find('\n')));
     for (std::string one; std::getline(all, one);) lines.push_back(one);
@@ -32,11 +32,11 @@ class Improve : public ProgramTest {
     const auto column = static_cast<std::size_t>(
         std::find_if(fields.begin(), fields.end(), [](const auto& name) { return name.starts_with("x_"); }) -
         fields.begin());
-    std::string& spoilt = lines.at(static_cast<std::size_t>(line));
+    std::string& changed = lines.at(static_cast<std::size_t>(line));
     std::size_t from = 0;
-    for (std::size_t k = 0; k < column; ++k) from = spoilt.find(',', from) + 1;
-    const std::size_t end = spoilt.find(',', from);
-    spoilt.replace(from, end - from, std::to_string(std::stod(spoilt.substr(from, end - from)) + by));
+    for (std::size_t k = 0; k < column; ++k) from = changed.find(',', from) + 1;
+    const std::size_t end = changed.find(',', from);
+    changed.replace(from, end - from, std::to_string(std::stod(changed.substr(from, end - from)) + by));
     text.clear();
     for (const auto& one : lines) text += one + "\n";
   }
@@ -64,7 +64,7 @@ TEST_F(Improve, WritesTheModelThatItReports) {
 TEST_F(Improve, FitsWithoutWhatItSetsAside) {
   simulate("hysteresis@theta4:0.06deg");
   std::string text = contentOf(folder / "set/measurements.csv");
-  spoilPlace(text, 40, 1.5);
+  shiftCoordinate(text, 40, 1.5);
   write("set/measurements.csv", text);
   const json figures = improved();
   EXPECT_EQ(figures["end"], "adequate") << figures.dump(1);

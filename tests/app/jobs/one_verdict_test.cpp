@@ -10,7 +10,7 @@
 #include "app/jobs/diagnosis.hpp"
 #include "app/jobs/identification.hpp"
 #include "tests/app/program.hpp"
-#include "tests/calibration/spoils.hpp"
+#include "tests/calibration/measurement_faults.hpp"
 
 namespace tubeplan::app {
 namespace {
@@ -18,9 +18,9 @@ namespace {
 using calibration::Measurement;
 
 /// Returns simulated measurements with one or two deliberate mistakes `of`, as the program reads them from a table.
-CellMeasurements spoiltMeasurements(const std::vector<calibration::Spoil>& of) {
+CellMeasurements measurementsWithFaults(const std::vector<calibration::MeasurementFault>& of) {
   Cell cell = readCell((shippedCells() / "bench.yaml").string());
-  auto measurements = calibration::spoiltCampaign(cell.arm, 3, of.front());
+  auto measurements = calibration::campaignWithFault(cell.arm, 3, of.front());
   std::mt19937_64 random(4);
   for (std::size_t k = 1; k < of.size(); ++k) of[k].apply(measurements, random);
   const std::string name = "spoilt.csv", table = measurementsCsv(measurements, cell.arm, cell.units);
@@ -65,27 +65,29 @@ bool expectAgreement(const CellMeasurements& input) {
 class OneVerdict : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(OneVerdict, OfAllWhoJudge) {
-  const auto& spoil = calibration::spoils()[GetParam()];
-  SCOPED_TRACE(spoil.name);
-  const bool is_named = expectAgreement(spoiltMeasurements({spoil}));
-  if (std::string(spoil.name).starts_with("nothing")) {
+  const auto& fault = calibration::measurementFaults()[GetParam()];
+  SCOPED_TRACE(fault.name);
+  const bool is_named = expectAgreement(measurementsWithFaults({fault}));
+  if (std::string(fault.name).starts_with("nothing")) {
     EXPECT_FALSE(is_named);
   }
   for (const char* gross : {"a joint's sign", "the joints of the row before"})
-    if (spoil.name == std::string(gross)) {
+    if (fault.name == std::string(gross)) {
       EXPECT_TRUE(is_named);
     }
 }
 
 TEST_P(OneVerdict, OfTwoMistakesAtOnce) {
-  const auto sign = std::ranges::find(calibration::spoils(), std::string("a joint's sign"), &calibration::Spoil::name);
-  ASSERT_NE(sign, calibration::spoils().end());
-  const auto& spoil = calibration::spoils()[GetParam()];
-  SCOPED_TRACE(spoil.name);
-  (void)expectAgreement(spoiltMeasurements({spoil, *sign}));
+  const auto sign = std::ranges::find(calibration::measurementFaults(), std::string("a joint's sign"),
+                                      &calibration::MeasurementFault::name);
+  ASSERT_NE(sign, calibration::measurementFaults().end());
+  const auto& fault = calibration::measurementFaults()[GetParam()];
+  SCOPED_TRACE(fault.name);
+  (void)expectAgreement(measurementsWithFaults({fault, *sign}));
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEverySpoil, OneVerdict, testing::Range<std::size_t>(0, calibration::spoils().size()));
+INSTANTIATE_TEST_SUITE_P(OfEveryFault, OneVerdict,
+                         testing::Range<std::size_t>(0, calibration::measurementFaults().size()));
 
 /// A command on m.csv, the JSON pointer to the verdict in its figures (empty if it gives none), and the verdict that is
 /// expected if the measurements contain a mistake.

@@ -170,8 +170,8 @@ const std::vector<std::string> kOffsets{"latch-link.joint.offset", "forearm.join
 
 /// Returns the measurements with gross errors of length `size` [m] added to those with the indices `which`, in three
 /// alternating directions.
-std::vector<Measurement> spoilt(std::vector<Measurement> measurements, const std::vector<std::size_t>& which,
-                                double size) {
+std::vector<Measurement> withGrossErrors(std::vector<Measurement> measurements, const std::vector<std::size_t>& which,
+                                         double size) {
   const Eigen::Vector3d ways[] = {{1, 0, 0}, {0, 0.6, -0.8}, {-0.6, 0.8, 0}};
   for (std::size_t k = 0; k < which.size(); ++k) *measurements[which[k]].p_W += size * ways[k % 3];
   return measurements;
@@ -181,7 +181,7 @@ TEST(Outliers, PlantedOnesAreNamedWithTheirSize) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     MeasurementMaker maker(rigidCobra(), seed, Noise::kStated);
     maker.add(MeasurementKind::kPosition, 40);
-    const auto measurements = spoilt(maker.measurements, {4, 23}, 0.1 * kInch);
+    const auto measurements = withGrossErrors(maker.measurements, {4, 23}, 0.1 * kInch);
     for (const auto loss : {RobustLoss::kNone, RobustLoss::kHuber, RobustLoss::kCauchy}) {
       auto options = freeing(kOffsets);
       options.loss = loss;
@@ -275,7 +275,7 @@ TEST(RobustLoss, HoldsAgainstGrossErrorsInOneMeasurementOfTwenty) {
     const PlacedArm truth = rigidCobra();
     MeasurementMaker maker(truth, seed, Noise::kStated);
     maker.add(MeasurementKind::kPosition, 40);
-    const auto measurements = spoilt(maker.measurements, {7, 31}, 1.0625 * kInch);
+    const auto measurements = withGrossErrors(maker.measurements, {7, 31}, 1.0625 * kInch);
     for (const auto loss : {RobustLoss::kNone, RobustLoss::kHuber, RobustLoss::kCauchy}) {
       auto options = freeing(kOffsets);
       options.loss = loss;

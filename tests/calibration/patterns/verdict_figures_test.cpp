@@ -8,7 +8,7 @@
 #include "calibration/measurements/measurement_placement.hpp"
 #include "calibration/patterns/comparison.hpp"
 #include "calibration/statistics.hpp"
-#include "tests/calibration/spoils.hpp"
+#include "tests/calibration/measurement_faults.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -17,9 +17,9 @@ constexpr double kSlack = 1.2;  // allowed random variation of a root mean squar
 
 class VerdictFigures : public testing::TestWithParam<std::size_t> {
  protected:
-  const Spoil& spoil() const { return spoils()[GetParam()]; }
+  const MeasurementFault& fault() const { return measurementFaults()[GetParam()]; }
   std::vector<Measurement> measurements(std::uint64_t seed) const {
-    return spoiltCampaign(deflection::cobraArm(), seed, spoil());
+    return campaignWithFault(deflection::cobraArm(), seed, fault());
   }
   static PlacedArm start(const std::vector<Measurement>& measurements) {
     return placeForMeasurements(deflection::cobraArm(), Eigen::Isometry3d::Identity(), true, measurements);
@@ -41,7 +41,7 @@ TEST_P(VerdictFigures, OfAComparisonAgree) {
       const Comparison result = compare(start(made), made, options);
       ASSERT_EQ(result.status, ComparisonStatus::kDone) << result.reason;
       const ModelLackOfFit& fit = result.after_refit;
-      const std::string what = std::string(spoil().name) + ", seed " + std::to_string(seed);
+      const std::string what = std::string(fault().name) + ", seed " + std::to_string(seed);
       if (result.verdict == Adequacy::kAdequate) {
         EXPECT_LE(fit.errors.rms, kSlack * kMostNoiseRatio * fit.noise_floor) << what;
         EXPECT_TRUE(fit.p_value >= options.level || excuses(fit.repeats)) << what << ", p " << fit.p_value;
@@ -60,23 +60,23 @@ TEST_P(VerdictFigures, OfADiagnosisAgree) {
   options.baseline.free = {{"tool.joint_stiffness.z"}, true};
   const Diagnosis result = diagnose(start(made), made, options);
   if (result.verdict == Verdict::kAdequate) {
-    EXPECT_LE(result.before.rms, kSlack * kMostNoiseRatio * result.noise_floor) << spoil().name;
+    EXPECT_LE(result.before.rms, kSlack * kMostNoiseRatio * result.noise_floor) << fault().name;
   }
   if (result.verdict == Verdict::kExplained || result.verdict == Verdict::kPartlyExplained) {
-    EXPECT_LT(result.heldout_after.rms, result.heldout_before.rms) << spoil().name;
-    EXPECT_LT(result.after.rms, result.before.rms) << spoil().name;
+    EXPECT_LT(result.heldout_after.rms, result.heldout_before.rms) << fault().name;
+    EXPECT_LT(result.after.rms, result.before.rms) << fault().name;
   }
   if (result.verdict == Verdict::kExplained) {
-    EXPECT_LE(result.after.rms, kSlack * kMostNoiseRatio * result.noise_floor) << spoil().name;
+    EXPECT_LE(result.after.rms, kSlack * kMostNoiseRatio * result.noise_floor) << fault().name;
   }
   for (const double probability : {result.nothing_probability, result.unknown_probability, result.scatter_probability})
     if (std::isfinite(probability)) {
-      EXPECT_GE(probability, -1e-9) << spoil().name;
-      EXPECT_LE(probability, 1 + 1e-9) << spoil().name;
+      EXPECT_GE(probability, -1e-9) << fault().name;
+      EXPECT_LE(probability, 1 + 1e-9) << fault().name;
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEverySpoil, VerdictFigures, testing::Range<std::size_t>(0, spoils().size()));
+INSTANTIATE_TEST_SUITE_P(OfEveryFault, VerdictFigures, testing::Range<std::size_t>(0, measurementFaults().size()));
 
 }  // namespace
 }  // namespace tubeplan::calibration

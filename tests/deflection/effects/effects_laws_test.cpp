@@ -276,10 +276,10 @@ TEST(Effects, ProblemsAreFoundByName) {
 
 TEST(Effects, EffectsWhereTheyCannotBeAreProblems) {
   const Arm arm = withEffect(cobraArm(), "backlash", "tool.z");
-  const auto problemOf = [&](auto spoil) {
-    Arm spoilt = arm;
-    spoil(spoilt.effects);
-    const auto problems = findProblems(spoilt);
+  const auto problemOf = [&](auto applyFault) {
+    Arm faulty = arm;
+    applyFault(faulty.effects);
+    const auto problems = findProblems(faulty);
     EXPECT_EQ(problems.size(), 1U);
     return problems.empty() ? std::string() : problems[0].path;
   };

@@ -200,10 +200,10 @@ TEST_F(MeshReader, ASpoiltFileIsReadOrRefused) {
   int refused = 0;
   for (const auto& [name, whole] : files)
     for (int round = 0; round < 150; ++round) {
-      std::string spoilt = whole;
-      for (int k = 0; k < 1 + round % 5; ++k) spoilt[generator() % spoilt.size()] = static_cast<char>(generator());
-      if (round % 3 == 0) spoilt.resize(generator() % spoilt.size());
-      const std::string path = write(name, spoilt);
+      std::string damaged = whole;
+      for (int k = 0; k < 1 + round % 5; ++k) damaged[generator() % damaged.size()] = static_cast<char>(generator());
+      if (round % 3 == 0) damaged.resize(generator() % damaged.size());
+      const std::string path = write(name, damaged);
       try {
         EXPECT_EQ(planner::findMeshProblem(readMeshFile(path).mesh), "");
       } catch (const InputError&) {

@@ -22,15 +22,15 @@ inline void moveAtRandom(Measurement& measurement, double by, std::mt19937_64& r
 }
 
 /// A fault of measured data, and the function that applies it to good measurements.
-struct Spoil {
+struct MeasurementFault {
   const char* name;
   int repeats;  ///< number of measurements of each posture
   std::function<void(std::vector<Measurement>&, std::mt19937_64&)> apply;
 };
 
 /// Returns the list of faults; the first two leave the measurements unchanged.
-inline const std::vector<Spoil>& spoils() {
-  static const std::vector<Spoil> kSpoils{
+inline const std::vector<MeasurementFault>& measurementFaults() {
+  static const std::vector<MeasurementFault> kFaults{
       {"nothing", 1, [](std::vector<Measurement>&, std::mt19937_64&) {}},
       {"nothing, read twice", 2, [](std::vector<Measurement>&, std::mt19937_64&) {}},
       {"the joints of the row before", 1,
@@ -81,17 +81,18 @@ inline const std::vector<Spoil>& spoils() {
          for (auto& measurement : measurements) *measurement.p_W *= 1.02;
        }},
   };
-  return kSpoils;
+  return kFaults;
 }
 
 /// Returns forty simulated measurements of an arm, with one fault applied to them.
-inline std::vector<Measurement> spoiltCampaign(const deflection::Arm& arm, std::uint64_t seed, const Spoil& spoil) {
+inline std::vector<Measurement> campaignWithFault(const deflection::Arm& arm, std::uint64_t seed,
+                                                  const MeasurementFault& fault) {
   std::mt19937_64 random(seed);
   CampaignPlan plan;
-  plan.postures = 40 / spoil.repeats;
-  plan.repeats = spoil.repeats;
+  plan.postures = 40 / fault.repeats;
+  plan.repeats = fault.repeats;
   std::vector<Measurement> made = makeCampaign(arm, seed, plan);
-  spoil.apply(made, random);
+  fault.apply(made, random);
   return made;
 }
 
