@@ -35,7 +35,7 @@ std::string textOf(const MeasurementChecks& checks) {
     texts.push_back(fmt::format("{}{} [{}] {:.4g}->{:.4g} m; equally {}",
                                 check.severity == CheckSeverity::kMistake ? "!" : "",
                                 check.assume.empty() ? check.name : check.assume, check.sentence, check.error_as_is,
-                                check.error_if_mended, fmt::join(check.equally, " ")));
+                                check.error_if_corrected, fmt::join(check.equally, " ")));
   return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, " | "));
 }
 
@@ -49,16 +49,16 @@ void studyMistakes(int count, bool is_verbose, const std::string& only) {
     const auto& kind = kinds[number % kinds.size()];
     if (!only.empty() && std::string(kind.label).find(only) == std::string::npos) continue;
     SeededRandom random(number + 1000);
-    std::optional<std::string> mend;
+    std::optional<std::string> correction;
     std::optional<SeededSet> set;
-    for (std::uint64_t next = 0; next < 10 && !mend; ++next) {
+    for (std::uint64_t next = 0; next < 10 && !correction; ++next) {
       set = cleanSet(number / kinds.size() + 7 * (number % kinds.size()) + next);
-      if (set) mend = kind.make(*set, random);
+      if (set) correction = kind.make(*set, random);
     }
-    if (!mend) continue;
+    if (!correction) continue;
     ++made;
     const auto checks = timed(*set, cost);
-    const Naming naming = judgeNaming(kind, *mend, checks);
+    const Naming naming = judgeNaming(kind, *correction, checks);
     ++named[kind.label][static_cast<std::size_t>(naming)];
     ++all[static_cast<std::size_t>(naming)];
     if (is_verbose && naming != Naming::kRight)
@@ -66,7 +66,7 @@ void studyMistakes(int count, bool is_verbose, const std::string& only) {
                  naming == Naming::kWrong    ? "WRONG"
                  : naming == Naming::kMissed ? "MISSED"
                                              : "equally",
-                 kind.label, *mend, set->name, textOf(checks));
+                 kind.label, *correction, set->name, textOf(checks));
   }
   fmt::print("{:<24}{:>8}{:>10}{:>8}{:>8}\n", "mistake", "first", "as well", "wrong", "missed");
   for (const auto& [label, counts] : named)
@@ -88,9 +88,9 @@ void studyPairs(int count, std::uint64_t seed, bool is_verbose, const std::strin
     const auto checks = timed(pair->set, cost);
     const auto naming = static_cast<std::size_t>(judgePair(*pair, checks));
     ++all[naming];
-    for (const auto& name : pair->mends) ++of_kind[name.substr(0, name.find('='))][naming];
+    for (const auto& name : pair->corrections) ++of_kind[name.substr(0, name.find('='))][naming];
     if (is_verbose && naming != 0)
-      fmt::print("  {} {} ({}): {}\n", kPairNamings[naming], fmt::join(pair->mends, ","), pair->set.name,
+      fmt::print("  {} {} ({}): {}\n", kPairNamings[naming], fmt::join(pair->corrections, ","), pair->set.name,
                  textOf(checks));
   }
   fmt::print("{:<24}", "one of the pair");

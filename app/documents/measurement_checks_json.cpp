@@ -21,15 +21,15 @@ nlohmann::json checkJson(const MeasurementCheck& check, const Units& units) {
           {"severity", severityName(check.severity)},
           {"sentence", check.sentence},
           {"error_as_is", lengthJson(check.error_as_is, units)},
-          {"error_if_mended", lengthJson(check.error_if_mended, units)},
+          {"error_if_mended", lengthJson(check.error_if_corrected, units)},
           {"assume", orNull(check.assume)},
           {"equally", check.equally}};
 }
 
-constexpr TextLine kMendedWords[] = {
+constexpr TextLine kCorrectedWords[] = {
     {"error_if_mended", "; corrected, the error falls from {error_as_is:.4r units/length} to {:.4r units/length}"}};
 constexpr TextLine kCheckWords[] = {{"", "{sentence}"},
-                                    {"error_as_is", "", kMendedWords},
+                                    {"error_as_is", "", kCorrectedWords},
                                     {"assume", " (--assume {})"},
                                     {"equally", ", or equally --assume {}"}};
 constexpr TextLine kCheckLine[] = {{"", "", kCheckWords}, {"", "\n"}};

@@ -11,8 +11,8 @@
 
 namespace tubeplan::app {
 
-/// Adds to a JSON document: `checks`, [{name, severity, sentence, error_as_is, error_if_mended, assume, equally}, ...],
-/// and `missing_columns`, [{column, sentence}, ...]; errors and `assume` are null if there are none.
+/// Adds to a JSON document: `checks`, [{name, severity, sentence, error_as_is, error_if_corrected, assume, equally},
+/// ...], and `missing_columns`, [{column, sentence}, ...]; errors and `assume` are null if there are none.
 void addChecks(const calibration::MeasurementChecks& checks, const Units& units, nlohmann::json& document);
 
 /// Returns a check as a sentence without its full stop: the suspected mistake, the error with and without the mistake,

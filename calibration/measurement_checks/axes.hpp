@@ -74,16 +74,16 @@ inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   return texts;
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements&, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements&, const std::string& value) {
   const auto to_world = matrixOf(value);
   if (!to_world) return std::nullopt;
-  Mend mend{"axes", value, "the columns x, y and z contain " + value + " of the cell's world"};
-  mend.change = [to_world = *to_world](std::vector<Measurement>& measurements) { turn(to_world, measurements); };
-  return mend;
+  Correction correction{"axes", value, "the columns x, y and z contain " + value + " of the cell's world"};
+  correction.change = [to_world = *to_world](std::vector<Measurement>& measurements) { turn(to_world, measurements); };
+  return correction;
 }
 
 inline MistakeKind kind() {
-  return {"axes", "ORDER", "the world axes in the columns x, y, z, such as yxz or -yxz", values, mend};
+  return {"axes", "ORDER", "the world axes in the columns x, y, z, such as yxz or -yxz", values, correction};
 }
 
 }  // namespace tubeplan::calibration::mistakes::axes

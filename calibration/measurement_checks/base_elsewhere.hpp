@@ -16,26 +16,26 @@ inline std::vector<std::string> values(const CheckedMeasurements& checked) {
 
 /// Returns the correction that assigns measurement `from` and all later measurements of its set-up to a new set-up,
 /// whose base pose is fitted separately; nullopt if there is no such measurement.
-inline std::optional<Mend> mendFrom(const CheckedMeasurements& checked, const std::string& from) {
+inline std::optional<Correction> correctionFrom(const CheckedMeasurements& checked, const std::string& from) {
   const auto first = std::ranges::find(checked.measurements, from, &Measurement::id);
   if (first == checked.measurements.end()) return std::nullopt;
-  Mend mend{"base", "unknown", "the base or the tracker was moved there, and its pose is fitted again"};
-  mend.new_setup = NewSetup{first->setup + (first->setup.empty() ? "" : "-") + "from-" + from, first->setup};
-  mend.change = toEach([setup = *mend.new_setup](Measurement& measurement) {
+  Correction correction{"base", "unknown", "the base or the tracker was moved there, and its pose is fitted again"};
+  correction.new_setup = NewSetup{first->setup + (first->setup.empty() ? "" : "-") + "from-" + from, first->setup};
+  correction.change = toEach([setup = *correction.new_setup](Measurement& measurement) {
     if (measurement.setup == setup.within) measurement.setup = setup.name;
   });
-  mend.frees_base = std::ranges::any_of(checked.start.base_poses, &BasePose::is_known);
-  mend.numbers_fitted = 6;
-  return fromMeasurement(checked, std::move(mend), from);
+  correction.frees_base = std::ranges::any_of(checked.start.base_poses, &BasePose::is_known);
+  correction.numbers_fitted = 6;
+  return fromMeasurement(checked, std::move(correction), from);
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& text) {
+inline std::optional<Correction> correction(const CheckedMeasurements& checked, const std::string& text) {
   const auto [value, from] = partedAtMeasurement(text);
   if (value != "unknown") return std::nullopt;
-  if (from) return mendFrom(checked, *from);
-  Mend mend{"base", value, "the base is not at the pose that the cell states as known"};
-  mend.frees_base = true;
-  return mend;
+  if (from) return correctionFrom(checked, *from);
+  Correction correction{"base", value, "the base is not at the pose that the cell states as known"};
+  correction.frees_base = true;
+  return correction;
 }
 
 /// Returns one step form per set-up: a displacement of its base. If all measurements state a time, the step is
@@ -60,7 +60,7 @@ inline MistakeKind kind() {
               "unknown: the base pose is fitted with the rest; unknown@P41: another base pose is fitted from that "
               "reading on",
           .values = values,
-          .mend = mend,
+          .correction = correction,
           .steps = steps};
 }
 

@@ -153,15 +153,15 @@ namespace mistakes::clock {
 
 namespace {
 
-std::optional<Mend> mendOf(const CheckedMeasurements& checked, const std::string& text) {
+std::optional<Correction> correctionOf(const CheckedMeasurements& checked, const std::string& text) {
   const auto [value, from] = partedAtMeasurement(text);
   const auto seconds = tubesheets::parseNumber(value);
   if (!seconds || !from) return std::nullopt;
-  Mend mend{"clock", value, "the clock is off: " + value + " s to be added to the times"};
-  mend.change = [by = *seconds](std::vector<Measurement>& measurements) {
+  Correction correction{"clock", value, "the clock is off: " + value + " s to be added to the times"};
+  correction.change = [by = *seconds](std::vector<Measurement>& measurements) {
     for (auto& measurement : measurements) measurement.conditions[deflection::Condition::kTime] += by;
   };
-  return fromMeasurement(checked, std::move(mend), *from);
+  return fromMeasurement(checked, std::move(correction), *from);
 }
 
 }  // namespace
@@ -171,7 +171,7 @@ MistakeKind kind() {
           .value = "SECONDS@READING",
           .expected = "seconds to add to the times, and the first such reading, as in -3600@P41",
           .values = noValues,
-          .mend = mendOf};
+          .correction = correctionOf};
 }
 
 }  // namespace mistakes::clock

@@ -17,24 +17,24 @@ inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   return values;
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements& checked, const std::string& value) {
   const auto [axis, unit] = partedAtColon(value);
   const auto at = axis.size() == 1 ? kAxes.find(axis.front()) : std::string_view::npos;
   const auto factor = factorOf(checked.units.lengths, checked.units.coordinates, unit);
   if (at == std::string_view::npos || !factor) return std::nullopt;
-  Mend mend{
+  Correction correction{
       "coordinate-unit", value,
       "the unit of " + axis + " is " + unit + ", not " + checked.units.coordinates.name + " as its column states"};
-  mend.change = toEach([checked = &checked, at, factor = *factor](Measurement& measurement) {
+  correction.change = toEach([checked = &checked, at, factor = *factor](Measurement& measurement) {
     if (coordinates_unit::areWritten(*checked, measurement))
       (*measurement.p_W)[static_cast<Eigen::Index>(at)] *= factor;
   });
-  mend.change_sigma = sigmaAlong(checked, *factor, static_cast<Eigen::Index>(at));
-  return mend;
+  correction.change_sigma = sigmaAlong(checked, *factor, static_cast<Eigen::Index>(at));
+  return correction;
 }
 
 inline MistakeKind kind() {
-  return {"coordinate-unit", "AXIS:UNIT", "x, y or z and a unit of length", values, mend, false, true};
+  return {"coordinate-unit", "AXIS:UNIT", "x, y or z and a unit of length", values, correction, false, true};
 }
 
 }  // namespace tubeplan::calibration::mistakes::coordinate_unit

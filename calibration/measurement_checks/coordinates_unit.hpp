@@ -17,22 +17,22 @@ inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   return {};
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements& checked, const std::string& value) {
   const auto factor = factorOf(checked.units.lengths, checked.units.coordinates, value);
   if (!factor) return std::nullopt;
-  Mend mend{"coordinates", value,
-            "the unit of the coordinates is " + value + ", not " + checked.units.coordinates.name +
-                " as their columns state"};
-  mend.change = toEach([checked = &checked, factor = *factor](Measurement& measurement) {
+  Correction correction{"coordinates", value,
+                        "the unit of the coordinates is " + value + ", not " + checked.units.coordinates.name +
+                            " as their columns state"};
+  correction.change = toEach([checked = &checked, factor = *factor](Measurement& measurement) {
     if (areWritten(*checked, measurement)) *measurement.p_W *= factor;
     const auto columns = kindOf(measurement).columns;
     for (std::size_t k = 0; k < columns.size(); ++k)
       if (columns[k].quantity == deflection::Quantity::kLength) measurement.own[static_cast<Eigen::Index>(k)] *= factor;
   });
-  mend.change_sigma = sigmaAlong(checked, *factor);
-  return mend;
+  correction.change_sigma = sigmaAlong(checked, *factor);
+  return correction;
 }
 
-inline MistakeKind kind() { return {"coordinates", "UNIT", "a unit of length", values, mend}; }
+inline MistakeKind kind() { return {"coordinates", "UNIT", "a unit of length", values, correction}; }
 
 }  // namespace tubeplan::calibration::mistakes::coordinates_unit

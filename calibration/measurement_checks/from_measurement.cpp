@@ -60,7 +60,7 @@ std::function<void(std::vector<Measurement>&)> changeOf(std::set<std::string> id
   };
 }
 
-std::optional<Mend> fromMeasurement(const CheckedMeasurements& checked, Mend whole, const std::string& id) {
+std::optional<Correction> fromMeasurement(const CheckedMeasurements& checked, Correction whole, const std::string& id) {
   auto ids = idsFrom(checked.measurements, id);
   if (ids.empty()) return std::nullopt;
   whole.value += "@" + id;

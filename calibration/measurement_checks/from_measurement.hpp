@@ -44,7 +44,7 @@ struct Run {
 
 /// Returns a copy of the correction `whole` that applies only to measurement `id` and all later ones; nullopt if there
 /// is no such measurement.
-[[nodiscard]] std::optional<Mend> fromMeasurement(const CheckedMeasurements& checked, Mend whole,
-                                                  const std::string& id);
+[[nodiscard]] std::optional<Correction> fromMeasurement(const CheckedMeasurements& checked, Correction whole,
+                                                        const std::string& id);
 
 }  // namespace tubeplan::calibration

@@ -40,7 +40,7 @@ inline void rename(const CheckedMeasurements& checked, const OtherHole& other, s
   }
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements& checked, const std::string& value) {
   char way = 0;
   int by = 0, used = 0;
   const bool is_read =
@@ -51,18 +51,19 @@ inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::s
     return sheet->find(named.row + rows, named.column + columns);
   };
   if (!areAllThere(checked, other)) return std::nullopt;
-  Mend mend{"holes", value,
-            "the holes' names are " + std::to_string(std::abs(by)) + (way == 'R' ? " row" : " column") +
-                (by > 0 ? " too low" : " too high")};
-  mend.change = [checked = &checked, other](std::vector<Measurement>& measurements) {
+  Correction correction{"holes", value,
+                        "the holes' names are " + std::to_string(std::abs(by)) + (way == 'R' ? " row" : " column") +
+                            (by > 0 ? " too low" : " too high")};
+  correction.change = [checked = &checked, other](std::vector<Measurement>& measurements) {
     rename(*checked, other, measurements);
   };
-  return mend;
+  return correction;
 }
 
 inline MistakeKind kind() {
   return {"holes", "R+1|C-1|...",
-          "offset to add to the rows or columns of the holes' names, so that the sheet has them all", values, mend};
+          "offset to add to the rows or columns of the holes' names, so that the sheet has them all", values,
+          correction};
 }
 
 }  // namespace tubeplan::calibration::mistakes::holes_off

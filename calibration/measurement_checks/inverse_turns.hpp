@@ -14,15 +14,16 @@ inline std::vector<std::string> values(const CheckedMeasurements& checked) {
                                                                 : std::vector<std::string>{};
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements&, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements&, const std::string& value) {
   if (value != "inverse") return std::nullopt;
-  Mend mend{"turns", value, "the turns are inverse: of the world in the tool's frame, not of the tool in the world"};
-  mend.change = toEach([](Measurement& measurement) {
+  Correction correction{"turns", value,
+                        "the turns are inverse: of the world in the tool's frame, not of the tool in the world"};
+  correction.change = toEach([](Measurement& measurement) {
     if (statesFrame(measurement))
       measurement.own = deflection::fixedAnglesOf(
           Eigen::Matrix3d(deflection::rotationFromFixedAngles<double>(measurement.own).transpose()));
   });
-  return mend;
+  return correction;
 }
 
 inline MistakeKind kind() {
@@ -30,7 +31,7 @@ inline MistakeKind kind() {
           .value = "inverse",
           .expected = "inverse: the turns are of the world in the tool's frame",
           .values = values,
-          .mend = mend,
+          .correction = correction,
           .values_with_others = noValues,
           .is_of_turns = true};
 }

@@ -34,7 +34,7 @@ constexpr int kZeroSteps = 10;                        // number of golden-sectio
 
 /// Corrections of one mistake or of a set of joints, with the corrected measurements and their score.
 struct TriedQuickly {
-  JoinedMends mends;
+  JoinedCorrections corrections;
   std::vector<Measurement> measurements;
   std::vector<Vector3d> tips;
   double score = 0;
@@ -47,12 +47,12 @@ struct Likely {
   double score = 0;
   /// The same corrections with refined zeros, which bring the measurements closest to the drawing; empty if the zeros
   /// were not refined.
-  JoinedMends settled = {};
+  JoinedCorrections settled = {};
 
-  [[nodiscard]] JoinedMends mends() const {
+  [[nodiscard]] JoinedCorrections corrections() const {
     if (!settled.empty()) return settled;
-    JoinedMends all = first->mends;
-    if (then) all.insert(all.end(), then->mends.begin(), then->mends.end());
+    JoinedCorrections all = first->corrections;
+    if (then) all.insert(all.end(), then->corrections.begin(), then->corrections.end());
     return all;
   }
 };
@@ -63,16 +63,17 @@ bool haveSameJoints(const std::vector<Measurement>& a, const std::vector<Measure
          });
 }
 
-bool freeBase(const JoinedMends& mends) {
-  return std::ranges::any_of(mends, [](const Mend& mend) { return mend.frees_base; });
+bool freeBase(const JoinedCorrections& corrections) {
+  return std::ranges::any_of(corrections, [](const Correction& correction) { return correction.frees_base; });
 }
 
 /// Returns a key that identifies the corrections: "joint-zero=3," for a zero, whose value is refined later, and the
 /// full assumption for other corrections.
-std::string keyOf(const JoinedMends& mends) {
+std::string keyOf(const JoinedCorrections& corrections) {
   std::string key;
-  for (const Mend& mend : mends)
-    key += mend.mistake + "=" + (mend.zeros_of.empty() ? mend.value : std::to_string(mend.zeros_of.front())) + ",";
+  for (const Correction& correction : corrections)
+    key += correction.mistake + "=" +
+           (correction.zeros_of.empty() ? correction.value : std::to_string(correction.zeros_of.front())) + ",";
   return key;
 }
 
@@ -94,7 +95,7 @@ class JoinedSearch {
     }
   }
 
-  std::vector<JoinedMends> find() {
+  std::vector<JoinedCorrections> find() {
     if (!(as_is_ = looked({})).tips.empty() && std::isfinite(as_is_.score)) {
       lookAlone();
       lookAtPairs();
@@ -103,23 +104,24 @@ class JoinedSearch {
       lookAtScales();
     }
     std::ranges::stable_sort(found_, {}, &Likely::score);
-    std::vector<JoinedMends> likely;
+    std::vector<JoinedCorrections> likely;
     std::set<std::string> keys;
     for (const Likely& one : found_) {
-      auto mends = one.mends();
-      if (likely.size() < kMostTogether && keys.insert(keyOf(mends)).second) likely.push_back(std::move(mends));
+      auto corrections = one.corrections();
+      if (likely.size() < kMostTogether && keys.insert(keyOf(corrections)).second)
+        likely.push_back(std::move(corrections));
     }
     return likely;
   }
 
  private:
   /// Applies the corrections to the measurements and all their neighbours, and scores the compared measurements.
-  TriedQuickly looked(JoinedMends mends) {
-    TriedQuickly one{std::move(mends), near_, {}, 0, false};
-    for (const Mend& mend : one.mends) mend.change(one.measurements);
+  TriedQuickly looked(JoinedCorrections corrections) {
+    TriedQuickly one{std::move(corrections), near_, {}, 0, false};
+    for (const Correction& correction : one.corrections) correction.change(one.measurements);
     std::erase_if(one.measurements, [&](const Measurement& measurement) { return !ids_.contains(measurement.id); });
     one.tips = alignment_.tips(one.measurements);
-    one.score = alignment_.score(one.measurements, one.tips, {.frees_base = freeBase(one.mends)});
+    one.score = alignment_.score(one.measurements, one.tips, {.frees_base = freeBase(one.corrections)});
     one.turns_joints = !haveSameJoints(one.measurements, as_is_.measurements);
     return one;
   }
@@ -129,9 +131,9 @@ class JoinedSearch {
     for (const auto& kind : mistakeKinds())
       for (const auto& value : (kind.values_with_others ? kind.values_with_others : kind.values)(checked)) {
         throwIfStopped(trials_.options().stop);
-        auto mend = kind.mend(checked, value);
-        if (!mend || mend->parts_setups) continue;
-        alone_.push_back(looked({std::move(*mend)}));
+        auto correction = kind.correction(checked, value);
+        if (!correction || correction->parts_setups) continue;
+        alone_.push_back(looked({std::move(*correction)}));
         if (alone_.back().measurements.empty()) alone_.pop_back();
       }
     lookAtSigns();
@@ -143,10 +145,10 @@ class JoinedSearch {
     const auto joints = mistakes::joint_sign::values(checked);
     if (joints.size() > kMostSigns) return;
     for (unsigned set = 1; set < 1U << joints.size(); ++set) {
-      JoinedMends mends;
+      JoinedCorrections corrections;
       for (std::size_t j = 0; j < joints.size(); ++j)
-        if (set >> j & 1) mends.push_back(*mistakes::joint_sign::mend(checked, joints[j]));
-      if (mends.size() > 1) sets_of_signs_.push_back(looked(std::move(mends)));
+        if (set >> j & 1) corrections.push_back(*mistakes::joint_sign::correction(checked, joints[j]));
+      if (corrections.size() > 1) sets_of_signs_.push_back(looked(std::move(corrections)));
     }
     for (const TriedQuickly& signs : sets_of_signs_) found_.push_back({&signs, nullptr, signs.score});
   }
@@ -158,9 +160,9 @@ class JoinedSearch {
     const auto joints = mistakes::joint_scale::jointsBeyondTurns(checked);
     if (joints.size() < 2) return;
     for (const auto& values : likelyScales(checked, joints)) {
-      JoinedMends mends;
-      for (const auto& value : values) mends.push_back(*mistakes::joint_scale::kind().mend(checked, value));
-      scales_.push_back(looked(std::move(mends)));
+      JoinedCorrections corrections;
+      for (const auto& value : values) corrections.push_back(*mistakes::joint_scale::kind().correction(checked, value));
+      scales_.push_back(looked(std::move(corrections)));
     }
     for (const TriedQuickly& scales : scales_) found_.push_back({&scales, nullptr, scales.score});
   }
@@ -195,7 +197,7 @@ class JoinedSearch {
     if (orders_.size() > kMostTogether) orders_.erase(orders_.begin() + kMostTogether, orders_.end());
   }
 
-  static bool canJoin(const Mend& first, const Mend& then) {
+  static bool canJoin(const Correction& first, const Correction& then) {
     if (first.mistake != then.mistake) return true;
     return findMistakeKind(first.mistake)->joins_itself && (first.zeros_of.empty() || first.zeros_of != then.zeros_of);
   }
@@ -204,7 +206,7 @@ class JoinedSearch {
     for (std::size_t a = 0; a < alone_.size(); ++a) {
       throwIfStopped(trials_.options().stop);
       for (std::size_t b = a + 1; b < alone_.size(); ++b)
-        if (canJoin(alone_[a].mends.front(), alone_[b].mends.front())) lookAtPair(alone_[a], alone_[b]);
+        if (canJoin(alone_[a].corrections.front(), alone_[b].corrections.front())) lookAtPair(alone_[a], alone_[b]);
       if (!alone_[a].turns_joints)
         for (const auto& signs : sets_of_signs_) lookAtPair(alone_[a], signs);
     }
@@ -212,7 +214,7 @@ class JoinedSearch {
 
   void lookAtPair(const TriedQuickly& first, const TriedQuickly& then) {
     auto measurements = first.measurements;
-    for (const Mend& mend : then.mends) mend.change(measurements);
+    for (const Correction& correction : then.corrections) correction.change(measurements);
     const bool is_new = first.turns_joints && then.turns_joints;
     const auto tips = is_new ? alignment_.tips(measurements) : std::vector<Vector3d>{};
     const auto& of_pair = is_new ? tips : then.turns_joints ? then.tips : first.tips;
@@ -220,7 +222,8 @@ class JoinedSearch {
     const double least = std::min({first.score, then.score, as_is_.score}) - kNearer;
     const double promising = std::min(least, worst_kept_) + kByWeights;
     const double score = alignment_.score(
-        measurements, of_pair, {.frees_base = freeBase(first.mends) || freeBase(then.mends), .promising = promising});
+        measurements, of_pair,
+        {.frees_base = freeBase(first.corrections) || freeBase(then.corrections), .promising = promising});
     if (score > std::min(least, worst_kept_)) return;
     found_.push_back({&first, &then, score});
     if (found_.size() < 2 * kKept) return;
@@ -236,31 +239,32 @@ class JoinedSearch {
     std::set<std::string> keys;
     for (Likely& one : found_) {
       throwIfStopped(trials_.options().stop);
-      const auto mends = one.mends();
-      const auto isOfZero = [](const Mend& mend) { return !mend.zeros_of.empty(); };
-      if (keys.size() < kMostSettled && std::ranges::any_of(mends, isOfZero) && keys.insert(keyOf(mends)).second)
+      const auto corrections = one.corrections();
+      const auto isOfZero = [](const Correction& correction) { return !correction.zeros_of.empty(); };
+      if (keys.size() < kMostSettled && std::ranges::any_of(corrections, isOfZero) &&
+          keys.insert(keyOf(corrections)).second)
         settle(one);
     }
   }
 
   void settle(Likely& one) {
-    TriedQuickly tried = looked(one.mends());
-    for (Mend& mend : tried.mends) {
-      if (mend.zeros_of.empty()) continue;
-      const int joint = mend.zeros_of.front();
+    TriedQuickly tried = looked(one.corrections());
+    for (Correction& correction : tried.corrections) {
+      if (correction.zeros_of.empty()) continue;
+      const int joint = correction.zeros_of.front();
       const double shift = bestShift(tried, joint);
-      const double zero = mistakes::joint_zero::zeroOf(trials_.checked(), mend.value) + shift;
-      mend =
-          *mistakes::joint_zero::mend(trials_.checked(), mistakes::joint_zero::textOf(trials_.checked(), joint, zero));
+      const double zero = mistakes::joint_zero::zeroOf(trials_.checked(), correction.value) + shift;
+      correction = *mistakes::joint_zero::correction(trials_.checked(),
+                                                     mistakes::joint_zero::textOf(trials_.checked(), joint, zero));
       for (Measurement& measurement : tried.measurements) measurement.q[joint] += shift;
     }
     one.score = std::min(one.score, scoreOf(tried));
-    one.settled = std::move(tried.mends);
+    one.settled = std::move(tried.corrections);
   }
 
   [[nodiscard]] double scoreOf(const TriedQuickly& tried) {
     return alignment_.score(tried.measurements, alignment_.tips(tried.measurements),
-                            {.frees_base = freeBase(tried.mends)});
+                            {.frees_base = freeBase(tried.corrections)});
   }
 
   /// Returns the additional offset of a joint's zero that gives the best score [rad], by golden-section search.
@@ -287,6 +291,6 @@ class JoinedSearch {
 
 }  // namespace
 
-std::vector<JoinedMends> likelyTogether(const MistakeTrials& trials) { return JoinedSearch(trials).find(); }
+std::vector<JoinedCorrections> likelyTogether(const MistakeTrials& trials) { return JoinedSearch(trials).find(); }
 
 }  // namespace tubeplan::calibration

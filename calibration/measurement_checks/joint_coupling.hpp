@@ -25,7 +25,7 @@ inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   return texts;
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements& checked, const std::string& value) {
   const auto [joints, number] = partedAtColon(value);
   const auto [name, of_name] = partedAtColon(joints);
   const int joint = jointNamed(checked.start.arm, name), of = jointNamed(checked.start.arm, of_name);
@@ -34,10 +34,11 @@ inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::s
   const std::string shown = share == -1  ? name + " + " + of_name
                             : share == 1 ? name + " - " + of_name
                                          : fmt::format("{} - {:g} {}", name, share, of_name);
-  Mend mend{"joint-coupling", value, "the column of " + name + " contains " + shown + " of the arm's joints"};
-  mend.change =
+  Correction correction{"joint-coupling", value,
+                        "the column of " + name + " contains " + shown + " of the arm's joints"};
+  correction.change =
       toEach([joint, of, share](Measurement& measurement) { measurement.q[joint] += share * measurement.q[of]; });
-  return mend;
+  return correction;
 }
 
 inline MistakeKind kind() {
@@ -45,7 +46,7 @@ inline MistakeKind kind() {
           "JOINT:JOINT:SHARE",
           "a joint, another and the share of its reading to add, such as theta3:theta2:-1",
           values,
-          mend,
+          correction,
           false,
           true};
 }

@@ -43,11 +43,11 @@ inline std::string sentenceOf(const deflection::Arm& arm, const std::vector<int>
   return "the columns of " + named(0) + (ring.size() == 2 ? " are swapped" : " contain " + named(1) + " in this order");
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements& checked, const std::string& value) {
   const auto ring = ringOf(checked.start.arm, value);
   if (ring.empty()) return std::nullopt;
-  Mend mend{"joint-order", value, sentenceOf(checked.start.arm, ring)};
-  mend.change = toEach([ring](Measurement& measurement) {
+  Correction correction{"joint-order", value, sentenceOf(checked.start.arm, ring)};
+  correction.change = toEach([ring](Measurement& measurement) {
     for (std::size_t k = ring.size() - 1; k > 0; --k) {
       std::swap(measurement.q[ring[k]], measurement.q[ring[k - 1]]);
       if (!measurement.approach_directions.empty())
@@ -55,13 +55,13 @@ inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::s
                   measurement.approach_directions[static_cast<std::size_t>(ring[k - 1])]);
     }
   });
-  return mend;
+  return correction;
 }
 
 /// Returns one correction for each cycle of the permutation in which column `k` contains the readings of joint
 /// `order[k]`.
-inline std::vector<Mend> ringsOf(const CheckedMeasurements& checked, const std::vector<int>& order) {
-  std::vector<Mend> rings;
+inline std::vector<Correction> ringsOf(const CheckedMeasurements& checked, const std::vector<int>& order) {
+  std::vector<Correction> rings;
   std::vector<bool> is_seen(order.size(), false);
   for (std::size_t first = 0; first < order.size(); ++first) {
     std::string value;
@@ -69,7 +69,7 @@ inline std::vector<Mend> ringsOf(const CheckedMeasurements& checked, const std::
       is_seen[at] = true;
       value += (value.empty() ? "" : ":") + checked.start.arm.joint(static_cast<int>(at)).name;
     }
-    if (auto ring = mend(checked, value)) rings.push_back(std::move(*ring));
+    if (auto ring = correction(checked, value)) rings.push_back(std::move(*ring));
   }
   return rings;
 }
@@ -80,7 +80,7 @@ inline MistakeKind kind() {
           "joints of the arm, such as theta3:theta4; with more than two, the column of each contains the readings of "
           "the next",
           values,
-          mend,
+          correction,
           false,
           true};
 }

@@ -86,18 +86,18 @@ inline void unmix(const Pair& pair, Measurement& measurement) {
   first = sense;
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements& checked, const std::string& value) {
   const auto& arm = checked.start.arm;
   const auto pair = pairOf(arm, value);
   if (!pair) return std::nullopt;
   const std::string &first = arm.joint(pair->first).name, &second = arm.joint(pair->second).name;
-  Mend mend{
+  Correction correction{
       "joint-pair", value,
       fmt::format("the columns of {0} and {1} contain the motors of a differential: {0} is {2} of them, {1} is {3}",
                   first, second, mixtureText(pair->shares.row(0), first, second),
                   mixtureText(pair->shares.row(1), first, second))};
-  mend.change = toEach([pair = *pair](Measurement& measurement) { unmix(pair, measurement); });
-  return mend;
+  correction.change = toEach([pair = *pair](Measurement& measurement) { unmix(pair, measurement); });
+  return correction;
 }
 
 inline MistakeKind kind() {
@@ -107,7 +107,7 @@ inline MistakeKind kind() {
               "two joints and the shares of both columns in the first and in the second, such as "
               "theta3:theta4:0.5:0.5:0.5:-0.5",
           .values = values,
-          .mend = mend,
+          .correction = correction,
           .values_with_others = valuesWithOthers};
 }
 

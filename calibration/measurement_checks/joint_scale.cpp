@@ -51,22 +51,23 @@ std::vector<std::string> valuesOf(const CheckedMeasurements& checked) {
   return texts;
 }
 
-std::optional<Mend> mendOf(const CheckedMeasurements& checked, const std::string& value) {
+std::optional<Correction> correctionOf(const CheckedMeasurements& checked, const std::string& value) {
   const auto [name, number] = partedAtColon(value);
   const int joint = jointNamed(checked.start.arm, name);
   const double factor = tubesheets::parseNumber(number).value_or(0);
   if (joint < 0 || factor == 0) return std::nullopt;
-  Mend mend{"joint-scale", value,
-            fmt::format("the readings of {} are not angles; multiplied by {:.6g} they are, as encoder pulses would be "
-                        "({:.6g} for one {})",
-                        name, factor, 1 / std::abs(factor), checked.units.angles.name)};
-  mend.change = toEach([joint, factor](Measurement& measurement) {
+  Correction correction{
+      "joint-scale", value,
+      fmt::format("the readings of {} are not angles; multiplied by {:.6g} they are, as encoder pulses would be "
+                  "({:.6g} for one {})",
+                  name, factor, 1 / std::abs(factor), checked.units.angles.name)};
+  correction.change = toEach([joint, factor](Measurement& measurement) {
     measurement.q[joint] *= factor;
     if (factor < 0 && !measurement.approach_directions.empty())
       measurement.approach_directions[static_cast<std::size_t>(joint)] *= -1;
   });
-  mend.numbers_fitted = 1;
-  return mend;
+  correction.numbers_fitted = 1;
+  return correction;
 }
 
 }  // namespace
@@ -109,7 +110,7 @@ MistakeKind kind() {
           .value = "JOINT:FACTOR",
           .expected = "a joint and the factor for its readings, such as theta2:0.0123",
           .values = valuesOf,
-          .mend = mendOf,
+          .correction = correctionOf,
           .joins_itself = true};
 }
 

@@ -25,20 +25,21 @@ inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   return values;
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements& checked, const std::string& value) {
   const auto [name, unit] = partedAtColon(value);
   const int joint = jointNamed(checked.start.arm, name);
   if (joint < 0 || joint >= static_cast<int>(checked.units.joints.size())) return std::nullopt;
   const auto factor = factorOf(unitsOf(checked, joint), unitOf(checked, joint), unit);
   if (!factor) return std::nullopt;
-  Mend mend{"joint-unit", value,
-            "the unit of " + name + " is " + unit + ", not " + unitOf(checked, joint).name + " as its column states"};
-  mend.change = toEach([joint, factor = *factor](Measurement& measurement) { measurement.q[joint] *= factor; });
-  return mend;
+  Correction correction{
+      "joint-unit", value,
+      "the unit of " + name + " is " + unit + ", not " + unitOf(checked, joint).name + " as its column states"};
+  correction.change = toEach([joint, factor = *factor](Measurement& measurement) { measurement.q[joint] *= factor; });
+  return correction;
 }
 
 inline MistakeKind kind() {
-  return {"joint-unit", "JOINT:UNIT", "a joint and a unit of its own kind", values, mend, false, true};
+  return {"joint-unit", "JOINT:UNIT", "a joint and a unit of its own kind", values, correction, false, true};
 }
 
 }  // namespace tubeplan::calibration::mistakes::joint_unit

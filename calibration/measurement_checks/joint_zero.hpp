@@ -55,25 +55,26 @@ inline double wound(const deflection::Joint<double>& joint, double q) {
   return isPastLimit(joint, back) ? q : back;
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& text) {
+inline std::optional<Correction> correction(const CheckedMeasurements& checked, const std::string& text) {
   const auto [value, from] = partedAtMeasurement(text);
   const auto [name, number] = partedAtColon(value);
   const int joint = jointNamed(checked.start.arm, name);
   const auto offset = tubesheets::parseNumber(number);
   if (joint < 0 || !offset) return std::nullopt;
   if (checked.start.arm.joint(joint).type != deflection::JointType::kRevolute) return std::nullopt;
-  Mend mend{
+  Correction correction{
       "joint-zero", value,
       "the zero of " + name + " is off: " + number + " " + checked.units.angles.name + " to be added to its readings"};
-  mend.change = toEach([joint, of = checked.start.arm.joint(joint), by = *offset * checked.units.angles.factor](
-                           Measurement& measurement) { measurement.q[joint] = wound(of, measurement.q[joint] + by); });
-  mend.numbers_fitted = 1;
+  correction.change =
+      toEach([joint, of = checked.start.arm.joint(joint), by = *offset * checked.units.angles.factor](
+                 Measurement& measurement) { measurement.q[joint] = wound(of, measurement.q[joint] + by); });
+  correction.numbers_fitted = 1;
   if (from) {
-    mend.sentence += "; a turn or counts of its encoder were lost there, or it was hit or homed again";
-    return fromMeasurement(checked, std::move(mend), *from);
+    correction.sentence += "; a turn or counts of its encoder were lost there, or it was hit or homed again";
+    return fromMeasurement(checked, std::move(correction), *from);
   }
-  mend.zeros_of = {joint};
-  return mend;
+  correction.zeros_of = {joint};
+  return correction;
 }
 
 inline std::vector<StepForm> steps(const CheckedMeasurements& checked) {
@@ -93,7 +94,7 @@ inline MistakeKind kind() {
           "a revolute joint and the offset to add to its readings, in their unit, and the first such reading, as in "
           "theta3:90 or theta3:8@P41",
           values,
-          mend,
+          correction,
           false,
           true,
           valuesWithOthers,

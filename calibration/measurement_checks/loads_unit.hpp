@@ -13,15 +13,16 @@ inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   return has_load ? otherNames(checked.units.forces, checked.units.loads) : std::vector<std::string>{};
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements& checked, const std::string& value) {
   const auto factor = factorOf(checked.units.forces, checked.units.loads, value);
   if (!factor) return std::nullopt;
-  Mend mend{"loads", value,
-            "the unit of the loads is " + value + ", not " + checked.units.loads.name + " as their column states"};
-  mend.change = toEach([factor = *factor](Measurement& measurement) { measurement.load *= factor; });
-  return mend;
+  Correction correction{
+      "loads", value,
+      "the unit of the loads is " + value + ", not " + checked.units.loads.name + " as their column states"};
+  correction.change = toEach([factor = *factor](Measurement& measurement) { measurement.load *= factor; });
+  return correction;
 }
 
-inline MistakeKind kind() { return {"loads", "UNIT", "a unit of force", values, mend}; }
+inline MistakeKind kind() { return {"loads", "UNIT", "a unit of force", values, correction}; }
 
 }  // namespace tubeplan::calibration::mistakes::loads_unit

@@ -26,7 +26,7 @@ namespace {
 
 /// Correction to the unit of sigma with which chi-square per degree of freedom is closest to 1.
 struct SigmaUnit {
-  Mend mend;
+  Correction correction;
   double chi2_per_freedom = kNoFigure;
 };
 std::optional<SigmaUnit> likeliestSigma(const MistakeTrials& trials, bool is_smaller) {
@@ -35,12 +35,12 @@ std::optional<SigmaUnit> likeliestSigma(const MistakeTrials& trials, bool is_sma
   const auto& units = checked.units;
   for (const auto& unit : units.sigmas) {
     if (unit.name == units.sigma.name || (unit.factor < units.sigma.factor) != is_smaller) continue;
-    auto mend = findMistakeKind("sigma")->mend(checked, unit.name);
-    if (!mend) continue;
-    const Trial trial = trials.tried(*mend, TrialDepth::kOpen);
+    auto correction = findMistakeKind("sigma")->correction(checked, unit.name);
+    if (!correction) continue;
+    const Trial trial = trials.tried(*correction, TrialDepth::kOpen);
     if (!trial.ok || !(trial.chi2_per_freedom > 0)) continue;
     if (!best || std::abs(std::log(trial.chi2_per_freedom)) < std::abs(std::log(best->chi2_per_freedom)))
-      best = SigmaUnit{std::move(*mend), trial.chi2_per_freedom};
+      best = SigmaUnit{std::move(*correction), trial.chi2_per_freedom};
   }
   return best;
 }
@@ -71,8 +71,8 @@ void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& chec
   MeasurementCheck check = remarkOf("sigma", text);
   if (agrees && is_large) check.severity = CheckSeverity::kMistake;
   if (agrees || (is_fine && likeliest)) {
-    check.sentence += ": " + likeliest->mend.sentence;
-    check.assume = "sigma=" + likeliest->mend.value;
+    check.sentence += ": " + likeliest->correction.sentence;
+    check.assume = "sigma=" + likeliest->correction.value;
   }
   checks.push_back(std::move(check));
 }
@@ -105,8 +105,8 @@ void checkBase(const MistakeTrials& trials, std::vector<MeasurementCheck>& check
       remarkOf("base-from-nominal", "the best-fitting base is " + baseText(trials) + " from its nominal place");
   if (is_pitches)
     for (const auto& value : findMistakeKind("holes")->values(checked))
-      if (const auto mend = findMistakeKind("holes")->mend(checked, value)) {
-        const Trial trial = trials.tried(*mend, TrialDepth::kDrawn);
+      if (const auto correction = findMistakeKind("holes")->correction(checked, value)) {
+        const Trial trial = trials.tried(*correction, TrialDepth::kDrawn);
         if (!trial.ok || trial.base_shift * kBack > as_is.base_shift) continue;
         check.sentence += ": were the holes counted from another row or column?";
         check.assume = "holes=" + value;

@@ -41,7 +41,7 @@ struct MeasurementCheck {
   std::string sentence;
   /// Error of the measurements as stated [m]; NaN means that the check does not concern errors.
   double error_as_is = kNoFigure;
-  double error_if_mended =
+  double error_if_corrected =
       kNoFigure;       ///< error of the corrected measurements [m]; NaN means that the check does not concern errors
   std::string assume;  ///< value of `--assume` that corrects the mistake; empty if none
   std::vector<std::string> equally;  ///< further values of `--assume` that explain the measurements equally well

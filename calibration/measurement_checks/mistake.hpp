@@ -48,7 +48,7 @@ struct NewSetup {
 };
 
 /// Correction of the measurements for one mistake.
-struct Mend {
+struct Correction {
   std::string mistake, value;  ///< parts of the option `--assume MISTAKE=VALUE`
   std::string sentence;  ///< description, such as "the unit of the coordinates is mm, not in as their columns state"
   std::function<void(std::vector<Measurement>&)> change = [](std::vector<Measurement>&) {};
@@ -99,7 +99,7 @@ struct MistakeKind {
   const char* expected;  ///< description of a value for messages, such as "a unit of length"
   std::vector<std::string> (*values)(const CheckedMeasurements&);  ///< values worth trying
   /// Returns the correction for a value; nullopt if there is no such value.
-  std::optional<Mend> (*mend)(const CheckedMeasurements&, const std::string& value);
+  std::optional<Correction> (*correction)(const CheckedMeasurements&, const std::string& value);
   bool settles_sigma = false;  ///< true if its correction sets the noise, which other corrections then do not change
   bool joins_itself = false;   ///< true if the mistake may occur several times, each for another joint or column
   /// Values worth trying together with another mistake; if null, `values` is used.
@@ -115,7 +115,7 @@ const std::vector<MistakeKind>& mistakeKinds();
 
 /// Returns one correction that applies all corrections of `parts` in sequence. Its value lists the second and further
 /// corrections after commas, as in `--assume`.
-[[nodiscard]] Mend joined(const std::vector<Mend>& parts);
+[[nodiscard]] Correction joined(const std::vector<Correction>& parts);
 
 /// Splits a string such as "joint-sign=q1,tip=0.2", the form in which checks propose several assumptions together.
 [[nodiscard]] std::vector<std::string> partedAssumptions(const std::string& text);

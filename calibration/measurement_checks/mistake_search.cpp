@@ -45,9 +45,9 @@ class MistakeSearch {
   std::vector<Suspect> examined(std::vector<Suspect> suspects) const {
     for (auto& suspect : suspects) {
       const double held_error = suspect.drawn.error;
-      suspect.drawn = trials_.tried(suspect.mend, TrialDepth::kDrawn);
+      suspect.drawn = trials_.tried(suspect.correction, TrialDepth::kDrawn);
       suspect.drawn.held_error = held_error;
-      suspect.open = trials_.tried(suspect.mend, TrialDepth::kOpen);
+      suspect.open = trials_.tried(suspect.correction, TrialDepth::kOpen);
     }
     std::erase_if(suspects, [](const Suspect& suspect) { return !suspect.open.ok; });
     return suspects;
@@ -63,19 +63,19 @@ class MistakeSearch {
   /// measurements corrected for each of `suspects`.
   std::vector<Suspect> withSteps(const std::vector<Suspect>& suspects, bool with_others) const {
     std::vector<Suspect> begun;
-    const auto add = [&](const JoinedMends& parts, const Mend& before, const Trial& open) {
-      for (Mend& step : likelySteps(trials_, before, open)) {
+    const auto add = [&](const JoinedCorrections& parts, const Correction& before, const Trial& open) {
+      for (Correction& step : likelySteps(trials_, before, open)) {
         Suspect suspect{parts, {}, {}, {}};
         suspect.parts.push_back(std::move(step));
-        suspect.mend = joined(suspect.parts);
-        suspect.drawn = trials_.tried(suspect.mend, TrialDepth::kHeld);
+        suspect.correction = joined(suspect.parts);
+        suspect.drawn = trials_.tried(suspect.correction, TrialDepth::kHeld);
         begun.push_back(std::move(suspect));
       }
     };
     if (trials_.asIs().ok) add({}, {}, trials_.asIs());
     if (with_others)
       for (const Suspect& suspect : suspects)
-        if (!suspect.mend.parts_setups) add(suspect.parts, suspect.mend, suspect.open);
+        if (!suspect.correction.parts_setups) add(suspect.parts, suspect.correction, suspect.open);
     return begun;
   }
 
@@ -84,18 +84,18 @@ class MistakeSearch {
   FoundMistake checkOf(std::vector<Suspect> suspects) const {
     Suspect& best = suspects.front();
     MeasurementCheck check;
-    check.name = best.mend.mistake;
-    check.assume = best.mend.mistake + "=" + best.mend.value;
+    check.name = best.correction.mistake;
+    check.assume = best.correction.mistake + "=" + best.correction.value;
     settleSigma(best, check);
     const bool is_of_error = judgement_.explainsError(best);
     check.severity =
-        is_of_error && judgement_.isDetermined(best.mend) ? CheckSeverity::kMistake : CheckSeverity::kRemark;
-    check.sentence = best.mend.sentence + (best.mend.change_sigma ? "; the unit of sigma with it" : "") +
+        is_of_error && judgement_.isDetermined(best.correction) ? CheckSeverity::kMistake : CheckSeverity::kRemark;
+    check.sentence = best.correction.sentence + (best.correction.change_sigma ? "; the unit of sigma with it" : "") +
                      (is_of_error ? "" : ", or the base stands far from its nominal place (" + baseText(trials_) + ")");
     stateErrors(best, check);
     for (std::size_t k = 1; k < suspects.size(); ++k)
       if (judgement_.isAsGood(suspects[k], best))
-        check.equally.push_back(suspects[k].mend.mistake + "=" + suspects[k].mend.value);
+        check.equally.push_back(suspects[k].correction.mistake + "=" + suspects[k].correction.value);
     return {std::move(check), std::move(best.drawn)};
   }
 
@@ -103,8 +103,8 @@ class MistakeSearch {
   /// sigmas are kept if the errors agree better with the stated ones. Errors far below a sigma refute it, whereas
   /// errors far above it may be due to the model.
   void settleSigma(Suspect& best, MeasurementCheck& check) const {
-    if (!best.mend.change_sigma) return;
-    Mend unscaled_sigma = best.mend;
+    if (!best.correction.change_sigma) return;
+    Correction unscaled_sigma = best.correction;
     unscaled_sigma.change_sigma = nullptr;
     const Trial trial = trials_.tried(unscaled_sigma, TrialDepth::kOpen);
     const auto offBy = [](const Trial& of) {
@@ -113,7 +113,7 @@ class MistakeSearch {
     if (!trial.ok || !(offBy(trial) < offBy(best.open))) return;
     const auto kind = std::ranges::find_if(mistakeKinds(), [](const auto& other) { return other.settles_sigma; });
     check.assume += fmt::format(",{}={}", kind->name, trials_.checked().units.sigma.name);
-    best.mend = std::move(unscaled_sigma);
+    best.correction = std::move(unscaled_sigma);
     best.open = trial;
   }
 
@@ -130,13 +130,13 @@ class MistakeSearch {
 
   /// Returns true if nearly all corrected measurements are within the joint limits. Also returns true if the correction
   /// does not concern a joint's zero and does not move further measurements beyond the limits.
-  [[nodiscard]] bool isWithinLimits(const Mend& mend) const {
+  [[nodiscard]] bool isWithinLimits(const Correction& correction) const {
     auto measurements = trials_.pool().measurements;
-    mend.apply(measurements);
+    correction.apply(measurements);
     if (measurements.empty()) return false;
     const std::size_t outside = countOutside(measurements);
     return static_cast<double>(outside) <= kShareOutside * static_cast<double>(measurements.size()) ||
-           (mend.zeros_of.empty() && outside <= countOutside(trials_.pool().measurements));
+           (correction.zeros_of.empty() && outside <= countOutside(trials_.pool().measurements));
   }
 
   std::vector<Suspect> screened() const {
@@ -144,8 +144,8 @@ class MistakeSearch {
     for (const auto& kind : mistakeKinds())
       for (const auto& value : kind.values(trials_.checked())) {
         throwIfStopped(trials_.options().stop);
-        auto mend = kind.mend(trials_.checked(), value);
-        if (mend) screen({std::move(*mend)}, suspects);
+        auto correction = kind.correction(trials_.checked(), value);
+        if (correction) screen({std::move(*correction)}, suspects);
       }
     return foremost(std::move(suspects));
   }
@@ -161,17 +161,17 @@ class MistakeSearch {
   }
 
   /// Fits a hypothesis relative to the drawing and adds it to `suspects`, unless it is invalid or already among them.
-  void screen(JoinedMends tried, std::vector<Suspect>& suspects) const {
+  void screen(JoinedCorrections tried, std::vector<Suspect>& suspects) const {
     auto parts = withZerosFound(trials_, std::move(tried));
     if (!parts) return;
-    Mend mend = joined(*parts);
-    if (!isWithinLimits(mend)) return;
-    if (!mend.zeros_of.empty() && std::ranges::any_of(suspects, [&](const Suspect& other) {
-          return other.mend.mistake == mend.mistake && other.mend.value == mend.value;
+    Correction correction = joined(*parts);
+    if (!isWithinLimits(correction)) return;
+    if (!correction.zeros_of.empty() && std::ranges::any_of(suspects, [&](const Suspect& other) {
+          return other.correction.mistake == correction.mistake && other.correction.value == correction.value;
         }))
       return;
-    Trial trial = trials_.tried(mend, TrialDepth::kHeld);
-    if (trial.ok) suspects.push_back({std::move(*parts), std::move(mend), std::move(trial), {}});
+    Trial trial = trials_.tried(correction, TrialDepth::kHeld);
+    if (trial.ok) suspects.push_back({std::move(*parts), std::move(correction), std::move(trial), {}});
   }
 
   /// Returns the suspects that fit best relative to the drawing.
@@ -198,22 +198,23 @@ class MistakeSearch {
   void stateErrors(const Suspect& best, MeasurementCheck& check) const {
     struct Fall {
       TrialDepth depth;
-      double as_is, mended;
+      double as_is, corrected;
     };
     const Trial& as_is = trials_.asIs();
     std::vector<Fall> falls = {{TrialDepth::kDrawn, as_is.error, best.drawn.error},
                                {TrialDepth::kHeld, as_is.held_error, best.drawn.held_error},
                                {TrialDepth::kOpen, as_is.open_error, best.open.error}};
-    if (best.mend.is_of_part) falls.push_back({TrialDepth::kOpen, as_is.whole_error, best.open.whole_error});
-    std::erase_if(falls, [&](const Fall& fall) { return trials_.freedom(best.mend, fall.depth) <= 0; });
+    if (best.correction.is_of_part) falls.push_back({TrialDepth::kOpen, as_is.whole_error, best.open.whole_error});
+    std::erase_if(falls, [&](const Fall& fall) { return trials_.freedom(best.correction, fall.depth) <= 0; });
     if (falls.empty()) return;
     for (Fall& fall : falls) {
       fall.as_is = std::max(fall.as_is, trials_.noise({}));
-      fall.mended = std::max(fall.mended, trials_.noise(best.mend));
+      fall.corrected = std::max(fall.corrected, trials_.noise(best.correction));
     }
-    const Fall& most = *std::ranges::max_element(falls, {}, [](const Fall& fall) { return fall.as_is / fall.mended; });
+    const Fall& most =
+        *std::ranges::max_element(falls, {}, [](const Fall& fall) { return fall.as_is / fall.corrected; });
     if (as_is.ok) check.error_as_is = most.as_is;
-    check.error_if_mended = most.mended;
+    check.error_if_corrected = most.corrected;
   }
 
   const MistakeTrials& trials_;

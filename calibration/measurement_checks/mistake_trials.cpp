@@ -162,27 +162,27 @@ RobustFit MistakeTrials::fit(PlacedArm start, const std::vector<Measurement>& me
   return fitRobustly(std::move(start), measurements, options);
 }
 
-std::vector<Measurement> MistakeTrials::mended(const Mend& mend, TrialDepth depth) const {
+std::vector<Measurement> MistakeTrials::corrected(const Correction& correction, TrialDepth depth) const {
   auto measurements = pool_.measurements;
-  mend.apply(measurements);
+  correction.apply(measurements);
   return only(std::move(measurements), depth == TrialDepth::kOpen ? pool_.counted : pool_.counted_quickly);
 }
 
-PlacedArm MistakeTrials::startOf(const Mend& mend) const {
+PlacedArm MistakeTrials::startOf(const Correction& correction) const {
   PlacedArm start = checked_.start;
-  if (mend.frees_base)
+  if (correction.frees_base)
     for (auto& base_pose : start.base_poses) base_pose.is_known = false;
-  if (mend.new_setup) {
-    const auto within = std::ranges::find(start.base_poses, mend.new_setup->within, &BasePose::setup);
-    start.base_poses.push_back({mend.new_setup->name, within->X_WB, false});
+  if (correction.new_setup) {
+    const auto within = std::ranges::find(start.base_poses, correction.new_setup->within, &BasePose::setup);
+    start.base_poses.push_back({correction.new_setup->name, within->X_WB, false});
   }
   return start;
 }
 
-Trial MistakeTrials::tried(const Mend& mend, TrialDepth depth) const {
-  if (mend.parts_setups) return triedPerSetup(depth);
-  const PlacedArm start = startOf(mend);
-  const auto measurements = mended(mend, depth);
+Trial MistakeTrials::tried(const Correction& correction, TrialDepth depth) const {
+  if (correction.parts_setups) return triedPerSetup(depth);
+  const PlacedArm start = startOf(correction);
+  const auto measurements = corrected(correction, depth);
   return judged(fit(start, measurements, depth), start, measurements);
 }
 
@@ -227,8 +227,9 @@ Trial MistakeTrials::triedPerSetup(TrialDepth depth) const {
   return whole;
 }
 
-RobustFit MistakeTrials::fitZeros(const Mend& mend, PlacedArm start, const std::vector<std::string>& zeros) const {
-  return fit(std::move(start), mended(mend, TrialDepth::kDrawn), TrialDepth::kHeld, zeros);
+RobustFit MistakeTrials::fitZeros(const Correction& correction, PlacedArm start,
+                                  const std::vector<std::string>& zeros) const {
+  return fit(std::move(start), corrected(correction, TrialDepth::kDrawn), TrialDepth::kHeld, zeros);
 }
 
 Trial MistakeTrials::triedBy(PlacedArm drawing) const {
@@ -239,16 +240,16 @@ Trial MistakeTrials::triedBy(PlacedArm drawing) const {
   return judged(fitRobustly(std::move(drawing), measurements, options), checked_.start, measurements);
 }
 
-int MistakeTrials::freedom(const Mend& mend, TrialDepth depth) const {
-  PlacedArm start = startOf(mend);
+int MistakeTrials::freedom(const Correction& correction, TrialDepth depth) const {
+  PlacedArm start = startOf(correction);
   const auto found = chooseUnknowns(start, freeAt(depth)).list.size();
-  const auto measurements = mended(mend.parts_setups ? Mend{} : mend, depth);
-  return numbersMeasured(measurements) - static_cast<int>(found) - mend.numbers_fitted;
+  const auto measurements = corrected(correction.parts_setups ? Correction{} : correction, depth);
+  return numbersMeasured(measurements) - static_cast<int>(found) - correction.numbers_fitted;
 }
 
-double MistakeTrials::noise(const Mend& mend) const {
+double MistakeTrials::noise(const Correction& correction) const {
   double squares = 0;
-  const auto measurements = mended(mend, TrialDepth::kOpen);
+  const auto measurements = corrected(correction, TrialDepth::kOpen);
   for (const auto& measurement : measurements) squares += rowsOf(measurement) * measurement.sigma * measurement.sigma;
   return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, measurements.size())));
 }
@@ -257,9 +258,9 @@ double MistakeTrials::shrinkage(const Trial& trial) const {
   return as_is_.extent > 0 && trial.extent > 0 ? std::max(1., as_is_.extent / trial.extent) : 1;
 }
 
-double MistakeTrials::contraction(const Mend& mend) const {
-  const double mended_spread = spreadOfPlaces(mended(mend, TrialDepth::kOpen));
-  return mended_spread > 0 ? std::max(1., spreadOfPlaces(mended({}, TrialDepth::kOpen)) / mended_spread) : 1;
+double MistakeTrials::contraction(const Correction& correction) const {
+  const double corrected_spread = spreadOfPlaces(corrected(correction, TrialDepth::kOpen));
+  return corrected_spread > 0 ? std::max(1., spreadOfPlaces(corrected({}, TrialDepth::kOpen)) / corrected_spread) : 1;
 }
 
 double MistakeTrials::gain(const Trial& trial) const {

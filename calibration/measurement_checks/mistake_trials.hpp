@@ -51,15 +51,16 @@ class MistakeTrials {
 
   /// Returns the fit of the measurements as stated, with the errors at all three depths.
   [[nodiscard]] const Trial& asIs() const { return as_is_; }
-  [[nodiscard]] Trial tried(const Mend& mend, TrialDepth depth) const;
+  [[nodiscard]] Trial tried(const Correction& correction, TrialDepth depth) const;
   /// Fits the corrected measurements to the arm as drawn, with the joint offsets named in `zeros` free as well.
-  [[nodiscard]] RobustFit fitZeros(const Mend& mend, PlacedArm start, const std::vector<std::string>& zeros) const;
+  [[nodiscard]] RobustFit fitZeros(const Correction& correction, PlacedArm start,
+                                   const std::vector<std::string>& zeros) const;
   /// Returns the cell's arm; its base poses are treated as unknown if the mistake frees the base, and a new set-up is
   /// added if the mistake begins one.
-  [[nodiscard]] PlacedArm startOf(const Mend& mend) const;
+  [[nodiscard]] PlacedArm startOf(const Correction& correction) const;
   /// Returns the measurements that are included in the fit, with the given mistake corrected. At depths other than
   /// kOpen, only the subset for quick fits is returned.
-  [[nodiscard]] std::vector<Measurement> mended(const Mend& mend, TrialDepth depth) const;
+  [[nodiscard]] std::vector<Measurement> corrected(const Correction& correction, TrialDepth depth) const;
   /// Fits the measurements as stated to the arm of another drawing, with base and tip free.
   [[nodiscard]] Trial triedBy(PlacedArm drawing) const;
   /// Returns the names of all parameters that the drawing leaves open.
@@ -67,15 +68,15 @@ class MistakeTrials {
 
   /// Returns the number of measured values minus the number of parameters that a fit of this depth determines. If the
   /// difference is not positive, the fit can reproduce any measurements.
-  [[nodiscard]] int freedom(const Mend& mend, TrialDepth depth) const;
+  [[nodiscard]] int freedom(const Correction& correction, TrialDepth depth) const;
   /// Returns the root-mean-square length of the errors that the stated noise alone causes [m].
-  [[nodiscard]] double noise(const Mend& mend) const;
+  [[nodiscard]] double noise(const Correction& correction) const;
 
   /// Returns the factor by which a mistake's correction contracts the spread of the tips that touched unknown points;
   /// at least 1.
   [[nodiscard]] double shrinkage(const Trial& trial) const;
   /// Returns the factor by which a mistake's correction contracts the measured positions; at least 1.
-  [[nodiscard]] double contraction(const Mend& mend) const;
+  [[nodiscard]] double contraction(const Correction& correction) const;
   /// Returns by how much the correction of a mistake decreases the lack of fit, without the part that is due to
   /// contracted tips; very large if the measurements as stated cannot be fitted.
   [[nodiscard]] double gain(const Trial& trial) const;

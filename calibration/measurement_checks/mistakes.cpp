@@ -94,10 +94,10 @@ const MistakeKind* findMistakeKind(const std::string& name) {
   return nullptr;
 }
 
-Mend joined(const std::vector<Mend>& parts) {
-  Mend all = parts.front();
+Correction joined(const std::vector<Correction>& parts) {
+  Correction all = parts.front();
   for (std::size_t k = 1; k < parts.size(); ++k) {
-    const Mend& part = parts[k];
+    const Correction& part = parts[k];
     all.value += "," + part.mistake + "=" + part.value;
     all.sentence += (k + 1 < parts.size() ? ", " : " and ") + part.sentence;
     all.frees_base = all.frees_base || part.frees_base;
@@ -109,12 +109,12 @@ Mend joined(const std::vector<Mend>& parts) {
     if (part.new_setup) all.new_setup = part.new_setup;
   }
   all.change = [parts](std::vector<Measurement>& measurements) {
-    for (const Mend& part : parts) part.change(measurements);
+    for (const Correction& part : parts) part.change(measurements);
   };
   all.change_sigma = {};
-  if (std::ranges::any_of(parts, [](const Mend& part) { return static_cast<bool>(part.change_sigma); }))
+  if (std::ranges::any_of(parts, [](const Correction& part) { return static_cast<bool>(part.change_sigma); }))
     all.change_sigma = [parts](std::vector<Measurement>& measurements) {
-      for (const Mend& part : parts)
+      for (const Correction& part : parts)
         if (part.change_sigma) part.change_sigma(measurements);
     };
   return all;

@@ -45,9 +45,9 @@ std::vector<std::string> valuesOf(const MistakeKind& whole, const CheckedMeasure
     RowErrors as_is(placed, checked.measurements);
     for (const auto& unit : units) {
       auto measurements = checked.measurements;
-      whole.mend(checked, unit)->change(measurements);
-      RowErrors mended(placed, measurements);
-      RowComparison comparison(as_is, mended, reach);
+      whole.correction(checked, unit)->change(measurements);
+      RowErrors corrected(placed, measurements);
+      RowComparison comparison(as_is, corrected, reach);
       const auto run = bestRun(comparison, measurements.size());
       if (!run) continue;
       auto value = textOf(*run, checked.measurements) + ":" + unit;
@@ -57,19 +57,21 @@ std::vector<std::string> valuesOf(const MistakeKind& whole, const CheckedMeasure
   return values;
 }
 
-std::optional<Mend> mendOf(const MistakeKind& whole, const CheckedMeasurements& checked, const std::string& value) {
+std::optional<Correction> correctionOf(const MistakeKind& whole, const CheckedMeasurements& checked,
+                                       const std::string& value) {
   const auto [part, unit] = partedAtColon(value);
   const auto run = runNamed(checked.measurements, part);
-  const auto all = whole.mend(checked, unit);
+  const auto all = whole.correction(checked, unit);
   if (!run || !all) return std::nullopt;
   const std::string &first = checked.measurements[run->first].id, &last = checked.measurements[run->last].id;
-  Mend mend{all->mistake + "-of", value,
-            "in reading" + (first == last ? " " + first : "s " + first + " to " + last) + " " + all->sentence};
-  mend.is_of_part = true;
+  Correction correction{
+      all->mistake + "-of", value,
+      "in reading" + (first == last ? " " + first : "s " + first + " to " + last) + " " + all->sentence};
+  correction.is_of_part = true;
   const auto ids = idsOf(*run, checked.measurements);
-  mend.change = changeOf(ids, all->change);
-  if (all->change_sigma) mend.change_sigma = changeOf(ids, all->change_sigma);
-  return mend;
+  correction.change = changeOf(ids, all->change);
+  if (all->change_sigma) correction.change_sigma = changeOf(ids, all->change_sigma);
+  return correction;
 }
 
 }  // namespace
@@ -78,7 +80,7 @@ MistakeKind coordinates() {
   return {"coordinates-of", "FIRST..LAST:UNIT", "two readings and a unit of length, such as 81..120:mm",
           [](const CheckedMeasurements& checked) { return valuesOf(coordinates_unit::kind(), checked); },
           [](const CheckedMeasurements& checked, const std::string& value) {
-            return mendOf(coordinates_unit::kind(), checked, value);
+            return correctionOf(coordinates_unit::kind(), checked, value);
           }};
 }
 
@@ -86,7 +88,7 @@ MistakeKind angles() {
   return {"angles-of", "FIRST..LAST:UNIT", "two readings and a unit of angle, such as 81..120:rad",
           [](const CheckedMeasurements& checked) { return valuesOf(angles_unit::kind(), checked); },
           [](const CheckedMeasurements& checked, const std::string& value) {
-            return mendOf(angles_unit::kind(), checked, value);
+            return correctionOf(angles_unit::kind(), checked, value);
           }};
 }
 

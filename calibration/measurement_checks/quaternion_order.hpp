@@ -28,19 +28,20 @@ inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   return texts;
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements&, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements&, const std::string& value) {
   const auto order = std::ranges::find(kOrders, value, &Order::name);
   if (order == kOrders.end()) return std::nullopt;
-  Mend mend{"quaternion", value,
-            std::string("the turns were quaternions with the numbers ") + order->written + ", taken as " + order->read};
-  mend.change = toEach([order](Measurement& measurement) {
+  Correction correction{
+      "quaternion", value,
+      std::string("the turns were quaternions with the numbers ") + order->written + ", taken as " + order->read};
+  correction.change = toEach([order](Measurement& measurement) {
     if (!statesFrame(measurement)) return;
     const Eigen::Vector4d read =
         Eigen::Quaterniond(deflection::rotationFromFixedAngles<double>(measurement.own)).coeffs();
     const Eigen::Quaterniond right(read[order->w], read[order->x], read[order->y], read[order->z]);
     measurement.own = deflection::fixedAnglesOf(right.toRotationMatrix());
   });
-  return mend;
+  return correction;
 }
 
 inline MistakeKind kind() {
@@ -48,7 +49,7 @@ inline MistakeKind kind() {
           .value = "ORDER",
           .expected = "the order in which the numbers of the quaternions were written, xyzw or wxyz",
           .values = values,
-          .mend = mend,
+          .correction = correction,
           .values_with_others = noValues,
           .is_of_turns = true};
 }

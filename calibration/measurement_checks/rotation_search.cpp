@@ -25,23 +25,23 @@ std::vector<Measurement> placesOfPoses(const std::vector<Measurement>& measureme
 
 /// Parses a string such as "joint-sign=q1,joint-sign=q4" into corrections, without corrections of the sigmas; empty if
 /// one of them does not apply to these measurements.
-JoinedMends mendsOf(const CheckedMeasurements& checked, const std::string& assume) {
-  JoinedMends mends;
+JoinedCorrections correctionsOf(const CheckedMeasurements& checked, const std::string& assume) {
+  JoinedCorrections corrections;
   for (const std::string& text : partedAssumptions(assume)) {
     const std::size_t equals = std::min(text.find('='), text.size() - 1);
     const auto* kind = findMistakeKind(text.substr(0, equals));
     if (kind && kind->settles_sigma) continue;
-    auto mend = kind ? kind->mend(checked, text.substr(equals + 1)) : std::nullopt;
-    if (!mend || mend->parts_setups) return {};
-    mends.push_back(std::move(*mend));
+    auto correction = kind ? kind->correction(checked, text.substr(equals + 1)) : std::nullopt;
+    if (!correction || correction->parts_setups) return {};
+    corrections.push_back(std::move(*correction));
   }
-  return mends;
+  return corrections;
 }
 
-CheckedMeasurements takenBy(const MistakeTrials& trials, const JoinedMends& mends) {
+CheckedMeasurements takenBy(const MistakeTrials& trials, const JoinedCorrections& corrections) {
   CheckedMeasurements checked = trials.checked();
-  if (mends.empty()) return checked;
-  const Mend all = joined(mends);
+  if (corrections.empty()) return checked;
+  const Correction all = joined(corrections);
   all.apply(checked.measurements);
   checked.start = trials.startOf(all);
   return checked;
@@ -49,36 +49,36 @@ CheckedMeasurements takenBy(const MistakeTrials& trials, const JoinedMends& mend
 
 /// Returns `before` combined with each correction of a mistake in rotations that is worth trying once `before` is
 /// applied. Mistakes that must be corrected before the last correction of `before` are excluded.
-std::vector<JoinedMends> withTurns(const MistakeTrials& trials, const JoinedMends& before) {
-  std::vector<JoinedMends> all;
-  const CheckedMeasurements mended = takenBy(trials, before);
+std::vector<JoinedCorrections> withTurns(const MistakeTrials& trials, const JoinedCorrections& before) {
+  std::vector<JoinedCorrections> all;
+  const CheckedMeasurements corrected = takenBy(trials, before);
   const auto& kinds = mistakeKinds();
   auto kind = kinds.begin();
   if (!before.empty())
     kind = std::ranges::find_if(kinds, [&](const MistakeKind& one) { return one.name == before.back().mistake; }) + 1;
   for (; kind != kinds.end(); ++kind)
     if (kind->is_of_turns)
-      for (const auto& value : kind->values(mended))
-        if (auto mend = kind->mend(mended, value)) {
+      for (const auto& value : kind->values(corrected))
+        if (auto correction = kind->correction(corrected, value)) {
           all.push_back(before);
-          all.back().push_back(std::move(*mend));
+          all.back().push_back(std::move(*correction));
         }
   return all;
 }
 
 }  // namespace
 
-std::vector<JoinedMends> likelyRotationMistakes(const MistakeTrials& trials) {
+std::vector<JoinedCorrections> likelyRotationMistakes(const MistakeTrials& trials) {
   const CheckedMeasurements& checked = trials.checked();
-  std::vector<JoinedMends> likely;
+  std::vector<JoinedCorrections> likely;
   CheckedMeasurements places = checked;
   places.measurements = placesOfPoses(checked.measurements);
   if (places.measurements.size() < kFewestPoses) return likely;
   const MistakeTrials of_places(places, trials.options());
   const auto found = findMistake(of_places);
   if (found) {
-    const auto mends = mendsOf(checked, found->check.assume);
-    return mends.empty() ? likely : withTurns(trials, mends);
+    const auto corrections = correctionsOf(checked, found->check.assume);
+    return corrections.empty() ? likely : withTurns(trials, corrections);
   }
   for (const auto& first : withTurns(trials, {}))
     for (auto& both : withTurns(trials, first)) likely.push_back(std::move(both));

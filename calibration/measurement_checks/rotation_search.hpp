@@ -11,6 +11,6 @@ namespace tubeplan::calibration {
 /// Returns the mistake that the positions of pose measurements alone reveal, combined with each value of a mistake in
 /// their rotations. If positions reveal no mistake, returns pairs of mistakes in the rotations. Empty if too few
 /// measurements state both a position and a rotation.
-[[nodiscard]] std::vector<JoinedMends> likelyRotationMistakes(const MistakeTrials& trials);
+[[nodiscard]] std::vector<JoinedCorrections> likelyRotationMistakes(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

@@ -42,11 +42,11 @@ double RowErrors::errorOf(std::size_t k) {
   return (found.value.head<3>() - *measurement.p_W).norm();
 }
 
-RowComparison::RowComparison(RowErrors& as_is, RowErrors& mended, double reach)
-    : as_is_(as_is), mended_(mended), blind_(kBlind * reach) {}
+RowComparison::RowComparison(RowErrors& as_is, RowErrors& corrected, double reach)
+    : as_is_(as_is), corrected_(corrected), blind_(kBlind * reach) {}
 
 double RowComparison::at(std::size_t k) {
-  const double ratio = std::log((as_is_.at(k) + blind_) / (mended_.at(k) + blind_));
+  const double ratio = std::log((as_is_.at(k) + blind_) / (corrected_.at(k) + blind_));
   return std::isfinite(ratio) ? std::clamp(ratio, -kMostOfRow, kMostOfRow) : 0;
 }
 

@@ -40,14 +40,14 @@ class RowComparison {
   /// e.
   static constexpr double kLeastMean = 1;
 
-  RowComparison(RowErrors& as_is, RowErrors& mended, double reach);
+  RowComparison(RowErrors& as_is, RowErrors& corrected, double reach);
 
   /// Returns the log ratio of the errors of row `k`, as stated to corrected, limited to +-3. The value is positive if
   /// the corrected row fits better, and 0 if the row gives no information.
   double at(std::size_t k);
 
  private:
-  RowErrors &as_is_, &mended_;
+  RowErrors &as_is_, &corrected_;
   double blind_;
 };
 

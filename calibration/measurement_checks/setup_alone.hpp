@@ -13,19 +13,22 @@ inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   return {checked.start.base_poses.front().setup};
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements& checked, const std::string& value) {
   const auto& base_poses = checked.start.base_poses;
   if (std::ranges::none_of(base_poses, [&](const BasePose& base_pose) { return base_pose.setup == value; }))
     return std::nullopt;
-  Mend mend{"setup", value,
-            "the tip was remounted between the set-ups: each has its own tip offset and must be fitted separately"};
-  mend.change = [value](std::vector<Measurement>& measurements) {
+  Correction correction{
+      "setup", value,
+      "the tip was remounted between the set-ups: each has its own tip offset and must be fitted separately"};
+  correction.change = [value](std::vector<Measurement>& measurements) {
     std::erase_if(measurements, [&](const Measurement& measurement) { return measurement.setup != value; });
   };
-  mend.parts_setups = true;
-  return mend;
+  correction.parts_setups = true;
+  return correction;
 }
 
-inline MistakeKind kind() { return {"setup", "NAME", "a set-up of the readings, to be taken alone", values, mend}; }
+inline MistakeKind kind() {
+  return {"setup", "NAME", "a set-up of the readings, to be taken alone", values, correction};
+}
 
 }  // namespace tubeplan::calibration::mistakes::setup_alone

@@ -12,22 +12,24 @@ inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   return holes_off::values(checked).empty() ? std::vector<std::string>{} : std::vector<std::string>{"columns", "rows"};
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements& checked, const std::string& value) {
   if ((value != "rows" && value != "columns") || !checked.sheet) return std::nullopt;
   const holes_off::OtherHole other = [sheet = checked.sheet, of_rows = value == "rows"](const auto& named) {
     return of_rows ? sheet->find(sheet->rows + 1 - named.row, named.column)
                    : sheet->find(named.row, sheet->columns + 1 - named.column);
   };
   if (!holes_off::areAllThere(checked, other)) return std::nullopt;
-  Mend mend{"sheet-mirrored", value, "the sheet is mirrored: its " + value + " are counted from the other side"};
-  mend.change = [checked = &checked, other](std::vector<Measurement>& measurements) {
+  Correction correction{"sheet-mirrored", value,
+                        "the sheet is mirrored: its " + value + " are counted from the other side"};
+  correction.change = [checked = &checked, other](std::vector<Measurement>& measurements) {
     holes_off::rename(*checked, other, measurements);
   };
-  return mend;
+  return correction;
 }
 
 inline MistakeKind kind() {
-  return {"sheet-mirrored", "rows|columns", "rows or columns, if the sheet has all the mirrored holes", values, mend};
+  return {"sheet-mirrored", "rows|columns", "rows or columns, if the sheet has all the mirrored holes", values,
+          correction};
 }
 
 }  // namespace tubeplan::calibration::mistakes::sheet_mirrored

@@ -22,23 +22,23 @@ class TableEnds {
       : trials_(trials), alignment_(trials.checked().start, trials.reach()) {}
 
   /// Returns the score (quick_alignment.hpp) of the end that fits best once the mistake is corrected.
-  [[nodiscard]] double score(const Mend& mend) {
+  [[nodiscard]] double score(const Correction& correction) {
     auto measurements = trials_.checked().measurements;
-    mend.change(measurements);
+    correction.change(measurements);
     if (measurements.size() < 2 * kRowsOfEnd) return std::numeric_limits<double>::infinity();
     const auto n = static_cast<std::ptrdiff_t>(kRowsOfEnd);
-    double least = scoreOf({measurements.begin(), measurements.begin() + n}, mend);
+    double least = scoreOf({measurements.begin(), measurements.begin() + n}, correction);
     for (const int by : {-1, 1}) {
       std::vector<Measurement> end(measurements.end() - n, measurements.end());
       mistakes::shifted_rows::shift(by, end);
-      least = std::min(least, scoreOf(end, mend));
+      least = std::min(least, scoreOf(end, correction));
     }
     return least;
   }
 
  private:
-  double scoreOf(const std::vector<Measurement>& rows, const Mend& mend) {
-    return alignment_.score(rows, alignment_.tips(rows), {.frees_base = mend.frees_base});
+  double scoreOf(const std::vector<Measurement>& rows, const Correction& correction) {
+    return alignment_.score(rows, alignment_.tips(rows), {.frees_base = correction.frees_base});
   }
 
   const MistakeTrials& trials_;
@@ -46,39 +46,41 @@ class TableEnds {
 };
 
 /// Returns the mistakes of the whole table that correct one of its ends best.
-std::vector<Mend> correctingAnEnd(const MistakeTrials& trials) {
+std::vector<Correction> correctingAnEnd(const MistakeTrials& trials) {
   TableEnds ends(trials);
-  std::vector<std::pair<double, Mend>> scored;
+  std::vector<std::pair<double, Correction>> scored;
   for (const auto& kind : mistakeKinds()) {
     if (kind.is_of_turns) continue;
     for (const auto& value : (kind.values_with_others ? kind.values_with_others : kind.values)(trials.checked())) {
       throwIfStopped(trials.options().stop);
-      auto mend = kind.mend(trials.checked(), value);
-      if (!mend || mend->parts_setups || mend->is_of_part || mend->mistake == mistakes::shifted_rows::kind().name)
+      auto correction = kind.correction(trials.checked(), value);
+      if (!correction || correction->parts_setups || correction->is_of_part ||
+          correction->mistake == mistakes::shifted_rows::kind().name)
         continue;
-      if (const double score = ends.score(*mend); std::isfinite(score)) scored.emplace_back(score, std::move(*mend));
+      if (const double score = ends.score(*correction); std::isfinite(score))
+        scored.emplace_back(score, std::move(*correction));
     }
   }
-  std::ranges::stable_sort(scored, {}, &std::pair<double, Mend>::first);
-  std::vector<Mend> best;
-  for (auto& [score, mend] : scored)
-    if (best.size() < kMostBeforeShift) best.push_back(std::move(mend));
+  std::ranges::stable_sort(scored, {}, &std::pair<double, Correction>::first);
+  std::vector<Correction> best;
+  for (auto& [score, correction] : scored)
+    if (best.size() < kMostBeforeShift) best.push_back(std::move(correction));
   return best;
 }
 
 }  // namespace
 
-std::vector<JoinedMends> likelyRowShifts(const MistakeTrials& trials) {
+std::vector<JoinedCorrections> likelyRowShifts(const MistakeTrials& trials) {
   const MistakeKind shift = mistakes::shifted_rows::kind();
-  std::vector<JoinedMends> likely;
-  for (const Mend& mend : correctingAnEnd(trials)) {
+  std::vector<JoinedCorrections> likely;
+  for (const Correction& correction : correctingAnEnd(trials)) {
     throwIfStopped(trials.options().stop);
-    CheckedMeasurements mended = trials.checked();
-    mend.change(mended.measurements);
-    mended.start = trials.startOf(mend);
-    for (const auto& value : shift.values(mended))
-      if (auto first = shift.mend(trials.checked(), value); first && first->is_of_part)
-        likely.push_back({std::move(*first), mend});
+    CheckedMeasurements corrected = trials.checked();
+    correction.change(corrected.measurements);
+    corrected.start = trials.startOf(correction);
+    for (const auto& value : shift.values(corrected))
+      if (auto first = shift.correction(trials.checked(), value); first && first->is_of_part)
+        likely.push_back({std::move(*first), correction});
   }
   return likely;
 }

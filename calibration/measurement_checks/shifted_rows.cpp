@@ -90,8 +90,8 @@ std::vector<std::string> values(const CheckedMeasurements& checked) {
     RowErrors as_is(placed, measurements);
     for (const int by : kTried) {
       const auto moved = inPlace(by, measurements);
-      RowErrors mended(placed, moved);
-      RowComparison comparison(as_is, mended, reach);
+      RowErrors corrected(placed, moved);
+      RowComparison comparison(as_is, corrected, reach);
       const auto start = startOf(comparison, as_is, measurements.size(), kNotShifted * reach);
       if (!start) continue;
       auto value = std::to_string(by) + "@" + measurements[*start].id;
@@ -112,22 +112,23 @@ std::function<void(std::vector<Measurement>&)> changeFrom(int by, std::set<std::
   };
 }
 
-std::optional<Mend> mendOf(const CheckedMeasurements& checked, const std::string& value) {
+std::optional<Correction> correctionOf(const CheckedMeasurements& checked, const std::string& value) {
   const auto named = shiftNamed(value);
   if (!named) return std::nullopt;
   const int by = named->by;
   const std::string rows = std::to_string(std::abs(by)) + (std::abs(by) == 1 ? " row" : " rows");
-  Mend mend{"shift", value,
-            "the measured values are " + rows + (by > 0 ? " below" : " above") + " the joint readings they belong to"};
-  mend.change = [by](std::vector<Measurement>& measurements) { shift(by, measurements); };
-  if (!named->from) return mend;
+  Correction correction{
+      "shift", value,
+      "the measured values are " + rows + (by > 0 ? " below" : " above") + " the joint readings they belong to"};
+  correction.change = [by](std::vector<Measurement>& measurements) { shift(by, measurements); };
+  if (!named->from) return correction;
   auto moved = idsFrom(checked.measurements, *named->from);
   if (moved.empty()) return std::nullopt;
-  mend.sentence = "from reading " + *named->from + " on " + mend.sentence +
-                  (by < 0 ? ": a measured point was lost there" : ": a measured point was repeated or added");
-  mend.change = changeFrom(by, std::move(moved));
-  mend.is_of_part = true;
-  return mend;
+  correction.sentence = "from reading " + *named->from + " on " + correction.sentence +
+                        (by < 0 ? ": a measured point was lost there" : ": a measured point was repeated or added");
+  correction.change = changeFrom(by, std::move(moved));
+  correction.is_of_part = true;
+  return correction;
 }
 
 }  // namespace
@@ -149,7 +150,7 @@ MistakeKind kind() {
   return {"shift", "ROWS[@READING]",
           "number of rows by which the measured values are below their joint readings, such as 1 or -1, and the first "
           "such reading, as in -1@P37",
-          values, mendOf};
+          values, correctionOf};
 }
 
 }  // namespace tubeplan::calibration::mistakes::shifted_rows

@@ -6,18 +6,18 @@
 
 namespace tubeplan::calibration::mistakes::sigma_unit {
 
-inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements& checked, const std::string& value) {
   const auto factor = factorOf(checked.units.sigmas, checked.units.sigma, value);
   if (!factor) return std::nullopt;
-  Mend mend{"sigma", value,
-            "the unit of sigma is " + value + ", not " + checked.units.sigma.name + " as its column states"};
-  mend.change = toEach([factor = *factor](Measurement& measurement) {
+  Correction correction{
+      "sigma", value, "the unit of sigma is " + value + ", not " + checked.units.sigma.name + " as its column states"};
+  correction.change = toEach([factor = *factor](Measurement& measurement) {
     measurement.sigma *= factor;
     if (measurement.sigma_W) *measurement.sigma_W *= factor;
   });
-  return mend;
+  return correction;
 }
 
-inline MistakeKind kind() { return {"sigma", "UNIT", "a unit of length, mil or um", noValues, mend, true}; }
+inline MistakeKind kind() { return {"sigma", "UNIT", "a unit of length, mil or um", noValues, correction, true}; }
 
 }  // namespace tubeplan::calibration::mistakes::sigma_unit

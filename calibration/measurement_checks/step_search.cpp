@@ -24,7 +24,7 @@ constexpr double kDrasticFall = 8;     // a step that reduces the error by more 
 
 class StepSearch {
  public:
-  StepSearch(const MistakeTrials& trials, const Mend& before, const Trial& without)
+  StepSearch(const MistakeTrials& trials, const Correction& before, const Trial& without)
       : trials_(trials), before_(before), without_(without) {
     for (const auto& kind : mistakeKinds())
       if (kind.steps)
@@ -36,83 +36,85 @@ class StepSearch {
     before_.apply(all_);
   }
 
-  std::vector<Mend> find() {
-    const auto measurements = trials_.mended(before_, TrialDepth::kOpen);
+  std::vector<Correction> find() {
+    const auto measurements = trials_.corrected(before_, TrialDepth::kOpen);
     const StepScan scan(without_.placed, trials_.open(), measurements, forms_);
     if (!scan.ok()) return {};
     const double creep = scan.bestCreep();
     double rival = creep;
-    std::vector<Mend> found = changesOfStation(measurements);
+    std::vector<Correction> found = changesOfStation(measurements);
     for (const FoundStep& step : scan.steps()) {
       if (found.size() == (before_.mistake.empty() ? kMostSteps : 1) || step.merit <= 0) break;
       if (forms_[step.form].is_effect) {
         rival = std::max(rival, step.merit);
         continue;
       }
-      auto mend = refined(step, measurements[step.measurement].id);
-      if (!mend || std::ranges::count(found, mend->value, &Mend::value) > 0) continue;
-      if (step.merit < rival + kBeyondCreep && !isDrastic(*mend)) continue;
-      found.push_back(std::move(*mend));
+      auto correction = refined(step, measurements[step.measurement].id);
+      if (!correction || std::ranges::count(found, correction->value, &Correction::value) > 0) continue;
+      if (step.merit < rival + kBeyondCreep && !isDrastic(*correction)) continue;
+      found.push_back(std::move(*correction));
     }
     return found;
   }
 
  private:
   /// Returns the steps of bases that are too far for a linear scan, at most one of each set-up.
-  [[nodiscard]] std::vector<Mend> changesOfStation(const std::vector<Measurement>& measurements) const {
-    std::vector<Mend> found;
+  [[nodiscard]] std::vector<Correction> changesOfStation(const std::vector<Measurement>& measurements) const {
+    std::vector<Correction> found;
     for (std::size_t f = 0; f < forms_.size(); ++f) {
       if (!forms_[f].setup) continue;
       const auto first = stationChange(trials_.checked().start, measurements, *forms_[f].setup);
       if (!first) continue;
-      auto mend = refined({f, *first, 0, VectorXd::Zero(forms_[f].numbers)}, measurements[*first].id);
-      if (mend && isDrastic(*mend) && (!forms_[f].is_effect || isBeyondEffect(*mend)))
-        found.push_back(std::move(*mend));
+      auto correction = refined({f, *first, 0, VectorXd::Zero(forms_[f].numbers)}, measurements[*first].id);
+      if (correction && isDrastic(*correction) && (!forms_[f].is_effect || isBeyondEffect(*correction)))
+        found.push_back(std::move(*correction));
     }
     return found;
   }
 
   /// Returns true if a base was displaced by more than any slip: the tracker was set up again.
-  [[nodiscard]] bool isBeyondEffect(const Mend& mend) const {
+  [[nodiscard]] bool isBeyondEffect(const Correction& correction) const {
     constexpr double kMostShift = 0.1, kMostTurn = 0.1;  // five times the largest usual slip of a base [m, rad]
-    const Trial fit = trials_.tried(joined({before_, mend}), TrialDepth::kOpen);
-    if (!fit.ok || !mend.new_setup) return false;
-    const auto within = std::ranges::find(fit.placed.base_poses, mend.new_setup->within, &BasePose::setup);
+    const Trial fit = trials_.tried(joined({before_, correction}), TrialDepth::kOpen);
+    if (!fit.ok || !correction.new_setup) return false;
+    const auto within = std::ranges::find(fit.placed.base_poses, correction.new_setup->within, &BasePose::setup);
     const Eigen::Isometry3d by = fit.placed.base_poses.back().X_WB * within->X_WB.inverse();
     const double turn = Eigen::AngleAxisd(by.linear()).angle();
     return turn > kMostTurn || (by * within->X_WB.translation() - within->X_WB.translation()).norm() > kMostShift;
   }
 
-  [[nodiscard]] bool isDrastic(const Mend& mend) const {
-    const Trial with = trials_.tried(joined({before_, mend}), TrialDepth::kOpen);
+  [[nodiscard]] bool isDrastic(const Correction& correction) const {
+    const Trial with = trials_.tried(joined({before_, correction}), TrialDepth::kOpen);
     return with.ok && without_.whole_error >= kDrasticFall * with.whole_error;
   }
 
-  [[nodiscard]] std::optional<Mend> mendOf(std::size_t form, const VectorXd& size, const std::string& from) const {
-    auto mend = kinds_[form]->mend(trials_.checked(), forms_[form].value(size, from));
-    if (mend) mend->against = priceOfStep(forms_[form].numbers, trials_.mended(before_, TrialDepth::kOpen));
-    return mend;
+  [[nodiscard]] std::optional<Correction> correctionOf(std::size_t form, const VectorXd& size,
+                                                       const std::string& from) const {
+    auto correction = kinds_[form]->correction(trials_.checked(), forms_[form].value(size, from));
+    if (correction)
+      correction->against = priceOfStep(forms_[form].numbers, trials_.corrected(before_, TrialDepth::kOpen));
+    return correction;
   }
 
   /// Refines the size and the first measurement of a step by alternating between a fit of the size and a search for the
   /// measurement; nullopt if a fit fails.
-  [[nodiscard]] std::optional<Mend> refined(const FoundStep& step, std::string from) const {
+  [[nodiscard]] std::optional<Correction> refined(const FoundStep& step, std::string from) const {
     VectorXd size = step.size;
-    auto mend = mendOf(step.form, size, from);
-    for (int turn = 0; turn < kTurns && mend; ++turn) {
+    auto correction = correctionOf(step.form, size, from);
+    for (int turn = 0; turn < kTurns && correction; ++turn) {
       throwIfStopped(trials_.options().stop);
-      const Mend both = joined({before_, *mend});
+      const Correction both = joined({before_, *correction});
       const Trial fit = trials_.tried(both, TrialDepth::kOpen);
       if (!fit.ok) return std::nullopt;
-      const auto measurements = trials_.mended(both, TrialDepth::kOpen);
-      if (!mend->new_setup) size += change(step.form, size, fit.placed, measurements, from);
+      const auto measurements = trials_.corrected(both, TrialDepth::kOpen);
+      if (!correction->new_setup) size += change(step.form, size, fit.placed, measurements, from);
       const std::string there = beginning(step.form, size, from, fit);
       const bool rests = there == from && turn > 0;
       from = there;
-      mend = mendOf(step.form, size, from);
+      correction = correctionOf(step.form, size, from);
       if (rests) break;
     }
-    return mend;
+    return correction;
   }
 
   /// Returns the change of the step's size in a linear fit of the size and all open parameters.
@@ -133,7 +135,7 @@ class StepSearch {
     for (std::size_t k = 0; k < all_.size(); ++k)
       if (!forms_[form].setup || *forms_[form].setup == all_[k].setup) members.push_back(k);
     if (members.size() < 2 * kFewestOfStep) return from;
-    const auto whole = mendOf(form, size, all_[members.front()].id);
+    const auto whole = correctionOf(form, size, all_[members.front()].id);
     auto stepped = all_;
     PlacedArm placed = fit.placed;
     if (whole) {
@@ -156,7 +158,7 @@ class StepSearch {
   }
 
   const MistakeTrials& trials_;
-  Mend before_;
+  Correction before_;
   const Trial& without_;
   std::vector<StepForm> forms_;
   std::vector<const MistakeKind*> kinds_;
@@ -165,7 +167,7 @@ class StepSearch {
 
 }  // namespace
 
-std::vector<Mend> likelySteps(const MistakeTrials& trials, const Mend& before, const Trial& open) {
+std::vector<Correction> likelySteps(const MistakeTrials& trials, const Correction& before, const Trial& open) {
   return StepSearch(trials, before, open).find();
 }
 

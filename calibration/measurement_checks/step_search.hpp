@@ -21,6 +21,7 @@ namespace tubeplan::calibration {
 /// Returns corrections of the most probable steps, at most one of each form, in measurements that are already corrected
 /// by `before`. `open` is the fit of these measurements with all open parameters free. Empty if a creep explains the
 /// errors.
-[[nodiscard]] std::vector<Mend> likelySteps(const MistakeTrials& trials, const Mend& before, const Trial& open);
+[[nodiscard]] std::vector<Correction> likelySteps(const MistakeTrials& trials, const Correction& before,
+                                                  const Trial& open);
 
 }  // namespace tubeplan::calibration

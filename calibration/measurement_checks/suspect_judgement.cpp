@@ -26,7 +26,9 @@ constexpr double kContracts = 1.5;
 constexpr double kMostAtNoise = 2;  // largest chi-square per degree of freedom due to noise alone
 
 /// Returns true if a correction has fitted parameters. Part of the smaller error may then be due to the fit.
-bool hasNumbers(const Mend& mend) { return mend.frees_base || mend.parts_setups || mend.numbers_fitted > 0; }
+bool hasNumbers(const Correction& correction) {
+  return correction.frees_base || correction.parts_setups || correction.numbers_fitted > 0;
+}
 
 }  // namespace
 
@@ -38,12 +40,12 @@ bool SuspectJudgement::isLeftOver(const std::vector<Suspect>& suspects) const {
 
 bool SuspectJudgement::isBent(const Suspect& suspect) const {
   return suspect.drawn.held_error > kDrastic * suspect.open.error &&
-         suspect.drawn.held_error > std::max(kBent * trials_.reach(), kLeastFall * trials_.noise(suspect.mend));
+         suspect.drawn.held_error > std::max(kBent * trials_.reach(), kLeastFall * trials_.noise(suspect.correction));
 }
 
 bool SuspectJudgement::asksForSeveral(const std::vector<Suspect>& suspects) const {
   const auto isWanting = [&](const Suspect& suspect) {
-    const bool is_settled = suspect.mend.against > 0 && isAtNoise(suspect);  // a step that leaves only noise
+    const bool is_settled = suspect.correction.against > 0 && isAtNoise(suspect);  // a step that leaves only noise
     return !is_settled && (trials_.isBaseFar(suspect.drawn) || isBent(suspect));
   };
   return isLeftOver(suspects) || (!suspects.empty() && std::ranges::all_of(suspects, isWanting));
@@ -53,7 +55,7 @@ bool SuspectJudgement::isAllNeeded(const Suspect& suspect) const {
   for (std::size_t k = 0; suspect.parts.size() > 1 && k < suspect.parts.size(); ++k) {
     auto parts = suspect.parts;
     parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
-    const Mend others = joined(parts);
+    const Correction others = joined(parts);
     const Trial open = trials_.tried(others, TrialDepth::kOpen);
     if (!open.ok) continue;
     const Trial held = trials_.tried(others, TrialDepth::kHeld);
@@ -87,23 +89,23 @@ bool SuspectJudgement::isLackOfFit() const {
   return trials_.asIs().lack_of_fit - kNoisePerRow * rows > kOdds;
 }
 
-bool SuspectJudgement::isDetermined(const Mend& mend) const {
+bool SuspectJudgement::isDetermined(const Correction& correction) const {
   constexpr int kLeastFreedom = 6;
   auto measurements = trials_.pool().measurements;
   const std::size_t all = measurements.size();
-  mend.apply(measurements);
-  if (!hasNumbers(mend) && measurements.size() == all) return true;
-  const auto start = trials_.startOf(mend);
+  correction.apply(measurements);
+  if (!hasNumbers(correction) && measurements.size() == all) return true;
+  const auto start = trials_.startOf(correction);
   const auto bases = std::ranges::count(start.base_poses, false, &BasePose::is_known);
-  return numbersMeasured(measurements) - 6 * static_cast<int>(bases) - mend.numbers_fitted >= kLeastFreedom;
+  return numbersMeasured(measurements) - 6 * static_cast<int>(bases) - correction.numbers_fitted >= kLeastFreedom;
 }
 
 bool SuspectJudgement::explainsError(const Suspect& suspect) const {
   if (std::min(suspect.drawn.error, suspect.open.error) >= kFits * trials_.reach()) return false;
   if (!trials_.asIs().ok) return suspect.drawn.error < kFits * trials_.reach();
   // A correction that contracts tips or measured positions lowers their error even if it is wrong.
-  const double shrinks = trials_.shrinkage(suspect.drawn), contracts = trials_.contraction(suspect.mend);
-  const auto falls = [&](double as_is, double mended) { return as_is >= kLeastFall * mended * shrinks; };
+  const double shrinks = trials_.shrinkage(suspect.drawn), contracts = trials_.contraction(suspect.correction);
+  const auto falls = [&](double as_is, double corrected) { return as_is >= kLeastFall * corrected * shrinks; };
   const auto fallsAnywhere = [&](double by) {
     return falls(trials_.asIs().error, by * suspect.drawn.error) ||
            falls(trials_.asIs().held_error, by * suspect.drawn.held_error) ||
@@ -114,16 +116,16 @@ bool SuspectJudgement::explainsError(const Suspect& suspect) const {
     return false;
   // A step that leaves only noise, and that no creep explains (step_search.hpp), need not reduce the error by
   // kLeastFall.
-  if (suspect.mend.against > 0 && isAtNoise(suspect) && gainOf(suspect) >= kOdds) return true;
+  if (suspect.correction.against > 0 && isAtNoise(suspect) && gainOf(suspect) >= kOdds) return true;
   // A wrong base affects all measurements, so freeing it must also reduce the error over all of them, not only over the
   // nine tenths with the smallest errors.
-  if (suspect.mend.frees_base && !falls(trials_.asIs().whole_error, suspect.open.whole_error)) return false;
-  if (!hasNumbers(suspect.mend) && trials_.gain(suspect.open) > 0 &&
+  if (suspect.correction.frees_base && !falls(trials_.asIs().whole_error, suspect.open.whole_error)) return false;
+  if (!hasNumbers(suspect.correction) && trials_.gain(suspect.open) > 0 &&
       trials_.asIs().held_error >= kDrastic * suspect.drawn.held_error * shrinks)
     return true;
   // A correction of some measurements must make them fit about as well as the others, i.e. `whole_error` must be close
   // to `error`; otherwise it is the wrong correction.
-  if (suspect.mend.is_of_part && trials_.gain(suspect.open) >= kOdds &&
+  if (suspect.correction.is_of_part && trials_.gain(suspect.open) >= kOdds &&
       trials_.asIs().whole_error >= kDrastic * suspect.open.whole_error * shrinks &&
       suspect.open.whole_error < kLeastFall * suspect.open.error)
     return true;
@@ -146,7 +148,7 @@ bool SuspectJudgement::explainsBase(const Suspect& suspect) const {
 }
 
 double SuspectJudgement::gainOf(const Suspect& suspect) const {
-  return trials_.gain(suspect.open) - suspect.mend.against;
+  return trials_.gain(suspect.open) - suspect.correction.against;
 }
 double SuspectJudgement::merit(const Suspect& suspect) const {
   return gainOf(suspect) - kOdds * static_cast<double>(suspect.parts.size() - 1);

@@ -11,8 +11,8 @@ namespace tubeplan::calibration {
 /// One suspected mistake, or several together, with the fits of the corrected measurements: `drawn` to the arm as
 /// drawn, `open` with all open parameters free.
 struct Suspect {
-  JoinedMends parts;
-  Mend mend;
+  JoinedCorrections parts;
+  Correction correction;
   Trial drawn, open;
 };
 
@@ -44,7 +44,7 @@ class SuspectJudgement {
   [[nodiscard]] static bool isAtNoise(const Suspect& suspect);
   /// Returns true if there are enough measurements to refute a correction that is fitted to them or that excludes some
   /// of them.
-  [[nodiscard]] bool isDetermined(const Mend& mend) const;
+  [[nodiscard]] bool isDetermined(const Correction& correction) const;
 
   /// Returns the log odds of a suspect against no mistake, minus the penalty for mistakes that may begin at any
   /// measurement.

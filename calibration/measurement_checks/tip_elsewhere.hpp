@@ -9,22 +9,22 @@
 
 namespace tubeplan::calibration::mistakes::tip_elsewhere {
 
-inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& text) {
+inline std::optional<Correction> correction(const CheckedMeasurements& checked, const std::string& text) {
   const auto [value, from] = partedAtMeasurement(text);
   const auto& unit = checked.units.coordinates;
   const auto offset = numbersAtColons(value, 3);
   if (!offset || !from) return std::nullopt;
-  Mend mend{"tip", value,
-            "the measured point is elsewhere on the tool, by " + value + " " + unit.name +
-                " along its axes: the tool or target was changed there without a set-up of its own"};
-  mend.change =
+  Correction correction{"tip", value,
+                        "the measured point is elsewhere on the tool, by " + value + " " + unit.name +
+                            " along its axes: the tool or target was changed there without a set-up of its own"};
+  correction.change =
       [by = Eigen::Vector3d(Eigen::Vector3d(offset->data()) * unit.factor)](std::vector<Measurement>& measurements) {
         for (auto& measurement : measurements)
           if (!isDisplacement(measurement) && !measurement.row)
             measurement.p_TQ = measurement.p_TQ.value_or(Eigen::Vector3d::Zero()) + by;
       };
-  mend.numbers_fitted = 3;
-  return fromMeasurement(checked, std::move(mend), *from);
+  correction.numbers_fitted = 3;
+  return fromMeasurement(checked, std::move(correction), *from);
 }
 
 inline std::vector<StepForm> steps(const CheckedMeasurements& checked) {
@@ -46,7 +46,7 @@ inline MistakeKind kind() {
               "offset of the measured point along the tool's axes, in the unit of the coordinates, and the first such "
               "reading, as in 0:0.5:0@P41",
           .values = noValues,
-          .mend = mend,
+          .correction = correction,
           .steps = steps};
 }
 

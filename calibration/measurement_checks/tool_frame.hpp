@@ -75,21 +75,21 @@ inline std::string rpyText(const CheckedMeasurements& checked, const Eigen::Matr
   return fmt::format("[{:.6g}, {:.6g}, {:.6g}] {}", rpy.x(), rpy.y(), rpy.z(), checked.units.angles.name);
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements& checked, const std::string& value) {
   const auto R_TM = turnOf(checked, value);
   if (!R_TM) return std::nullopt;
   const bool is_order = axes::matrixOf(value).has_value();
-  Mend mend{"tool-frame", value,
-            is_order ? "the turns are of a frame whose x, y and z are " + value + " of the tool's"
-                     : "the turns are those of a body mounted on the tool with roll, pitch and yaw " + value + " " +
-                           checked.units.angles.name};
-  mend.sentence += ": `rpy` of the tool is " + rpyText(checked, *R_TM);
-  mend.numbers_fitted = is_order ? 0 : 3;
-  mend.change = toEach([R_MT = Eigen::Matrix3d(R_TM->transpose())](Measurement& measurement) {
+  Correction correction{"tool-frame", value,
+                        is_order ? "the turns are of a frame whose x, y and z are " + value + " of the tool's"
+                                 : "the turns are those of a body mounted on the tool with roll, pitch and yaw " +
+                                       value + " " + checked.units.angles.name};
+  correction.sentence += ": `rpy` of the tool is " + rpyText(checked, *R_TM);
+  correction.numbers_fitted = is_order ? 0 : 3;
+  correction.change = toEach([R_MT = Eigen::Matrix3d(R_TM->transpose())](Measurement& measurement) {
     if (statesFrame(measurement))
       measurement.own = deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(measurement.own) * R_MT);
   });
-  return mend;
+  return correction;
 }
 
 inline MistakeKind kind() {
@@ -99,7 +99,7 @@ inline MistakeKind kind() {
               "the tool frame's axes that x, y, z of the measured frame are, right-handed, such as yzx or -yxz; or "
               "roll, pitch and yaw of a mounted body on the tool, such as 90:0:35",
           .values = values,
-          .mend = mend,
+          .correction = correction,
           .values_with_others = noValues,  // the search for pairs uses positions alone
           .is_of_turns = true};
 }

@@ -17,16 +17,16 @@ inline std::vector<std::string> values(const CheckedMeasurements& checked) {
   return texts;
 }
 
-inline std::optional<Mend> mend(const CheckedMeasurements&, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements&, const std::string& value) {
   const auto form = std::ranges::find(deflection::kTurnForms, value, &deflection::TurnForm::name);
   if (form == deflection::kTurnForms.end() || form == deflection::kTurnForms.begin()) return std::nullopt;
-  Mend mend{"turns-as", value,
-            "the numbers under roll, pitch, yaw are turns in the form " + value + " (" + form->words +
-                "), as `readings --orientation " + value + "` takes them"};
-  mend.change = toEach([turn = form->turn](Measurement& measurement) {
+  Correction correction{"turns-as", value,
+                        "the numbers under roll, pitch, yaw are turns in the form " + value + " (" + form->words +
+                            "), as `readings --orientation " + value + "` takes them"};
+  correction.change = toEach([turn = form->turn](Measurement& measurement) {
     if (statesFrame(measurement)) measurement.own = deflection::fixedAnglesOf(turn(measurement.own));
   });
-  return mend;
+  return correction;
 }
 
 inline MistakeKind kind() {
@@ -34,7 +34,7 @@ inline MistakeKind kind() {
           .value = "FORM",
           .expected = "the form of the turns under roll, pitch, yaw, such as euler-zyz",
           .values = values,
-          .mend = mend,
+          .correction = correction,
           .values_with_others = noValues,
           .is_of_turns = true};
 }

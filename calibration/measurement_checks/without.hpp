@@ -6,20 +6,21 @@
 
 namespace tubeplan::calibration::mistakes::without {
 
-inline std::optional<Mend> mend(const CheckedMeasurements& checked, const std::string& value) {
+inline std::optional<Correction> correction(const CheckedMeasurements& checked, const std::string& value) {
   const auto ids = idsNamed(checked.measurements, value);
   if (ids.empty()) return std::nullopt;
-  Mend mend{"without", value,
-            ids.size() == 1 ? "reading " + value + " is left out" : "the readings " + value + " are left out"};
-  mend.change = [ids](std::vector<Measurement>& measurements) {
+  Correction correction{
+      "without", value,
+      ids.size() == 1 ? "reading " + value + " is left out" : "the readings " + value + " are left out"};
+  correction.change = [ids](std::vector<Measurement>& measurements) {
     std::erase_if(measurements, [&](const Measurement& measurement) { return ids.contains(measurement.id); });
   };
-  return mend;
+  return correction;
 }
 
 inline MistakeKind kind() {
   return {"without", "ID[..ID]", "the id of a reading, or of the first and last of a run, such as 81..95", noValues,
-          mend};
+          correction};
 }
 
 }  // namespace tubeplan::calibration::mistakes::without

@@ -18,7 +18,8 @@ std::string offsetOf(const deflection::Arm& arm, int joint) {
   return arm.rows[static_cast<std::size_t>(row)].name + ".joint.offset";
 }
 
-std::optional<Mend> zeroFound(const MistakeTrials& trials, const Mend& from, const deflection::Arm& fitted) {
+std::optional<Correction> zeroFound(const MistakeTrials& trials, const Correction& from,
+                                    const deflection::Arm& fitted) {
   const CheckedMeasurements& checked = trials.checked();
   const int joint = from.zeros_of.front();
   const auto before = deflection::findParameter(checked.start.arm, offsetOf(checked.start.arm, joint)),
@@ -30,13 +31,13 @@ std::optional<Mend> zeroFound(const MistakeTrials& trials, const Mend& from, con
   if (const double whole = std::round(zero / kQuarter) * kQuarter; whole != 0 && std::abs(zero - whole) < kNearQuarter)
     zero = whole;
   if (std::abs(zero) < mistakes::joint_zero::kLeast) return std::nullopt;
-  return mistakes::joint_zero::mend(checked, mistakes::joint_zero::textOf(checked, joint, zero));
+  return mistakes::joint_zero::correction(checked, mistakes::joint_zero::textOf(checked, joint, zero));
 }
 
 }  // namespace
 
-std::optional<JoinedMends> withZerosFound(const MistakeTrials& trials, JoinedMends parts) {
-  const Mend from = joined(parts);
+std::optional<JoinedCorrections> withZerosFound(const MistakeTrials& trials, JoinedCorrections parts) {
+  const Correction from = joined(parts);
   if (from.zeros_of.empty()) return parts;
   PlacedArm start = trials.startOf(from);
   if (std::ranges::find(from.zeros_of, 0) != from.zeros_of.end())
@@ -45,7 +46,7 @@ std::optional<JoinedMends> withZerosFound(const MistakeTrials& trials, JoinedMen
   for (const int joint : from.zeros_of) names.push_back(offsetOf(trials.checked().start.arm, joint));
   const auto best = trials.fitZeros(from, std::move(start), names);
   if (!best.ok) return std::nullopt;
-  for (Mend& part : parts) {
+  for (Correction& part : parts) {
     if (part.zeros_of.empty()) continue;
     auto found = zeroFound(trials, part, best.placed.arm);
     if (!found) return std::nullopt;

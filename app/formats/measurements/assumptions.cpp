@@ -35,13 +35,13 @@ void take(const std::string& assumption, bool is_sigma_settled, MeasurementTable
                      kind ? fmt::format("write {}={}", name, kind->value) : suggestion(name, namesOfMistakes()));
   const calibration::CheckedMeasurements checked{startOf(cell, table.measurements), table.measurements,
                                                  freeNumbersOf(cell), table.units, cell.sheet ? &*cell.sheet : nullptr};
-  auto mend = kind->mend(checked, assumption.substr(equals + 1));
-  if (!mend) throw InputError("--assume " + name, inQuotes(assumption.substr(equals + 1)), kind->expected);
-  if (is_sigma_settled && !kind->settles_sigma) mend->change_sigma = nullptr;
-  mend->apply(table.measurements);
+  auto correction = kind->correction(checked, assumption.substr(equals + 1));
+  if (!correction) throw InputError("--assume " + name, inQuotes(assumption.substr(equals + 1)), kind->expected);
+  if (is_sigma_settled && !kind->settles_sigma) correction->change_sigma = nullptr;
+  correction->apply(table.measurements);
   if (table.measurements.empty())
     throw InputError::saying("--assume", inQuotes(assumption) + " leaves no readings", "leave out fewer readings");
-  if (mend->frees_base) cell.base_known = false;
+  if (correction->frees_base) cell.base_known = false;
 }
 
 /// Returns the subject of an assumption. Assumptions about the same subject exclude each other. For an assumption about

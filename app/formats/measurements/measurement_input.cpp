@@ -166,10 +166,11 @@ LimitAdvice adviceOnLimits(const MeasurementTable& table, const Cell& cell) {
   const auto checks = calibration::checkMeasurements(asChecked(table, cell));
   const auto* mistake = calibration::grossMistake(checks);
   if (!mistake || mistake->assume.empty()) return {};
-  MeasurementTable mended = table;
-  Cell of_mended = cell;
-  (void)takeAssumptions({mistake->assume}, mended, of_mended);
-  return {fmt::format("{}? try --assume {}", mistake->sentence, mistake->assume), !isAnyPastLimits(mended, of_mended)};
+  MeasurementTable corrected = table;
+  Cell of_corrected = cell;
+  (void)takeAssumptions({mistake->assume}, corrected, of_corrected);
+  return {fmt::format("{}? try --assume {}", mistake->sentence, mistake->assume),
+          !isAnyPastLimits(corrected, of_corrected)};
 }
 
 /// Shifts joint readings by a whole turn to bring them within their limits. Throws InputError, with advice, if

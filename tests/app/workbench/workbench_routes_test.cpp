@@ -231,11 +231,11 @@ TEST_F(WorkbenchRoutes, whatACheckSuspectsIsTakenToBeSo) {
   EXPECT_EQ(post("/api/measurements/hold-out", {{"ids", {"5"}}, {"held_out", true}}).status, 200);
   EXPECT_EQ(post("/api/measurements/assume").status, 422);
   EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"coordinates=parsec"}}}).status, 422);
-  const json mended = post("/api/measurements/assume", {{"assume", {check["assume"]}}}).body["measurements"];
-  for (const auto& left : mended["checks"]) EXPECT_NE(left["severity"], "mistake") << left.dump();
-  EXPECT_EQ(mended["readings"], 30);
-  EXPECT_EQ(mended["set_aside"], 2) << "marks made by hand stay";
-  EXPECT_EQ(mended["held_out"], 1);
+  const json corrected = post("/api/measurements/assume", {{"assume", {check["assume"]}}}).body["measurements"];
+  for (const auto& left : corrected["checks"]) EXPECT_NE(left["severity"], "mistake") << left.dump();
+  EXPECT_EQ(corrected["readings"], 30);
+  EXPECT_EQ(corrected["set_aside"], 2) << "marks made by hand stay";
+  EXPECT_EQ(corrected["held_out"], 1);
   done("/api/compare");
   EXPECT_LT(get("/api/results/compare").body["rms"]["after"], 0.5);
 

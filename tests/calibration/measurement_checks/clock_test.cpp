@@ -46,12 +46,12 @@ TEST(Clock, IsNamedWithTheMeasurementWhereItWasSet) {
       EXPECT_EQ(checks.front().severity, by == -86400. ? CheckSeverity::kMistake : CheckSeverity::kRemark) << by;
       const std::string assume = checks.front().assume, id = checked.measurements[first].id;
       ASSERT_TRUE(assume.starts_with("clock=") && assume.ends_with("@" + id)) << assume << " for " << id;
-      const auto mend = mistakes::clock::kind().mend(checked, assume.substr(6));
-      ASSERT_TRUE(mend) << assume;
-      auto mended = checked.measurements;
-      mend->apply(mended);
-      for (std::size_t k = 0; k < mended.size(); ++k)
-        EXPECT_NEAR(mended[k].conditions[deflection::Condition::kTime],
+      const auto correction = mistakes::clock::kind().correction(checked, assume.substr(6));
+      ASSERT_TRUE(correction) << assume;
+      auto corrected = checked.measurements;
+      correction->apply(corrected);
+      for (std::size_t k = 0; k < corrected.size(); ++k)
+        EXPECT_NEAR(corrected[k].conditions[deflection::Condition::kTime],
                     clean[k].conditions[deflection::Condition::kTime], kMinute + 1e-5 * std::abs(by))
             << by << " seed " << seed;
     }
@@ -98,10 +98,10 @@ TEST(Clock, PausesAndOtherOrdersAreLeftAlone) {
   }
 }
 
-TEST(Clock, IsMendedFromAMeasurementOn) {
+TEST(Clock, IsCorrectedFromAMeasurementOn) {
   const auto checked = timedMeasurements(10, 1);
   for (const char* value : {"", "3600", "x@P3", "@P3", "3600@P99", "nan@P3"})
-    EXPECT_FALSE(mistakes::clock::kind().mend(checked, value)) << value;
+    EXPECT_FALSE(mistakes::clock::kind().correction(checked, value)) << value;
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ TEST(GravityDirection, IsNamedWithTheKeyOfTheCell) {
     ASSERT_NE(gross, nullptr) << c.key;
     EXPECT_EQ(gross->name, "gravity") << gross->sentence;
     EXPECT_NE(gross->sentence.find(c.key), std::string::npos) << gross->sentence;
-    EXPECT_LT(gross->error_if_mended, gross->error_as_is / 5);
+    EXPECT_LT(gross->error_if_corrected, gross->error_as_is / 5);
   }
 }
 
@@ -60,7 +60,7 @@ void expectGravity(const MeasurementCheck* gross, const Eigen::Vector3d& gravity
   ASSERT_EQ(gross->name, "gravity") << gross->sentence;
   EXPECT_LT(std::acos(std::min(1., directionIn(gross->sentence).normalized().dot(gravity_W))), 0.035)
       << gross->sentence;
-  EXPECT_LT(gross->error_if_mended, gross->error_as_is / 5);
+  EXPECT_LT(gross->error_if_corrected, gross->error_as_is / 5);
 }
 
 // If gravity is oblique in the world frame, as for a base on a tilted pedestal, its direction is found to within two
@@ -107,7 +107,7 @@ TEST(GravityDirection, IsToldFromExchangedAxesByTheBase) {
     start.base_poses.front().is_known = false;
     const CheckedMeasurements checked{start, maker.measurements, {{"tool.tip"}, true}, {}};
     CheckedMeasurements exchanged = checked;
-    findMistakeKind("axes")->mend(checked, order)->change(exchanged.measurements);
+    findMistakeKind("axes")->correction(checked, order)->change(exchanged.measurements);
     const auto checks = checkMeasurements(exchanged);
     const auto* gross = grossMistake(checks);
     ASSERT_NE(gross, nullptr) << order;

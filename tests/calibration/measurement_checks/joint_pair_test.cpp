@@ -20,11 +20,11 @@ TEST(JointPair, IsOfTwoJointsAndSharesThatPartThem) {
   ASSERT_TRUE(set);
   const auto checked = checkedMotors(*set);
   for (const char* value : {"theta3:theta4:0.5:0.5:0.5:-0.5", "theta4:theta3:1:1:-1:1", "theta1:theta4:2:0:1:1"})
-    EXPECT_TRUE(mistakes::joint_pair::mend(checked, value)) << value;
+    EXPECT_TRUE(mistakes::joint_pair::correction(checked, value)) << value;
   for (const char* value :
        {"", "theta3:theta4", "theta3:theta4:0.5:0.5:0.5", "theta3:theta3:0.5:0.5:0.5:-0.5", "theta3:theta4:1:1:1:1",
         "theta3:theta4:1:1:1:x", "theta3:theta4:1:1:1:nan", "theta3:theta9:1:1:1:-1", "theta3:theta4:0:0:0:0"})
-    EXPECT_FALSE(mistakes::joint_pair::mend(checked, value)) << value;
+    EXPECT_FALSE(mistakes::joint_pair::correction(checked, value)) << value;
 }
 
 TEST(JointPair, TakesSensesOfMotionThatTheMotorsTell) {
@@ -39,9 +39,9 @@ TEST(JointPair, TakesSensesOfMotionThatTheMotorsTell) {
     auto& measurement = set->table.measurements.front();
     measurement.q << 0.1, 0.2, 0.7, 0.3;
     measurement.approach_directions = {1, 1, row.first, row.second};
-    const auto mend = mistakes::joint_pair::mend(checkedMotors(*set), "theta3:theta4:0.5:0.5:0.5:-0.5");
-    ASSERT_TRUE(mend);
-    mend->apply(set->table.measurements);
+    const auto correction = mistakes::joint_pair::correction(checkedMotors(*set), "theta3:theta4:0.5:0.5:0.5:-0.5");
+    ASSERT_TRUE(correction);
+    correction->apply(set->table.measurements);
     EXPECT_NEAR(measurement.q[2], 0.5, 1e-12);
     EXPECT_NEAR(measurement.q[3], 0.2, 1e-12);
     EXPECT_EQ(measurement.approach_directions, (std::vector<int>{1, 1, row.sum, row.difference}));
@@ -51,7 +51,7 @@ TEST(JointPair, TakesSensesOfMotionThatTheMotorsTell) {
 // If the columns contain the motor angles, and a unit, sign or coordinate axis is wrong, too, the proposed correction
 // restores the clean measurements in all cases but at most one.
 TEST(JointPair, IsNamedBesideAnotherMistake) {
-  int made = 0, mended = 0;
+  int made = 0, corrected = 0;
   std::string found;
   for (const char* other : {"coordinates in mm", "two axes exchanged", "a joint's sign"})
     for (const std::uint64_t number : {0, 2, 3}) {
@@ -67,13 +67,13 @@ TEST(JointPair, IsNamedBesideAnotherMistake) {
       ++made;
       const auto checks = checksOf(pair.set);
       const auto* gross = grossMistake(checks);
-      if (gross && distanceMended(pair, gross->assume) < 1e-6)
-        ++mended;
+      if (gross && distanceAfterCorrection(pair, gross->assume) < 1e-6)
+        ++corrected;
       else
         found += fmt::format("{} in {}: {}\n", other, pair.set.name, gross ? gross->assume : "nothing");
     }
   EXPECT_GE(made, 6);
-  EXPECT_GE(mended, made - 1) << found;
+  EXPECT_GE(corrected, made - 1) << found;
 }
 
 }  // namespace

@@ -27,13 +27,13 @@ TEST_P(MeasurementChecks, NameTheMistake) {
   std::string found;
   for (std::uint64_t number = 0; number < 120 && made < kSets; ++number) {
     auto set = cleanSet(number);
-    const auto mend = set ? kind.make(*set, random) : std::nullopt;
-    if (!mend || *mend == "joint-zero=theta4") continue;
+    const auto correction = set ? kind.make(*set, random) : std::nullopt;
+    if (!correction || *correction == "joint-zero=theta4") continue;
     ++made;
     const auto checks = checksOf(*set);
-    const Naming naming = judgeNaming(kind, *mend, checks);
+    const Naming naming = judgeNaming(kind, *correction, checks);
     named += naming == Naming::kRight || naming == Naming::kEqually;
-    found += fmt::format("{} in {}: found {}\n", *mend, set->name,
+    found += fmt::format("{} in {}: found {}\n", *correction, set->name,
                          checks.checks.empty() ? "nothing" : checks.checks.front().sentence);
   }
   ASSERT_EQ(made, kSets) << "too few sets have room for " << kind.label;
@@ -42,7 +42,7 @@ TEST_P(MeasurementChecks, NameTheMistake) {
 
 /// Returns chi-square per degree of freedom of a correct model for measurements corrected as a check proposes. A zero
 /// or scale found with the drawing's stiffnesses leaves a residual error, so the model frees these parameters.
-double chi2Mended(SeededSet& set, const std::string& assume) {
+double chi2Corrected(SeededSet& set, const std::string& assume) {
   (void)app::takeAssumptions({assume}, set.table, set.cell);
   ComparisonOptions options;
   options.refit.free = app::freeNumbersOf(set.cell);
@@ -61,28 +61,28 @@ double chi2Mended(SeededSet& set, const std::string& assume) {
 
 // After the proposed correction, chi-square is as expected of the noise. If the sigmas stayed in the wrong unit, it
 // would be off by a factor of hundreds.
-TEST_P(MeasurementChecks, AreMendedByWhatTheyOffer) {
+TEST_P(MeasurementChecks, AreCorrectedByWhatTheyOffer) {
   constexpr int kSets = 2;
   const auto& kind = seededMistakes().at(GetParam());
   SeededRandom random(23);
-  int mended = 0;
-  for (std::uint64_t number = 0; number < 120 && mended < kSets; ++number) {
+  int corrected = 0;
+  for (std::uint64_t number = 0; number < 120 && corrected < kSets; ++number) {
     auto set = cleanSet(number);
-    const auto mend = set ? kind.make(*set, random) : std::nullopt;
-    if (mend == "sigma=*") GTEST_SKIP() << "no unit is that small";
-    if (!mend || mend == "joint-zero=theta4") continue;
+    const auto correction = set ? kind.make(*set, random) : std::nullopt;
+    if (correction == "sigma=*") GTEST_SKIP() << "no unit is that small";
+    if (!correction || correction == "joint-zero=theta4") continue;
     const auto checks = checksOf(*set).checks;
     const auto named = std::ranges::find_if(checks, [&](const MeasurementCheck& check) {
-      return judgeNaming(kind, *mend, {{check}, {}}) == Naming::kRight;
+      return judgeNaming(kind, *correction, {{check}, {}}) == Naming::kRight;
     });
     if (named == checks.end()) continue;
     const std::string assume = named->assume;
-    ++mended;
-    const double chi2 = chi2Mended(*set, assume);
+    ++corrected;
+    const double chi2 = chi2Corrected(*set, assume);
     EXPECT_GT(chi2, 0.5) << assume << " in " << set->name;
     EXPECT_LT(chi2, 2) << assume << " in " << set->name;
   }
-  EXPECT_GT(mended, 0) << kind.label;
+  EXPECT_GT(corrected, 0) << kind.label;
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEveryKind, MeasurementChecks, ::testing::Range<std::size_t>(0, seededMistakes().size()));
@@ -104,7 +104,7 @@ TEST(MeasurementChecksOf, ErrorsAreQuotedNoLowerThanTheNoise) {
         for (const auto& check : checksOf(*set).checks) {
           if (check.name == "hole" || !findMistakeKind(check.name))
             continue;  // a hole's error belongs to one measurement
-          for (const double error : {check.error_as_is, check.error_if_mended}) {
+          for (const double error : {check.error_as_is, check.error_if_corrected}) {
             if (!std::isfinite(error)) continue;
             ++quoted;
             // With a wrong coordinate unit the noise is wrong, too; the smallest unit is a thousandth of the largest.
@@ -167,14 +167,14 @@ TEST(MistakesFromAMeasurement, AreNotSeenInAZeroThatCreeps) {
 }
 
 // Once the measurements are corrected as proposed, the checks find no further mistake in them.
-TEST(MistakesFromAMeasurement, AreGoneOnceMended) {
-  int mended = 0;
+TEST(MistakesFromAMeasurement, AreGoneOnceCorrected) {
+  int corrected = 0;
   for (const char* label : {"counts lost midway", "another target midway", "tracker bumped midway"})
     for (std::uint64_t number = 0; number < 4; ++number) {
       SeededRandom random(number + 5);
       auto set = cleanSet(number);
-      const auto mend = set ? seededMistake(label).make(*set, random) : std::nullopt;
-      if (!mend) continue;
+      const auto correction = set ? seededMistake(label).make(*set, random) : std::nullopt;
+      if (!correction) continue;
       const auto checks = checksOf(*set);
       const auto* mistake = grossMistake(checks);
       if (!mistake || mistake->assume.find('@') == std::string::npos) continue;
@@ -182,9 +182,9 @@ TEST(MistakesFromAMeasurement, AreGoneOnceMended) {
       (void)app::takeAssumptions({assume}, set->table, set->cell);
       const auto again = checksOf(*set);
       EXPECT_EQ(grossMistake(again), nullptr) << assume << ": " << again.checks.front().sentence;
-      ++mended;
+      ++corrected;
     }
-  EXPECT_GE(mended, 6);
+  EXPECT_GE(corrected, 6);
 }
 
 // If one mistake affects the whole table and another starts within it, both are named, in the order of their
@@ -265,7 +265,7 @@ TEST(MeasurementChecksOf, RowsByTheStandardConventionAreNamed) {
     EXPECT_EQ(gross != nullptr, is_standard);
     if (is_standard && gross) {
       EXPECT_EQ(gross->name, "convention");
-      EXPECT_LT(gross->error_if_mended, 1e-3);
+      EXPECT_LT(gross->error_if_corrected, 1e-3);
     }
   }
 }
@@ -281,7 +281,7 @@ TEST(MeasurementChecksOf, ATwistWithTheOtherSignIsNamed) {
   ASSERT_NE(gross, nullptr);
   EXPECT_EQ(gross->name, "twist");
   EXPECT_NE(gross->sentence.find("link5"), std::string::npos) << gross->sentence;
-  EXPECT_LT(gross->error_if_mended, 1e-3);
+  EXPECT_LT(gross->error_if_corrected, 1e-3);
 }
 
 // For at least 10 of the first 12 pairs of mistakes, the checks name both, or propose a correction with which the
@@ -448,11 +448,11 @@ TEST(MistakeKinds, HolesWereNotCountedSoThatOneIsMissing) {
     checked.measurements.push_back(touch);
   }
   const MistakeKind& holes = *findMistakeKind("holes");
-  EXPECT_FALSE(holes.mend(checked, "R-1"));
-  const auto mend = holes.mend(checked, "R+1");
-  ASSERT_TRUE(mend);
+  EXPECT_FALSE(holes.correction(checked, "R-1"));
+  const auto correction = holes.correction(checked, "R+1");
+  ASSERT_TRUE(correction);
   auto measurements = checked.measurements;
-  mend->apply(measurements);
+  correction->apply(measurements);
   ASSERT_EQ(measurements.size(), 2U);
   EXPECT_EQ(measurements[0].point, "R2C40");
   EXPECT_EQ(measurements[1].p_W->y(), cell.sheet->find(21, 40)->y);

@@ -22,7 +22,7 @@ void countPulses(SeededSet& set, const std::vector<int>& joints, const std::vect
 // The scales are found in at least three quarters of the sets. In the others, all of them may have the wrong sign,
 // because an arm with all signs reversed fits with another base.
 TEST(ScalesTogether, OfSeveralJointsAreNamed) {
-  int made = 0, mended = 0;
+  int made = 0, corrected = 0;
   std::string found;
   for (const std::vector<int>& joints : {std::vector{1, 2}, std::vector{0, 2}, std::vector{1, 2, 3}})
     for (const bool are_alike : {true, false})
@@ -38,13 +38,13 @@ TEST(ScalesTogether, OfSeveralJointsAreNamed) {
         ++made;
         const auto checks = checksOf(pulses.set);
         const auto* gross = grossMistake(checks);
-        if (gross && distanceMended(pulses, gross->assume) < 0.02)
-          ++mended;
+        if (gross && distanceAfterCorrection(pulses, gross->assume) < 0.02)
+          ++corrected;
         else
           found +=
               fmt::format("{} joints in {}: {}\n", joints.size(), pulses.set.name, gross ? gross->assume : "nothing");
       }
-  EXPECT_GE(mended, made * 3 / 4) << found;
+  EXPECT_GE(corrected, made * 3 / 4) << found;
 }
 
 TEST(ScalesTogether, AreNoneOfTooManyJointsOrTooFewMeasurements) {

@@ -96,23 +96,24 @@ inline Made coordinateInMillimetres(SeededSet& s, SeededRandom& random) {
 }
 /// Converts the sigmas of measurement `first` and of all later measurements to `unit`, the actual unit of the
 /// coordinates.
-inline Made withSigma(SeededSet& set, const std::string& unit, std::size_t first, Made mend) {
+inline Made withSigma(SeededSet& set, const std::string& unit, std::size_t first, Made correction) {
   const double factor = set.table.units.coordinates.factor / app::findUnit(app::UnitKind::kLength, unit)->factor;
-  for (std::size_t k = first; mend && k < set.table.measurements.size(); ++k) set.table.measurements[k].sigma *= factor;
-  return mend;
+  for (std::size_t k = first; correction && k < set.table.measurements.size(); ++k)
+    set.table.measurements[k].sigma *= factor;
+  return correction;
 }
 inline Made millimetresWithSigma(SeededSet& s, SeededRandom&) { return withSigma(s, "mm", 0, writtenIn(s, "mm")); }
 inline Made feetWithSigma(SeededSet& s, SeededRandom&) { return withSigma(s, "ft", 0, writtenIn(s, "ft")); }
 inline Made coordinateInMillimetresWithSigma(SeededSet& s, SeededRandom& random) {
-  const Made mend = coordinateInMillimetres(s, random);
-  if (!mend) return mend;
+  const Made correction = coordinateInMillimetres(s, random);
+  if (!correction) return correction;
   s.table.units.axis_sigma_columns = s.table.units.coordinates;
   s.table.units.sigma_column = {"", 1};
   for (auto& m : s.table.measurements) {
     m.sigma_W = Eigen::Vector3d::Constant(m.sigma);
-    (*m.sigma_W)[mend->at(mend->find('=') + 1) - 'x'] *= s.table.units.coordinates.factor / 1e-3;
+    (*m.sigma_W)[correction->at(correction->find('=') + 1) - 'x'] *= s.table.units.coordinates.factor / 1e-3;
   }
-  return mend;
+  return correction;
 }
 /// Draws a run of measurements that extends to the end of the table, as if one file had been appended to another.
 /// Returns the index of its first measurement and its name "FIRST..LAST".
@@ -131,8 +132,8 @@ inline Made lastInMillimetres(SeededSet& s, SeededRandom& random) {
 }
 inline Made lastInMillimetresWithSigma(SeededSet& s, SeededRandom& random) {
   SeededRandom again = random;
-  const Made mend = lastInMillimetres(s, random);
-  return mend ? withSigma(s, "mm", drawnEnd(s, again).first, mend) : mend;
+  const Made correction = lastInMillimetres(s, random);
+  return correction ? withSigma(s, "mm", drawnEnd(s, again).first, correction) : correction;
 }
 inline Made lastInRadians(SeededSet& s, SeededRandom& random) {
   if (!arePlaces(s)) return std::nullopt;
@@ -196,14 +197,14 @@ inline Made jointInPulses(SeededSet& s, SeededRandom& random) {
 /// Reverses the signs of two or three joint columns.
 inline Made severalSigns(SeededSet& s, SeededRandom& random) {
   const int joints = static_cast<int>(s.table.joints.size());
-  std::string mend;
+  std::string correction;
   const int spared = drawnBelow(joints, random);
   for (int joint = 0; joint < joints; ++joint) {
     if (joint == spared || (joint == (spared + 1) % joints && random() % 2)) continue;
     for (auto& m : s.table.measurements) m.q[joint] *= -1;
-    mend += (mend.empty() ? "joint-sign=" : ",joint-sign=") + jointName(s, joint);
+    correction += (correction.empty() ? "joint-sign=" : ",joint-sign=") + jointName(s, joint);
   }
-  return mend;
+  return correction;
 }
 inline Made quarterTurn(SeededSet& s, SeededRandom& random) {
   const int joint = drawnJoint(s, random);
@@ -302,10 +303,10 @@ inline Made oneHole(SeededSet& s, SeededRandom& random) {
   const auto hole = tubesheets::parseTubeName(m.point);
   const auto* tube = s.cell.sheet->find(hole->row, hole->column + 1);
   if (!tube) return std::nullopt;
-  const std::string mend = "hole=" + m.id + ":" + m.point;
+  const std::string correction = "hole=" + m.id + ":" + m.point;
   m.point = fmt::format("R{}C{}", tube->row, tube->column);
   m.p_W = Eigen::Vector3d(tube->x, tube->y, 0);
-  return mend;
+  return correction;
 }
 /// Displaces a known base by up to 0.15 of the reach and rotates it by 0.05 to 0.4 rad about gravity, so that the arm's
 /// sag does not change.
@@ -579,14 +580,16 @@ enum class Naming { kRight, kEqually, kWrong, kMissed };
 
 /// Returns how the checks name the mistake: first, among equally good explanations, wrongly, or not at all. For a zero
 /// or a scale, whose value is estimated, only the joint must agree; for sigmas, only the kind of mistake.
-inline Naming judgeNaming(const SeededMistake& mistake, const std::string& mend, const MeasurementChecks& checks) {
+inline Naming judgeNaming(const SeededMistake& mistake, const std::string& correction,
+                          const MeasurementChecks& checks) {
   const auto fits = [&](const std::string& assume) {
-    if (mend.find('@') != std::string::npos && !mend.starts_with("shift=")) return isSameStep(assume, mend);
+    if (correction.find('@') != std::string::npos && !correction.starts_with("shift="))
+      return isSameStep(assume, correction);
     if (mistake.name == std::string("sigma")) return assume.starts_with("sigma=");
     if (mistake.name == std::string("joint-zero") || mistake.name == std::string("joint-scale"))
-      return assume.starts_with(mend + ":");
+      return assume.starts_with(correction + ":");
     if (mistake.name == std::string("setup")) return assume.starts_with("setup=");
-    return assume == mend || assume.starts_with(mend + ",sigma=");
+    return assume == correction || assume.starts_with(correction + ",sigma=");
   };
   bool is_wrong = false;
   for (const auto& check : checks.checks) {

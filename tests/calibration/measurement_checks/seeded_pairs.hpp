@@ -16,7 +16,7 @@ namespace tubeplan::calibration {
 struct SeededPair {
   SeededSet set;
   std::vector<Measurement> clean;
-  std::vector<std::string> mends;  ///< corrections, in the order in which the mistakes were made
+  std::vector<std::string> corrections;  ///< corrections, in the order in which the mistakes were made
   std::string label;
 };
 
@@ -45,13 +45,14 @@ inline std::optional<SeededPair> seededPair(std::uint64_t number) {
   if (!set) return std::nullopt;
   SeededPair pair{*set, set->table.measurements, {}, std::string(first.label) + " + " + then.label};
   for (const auto* mistake : {&first, &then}) {
-    const auto mend = mistake->make(pair.set, random);
-    if (!mend || mend->starts_with("joint-zero=theta4")) return std::nullopt;
-    pair.mends.push_back(*mend);
+    const auto correction = mistake->make(pair.set, random);
+    if (!correction || correction->starts_with("joint-zero=theta4")) return std::nullopt;
+    pair.corrections.push_back(*correction);
   }
-  const auto kind = [](const std::string& mend) { return mend.substr(0, mend.find('=')); };
-  const bool are_one = kind(pair.mends[0]) == kind(pair.mends[1]) &&
-                       (pair.mends[0] == pair.mends[1] || !findMistakeKind(kind(pair.mends[0]))->joins_itself);
+  const auto kind = [](const std::string& correction) { return correction.substr(0, correction.find('=')); };
+  const bool are_one =
+      kind(pair.corrections[0]) == kind(pair.corrections[1]) &&
+      (pair.corrections[0] == pair.corrections[1] || !findMistakeKind(kind(pair.corrections[0]))->joins_itself);
   return are_one ? std::nullopt : std::optional(std::move(pair));
 }
 
@@ -60,7 +61,7 @@ inline constexpr const char* kPairNamings[] = {"both", "as good", "one", "anothe
 
 /// Returns the largest difference between the measurements corrected as a check proposes and the clean measurements:
 /// joints [rad, modulo a turn] and positions [m]; infinite if the proposal is refused.
-inline double distanceMended(const SeededPair& pair, const std::string& assume) {
+inline double distanceAfterCorrection(const SeededPair& pair, const std::string& assume) {
   app::MeasurementTable table = pair.set.table;
   app::Cell cell = pair.set.cell;
   try {
@@ -79,7 +80,7 @@ inline double distanceMended(const SeededPair& pair, const std::string& assume) 
 }
 
 /// Returns the set with its measurements corrected as a check proposes.
-inline SeededSet mendedSet(const SeededPair& pair, const std::string& assume) {
+inline SeededSet correctedSet(const SeededPair& pair, const std::string& assume) {
   SeededSet set = pair.set;
   (void)app::takeAssumptions({assume}, set.table, set.cell);
   return set;
@@ -90,15 +91,15 @@ inline SeededSet mendedSet(const SeededPair& pair, const std::string& assume) {
 inline bool fitsAsClean(const SeededPair& pair, const std::string& assume) {
   SeededSet clean = pair.set;
   clean.table.measurements = pair.clean;
-  const SeededSet mended = mendedSet(pair, assume);
+  const SeededSet corrected = correctedSet(pair, assume);
   const CheckOptions options;
   const auto checkedOf = [](const SeededSet& set) {
     return CheckedMeasurements{app::startOf(set.cell, set.table.measurements), set.table.measurements,
                                app::freeNumbersOf(set.cell), set.table.units,
                                set.cell.sheet ? &*set.cell.sheet : nullptr};
   };
-  const CheckedMeasurements of_clean = checkedOf(clean), of_mended = checkedOf(mended);
-  const MistakeTrials without(of_clean, options), with(of_mended, options);
+  const CheckedMeasurements of_clean = checkedOf(clean), of_corrected = checkedOf(corrected);
+  const MistakeTrials without(of_clean, options), with(of_corrected, options);
   return with.asIs().held_error < 1.5 * without.asIs().held_error &&
          with.asIs().open_error < 1.5 * without.asIs().open_error;
 }
@@ -115,9 +116,9 @@ inline PairNaming judgePair(const SeededPair& pair, const MeasurementChecks& che
     auto forms = check.equally;
     forms.insert(forms.begin(), check.assume);
     for (const auto& form : forms) {
-      if (distanceMended(pair, form) < kSame) return PairNaming::kBoth;
-      is_one = is_one || std::ranges::any_of(pair.mends, [&](const std::string& mend) {
-                 return ("," + form + ",").find("," + mend) != std::string::npos;
+      if (distanceAfterCorrection(pair, form) < kSame) return PairNaming::kBoth;
+      is_one = is_one || std::ranges::any_of(pair.corrections, [&](const std::string& correction) {
+                 return ("," + form + ",").find("," + correction) != std::string::npos;
                });
     }
   }

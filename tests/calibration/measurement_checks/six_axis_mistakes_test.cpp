@@ -215,7 +215,7 @@ TEST(SixAxisMistakes, LeaveASigmaThatIsRight) {
       const auto* gross = grossMistake(checks);
       ASSERT_NE(gross, nullptr) << seed;
       EXPECT_EQ(gross->assume, "coordinates=m,sigma=mm") << seed << " " << model_error << ": " << gross->sentence;
-      EXPECT_LT(gross->error_if_mended, 0.01) << "the error, not the noise of a sigma in metres";
+      EXPECT_LT(gross->error_if_corrected, 0.01) << "the error, not the noise of a sigma in metres";
     }
 }
 

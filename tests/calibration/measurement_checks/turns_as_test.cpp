@@ -57,10 +57,10 @@ TEST(TurnsAs, EveryFormIsATurnOfTheTable) {
   for (const auto& [name, write] : turnWriters()) written.push_back(name);
   EXPECT_EQ(names, written);
   for (const char* value : {"", "zyz", "fixed-angles", "quaternion", "euler-zyz:theta1"})
-    EXPECT_FALSE(mistakes::turns_as::mend(checkedTurns(turned), value)) << value;
+    EXPECT_FALSE(mistakes::turns_as::correction(checkedTurns(turned), value)) << value;
 }
 
-TEST(TurnsAs, IsNamedAndMendedOfEveryForm) {
+TEST(TurnsAs, IsNamedAndCorrectedOfEveryForm) {
   for (const auto& [name, write] : turnWriters())
     for (const auto kind : {MeasurementKind::kPose, MeasurementKind::kOrientation})
       for (const std::uint64_t seed : {1, 2, 3})
@@ -74,10 +74,10 @@ TEST(TurnsAs, IsNamedAndMendedOfEveryForm) {
                                                 is_base_known ? "known" : "unknown");
           ASSERT_NE(gross, nullptr) << label;
           EXPECT_EQ(gross->assume, "turns-as=" + name) << label << ": " << gross->sentence;
-          auto mended = turned.measurements;
-          mistakes::turns_as::mend(checked, name)->apply(mended);
-          for (std::size_t k = 0; k < mended.size(); ++k)
-            EXPECT_TRUE(deflection::rotationFromFixedAngles<double>(mended[k].own)
+          auto corrected = turned.measurements;
+          mistakes::turns_as::correction(checked, name)->apply(corrected);
+          for (std::size_t k = 0; k < corrected.size(); ++k)
+            EXPECT_TRUE(deflection::rotationFromFixedAngles<double>(corrected[k].own)
                             .isApprox(deflection::rotationFromFixedAngles<double>(turned.clean[k].own), 1e-9))
                 << label;
         }

@@ -127,9 +127,9 @@ TEST(OrderVisits, BeginsFromAGivenOrderAndOnlyGainsOnIt) {
     expectValid(route, again);
     EXPECT_LE(again.travel_time, searched.travel_time + 1e-9);
     std::shuffle(options.start.begin(), options.start.end(), random);
-    const VisitOrder mended = orderVisits(route, options);
-    expectValid(route, mended);
-    EXPECT_LT(mended.travel_time, bestBranches(route, options.start).travel_time);
+    const VisitOrder repaired = orderVisits(route, options);
+    expectValid(route, repaired);
+    EXPECT_LT(repaired.travel_time, bestBranches(route, options.start).travel_time);
   }
 }
 
