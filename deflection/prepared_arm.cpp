@@ -178,11 +178,11 @@ void PreparedArm::load(const Arm& arm, const Posture& posture) const {
 }
 
 KinematicsStatus PreparedArm::solve(const Posture& posture, const FlexibleKinematicsOptions& options) {
-  asked_ = posture;
-  const bool has_context = dependsOnPosture(arm_, asked_);
+  nominal_posture_ = posture;
+  const bool has_context = dependsOnPosture(arm_, nominal_posture_);
   if (!has_context) context_.reset();
   if (has_context) {
-    if (!context_) context_.emplace(arm_, asked_);
+    if (!context_) context_.emplace(arm_, nominal_posture_);
     applyEffects(*context_);
     if (!context_->undefined.empty()) {
       undefine();
@@ -195,7 +195,7 @@ KinematicsStatus PreparedArm::solve(const Posture& posture, const FlexibleKinema
     prepare(arm, turnsUndone(arm, effective_posture.q));
     findRevoluteChain(arm);
     is_prepared_ = false;
-    kernel_asked_.clear();
+    kernel_variables_.clear();
     kernel_.reset();
   } else if (!is_prepared_) {
     prepareFixed();

@@ -66,7 +66,7 @@ class PreparedArm {
   /// its elements and loads at equilibrium, the near frames of all links followed by the tip's frame, and the pose of
   /// the base moved by effects (null without effects).
   [[nodiscard]] const Arm& effective() const { return context_ ? context_->arm : arm_; }
-  [[nodiscard]] const Posture& effectivePosture() const { return context_ ? context_->posture : asked_; }
+  [[nodiscard]] const Posture& effectivePosture() const { return context_ ? context_->posture : nominal_posture_; }
   [[nodiscard]] const Chain<double>& chain() const { return chain_; }
   [[nodiscard]] const Equilibrium& equilibrium() const {
     if (!is_copied_out_) copyOutElements();
@@ -114,7 +114,7 @@ class PreparedArm {
   void recordLoads(const std::vector<PoseOf<double>>& frames, std::vector<RowState>& rows) const;
 
   const Arm& arm_;
-  Posture asked_;
+  Posture nominal_posture_;
   std::optional<EffectContext<double>> context_;  ///< effects at the current posture; empty if there are none
   bool is_fixed_;                                 ///< true if the links are the same at every posture
   bool is_prepared_ = false;                      ///< true if is_fixed_ and the members below are set
@@ -127,8 +127,8 @@ class PreparedArm {
   mutable Equilibrium equilibrium_;
   std::unique_ptr<const simd::RevoluteChain> revolute_chain_;  ///< the arm in kernel form; null if there is none
   std::vector<double> element_states_;                         ///< a kernel's Shapes::element_states
-  std::vector<Variable> kernel_asked_;                         ///< variables of the last call of kernelFor()
-  std::unique_ptr<const simd::RevoluteVariables> kernel_;      ///< rule for kernel_asked_; null if there is none
+  std::vector<Variable> kernel_variables_;                     ///< variables of the last call of kernelFor()
+  std::unique_ptr<const simd::RevoluteVariables> kernel_;      ///< rule for kernel_variables_; null if there is none
   mutable bool is_copied_out_ = true;
   int iterations_ = 0;
   KinematicsStatus status_ = KinematicsStatus::kNotRun;

@@ -29,10 +29,10 @@ const simd::RevoluteChain* PreparedArm::revoluteChain() const { return is_prepar
 
 const simd::RevoluteVariables* PreparedArm::kernelFor(const std::vector<Variable>& variables) {
   if (!hasJacobian()) return nullptr;
-  if (!simd::areSame(variables, kernel_asked_)) {
+  if (!simd::areSame(variables, kernel_variables_)) {
     const auto found = simd::RevoluteVariables::of(variables, arm_, chain_, *revolute_chain_, equilibrium_.elements);
     kernel_ = found ? std::make_unique<const simd::RevoluteVariables>(*found) : nullptr;
-    kernel_asked_ = variables;
+    kernel_variables_ = variables;
   }
   return kernel_.get();
 }
@@ -63,7 +63,7 @@ KinematicsStatus PreparedArm::solveRevoluteChain(const FlexibleKinematicsOptions
 KinematicsStatus PreparedArm::solveWithDerivatives(const Posture& posture, const FlexibleKinematicsOptions& options,
                                                    const simd::RevoluteVariables& variables, double* derivatives) {
   assert(hasJacobian());
-  asked_ = posture;
+  nominal_posture_ = posture;
   simd::Shapes out{};
   variables.place(derivatives, 1, out);
   return solveRevoluteChain(options, out);

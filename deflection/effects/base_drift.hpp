@@ -14,7 +14,7 @@ namespace tubeplan::deflection::base_drift {
 
 template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
-  const double time = context.asked.conditions[Condition::kTime];
+  const double time = context.nominal_posture.conditions[Condition::kTime];
   if (std::isnan(time)) return;
   for (int k = 0; k < 3; ++k) context.X_BM.p[k] += effect.values[k] * time;
 }

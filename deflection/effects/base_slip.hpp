@@ -12,7 +12,7 @@ namespace tubeplan::deflection::base_slip {
 
 template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
-  if (context.asked.conditions[Condition::kTime] < valueOf(effect.values[4])) return;
+  if (context.nominal_posture.conditions[Condition::kTime] < valueOf(effect.values[4])) return;
   for (int k = 0; k < 3; ++k) context.X_BM.p[k] += effect.values[k];
   context.X_BM.R = context.X_BM.R * rotationZ<S>(effect.values[3]);
 }

@@ -21,7 +21,7 @@ template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   const int row = effect.place.row, joint = jointIndexOf(context.given, row);
   const S moment = rigidMomentOf(context, row)[2];
-  const auto& approach_directions = context.asked.approach_directions;
+  const auto& approach_directions = context.nominal_posture.approach_directions;
   const double approach_direction = approach_directions.empty() ? 0 : approach_directions[joint];
   using std::abs;
   context.posture.q[joint] += effect.values[0] * moment + effect.values[1] * abs(moment) * S(approach_direction);

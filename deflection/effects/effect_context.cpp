@@ -33,7 +33,7 @@ void copyWithoutEffects(const ArmOf<S>& from, ArmOf<S>& to) {
 template <class S>
 void makeMountingRigid(EffectContext<S>& context) {
   for (const RigidMounting& mounting : context.given.mountings) {
-    if (mounting.setup != context.asked.setup) continue;
+    if (mounting.setup != context.nominal_posture.setup) continue;
     for (const int index : mounting.rows) {
       Row<S>& row = context.arm.rows[static_cast<std::size_t>(index)];
       row.joint_stiffness.setConstant(S(kRigid));
@@ -70,7 +70,7 @@ S scaleOf(const ArmOf<S>& arm) {
 template <class S>
 void applyEffects(EffectContext<S>& context) {
   copyWithoutEffects(context.given, context.arm);
-  context.posture = context.asked;
+  context.posture = context.nominal_posture;
   context.gravity_turn.setZero();
   context.X_BM = {};
   context.measurement_scale = S(1);
@@ -80,10 +80,10 @@ void applyEffects(EffectContext<S>& context) {
   const auto& kinds = effectKinds();
   for (const auto& effect : context.given.effects) applyOne(kinds.at(effect.kind), effect, context);
   makeMountingRigid(context);
-  const Vector3<S> gravity_B = rotationFromVector<S>(context.gravity_turn) * context.asked.gravity_B;
+  const Vector3<S> gravity_B = rotationFromVector<S>(context.gravity_turn) * context.nominal_posture.gravity_B;
   context.posture.gravity_B = context.X_BM.R.transpose() * gravity_B;
   applyWrench(context);
-  hangSideChains<S>(context.given, context.asked, context.arm);
+  hangSideChains<S>(context.given, context.nominal_posture, context.arm);
 }
 
 template <class S>

@@ -13,12 +13,12 @@ namespace tubeplan::deflection {
 
 template <class S>
 struct EffectContext {
-  EffectContext(const ArmOf<S>& given_arm, const PostureOf<S>& asked_posture)
-      : given(given_arm), asked(asked_posture) {}
+  EffectContext(const ArmOf<S>& given_arm, const PostureOf<S>& given_posture)
+      : given(given_arm), nominal_posture(given_posture) {}
 
   const ArmOf<S>& given;  ///< nominal arm, read by the effects
   /// Nominal posture: encoder readings, gravity in the axes of the nominal base.
-  const PostureOf<S>& asked;
+  const PostureOf<S>& nominal_posture;
   /// Copy of the arm that effects modify; its own list of effects is empty.
   ArmOf<S> arm;
   /// Actual posture: true joint values, gravity in the axes of the moved base.
@@ -50,14 +50,14 @@ template <class S>
 /// Returns the undeflected row frames of the given arm, computed once for all effects.
 template <class S>
 const RigidFrames<S>& rigidFramesOf(EffectContext<S>& context) {
-  if (!context.rigid_frames) context.rigid_frames = rigidFramesOf<S>(context.given, context.asked.q);
+  if (!context.rigid_frames) context.rigid_frames = rigidFramesOf<S>(context.given, context.nominal_posture.q);
   return *context.rigid_frames;
 }
 
 /// Returns the moment on a row of the undeflected arm, about the row's origin and in its axes [N m].
 template <class S>
 const Vector3<S>& rigidMomentOf(EffectContext<S>& context, int row) {
-  if (!context.rigid_moments) context.rigid_moments = rigidMoments<S>(context.given, context.asked);
+  if (!context.rigid_moments) context.rigid_moments = rigidMoments<S>(context.given, context.nominal_posture);
   return (*context.rigid_moments)[static_cast<std::size_t>(row)];
 }
 

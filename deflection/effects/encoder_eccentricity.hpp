@@ -16,7 +16,7 @@ template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   using std::cos, std::sin;
   const int joint = jointIndexOf(context.given, effect.place.row);
-  const S& q = context.asked.q[joint];
+  const S& q = context.nominal_posture.q[joint];
   context.posture.q[joint] += effect.values[0] * sin(q) + effect.values[1] * cos(q);
 }
 

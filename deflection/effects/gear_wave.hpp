@@ -18,7 +18,7 @@ inline bool hasPlace(const Arm& arm, int row) {
 template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   const int joint = jointIndexOf(context.given, effect.place.row);
-  const S angle = context.asked.q[joint] * S(context.given.rows[effect.place.row].joint.gear_ratio);
+  const S angle = context.nominal_posture.q[joint] * S(context.given.rows[effect.place.row].joint.gear_ratio);
   using std::cos, std::sin;
   context.posture.q[joint] += effect.values[0] * sin(angle) + effect.values[1] * cos(angle);
 }

@@ -22,7 +22,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   const PoseOf<S>& joint = frames.rows[row];
   const Vector3<S> lever =
       joint.R.col(0) * effect.values[0] + joint.R.col(1) * effect.values[1] + (frames.tip - joint.p) * effect.values[2];
-  const Vector3<S> moment = lever.cross(context.asked.gravity_B);
+  const Vector3<S> moment = lever.cross(context.nominal_posture.gravity_B);
   context.posture.q[jointIndexOf(context.given, row)] += joint.R.col(2).dot(moment);
 }
 

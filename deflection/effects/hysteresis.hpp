@@ -14,7 +14,7 @@ namespace tubeplan::deflection::hysteresis {
 
 template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
-  const auto& approach_directions = context.asked.approach_directions;
+  const auto& approach_directions = context.nominal_posture.approach_directions;
   if (approach_directions.empty()) return;
   const int joint = jointIndexOf(context.given, effect.place.row);
   assert(joint < static_cast<int>(approach_directions.size()));

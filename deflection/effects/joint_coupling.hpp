@@ -14,7 +14,7 @@ template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   const int to = jointIndexOf(context.given, effect.place.row);
   const int from = jointIndexOf(context.given, effect.place.other);
-  context.posture.q[to] += effect.values[0] * context.asked.q[from];
+  context.posture.q[to] += effect.values[0] * context.nominal_posture.q[from];
 }
 
 inline EffectKind kind() {

@@ -13,7 +13,7 @@ namespace tubeplan::deflection::joint_scale {
 template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   const int joint = jointIndexOf(context.given, effect.place.row);
-  context.posture.q[joint] += effect.values[0] * context.asked.q[joint];
+  context.posture.q[joint] += effect.values[0] * context.nominal_posture.q[joint];
 }
 
 inline EffectKind kind() {

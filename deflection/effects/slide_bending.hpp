@@ -25,7 +25,7 @@ template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   const int row = effect.place.row;
   const auto& joint = context.given.rows[row].joint;
-  const S reading = context.asked.q[jointIndexOf(context.given, row)];
+  const S reading = context.nominal_posture.q[jointIndexOf(context.given, row)];
   const S along = hasRange(joint) ? S((reading - S(joint.lower)) / S(joint.upper - joint.lower)) : reading;
   const S out = along > S(0) ? along : S(0);  // a fully retracted bar has no such compliance
   EffectTerms<S>& effect_terms = effectTermsOf(context, row);

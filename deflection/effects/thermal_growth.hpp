@@ -28,7 +28,7 @@ void grow(const Row<S>& given, Row<S>& row, const S& strain) {
 
 template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
-  const double temperature = context.asked.conditions[Condition::kTemperature];
+  const double temperature = context.nominal_posture.conditions[Condition::kTemperature];
   if (std::isnan(temperature)) return;
   const S strain = effect.values[0] * (temperature - context.given.reference[Condition::kTemperature]);
   bool moves = false;

@@ -13,7 +13,7 @@ namespace tubeplan::deflection::tool_remount {
 
 template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
-  if (context.asked.setup != effect.place.setup) return;
+  if (context.nominal_posture.setup != effect.place.setup) return;
   context.arm.p_LT += Vector3<S>(effect.values[0], effect.values[1], effect.values[2]);
 }
 

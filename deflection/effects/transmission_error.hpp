@@ -16,7 +16,7 @@ template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   using std::cos, std::sin;
   const int joint = jointIndexOf(context.given, effect.place.row);
-  const S twice = context.asked.q[joint] * 2.;
+  const S twice = context.nominal_posture.q[joint] * 2.;
   context.posture.q[joint] += effect.values[0] * sin(twice) + effect.values[1] * cos(twice);
 }
 

@@ -20,20 +20,22 @@ inline constexpr const char* kName = "formula";
 template <class S>
 S valueOf(const FormulaSymbol& symbol, EffectContext<S>& context) {
   const ArmOf<S>& given = context.given;
-  const PostureOf<S>& asked = context.asked;
+  const PostureOf<S>& nominal_posture = context.nominal_posture;
   using Of = FormulaSymbol::Of;
   const auto inUnit = [&](const S& internal) { return internal / symbol.unit - S(symbol.zero); };
   switch (symbol.of) {
     case Of::kJoint:
-      return inUnit(asked.q[jointIndexOf(given, symbol.row)]);
+      return inUnit(nominal_posture.q[jointIndexOf(given, symbol.row)]);
     case Of::kApproachDirection:
-      return asked.approach_directions.empty() ? S(0) : S(asked.approach_directions[jointIndexOf(given, symbol.row)]);
+      return nominal_posture.approach_directions.empty()
+                 ? S(0)
+                 : S(nominal_posture.approach_directions[jointIndexOf(given, symbol.row)]);
     case Of::kMoment:
       return inUnit(rigidMomentOf(context, symbol.row)[symbol.axis]);
     case Of::kLoad:
-      return inUnit(asked.load);
+      return inUnit(nominal_posture.load);
     case Of::kCondition: {
-      const double stated = asked.conditions[symbol.condition];
+      const double stated = nominal_posture.conditions[symbol.condition];
       return inUnit(S(std::isnan(stated) ? given.reference[symbol.condition] : stated));
     }
   }
