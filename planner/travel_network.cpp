@@ -56,13 +56,13 @@ MotionProblem travelProblemOf(const PlanContext& context) {
 
 const Roadmap& TravelRoadmap::get() {
   if (roadmap_) return *roadmap_;
-  const auto& [cell, asked] = std::tie(context_.cell, context_.options.reach.compensation);
+  const auto& [cell, compensation] = std::tie(context_.cell, context_.options.reach.compensation);
   const auto& tubes = cell.sheet.tubes;
-  const std::size_t wanted = roadmapTubes(cell.arm, asked.inverse);
+  const std::size_t wanted = roadmapTubes(cell.arm, compensation.inverse);
   const std::size_t step = std::max<std::size_t>(1, tubes.size() / wanted);
   std::vector<Eigen::VectorXd> postures;
   for (std::size_t tube = 0; tube < tubes.size(); tube += step)
-    for (const auto& branch : compensate(cell, holeCentre(tubes[tube]), asked))
+    for (const auto& branch : compensate(cell, holeCentre(tubes[tube]), compensation))
       if (branch.status == deflection::BranchStatus::kConverged) postures.push_back(branch.approach.front());
   RoadmapOptions options;
   options.seed = context_.options.seed;

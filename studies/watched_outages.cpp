@@ -97,8 +97,8 @@ int main(int argc, char** argv) {
   cli.add_option("--changes", changes, "beginnings of the changes' names (all)");
   cli.add_flag("--show-first", shows_first, "list the most probable answers");
   CLI11_PARSE(cli, argc, argv);
-  const auto isAsked = [](const std::vector<std::string>& asked, std::string_view name) {
-    return asked.empty() || std::ranges::any_of(asked, [&](const auto& a) { return name.starts_with(a); });
+  const auto isSelected = [](const std::vector<std::string>& selected, std::string_view name) {
+    return selected.empty() || std::ranges::any_of(selected, [&](const auto& a) { return name.starts_with(a); });
   };
   for (const VisitKind& kind : kVisitKinds) {
     if (std::ranges::find(kinds, kind.name) == kinds.end() && !kinds.empty()) continue;
@@ -107,7 +107,7 @@ int main(int argc, char** argv) {
         outages, visits, kind.name, "change", "alarms", "early", "50%", "90%", "in set", "course", "alone", "first",
         "size", "90%", "none");
     for (const HiddenChange& change : hiddenChanges()) {
-      if (!isAsked(changes, change.name)) continue;
+      if (!isSelected(changes, change.name)) continue;
       std::vector<Trial> trials(static_cast<std::size_t>(outages));
       oneapi::tbb::parallel_for(std::size_t{0}, trials.size(), [&](std::size_t k) {
         trials[k] = trialOf(change, kind, visits, judged_after, seed + k);

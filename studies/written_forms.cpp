@@ -74,7 +74,7 @@ std::vector<Measurement> measurementsOf(const PlacedArm& built, RandomStream& ra
 
 /// Statistics of all fits of arms that are described in the same kinematic notation.
 struct Tally {
-  int fits = 0, failed = 0, within = 0, asked = 0;
+  int fits = 0, failed = 0, within = 0, tried = 0;
   double squares = 0, foretold = 0, chi2 = 0, freedom = 0, worst = 0;
 };
 
@@ -103,7 +103,7 @@ void judge(const Identification& found, const PlacedArm& built, RandomStream ran
     squares += error.squaredNorm();
     foretold += variance.sum();
     for (int axis = 0; axis < 3; ++axis) tally.within += std::abs(error[axis]) < 1.96 * std::sqrt(variance[axis]);
-    tally.asked += 3;
+    tally.tried += 3;
   }
   tally.squares += squares / kJudged;
   tally.foretold += foretold / kJudged;
@@ -153,7 +153,7 @@ void tryAll(int seeds, std::uint64_t first) {
     const Tally& tally = tallies[f];
     fmt::print("{:<12} {:>5} {:>7} {:>22.3f} {:>16.3f} {:>10.2f} {:>8.1f} %\n", kForms[f].name, tally.fits,
                tally.failed, tally.chi2 / tally.freedom, std::sqrt(tally.squares / tally.foretold), tally.worst,
-               100. * tally.within / tally.asked);
+               100. * tally.within / tally.tried);
   }
   fmt::print("the same arm in its forms, farthest apart: {:.2g} m\n", largest_difference);
 }

@@ -172,13 +172,13 @@ std::optional<MadeFormula> chooseParameters(const std::vector<Start>& starts, Fo
 
 /// Returns the formula's place: the one requested or, if none is requested, the first of "theta3", "theta3#2", ... that
 /// no other formula of the arm has. Returns std::nullopt if the request is invalid.
-std::optional<std::string> placeOf(const Arm& arm, const std::string& target, std::string_view asked) {
-  if (!asked.empty()) {
-    const std::string_view rest = asked.substr(std::min(asked.size(), target.size()));
+std::optional<std::string> placeOf(const Arm& arm, const std::string& target, std::string_view requested_place) {
+  if (!requested_place.empty()) {
+    const std::string_view rest = requested_place.substr(std::min(requested_place.size(), target.size()));
     const bool is_number = rest.size() > 1 && rest.size() < 5 && rest[0] == '#' &&
                            rest.substr(1).find_first_not_of("0123456789") == std::string_view::npos;
-    if (!asked.starts_with(target) || !(rest.empty() || is_number)) return std::nullopt;
-    return std::string(asked);
+    if (!requested_place.starts_with(target) || !(rest.empty() || is_number)) return std::nullopt;
+    return std::string(requested_place);
   }
   for (int number = 1;; ++number) {
     const std::string at = number == 1 ? target : target + "#" + std::to_string(number);

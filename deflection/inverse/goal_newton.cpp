@@ -105,9 +105,9 @@ class Lead {
 
   [[nodiscard]] std::size_t which() const { return which_; }
   /// Returns the joint readings at which the caller must evaluate the tip next.
-  [[nodiscard]] const VectorXd& asked() const { return there_; }
+  [[nodiscard]] const VectorXd& requestedReadings() const { return there_; }
 
-  /// Continues the iteration with the tip evaluated at asked(); returns false once the iteration has ended.
+  /// Continues the iteration with the tip evaluated at requestedReadings(); returns false once the iteration has ended.
   bool arrive(const GoalProblem& problem, const ToolGoal& goal, TipMotion& tip) {
     problem.evaluate(goal, tip, next_);
     if (is_first_) {
@@ -187,7 +187,7 @@ std::vector<Branch> leadToGoals(GoalProblem& problem, std::span<const ToolGoal> 
   while (true) {
     for (; active < leads.size() && next < starts.size(); ++next) leads[active++].begin(next, starts[next]);
     if (active == 0) return found;
-    for (std::size_t k = 0; k < active; ++k) q.col(static_cast<Index>(k)) = leads[k].asked();
+    for (std::size_t k = 0; k < active; ++k) q.col(static_cast<Index>(k)) = leads[k].requestedReadings();
     problem.place(q.leftCols(static_cast<Index>(active)), std::span(tips).first(active));
     for (std::size_t k = active; k-- > 0;) {
       Lead& lead = leads[k];

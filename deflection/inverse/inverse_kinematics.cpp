@@ -53,8 +53,8 @@ Branch branchOf(const simd::Reached& reached, std::size_t lane) {
 /// The iteration from starts to goals: by kernels if possible, else by leadToGoals().
 class InverseSolver::Parts {
  public:
-  Parts(const Arm& arm, double load, const Vector3d& gravity_B, const InverseKinematicsOptions& asked)
-      : options(asked), branches(arm, options), arm_(arm), load_(load), gravity_B_(gravity_B), prepared_(arm) {}
+  Parts(const Arm& arm, double load, const Vector3d& gravity_B, const InverseKinematicsOptions& given_options)
+      : options(given_options), branches(arm, options), arm_(arm), load_(load), gravity_B_(gravity_B), prepared_(arm) {}
 
   /// Iterates from each start to its goal; returns the resulting branches with their verdicts.
   std::vector<Branch> lead(std::span<const ToolGoal> goals, std::span<const VectorXd> starts) {

@@ -42,7 +42,7 @@ struct Linearization {
 };
 
 /// Derivatives requested in addition to those with respect to joints.
-struct Asked {
+struct RequestedDerivatives {
   bool gravity, compliances;
 };
 
@@ -232,20 +232,21 @@ struct Motion {
 /// Computes the derivatives of the tip pose with respect to each joint, then to the other requested variables:
 /// rotations of gravity, then the compliance of each unknown (the springs of a turn, or a beam for its rho).
 inline void derive(const RevoluteArm& arm, const TurnState* t, const Frame* frames, const Frame& tip, Vec gravity,
-                   Real at_tip, Asked asked, Linearization& lin, Motion* columns) {
+                   Real at_tip, RequestedDerivatives requested, Linearization& lin, Motion* columns) {
   outboardMoments(arm, t, frames, tip, at_tip, lin.S);
   for (int i = 0; i < arm.count; ++i) lin.a[i] = momentByTurn(frames[i].z, lin.S[i], gravity);
   addUnknowns(arm, t, frames, gravity, lin);
-  lin.width = lin.count + arm.joints + (asked.gravity ? kGravityTurns : 0) + (asked.compliances ? lin.count : 0);
+  lin.width =
+      lin.count + arm.joints + (requested.gravity ? kGravityTurns : 0) + (requested.compliances ? lin.count : 0);
   addEquations(arm, t, frames, gravity, lin);
   for (int i = 0; i < arm.count; ++i)
     if (arm.turns[i].joint >= 0) columns[arm.turns[i].joint] = {cross(frames[i].z, tip.p - frames[i].p), frames[i].z};
   int count = arm.joints;
-  if (asked.gravity) {
+  if (requested.gravity) {
     addGravity(arm, frames, gravity, lin.count + count, lin);
     for (int axis = 0; axis < kGravityTurns; ++axis) columns[count++] = {none(), none()};
   }
-  if (asked.compliances) {
+  if (requested.compliances) {
     findSoftenings(arm, t, frames, gravity, lin);
     addSoftenings(arm, frames, gravity, lin.count + count, lin);
     for (int k = 0; k < lin.count; ++k) columns[count++] = {lin.softening[k].shift, none()};

@@ -42,7 +42,7 @@ class MotionProof {
         options_(options) {}
 
   MotionCheckResult run() {
-    if (travel_ > 0) askTogether({0, 1});
+    if (travel_ > 0) computeMargins({0, 1});
     prove();
     nameTightest();
     return result_;
@@ -59,7 +59,7 @@ class MotionProof {
     for (std::size_t left = 0; !open.empty(); --left) {
       if (left == 0) {
         left = std::min(open.size(), kMostTogether);
-        askForMiddles(open, left);
+        computeMiddleMargins(open, left);
       }
       const Stretch stretch = open.front();
       open.pop_front();
@@ -99,7 +99,7 @@ class MotionProof {
   }
 
   /// Computes the margins at several positions in advance. This affects only the speed, not the results.
-  void askTogether(const std::vector<double>& places) {
+  void computeMargins(const std::vector<double>& places) {
     if (!side_by_side_ || places.size() < 2) return;
     PostureColumns q(q0_.size(), static_cast<Eigen::Index>(places.size()));
     for (std::size_t k = 0; k < places.size(); ++k) q.col(static_cast<Eigen::Index>(k)) = postureAt(places[k]);
@@ -110,7 +110,7 @@ class MotionProof {
 
   /// Computes the margins at the midpoints of the next segments to be bisected. Unused lanes compute the midpoints of
   /// halves that will probably be bisected again.
-  void askForMiddles(const std::deque<Stretch>& open, std::size_t count) {
+  void computeMiddleMargins(const std::deque<Stretch>& open, std::size_t count) {
     if (!side_by_side_) return;
     std::vector<double> places, further;
     std::vector<Sample> kept;
@@ -128,7 +128,7 @@ class MotionProof {
     known_ = std::move(kept);
     if (!places.empty() && places.size() + further.size() <= kLanes)
       places.insert(places.end(), further.begin(), further.end());
-    askTogether(places);
+    computeMargins(places);
   }
 
   /// Returns true if both halves would be proved, assuming that the margin at the midpoint is the mean of the margins

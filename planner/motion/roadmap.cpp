@@ -256,19 +256,19 @@ void Roadmap::addWay(const std::vector<VectorXd>& way) {
 bool Roadmap::bridge(const std::vector<VectorXd>& postures, const MotionPlannerOptions& options) {
   const auto joined = attachAll(postures);
   const std::vector<int> root = rootsWith(joined);
-  std::map<int, int> asked;  // number of postures attached to each part
+  std::map<int, int> attached_count;  // number of postures attached to each part
   for (const auto& list : joined)
-    if (!list.empty()) ++asked[root[static_cast<std::size_t>(list.front().to)]];
-  if (asked.size() < 2) return false;
+    if (!list.empty()) ++attached_count[root[static_cast<std::size_t>(list.front().to)]];
+  if (attached_count.size() < 2) return false;
   std::map<int, std::vector<int>> nodes;
   for (int node = 0; node < static_cast<int>(root.size()); ++node)
     nodes[root[static_cast<std::size_t>(node)]].push_back(node);
   const int main =
-      std::ranges::max_element(asked, [](const auto& a, const auto& b) { return a.second < b.second; })->first;
-  asked.erase(main);
+      std::ranges::max_element(attached_count, [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+  attached_count.erase(main);
   // Searches are serialised, because OMPL's planners share data about their spaces.
   bool found = false;
-  for (const auto& [part, count] : asked) {
+  for (const auto& [part, count] : attached_count) {
     const auto way = wayBetween(nodes.at(part), nodes.at(main), options);
     if (way.empty()) continue;
     addWay(way);

@@ -31,8 +31,8 @@ struct Proposal {
 
 /// Returns the nearest points of the cores according to the library; std::nullopt if the library finds contact or
 /// fails.
-std::optional<Proposal> askLibrary(const Isometry3d& X_WCa, const RoundedCore& a, const Isometry3d& X_WCb,
-                                   const RoundedCore& b, fcl::GJKSolverType solver) {
+std::optional<Proposal> queryLibrary(const Isometry3d& X_WCa, const RoundedCore& a, const Isometry3d& X_WCb,
+                                     const RoundedCore& b, fcl::GJKSolverType solver) {
   const fcl::DistanceRequestd request(true, false, 0.0, 0.0, kLibraryTolerance, solver);
   fcl::DistanceResultd result;
   try {
@@ -169,11 +169,11 @@ Separation separation(const Isometry3d& X_WA, const Solid& a, const Isometry3d& 
 Separation separationByLibrary(const Isometry3d& X_WA, const Solid& a, const Isometry3d& X_WB, const Solid& b) {
   const Isometry3d X_WCa = X_WA * a.core().X_FC, X_WCb = X_WB * b.core().X_FC;
   const double roundings = a.core().rounding + b.core().rounding;
-  const auto proposal = askLibrary(X_WCa, a.core(), X_WCb, b.core(), fcl::GST_LIBCCD);
+  const auto proposal = queryLibrary(X_WCa, a.core(), X_WCb, b.core(), fcl::GST_LIBCCD);
   if (!proposal) return contact(X_WA * middle(a.around()), roundings);
   const Separation proved = gapAcross(*proposal, X_WA, a, X_WB, b);
   if (proved.distance >= proposal->distance - roundings - kGoodEnough) return proved;
-  const auto other = askLibrary(X_WCa, a.core(), X_WCb, b.core(), fcl::GST_INDEP);
+  const auto other = queryLibrary(X_WCa, a.core(), X_WCb, b.core(), fcl::GST_INDEP);
   if (!other) return proved;
   const Separation again = gapAcross(*other, X_WA, a, X_WB, b);
   return again.distance > proved.distance ? again : proved;

@@ -173,7 +173,7 @@ Outcome planByLibraries(const Workcell& cell, const std::vector<int>& tubes, con
     if (!bodyFrames(cell, q, &bow).empty()) greatest_bow = std::max(greatest_bow, bow);
   const LibraryChecker checker(cell, cell.scene.clearance + greatest_bow);
   const Waypoints order = nearestNeighbourOrder(libraryStandoffs(cell, tubes, checker), jointSpeedsOf(cell.arm));
-  outcome.asked = static_cast<int>(tubes.size());
+  outcome.requested = static_cast<int>(tubes.size());
   outcome.visits = order.empty() ? 0 : 1;
   for (std::size_t k = 0; k + 1 < order.size() && watch.processor() < options.most_seconds; ++k) {
     ++outcome.visits;

@@ -34,7 +34,7 @@ class Watch {
 /// Result of planning with the libraries or with the program's own planner.
 struct Outcome {
   std::string name;
-  int visits = 0, asked = 0, detours = 0, failed = 0;
+  int visits = 0, requested = 0, detours = 0, failed = 0;
   double wall = 0, processor = 0;  ///< times [s]
   long checks = 0;                 ///< number of postures checked by FCL
   std::vector<Waypoints> travels;

@@ -33,7 +33,7 @@ Outcome planByOwn(const Workcell& cell, const std::vector<int>& tubes, std::uint
   const VisitPlan plan = planVisits(cell, tubes, options);
   outcome.wall = watch.wall();
   outcome.processor = watch.processor();
-  outcome.asked = static_cast<int>(tubes.size());
+  outcome.requested = static_cast<int>(tubes.size());
   outcome.visits = static_cast<int>(plan.visits.size());
   outcome.detours = plan.detours;
   for (const PathSegment& segment : plan.segments)
@@ -82,10 +82,10 @@ Look lookAt(const Workcell& cell, const std::vector<Waypoints>& travels, int sam
 
 nlohmann::json report(const Outcome& outcome, const Look& look) {
   fmt::print("{:>6} {:<12} {:>6} {:>9.2f} {:>9.2f} {:>10.1f} {:>10.1f} {:>10.1f} {:>8} {:>7} {:>11.4f} {:>8} {:>8}\n",
-             outcome.asked, outcome.name, outcome.visits, outcome.processor, outcome.wall, look.straight_time,
+             outcome.requested, outcome.name, outcome.visits, outcome.processor, outcome.wall, look.straight_time,
              look.flowing_time, look.time, outcome.detours, outcome.failed, look.least_clearance / kInch,
              look.below_clearance, look.colliding);
-  return {{"asked", outcome.asked},
+  return {{"asked", outcome.requested},
           {"by", outcome.name},
           {"visits", outcome.visits},
           {"processor_s", outcome.processor},

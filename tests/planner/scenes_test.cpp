@@ -12,21 +12,21 @@ using testing::statedPlan;
 
 struct ScenePlan {
   Workcell cell;
-  std::size_t asked;
+  std::size_t requested;
   VisitPlan plan;
 };
 
 ScenePlan planned(const std::string& scene, const std::string& tubes) {
   ScenePlan result{testing::mockup("scenes/" + scene + ".yaml"), 0, {}};
   const auto list = testing::tubesOf(result.cell, tubes);
-  result.asked = list.size();
+  result.requested = list.size();
   result.plan = planVisits(result.cell, list);
   return result;
 }
 
 void expectSound(const ScenePlan& scene) {
   ASSERT_EQ(scene.plan.status, VisitPlanStatus::kPlanned) << scene.plan.reason;
-  EXPECT_EQ(scene.plan.visits.size() + scene.plan.unreachable.size(), scene.asked);
+  EXPECT_EQ(scene.plan.visits.size() + scene.plan.unreachable.size(), scene.requested);
   for (const auto& missed : scene.plan.unreachable) EXPECT_FALSE(missed.reason.empty());
   const PlanCheck check = checkPlan(scene.cell, statedPlan(scene.cell, scene.plan));
   EXPECT_EQ(check.status, PlanCheckStatus::kProved) << check.findings.front();

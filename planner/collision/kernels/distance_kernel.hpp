@@ -50,14 +50,14 @@ struct Slope {
 };
 
 /// Returns the position along the segment, from 0 to 1, where the slope is zero; an end if the slope has one sign
-/// throughout. `asked` is the mask of lanes whose result is used.
+/// throughout. `used_lanes` is the mask of lanes whose result is used.
 template <class SlopeAt>
-inline Real levelPlace(Bits asked, const SlopeAt& slope_at) {
+inline Real levelPlace(Bits used_lanes, const SlopeAt& slope_at) {
   const Real zero = constant(0), one = constant(1);
   const Slope start = slope_at(zero), end = slope_at(one);
   const Bits at_start = isAtMost(zero, start.slope), at_end = isAtMost(end.slope, zero);
   Real low = zero, high = one, s = start.slope / (start.slope - end.slope);
-  Bits active = asked & ~at_start & ~at_end;
+  Bits active = used_lanes & ~at_start & ~at_end;
   for (int step = 0; step < kMostSteps && any(active); ++step) {
     const Slope here = slope_at(s);
     active = active & (isLess(here.slope, zero) | isLess(zero, here.slope));
@@ -86,7 +86,7 @@ inline Real gapAcross(const Segment& segment, Vec on_segment, Vec on_solid, Real
 }
 
 /// Returns the distance of a capsule from a box with half edge lengths `half`, centred on the origin.
-inline Real distanceFromBox(Bits asked, const Segment& segment, Real radius, Vec half) {
+inline Real distanceFromBox(Bits used_lanes, const Segment& segment, Real radius, Vec half) {
   const Real zero = constant(0);
   const Vec along = segment.to - segment.from;
   const auto slopeAt = [&](Real s) {
@@ -103,7 +103,7 @@ inline Real distanceFromBox(Bits asked, const Segment& segment, Real radius, Vec
     add(p.z, along.z, half.z);
     return sum;
   };
-  const Vec p = segment.from + levelPlace(asked, slopeAt) * along;
+  const Vec p = segment.from + levelPlace(used_lanes, slopeAt) * along;
   const Vec on_box{clamped(p.x, -half.x, half.x), clamped(p.y, -half.y, half.y), clamped(p.z, -half.z, half.z)};
   return gapAcross(segment, p, on_box, radius, [&](Vec across) {
     return (absolute(across.x) * half.x + absolute(across.y) * half.y) + absolute(across.z) * half.z;
@@ -112,7 +112,7 @@ inline Real distanceFromBox(Bits asked, const Segment& segment, Real radius, Vec
 
 /// Returns the distance of a capsule from a cylinder of radius `thick` and half length `half` [m], along z and centred
 /// on the origin.
-inline Real distanceFromCylinder(Bits asked, const Segment& segment, Real radius, Real thick, Real half) {
+inline Real distanceFromCylinder(Bits used_lanes, const Segment& segment, Real radius, Real thick, Real half) {
   const Real zero = constant(0);
   const Vec along = segment.to - segment.from;
   const Real level = along.x * along.x + along.y * along.y;
@@ -125,7 +125,7 @@ inline Real distanceFromCylinder(Bits asked, const Segment& segment, Real radius
     return Slope{select(past_end, along.z * withSign(beyond, p.z), zero) + select(past_side, side, zero),
                  select(past_end, along.z * along.z, zero) + select(past_side, bend, zero)};
   };
-  const Vec p = segment.from + levelPlace(asked, slopeAt) * along;
+  const Vec p = segment.from + levelPlace(used_lanes, slopeAt) * along;
   const Real r = squareRoot(p.x * p.x + p.y * p.y), shrink = select(isLess(thick, r), thick / r, constant(1));
   const Vec on_cylinder{shrink * p.x, shrink * p.y, clamped(p.z, -half, half)};
   return gapAcross(segment, p, on_cylinder, radius, [&](Vec across) {

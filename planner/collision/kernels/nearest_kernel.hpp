@@ -25,16 +25,16 @@ inline Vec inFrame(const PlainPose& X_CW, Vec p) { return same(X_CW.p) + turnedB
 
 struct Found {
   Real distance;
-  Bits asked;  ///< lanes where the distance may be smaller than the limit
+  Bits may_be_near;  ///< lanes where the distance may be smaller than the limit
 };
 
 inline Found capsuleDistance(const Segment& a, const PlainBody& body, const Segment& b, double radius,
                              double half_length, Real limit) {
   const Real radii = constant(body.radius) + constant(radius);
   const double reach = body.radius + radius + body.half_length + half_length;
-  const Bits asked = mayBeNearer(squared(middleOf(a) - middleOf(b)), limit, reach);
-  if (!any(asked)) return {constant(kInfinity), asked};
-  return {squareRoot(squaredDistance(a, b)) - radii, asked};
+  const Bits may_be_near = mayBeNearer(squared(middleOf(a) - middleOf(b)), limit, reach);
+  if (!any(may_be_near)) return {constant(kInfinity), may_be_near};
+  return {squareRoot(squaredDistance(a, b)) - radii, may_be_near};
 }
 
 inline Found fromPlane(const Segment& a, const PlainBody& body, const PlainObstacle& plane, Real limit) {
@@ -55,11 +55,12 @@ inline Found fromSearched(const Segment& a_W, const PlainBody& body, const Plain
   const Segment a{inFrame(solid.X_CW, a_W.from), inFrame(solid.X_CW, a_W.to)};
   const Real thick = constant(solid.radius), half_length = constant(solid.half_length);
   const Vec half = is_box ? same(solid.half) : Vec{thick, thick, half_length};
-  const Bits asked = mayBeNearer(squaredBeyondBox(middleOf(a), half), limit, body.radius + body.half_length);
-  if (!any(asked)) return {constant(kInfinity), asked};
+  const Bits may_be_near = mayBeNearer(squaredBeyondBox(middleOf(a), half), limit, body.radius + body.half_length);
+  if (!any(may_be_near)) return {constant(kInfinity), may_be_near};
   const Real radius = constant(body.radius);
-  return {is_box ? distanceFromBox(asked, a, radius, half) : distanceFromCylinder(asked, a, radius, thick, half_length),
-          asked};
+  return {is_box ? distanceFromBox(may_be_near, a, radius, half)
+                 : distanceFromCylinder(may_be_near, a, radius, thick, half_length),
+          may_be_near};
 }
 
 inline Segment axisOf(const FoundPairs& out, int body) {
@@ -98,7 +99,7 @@ inline void findNearest(const PlainScene& scene, const double* frames, const Fou
   Real distance = constant(kInfinity), nearest = constant(-1);
   for (int k = 0; k < scene.exact_count; ++k) {
     const Found found = look(scene, scene.pairs[k], out, distance);
-    const Bits nearer = found.asked & isLess(found.distance, distance);
+    const Bits nearer = found.may_be_near & isLess(found.distance, distance);
     distance = select(nearer, found.distance, distance);
     nearest = select(nearer, constant(k), nearest);
   }
@@ -106,7 +107,8 @@ inline void findNearest(const PlainScene& scene, const double* frames, const Fou
   store(out.nearest, nearest);
   for (int k = scene.exact_count; k < scene.pair_count; ++k) {
     const Found bound = look(scene, scene.pairs[k], out, distance);
-    store(out.bounds + (k - scene.exact_count) * out.stride, select(bound.asked, bound.distance, constant(kInfinity)));
+    store(out.bounds + (k - scene.exact_count) * out.stride,
+          select(bound.may_be_near, bound.distance, constant(kInfinity)));
   }
 }
 

@@ -29,9 +29,9 @@ TEST(SimulatedCampaign, SaysWhyNoPostureServes) {
 }
 
 TEST(SimulatedCampaign, StopsWhenAsked) {
-  int asked = 0;
+  int calls = 0;
   const auto campaign = simulateCampaign(benchTruth(), designOf(MeasurementKind::kPosition, 1e-4), {},
-                                         {{}, [&asked] { return ++asked > 20; }});
+                                         {{}, [&calls] { return ++calls > 20; }});
   EXPECT_EQ(campaign.status, CampaignStatus::kStopped);
   EXPECT_LT(campaign.measurements.size(), 120u);
 }

@@ -22,7 +22,7 @@ Arm shipped(const std::string& name) {
 
 /// Posture well within the limits, neither stretched nor folded, and a goal: the posture's tip, with an axis tilted
 /// relative to its tool axis.
-struct Asked {
+struct TiltedGoal {
   VectorXd q;
   ToolGoal goal;
 };
@@ -37,14 +37,14 @@ VectorXd drawnWithin(const Arm& arm, std::mt19937_64& random) {
   return q;
 }
 
-Asked askedOf(const Arm& arm, double lean, std::mt19937_64& random) {
+TiltedGoal tiltedGoalOf(const Arm& arm, double lean, std::mt19937_64& random) {
   for (;;) {
-    Asked asked{drawnWithin(arm, random), {}};
-    const auto tip = differentiateTip(arm, {asked.q, kToolLoad, kDown}, jointVariables(arm), {1e-14, 200});
+    TiltedGoal tilted{drawnWithin(arm, random), {}};
+    const auto tip = differentiateTip(arm, {tilted.q, kToolLoad, kDown}, jointVariables(arm), {1e-14, 200});
     if (Eigen::JacobiSVD<Eigen::MatrixXd>(tip.position_B).singularValues().minCoeff() < 0.05 * reachOf(arm)) continue;
     const Vector3d axis = tip.kinematics.X_BD.R * arm.tool_axis_L;
-    asked.goal = {tip.kinematics.X_BD.p, Eigen::AngleAxisd(lean, axis.unitOrthogonal()) * axis};
-    return asked;
+    tilted.goal = {tip.kinematics.X_BD.p, Eigen::AngleAxisd(lean, axis.unitOrthogonal()) * axis};
+    return tilted;
   }
 }
 
@@ -86,13 +86,13 @@ TEST_P(EachArm, HoldsThePlaceWhateverTheAxisAsked) {
   std::mt19937_64 random(31);
   for (const double lean : {0., 0.001, 0.5, 3.}) {
     for (int n = 0; n < 6; ++n) {
-      const Asked asked = askedOf(arm, lean * kDegree, random);
-      const auto found = solveInverseKinematics(arm, asked.goal, kToolLoad, kDown);
+      const TiltedGoal tilted = tiltedGoalOf(arm, lean * kDegree, random);
+      const auto found = solveInverseKinematics(arm, tilted.goal, kToolLoad, kDown);
       ASSERT_EQ(found.status, BranchStatus::kConverged) << lean << " deg, " << n << ": " << found.reason;
       for (const Branch& branch : found.branches) {
         if (branch.status != BranchStatus::kConverged) continue;
         const auto shape = solveFlexibleKinematics(arm, {branch.q, kToolLoad, kDown}, {1e-14, 200});
-        EXPECT_LE((shape.X_BD.p - asked.goal.p_BT).norm(), 1e-9 * reachOf(arm));
+        EXPECT_LE((shape.X_BD.p - tilted.goal.p_BT).norm(), 1e-9 * reachOf(arm));
       }
     }
   }
@@ -104,8 +104,8 @@ TEST_P(EachArm, TiltsTheLeastThatThePlaceAllows) {
   std::mt19937_64 random(32);
   constexpr double kStep = 1e-3;  // [rad]
   for (int n = 0; n < 4; ++n) {
-    const Asked asked = askedOf(arm, 3 * kDegree, random);
-    const auto found = solveInverseKinematics(arm, asked.goal, kToolLoad, kDown);
+    const TiltedGoal tilted = tiltedGoalOf(arm, 3 * kDegree, random);
+    const auto found = solveInverseKinematics(arm, tilted.goal, kToolLoad, kDown);
     ASSERT_EQ(found.status, BranchStatus::kConverged) << found.reason;
     EXPECT_LE(found.branches.front().tilt, std::numbers::pi / 2);
     for (std::size_t k = 0; k < found.branches.size() && k < 4; ++k) {
@@ -113,7 +113,7 @@ TEST_P(EachArm, TiltsTheLeastThatThePlaceAllows) {
       if (branch.status != BranchStatus::kConverged) continue;
       // The solver may leave a tilt that the joints change by less than the singular floor per rad.
       EXPECT_LE(branch.tilt,
-                leastTiltNear(arm, asked.goal, branch.q, kStep, random) + 1.1 * options.singular_floor * kStep);
+                leastTiltNear(arm, tilted.goal, branch.q, kStep, random) + 1.1 * options.singular_floor * kStep);
     }
   }
 }
@@ -122,7 +122,7 @@ TEST_P(EachArm, FindsThePostureThatItWasAskedFromOrOneAsGood) {
   const Arm arm = shipped(GetParam());
   std::mt19937_64 random(33);
   for (int n = 0; n < 20; ++n) {
-    const auto found = solveInverseKinematics(arm, askedOf(arm, 0, random).goal, kToolLoad, kDown);
+    const auto found = solveInverseKinematics(arm, tiltedGoalOf(arm, 0, random).goal, kToolLoad, kDown);
     ASSERT_EQ(found.status, BranchStatus::kConverged) << n << ": " << found.reason;
     double least = std::numeric_limits<double>::infinity();
     for (const Branch& branch : found.branches)
@@ -134,12 +134,12 @@ TEST_P(EachArm, FindsThePostureThatItWasAskedFromOrOneAsGood) {
 TEST(LeastTilt, WhatIsFreeBringsJointsBackWithinTheirLimits) {
   Arm arm = shipped("iiwa-arm.yaml");
   std::mt19937_64 random(34);
-  const Asked asked = askedOf(arm, 0, random);
+  const TiltedGoal tilted = tiltedGoalOf(arm, 0, random);
   for (auto& row : arm.rows)
-    if (row.joint.name == "A3") row.joint.lower = asked.q[2] - 0.02, row.joint.upper = asked.q[2] + 0.02;
-  VectorXd start = asked.q;
+    if (row.joint.name == "A3") row.joint.lower = tilted.q[2] - 0.02, row.joint.upper = tilted.q[2] + 0.02;
+  VectorXd start = tilted.q;
   start[2] += 0.3;
-  const Branch branch = refineBranch(arm, asked.goal, kToolLoad, kDown, start);
+  const Branch branch = refineBranch(arm, tilted.goal, kToolLoad, kDown, start);
   EXPECT_EQ(branch.status, BranchStatus::kConverged) << branch.reason;
 }
 
@@ -148,7 +148,8 @@ TEST(LeastTilt, ATiltThatIsTooLargeIsSaidToBe) {
   std::mt19937_64 random(35);
   InverseKinematicsOptions options;
   options.max_tilt = 2 * kDegree;
-  const auto found = solveInverseKinematics(arm, askedOf(arm, 3 * kDegree, random).goal, kToolLoad, kDown, options);
+  const auto found =
+      solveInverseKinematics(arm, tiltedGoalOf(arm, 3 * kDegree, random).goal, kToolLoad, kDown, options);
   EXPECT_EQ(found.status, BranchStatus::kTiltTooLarge);
   EXPECT_NE(found.reason.find("leans by 3.0 deg"), std::string::npos) << found.reason;
 }
@@ -156,14 +157,14 @@ TEST(LeastTilt, ATiltThatIsTooLargeIsSaidToBe) {
 TEST(LeastTilt, AnArmOfAnyBuildTellsWhatIsOutOfReachAndWhichLimitIsPassed) {
   Arm arm = shipped("tsm-cobra-arm.yaml");
   std::mt19937_64 random(36);
-  Asked asked = askedOf(arm, 0, random);
+  TiltedGoal tilted = tiltedGoalOf(arm, 0, random);
   for (auto& row : arm.rows)
-    if (row.joint.name == "q1") row.joint.lower = asked.q[0] + 0.6, row.joint.upper = asked.q[0] + 0.7;
-  const auto limited = solveInverseKinematics(arm, asked.goal, kToolLoad, kDown);
+    if (row.joint.name == "q1") row.joint.lower = tilted.q[0] + 0.6, row.joint.upper = tilted.q[0] + 0.7;
+  const auto limited = solveInverseKinematics(arm, tilted.goal, kToolLoad, kDown);
   EXPECT_EQ(limited.status, BranchStatus::kPastJointLimit);
   EXPECT_NE(limited.reason.find("q1"), std::string::npos) << limited.reason;
-  asked.goal.p_BT *= 5;
-  EXPECT_EQ(solveInverseKinematics(arm, asked.goal, kToolLoad, kDown).status, BranchStatus::kOutOfReach);
+  tilted.goal.p_BT *= 5;
+  EXPECT_EQ(solveInverseKinematics(arm, tilted.goal, kToolLoad, kDown).status, BranchStatus::kOutOfReach);
 }
 
 }  // namespace

@@ -163,10 +163,10 @@ TEST(CheckMotion, HalvesForAccuracyDownToTheLeastTravel) {
   EXPECT_EQ(evenlyFree(1, 1, {.least_travel = 1.1, .accuracy = 0.1}).checks, 2);
 }
 
-/// Returns a clearance function that also computes several postures at once; `asked` counts the calls for several.
-PostureClearance allAtOnce(const PostureClearance& alone, int& asked) {
-  return SideBySideClearance{alone, [alone, &asked](const PostureColumns& q) {
-                               ++asked;
+/// Returns a clearance function that also computes several postures at once; `calls` counts the calls for several.
+PostureClearance allAtOnce(const PostureClearance& alone, int& calls) {
+  return SideBySideClearance{alone, [alone, &calls](const PostureColumns& q) {
+                               ++calls;
                                MarginsSideBySide found;
                                for (Eigen::Index k = 0; k < q.cols(); ++k) {
                                  Clearance here = alone(q.col(k));
@@ -181,20 +181,20 @@ PostureClearance allAtOnce(const PostureClearance& alone, int& asked) {
 
 TEST(CheckMotion, AsksForTheMiddlesOfHalvesTooWhereTheyWillBeNeeded) {
   for (const bool is_far : {false, true}) {
-    int asked = 0, alone_asked = 0;
-    const auto even = [&alone_asked](const VectorXd&) {
-      ++alone_asked;
+    int calls = 0, single_calls = 0;
+    const auto even = [&single_calls](const VectorXd&) {
+      ++single_calls;
       Clearance clearance;
       clearance.margin = 0.1;
       return clearance;
     };
     const TravelBound travel{posture(is_far ? 1 : 0.5, 0, 0)};
-    const auto result = checkMotion(posture(0, 0, 0), posture(1, 0, 0), allAtOnce(even, asked), travel);
+    const auto result = checkMotion(posture(0, 0, 0), posture(1, 0, 0), allAtOnce(even, calls), travel);
     EXPECT_EQ(result.status, MotionCheckStatus::kFree);
     EXPECT_EQ(result.checks, is_far ? 9 : 5);
     // One call each for the ends, the middle and quarter points, and the eighth points.
-    EXPECT_EQ(asked, is_far ? 3 : 2);
-    EXPECT_EQ(alone_asked, result.checks);  // no posture is evaluated twice or needlessly
+    EXPECT_EQ(calls, is_far ? 3 : 2);
+    EXPECT_EQ(single_calls, result.checks);  // no posture is evaluated twice or needlessly
   }
 }
 
@@ -203,7 +203,7 @@ TEST(CheckMotion, PosturesAskedTogetherChangeNoAnswer) {
                                          {"wall", shape("keep_side", {-1.2, 0, 0, 1, 0, 0}), {}}}));
   const PostureClearance alone = kArm.clearanceOf(world);
   std::mt19937_64 random(7);
-  int asked = 0, free = 0, blocked = 0;
+  int calls = 0, free = 0, blocked = 0;
   const auto same = [](double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; };
   for (int trial = 0; trial < 400; ++trial) {
     const auto any = [&] { return posture(uniform(random, -2, 2), uniform(random, -2, 2), uniform(random, -2, 2)); };
@@ -212,7 +212,7 @@ TEST(CheckMotion, PosturesAskedTogetherChangeNoAnswer) {
                                      .accuracy = trial % 2 ? 1e-3 : std::numeric_limits<double>::infinity(),
                                      .max_checks = trial % 7 ? 100000 : 9};
     const auto one = checkMotion(q0, q1, alone, kArm.travel(world), options);
-    const auto all = checkMotion(q0, q1, allAtOnce(alone, asked), kArm.travel(world), options);
+    const auto all = checkMotion(q0, q1, allAtOnce(alone, calls), kArm.travel(world), options);
     EXPECT_EQ(all.status, one.status) << trial;
     EXPECT_EQ(all.reason, one.reason) << trial;
     EXPECT_EQ(all.checks, one.checks) << trial;
@@ -222,7 +222,7 @@ TEST(CheckMotion, PosturesAskedTogetherChangeNoAnswer) {
     EXPECT_EQ(describe(all.tightest), describe(one.tightest)) << trial;
     (one.status == MotionCheckStatus::kFree ? free : blocked) += 1;
   }
-  EXPECT_GT(asked, 400);
+  EXPECT_GT(calls, 400);
   EXPECT_GT(free, 50);
   EXPECT_GT(blocked, 50);
 }

@@ -59,7 +59,7 @@ TEST(Roadmap, PartsThatNothingJoinsAreToldApart) {
   const Roadmap roadmap(problem, {}, small());
   long checks = 0;
   EXPECT_EQ(roadmap.between(Vector2d(-0.8, 0), Vector2d(0.8, 0), checks).status, RoadmapStatus::kDisconnected);
-  problem.roadmap = [&](const VectorXd& a, const VectorXd& b, long& asked) { return roadmap.between(a, b, asked); };
+  problem.roadmap = [&](const VectorXd& a, const VectorXd& b, long& checked) { return roadmap.between(a, b, checked); };
   const auto plan = planMotion(Vector2d(-0.8, 0), Vector2d(0.8, 0), problem);
   EXPECT_EQ(plan.status, MotionPlanStatus::kNoPath);
   EXPECT_EQ(plan.iterations, 0);

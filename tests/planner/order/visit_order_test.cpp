@@ -138,11 +138,11 @@ TEST(OrderVisits, StoppedAtOnceStillGivesAWholeOrderAndABoundThatHolds) {
   const Route route = randomRoute(random, 80, 2, false, false);
   const VisitOrder searched = orderVisits(route, quick(1));
   VisitOrderOptions options;
-  std::atomic<int> asked = 0;
-  options.stop = [&] { return ++asked > 0; };
+  std::atomic<int> calls = 0;
+  options.stop = [&] { return ++calls > 0; };
   const VisitOrder stopped = orderVisits(route, options);
   expectValid(route, stopped);
-  EXPECT_GT(asked, 0);
+  EXPECT_GT(calls, 0);
   EXPECT_LE(stopped.lower_bound, searched.travel_time);
 }
 

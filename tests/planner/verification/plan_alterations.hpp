@@ -206,7 +206,7 @@ inline bool standBetweenRows(Work& work, Generator& generator) {
   return std::min(sideways(needleAt(before), p), sideways(needleAt(after), p)) > 0.35 * kInch;
 }
 
-inline bool askForMoreClearance(Work& work, Generator& generator) {
+inline bool requireMoreClearance(Work& work, Generator& generator) {
   const ArmClearance before(work.cell);
   double least = std::numeric_limits<double>::infinity();
   for (const auto& row : work.plan.path)
@@ -353,7 +353,7 @@ inline constexpr Alteration kAlterations[] = {
     {"a joint value missing", loseJointValue},
     {"an obstacle in the way", standInTheWay},
     {"a needle between two rows", standBetweenRows},
-    {"more clearance asked for", askForMoreClearance},
+    {"more clearance asked for", requireMoreClearance},
     {"the base by 0.001 in", moveBase},
     {"the base by 0.001 deg", turnBase},
     {"a joint stiffness by 1 %", softenJoint},

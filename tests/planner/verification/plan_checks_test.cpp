@@ -287,12 +287,12 @@ TEST_F(Checked, AStopIsNoProof) {
 TEST_F(Checked, ARowFarPastItsLimitIsRefutedAtOnce) {
   Work work = *work_;
   work.plan.path[7].q[0] = 1e6;
-  int asked = 0;
+  int calls = 0;
   PlanHooks hooks;
-  hooks.stop = [&] { return ++asked > 100000; };
+  hooks.stop = [&] { return ++calls > 100000; };
   const PlanCheck check = checkPlan(work.cell, work.plan, {}, hooks);
   EXPECT_EQ(check.findings.front(), "path row 8: theta1 is past its limit");
-  EXPECT_LT(asked, 100000);
+  EXPECT_LT(calls, 100000);
 }
 
 TEST(CheckPlan, IsStoppedBetweenTwoRowsThatAreFarApart) {
@@ -300,11 +300,11 @@ TEST(CheckPlan, IsStoppedBetweenTwoRowsThatAreFarApart) {
   StatedPlan plan;
   plan.path = {{0, 0, SegmentKind::kApproach, Eigen::Vector2d(0.1, 0)},
                {10, 0, SegmentKind::kApproach, Eigen::Vector2d(1e9, 0)}};
-  int asked = 0;
+  int calls = 0;
   PlanHooks hooks;
-  hooks.stop = [&] { return ++asked > 1000; };
+  hooks.stop = [&] { return ++calls > 1000; };
   EXPECT_EQ(checkPlan(cell, plan, {}, hooks).findings.back(), "stopped before the clearance was proved");
-  EXPECT_LT(asked, 1100);
+  EXPECT_LT(calls, 1100);
 }
 
 }  // namespace
