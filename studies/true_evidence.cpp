@@ -46,9 +46,9 @@ int run(const std::string& cell_file, const std::string& measurements_file, cons
   for (const auto& text : hidden) effects.push_back(app::parseEffect(text, cell.arm, cell.units, "hidden").effect);
   calibration::DiagnosisOptions options;
   options.baseline.free = app::freeNumbersOf(cell);
-  std::vector<std::vector<deflection::Effect>> asked;
-  if (!effects.empty()) asked.push_back(effects);
-  const auto models = calibration::competingExplanations(app::startOf(cell, used), used, options, asked);
+  std::vector<std::vector<deflection::Effect>> requested;
+  if (!effects.empty()) requested.push_back(effects);
+  const auto models = calibration::competingExplanations(app::startOf(cell, used), used, options, requested);
   json out{{"verdict", calibration::nameOf(diagnosis.verdict)},
            {"nothing", diagnosis.nothing_probability},
            {"unknown", diagnosis.unknown_probability},
@@ -57,7 +57,7 @@ int run(const std::string& cell_file, const std::string& measurements_file, cons
            {"set_aside", diagnosis.set_aside.size()},
            {"alternatives", listJson(diagnosis.alternatives)},
            {"found", listJson(models.found)},
-           {"truth", listJson(models.asked)}};
+           {"truth", listJson(models.requested)}};
   std::cout << out.dump() << "\n";
   return 0;
 }

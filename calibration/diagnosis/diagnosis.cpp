@@ -254,7 +254,7 @@ Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& measu
 
 CompetingExplanations competingExplanations(const PlacedArm& start, const std::vector<Measurement>& measurements,
                                             const DiagnosisOptions& options,
-                                            const std::vector<std::vector<deflection::Effect>>& asked) {
+                                            const std::vector<std::vector<deflection::Effect>>& requested) {
   std::vector<Measurement> used = measurements;
   std::erase_if(used, [](const Measurement& measurement) { return measurement.is_held_out; });
   try {
@@ -265,7 +265,7 @@ CompetingExplanations competingExplanations(const PlacedArm& start, const std::v
     for (const CompetingModel& model : found.work.models)
       if (model.hasFit()) all.found.push_back(model.fit);
     std::ranges::stable_sort(all.found, {}, &Explanation::criterion);
-    for (const auto& effects : asked) all.asked.push_back(fittedModelOf(found.work, effects).fit);
+    for (const auto& effects : requested) all.requested.push_back(fittedModelOf(found.work, effects).fit);
     return all;
   } catch (const WorkStopped&) {
     return {};

@@ -23,15 +23,14 @@ struct CompetingExplanations {
   /// Models that the search fitted, including the model with nothing missing; most probable first.
   std::vector<Explanation> found;
   /// Requested models in the order of the request; a model that cannot be fitted has no effects.
-  std::vector<Explanation> asked;
+  std::vector<Explanation> requested;
 };
 
-/// Fits the models that the search finds, and the requested models `asked`, each given as a list of effects. If the
+/// Fits the models that the search finds, and the requested models `requested`, each given as a list of effects. If the
 /// requested effects have values other than neutral, a second fit starts from these values, and the more probable of
 /// the two results is kept. Returns no models if the baseline cannot be fitted or the work was stopped on request.
-[[nodiscard]] CompetingExplanations competingExplanations(const PlacedArm& start,
-                                                          const std::vector<Measurement>& measurements,
-                                                          const DiagnosisOptions& options,
-                                                          const std::vector<std::vector<deflection::Effect>>& asked);
+[[nodiscard]] CompetingExplanations competingExplanations(
+    const PlacedArm& start, const std::vector<Measurement>& measurements, const DiagnosisOptions& options,
+    const std::vector<std::vector<deflection::Effect>>& requested);
 
 }  // namespace tubeplan::calibration

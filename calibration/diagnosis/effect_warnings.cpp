@@ -177,18 +177,18 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   bare.baseline.free.names = namesOfOthers(c.start.arm, options.baseline.free.names, effect);
   EffectWarning warning = named(c, effect, EffectWarningKind::kBetterExplainedBy);
   const PlacedArm without = withoutEffect(c.start, effect);
-  std::vector<std::vector<deflection::Effect>> asked;
+  std::vector<std::vector<deflection::Effect>> requested;
   if (const auto itself = deflection::makeEffect(without.arm, warning.effect, warning.at);
       itself.status == deflection::EffectStatus::kMade)
-    asked.push_back({itself.effect});
-  const auto models = competingExplanations(without, c.measurements, bare, asked);
+    requested.push_back({itself.effect});
+  const auto models = competingExplanations(without, c.measurements, bare, requested);
   throwIfStopped(bare.hooks.stop);
   const Explanation *own = nullptr, *other = nullptr, *nothing = nullptr;
   for (const Explanation& model : models.found) {  // models are sorted, most probable first
     const Explanation*& of = model.effects.empty() ? nothing : find(model, warning) ? own : other;
     if (!of) of = &model;
   }
-  if (!own && !models.asked.empty() && !models.asked.front().effects.empty()) own = &models.asked.front();
+  if (!own && !models.requested.empty() && !models.requested.front().effects.empty()) own = &models.requested.front();
   if (!nothing) return;
   if (!own) {
     judgeByFit(c, effect, warnings);

@@ -57,11 +57,11 @@ FiledTip filedTip(MeasurementPredictor& predictor, const UncertainNumbers& numbe
 
 /// Records, for every pair of touches of different holes, the distance between the two tip positions as the arm's file
 /// predicts them, and the distance between the holes.
-void recordDistances(const TouchesToExplain& asked, const TouchFit& fit, BaseCalibration& result) {
-  const auto& touches = asked.touches;
-  MeasurementPredictor predictor(asked.arm);
+void recordDistances(const TouchesToExplain& to_explain, const TouchFit& fit, BaseCalibration& result) {
+  const auto& touches = to_explain.touches;
+  MeasurementPredictor predictor(to_explain.arm);
   std::vector<FiledTip> tips;
-  for (const auto& touch : touches) tips.push_back(filedTip(predictor, asked.numbers, fit.X_WB, touch));
+  for (const auto& touch : touches) tips.push_back(filedTip(predictor, to_explain.numbers, fit.X_WB, touch));
   for (std::size_t i = 0; i < touches.size(); ++i)
     for (std::size_t j = i + 1; j < touches.size(); ++j) {
       if (touches[i].point == touches[j].point || !tips[i].ok || !tips[j].ok) continue;
@@ -85,13 +85,13 @@ void recordNumbers(const UncertainNumbers& numbers, const TouchFit& fit, BaseCal
 
 /// Returns true if the lack of fit is too large for noise, uncertain parameters and the usual model error together. The
 /// reason then names the holes that may be mistaken.
-bool isMistaken(const TouchesToExplain& asked, BaseCalibration& result) {
-  const double least = asked.options.mistaken_hole_p_value;
+bool isMistaken(const TouchesToExplain& to_explain, BaseCalibration& result) {
+  const double least = to_explain.options.mistaken_hole_p_value;
   if (!(result.p_value < least)) return false;
-  const TouchFit tolerant = fitTouches(asked.arm, asked.numbers, asked.touches, asked.X_WB,
-                                       {asked.options.model_sigma, false, asked.options.method});
+  const TouchFit tolerant = fitTouches(to_explain.arm, to_explain.numbers, to_explain.touches, to_explain.X_WB,
+                                       {to_explain.options.model_sigma, false, to_explain.options.method});
   if (!(tolerant.p_value < least)) return false;
-  result.suspects = findMistakenHoles(asked, tolerant.chi2);
+  result.suspects = findMistakenHoles(to_explain, tolerant.chi2);
   result.reason = "the touches fit neither the holes they name nor any of their neighbours";
   if (!result.suspects.empty()) {
     result.reason = "a hole was mistaken for its neighbour: " + result.suspects.front();
@@ -120,17 +120,17 @@ BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Meas
     result.reason = fit.reason;
     return result;
   }
-  const TouchesToExplain asked{arm, numbers, touches, fit.X_WB, options};
+  const TouchesToExplain to_explain{arm, numbers, touches, fit.X_WB, options};
   recordResiduals(fit, touches, result);
-  recordDistances(asked, fit, result);
+  recordDistances(to_explain, fit, result);
   recordNumbers(numbers, fit, result);
   if (isFitRefused(result) && options.finds_suspects) {
-    const OutlierTouch outlier = findOutlierTouch(asked);
+    const OutlierTouch outlier = findOutlierTouch(to_explain);
     result.outlier_touch = outlier.touch;
     result.rms_of_others = outlier.rms_of_others;
-    result.suspect_measurements = findSuspectMeasurements(asked);
+    result.suspect_measurements = findSuspectMeasurements(to_explain);
   }
-  if (isMistaken(asked, result)) return result;
+  if (isMistaken(to_explain, result)) return result;
   result.covariance = fit.uncertainty.covariance.topLeftCorner<6, 6>();
   result.status = CalibrationStatus::kDone;
   return result;

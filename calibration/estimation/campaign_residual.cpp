@@ -89,11 +89,11 @@ CampaignResidual::CampaignResidual(const PlacedArm& start, const std::vector<Unk
   for (std::size_t k = 0; k < unknowns.size(); ++k) {
     const Unknown& unknown = unknowns[k];
     if (unknown.owner == Unknown::Owner::kArm) {
-      slopes_asked_.numbers.push_back(deflection::Variable::number(unknown.path));
+      requested_slopes_.numbers.push_back(deflection::Variable::number(unknown.path));
       numbers_.push_back(static_cast<Index>(k));
       continue;
     }
-    slopes_asked_.by_base = true;
+    requested_slopes_.by_base = true;
     auto& base = bases_[static_cast<std::size_t>(unknown.base_pose)];
     base.resize(6, -1);
     base[static_cast<std::size_t>(unknown.component)] = static_cast<Index>(k);
@@ -180,7 +180,7 @@ bool CampaignResidual::fill(bool with_jacobian) {
         prediction.value - kindOf(measurements[k]).measured(measurements[k]);
     if (with_jacobian) scatter(base_pose_of_[k], prediction, weights_.first_row[k]);
   };
-  return predictAll(placed_, measurements, base_pose_of_, with_jacobian ? slopes_asked_ : kValues, stop_, put,
+  return predictAll(placed_, measurements, base_pose_of_, with_jacobian ? requested_slopes_ : kValues, stop_, put,
                     prepared_ ? &*prepared_ : nullptr);
 }
 

@@ -61,8 +61,9 @@ class CampaignResidual {
   StopQuestion stop_;
   /// Measurements with their touched surfaces as fitted; empty if no measurement touches a surface.
   std::vector<Measurement> settled_;
-  std::vector<int> base_pose_of_;   ///< index of each measurement's base pose
-  PredictionRequest slopes_asked_;  ///< derivatives to compute: by the free parameters, and by the base if one is free
+  std::vector<int> base_pose_of_;  ///< index of each measurement's base pose
+  PredictionRequest
+      requested_slopes_;  ///< derivatives to compute: by the free parameters, and by the base if one is free
   std::vector<Eigen::Index> numbers_;  ///< Jacobian column of each parameter
   /// For each base, Jacobian columns of its step, -1 for a fixed component; empty means known base.
   std::vector<std::vector<Eigen::Index>> bases_;

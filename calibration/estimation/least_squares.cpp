@@ -30,8 +30,8 @@ LeastSquaresResult evaluateFixed(const LeastSquaresProblem& problem) {
 LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, const LeastSquaresProblem& problem,
                                         const LeastSquaresStop& rest, const LeastSquaresOptions& options) {
   bool is_stopped = false;
-  LeastSquaresProblem asking = problem;
-  asking.evaluate = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) {
+  LeastSquaresProblem stoppable = problem;
+  stoppable.evaluate = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) {
     is_stopped = is_stopped || options.stop();
     try {
       return !is_stopped && problem.evaluate(x, r, jacobian);
@@ -40,7 +40,7 @@ LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, cons
       return false;
     }
   };
-  LeastSquaresResult result = kind.minimize(asking, rest, options.observe);
+  LeastSquaresResult result = kind.minimize(stoppable, rest, options.observe);
   if (is_stopped) {
     result.status = LeastSquaresStatus::kStopped;
     result.reason = kStoppedReason;

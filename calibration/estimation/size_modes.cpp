@@ -42,19 +42,20 @@ struct Direction {
 /// Search over the sizes of one effect, singly and in pairs, with all other unknowns refitted.
 class SizeSearch {
  public:
-  explicit SizeSearch(const SizeModesQuestion& question) : asked_(question) {
+  explicit SizeSearch(const SizeModesQuestion& question) : question_(question) {
     const std::size_t step =
-        std::max<std::size_t>(1, (asked_.measurements.size() + kMostMeasurements - 1) / kMostMeasurements);
-    for (std::size_t k = 0; k < asked_.measurements.size(); k += step) measurements_.push_back(asked_.measurements[k]);
-    if (auto weights = weighMeasurements(asked_.placed, measurements_, {}, asked_.model_error, asked_.stop))
+        std::max<std::size_t>(1, (question_.measurements.size() + kMostMeasurements - 1) / kMostMeasurements);
+    for (std::size_t k = 0; k < question_.measurements.size(); k += step)
+      measurements_.push_back(question_.measurements[k]);
+    if (auto weights = weighMeasurements(question_.placed, measurements_, {}, question_.model_error, question_.stop))
       weights_ = *std::move(weights);
-    VectorXd neutral = zerosOf(asked_.unknowns);
-    for (std::size_t k = 0; k < asked_.unknowns.size(); ++k)
+    VectorXd neutral = zerosOf(question_.unknowns);
+    for (std::size_t k = 0; k < question_.unknowns.size(); ++k)
       if (isSize(k))
-        neutral[static_cast<Index>(k)] = asked_.unknowns[k].prior_mean;
+        neutral[static_cast<Index>(k)] = question_.unknowns[k].prior_mean;
       else
-        others_.push_back(asked_.unknowns[k]);
-    bare_ = applied(asked_.placed, asked_.unknowns, neutral);
+        others_.push_back(question_.unknowns[k]);
+    bare_ = applied(question_.placed, question_.unknowns, neutral);
   }
 
   /// Returns all modes found, most probable first.
@@ -64,7 +65,7 @@ class SizeSearch {
     if (!std::isfinite(modes.front().cost)) return {};
     const double none = costOf(bare_, others_, zerosOf(others_));
     for (const Direction& direction : directions()) {
-      throwIfStopped(asked_.stop);
+      throwIfStopped(question_.stop);
       const auto unknowns = unknownsOf(direction);
       const VectorXd start = bestAlong(direction, unknowns);
       const double best = std::ranges::min(modes, {}, &SizeMode::cost).cost;
@@ -78,14 +79,17 @@ class SizeSearch {
   }
 
  private:
-  [[nodiscard]] bool isSize(std::size_t k) const { return std::ranges::find(asked_.sizes, k) != asked_.sizes.end(); }
+  [[nodiscard]] bool isSize(std::size_t k) const {
+    return std::ranges::find(question_.sizes, k) != question_.sizes.end();
+  }
 
   /// Returns the unknowns that are not sizes of the effect, then the sizes of the direction with variables that are 0
   /// at their neutral values.
   [[nodiscard]] std::vector<Unknown> unknownsOf(const Direction& direction) const {
     std::vector<Unknown> unknowns = others_;
     for (const std::size_t k : direction.sizes)
-      unknowns.push_back(rebased(asked_.unknowns[k], valueAt(asked_.unknowns[k], asked_.unknowns[k].prior_mean)));
+      unknowns.push_back(
+          rebased(question_.unknowns[k], valueAt(question_.unknowns[k], question_.unknowns[k].prior_mean)));
     return unknowns;
   }
 
@@ -93,12 +97,12 @@ class SizeSearch {
   /// with all combinations of signs.
   [[nodiscard]] std::vector<Direction> directions() const {
     std::vector<Direction> directions;
-    for (auto i = asked_.sizes.begin(); i != asked_.sizes.end(); ++i)
+    for (auto i = question_.sizes.begin(); i != question_.sizes.end(); ++i)
       for (const double sign : {1., -1.}) {
         directions.push_back({{*i}, VectorXd::Constant(1, sign)});
-        for (auto j = i + 1; j != asked_.sizes.end(); ++j)
+        for (auto j = i + 1; j != question_.sizes.end(); ++j)
           for (const double other : {1., -1.})
-            if (asked_.unknowns[*i].quantity == asked_.unknowns[*j].quantity)
+            if (question_.unknowns[*i].quantity == question_.unknowns[*j].quantity)
               directions.push_back({{*i, *j}, Eigen::Vector2d(sign, other) / std::sqrt(2.)});
       }
     return directions;
@@ -106,7 +110,7 @@ class SizeSearch {
 
   [[nodiscard]] LeastSquaresProblem problemAt(const PlacedArm& from, const std::vector<Unknown>& unknowns,
                                               const VectorXd& x) const {
-    return fitProblem(from, unknowns, measurements_, weights_, x, asked_.stop);
+    return fitProblem(from, unknowns, measurements_, weights_, x, question_.stop);
   }
   [[nodiscard]] double costOf(const PlacedArm& from, const std::vector<Unknown>& unknowns, const VectorXd& x) const {
     VectorXd r;
@@ -135,12 +139,12 @@ class SizeSearch {
   /// must be the last of the problem.
   [[nodiscard]] VectorXd sigmaAt(const LeastSquaresProblem& problem, const VectorXd& x,
                                  const std::vector<std::size_t>& sizes) const {
-    VectorXd sigma = VectorXd::Zero(static_cast<Index>(asked_.sizes.size())), r;
+    VectorXd sigma = VectorXd::Zero(static_cast<Index>(question_.sizes.size())), r;
     MatrixXd jacobian;
     if (!problem.evaluate(x, r, &jacobian)) return sigma;
     const MatrixXd covariance = inverseOfInformation(jacobian.transpose() * jacobian);
     for (std::size_t k = 0; k < sizes.size(); ++k) {
-      const auto place = std::ranges::find(asked_.sizes, sizes[k]) - asked_.sizes.begin();
+      const auto place = std::ranges::find(question_.sizes, sizes[k]) - question_.sizes.begin();
       const Index row = x.size() - static_cast<Index>(sizes.size()) + static_cast<Index>(k);
       sigma[place] = std::sqrt(std::max(0., covariance(row, row)));
     }
@@ -148,26 +152,26 @@ class SizeSearch {
   }
 
   [[nodiscard]] VectorXd valuesIn(PlacedArm state) const {
-    VectorXd values(static_cast<Index>(asked_.sizes.size()));
+    VectorXd values(static_cast<Index>(question_.sizes.size()));
     for (Index k = 0; k < values.size(); ++k)
-      values[k] = deflection::locate(state.arm, asked_.unknowns[asked_.sizes[static_cast<std::size_t>(k)]].path);
+      values[k] = deflection::locate(state.arm, question_.unknowns[question_.sizes[static_cast<std::size_t>(k)]].path);
     return values;
   }
 
   [[nodiscard]] SizeMode asFound() const {
-    const VectorXd origin = zerosOf(asked_.unknowns);
+    const VectorXd origin = zerosOf(question_.unknowns);
     SizeMode mode;
-    mode.state = asked_.placed;
-    mode.values = valuesIn(asked_.placed);
-    mode.sigma = asked_.sigma;
-    mode.cost = costOf(asked_.placed, asked_.unknowns, origin);
+    mode.state = question_.placed;
+    mode.values = valuesIn(question_.placed);
+    mode.sigma = question_.sigma;
+    mode.cost = costOf(question_.placed, question_.unknowns, origin);
     mode.is_as_found = true;
     return mode;
   }
 
   [[nodiscard]] SizeMode minimized(const std::vector<Unknown>& unknowns, const VectorXd& start,
                                    const Direction& direction) const {
-    const LeastSquaresOptions solver{1e-6, kIterations, LeastSquaresMethod::kLevenbergMarquardt, asked_.stop};
+    const LeastSquaresOptions solver{1e-6, kIterations, LeastSquaresMethod::kLevenbergMarquardt, question_.stop};
     const auto problem = problemAt(bare_, unknowns, start);
     const auto solution = minimizeOrUnwind(problem, solver);
     SizeMode mode;
@@ -182,8 +186,8 @@ class SizeSearch {
   /// Returns the state of a mode with all its sizes multiplied by `by`: 1 changes nothing, 0 makes the effect neutral.
   [[nodiscard]] PlacedArm stretched(const SizeMode& mode, double by) const {
     PlacedArm state = mode.state;
-    for (std::size_t k = 0; k < asked_.sizes.size(); ++k) {
-      const Unknown& size = asked_.unknowns[asked_.sizes[k]];
+    for (std::size_t k = 0; k < question_.sizes.size(); ++k) {
+      const Unknown& size = question_.unknowns[question_.sizes[k]];
       const double none = valueAt(size, size.prior_mean);
       deflection::locate(state.arm, size.path) = none + by * (mode.values[static_cast<Index>(k)] - none);
     }
@@ -243,7 +247,7 @@ class SizeSearch {
     modes.push_back(mode);
   }
 
-  const SizeModesQuestion& asked_;
+  const SizeModesQuestion& question_;
   PlacedArm bare_;  ///< state of the fit, but with the effect's sizes at their neutral values
   std::vector<Unknown> others_;
   std::vector<Measurement> measurements_;
@@ -260,16 +264,17 @@ std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm
         kind.has_direction || kind.is_to_gravity || kind.departure || kind.has_anchor || kind.settle;
     if (needs_more || kind.counts_steps) continue;
     for (std::size_t k = 0; k < measurements.size(); k += std::max<std::size_t>(1, measurements.size() / 20)) {
-      Measurement asked = measurements[k];
-      asked.kind = kind.kind;
-      if (kind.names_hole && !asked.p_W) continue;
-      const auto here = toolAt(one, asked), there = toolAt(other, asked);
+      Measurement measurement = measurements[k];
+      measurement.kind = kind.kind;
+      if (kind.names_hole && !measurement.p_W) continue;
+      const auto here = toolAt(one, measurement), there = toolAt(other, measurement);
       if (!here || !there) continue;
       // The predicted value of a touch is the same in both states. Instead, as for a measured position, compare the two
       // predicted tips.
-      kind.record(*here, 1, MeasuredValue::Zero(6), asked);
-      const double difference = kind.is_touch ? (here->p_W - there->p_W).norm()
-                                              : (predictedValue(asked, *there) - predictedValue(asked, *here)).norm();
+      kind.record(*here, 1, MeasuredValue::Zero(6), measurement);
+      const double difference = kind.is_touch
+                                    ? (here->p_W - there->p_W).norm()
+                                    : (predictedValue(measurement, *there) - predictedValue(measurement, *here)).norm();
       if (!(difference > kDecides * measurements[k].sigma)) continue;
       kinds.push_back(kind.kind);
       break;

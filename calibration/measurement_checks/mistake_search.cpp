@@ -25,15 +25,15 @@ class MistakeSearch {
   explicit MistakeSearch(const MistakeTrials& trials) : trials_(trials), judgement_(trials) {}
 
   [[nodiscard]] std::optional<FoundMistake> find() const {
-    if (!judgement_.asksForMistakes() && !judgement_.asksForSteps()) return std::nullopt;
-    auto suspects = judgement_.asksForMistakes() ? examined(screened()) : std::vector<Suspect>{};
+    if (!judgement_.needsMistakeSearch() && !judgement_.needsStepSearch()) return std::nullopt;
+    auto suspects = judgement_.needsMistakeSearch() ? examined(screened()) : std::vector<Suspect>{};
     const auto tried = suspects;
     std::erase_if(suspects, [&](const Suspect& suspect) {
       return !judgement_.explainsError(suspect) && !judgement_.explainsBase(suspect);
     });
     if (std::ranges::none_of(suspects, SuspectJudgement::isAtNoise))
       addExplaining(examined(withSteps(tried, judgement_.isLeftOver(suspects))), suspects);
-    if (judgement_.asksForSeveral(suspects)) addExplaining(examined(screenedTogether()), suspects);
+    if (judgement_.needsCombinedSearch(suspects)) addExplaining(examined(screenedTogether()), suspects);
     if (suspects.empty()) return std::nullopt;
     std::ranges::stable_sort(suspects, std::greater{},
                              [&](const Suspect& suspect) { return judgement_.merit(suspect); });

@@ -43,7 +43,7 @@ bool SuspectJudgement::isBent(const Suspect& suspect) const {
          suspect.drawn.held_error > std::max(kBent * trials_.reach(), kLeastFall * trials_.noise(suspect.correction));
 }
 
-bool SuspectJudgement::asksForSeveral(const std::vector<Suspect>& suspects) const {
+bool SuspectJudgement::needsCombinedSearch(const std::vector<Suspect>& suspects) const {
   const auto isWanting = [&](const Suspect& suspect) {
     const bool is_settled = suspect.correction.against > 0 && isAtNoise(suspect);  // a step that leaves only noise
     return !is_settled && (trials_.isBaseFar(suspect.drawn) || isBent(suspect));
@@ -66,7 +66,7 @@ bool SuspectJudgement::isAllNeeded(const Suspect& suspect) const {
   return true;
 }
 
-bool SuspectJudgement::asksForMistakes() const {
+bool SuspectJudgement::needsMistakeSearch() const {
   if (!trials_.asIs().ok) return true;
   const double noise = trials_.noise({});
   if (trials_.asIs().whole_error > kFits * trials_.reach()) return true;  // some of the measurements contain a mistake
@@ -77,7 +77,7 @@ bool SuspectJudgement::asksForMistakes() const {
          (trials_.asIs().held_error > kLeastFall * noise && (isLackOfFit() || is_bent));
 }
 
-bool SuspectJudgement::asksForSteps() const {
+bool SuspectJudgement::needsStepSearch() const {
   constexpr double kMoreThanNoise = 1.5;  // chi-square per degree of freedom that noise alone hardly exceeds
   return isLackOfFit() || trials_.asIs().chi2_per_freedom > kMoreThanNoise;
 }

@@ -24,15 +24,15 @@ class SuspectJudgement {
 
   /// Returns true if there is an error that a mistake could explain, or a displacement of the base that a mistake could
   /// have caused.
-  [[nodiscard]] bool asksForMistakes() const;
+  [[nodiscard]] bool needsMistakeSearch() const;
   /// Returns true if there is an error that a step of a few sigmas could cause.
-  [[nodiscard]] bool asksForSteps() const;
+  [[nodiscard]] bool needsStepSearch() const;
   /// Returns true if the remaining error exceeds the usual error of a model, for every suspect that could be corrected.
   [[nodiscard]] bool isLeftOver(const std::vector<Suspect>& suspects) const;
 
   /// Returns true if several mistakes are worth trying together: an error remains, or every suspect leaves the base far
   /// from its nominal place or needs a distorted drawing. A step that leaves only noise needs no further mistake.
-  [[nodiscard]] bool asksForSeveral(const std::vector<Suspect>& suspects) const;
+  [[nodiscard]] bool needsCombinedSearch(const std::vector<Suspect>& suspects) const;
 
   /// Returns true if a suspect lowers the error as much as measurement_checks.hpp requires of a mistake.
   [[nodiscard]] bool explainsError(const Suspect& suspect) const;

@@ -93,7 +93,7 @@ void predictOf(const FrameMotion& frame, const deflection::Arm& arm, const Isome
   if (!is_displacement) tool.p_W += X_WB.translation();
   if (seesTurn(measurement)) tool.R_WT = X_WB.linear() * frame.R_BF;
   prediction.value = predictedValue(measurement, tool);
-  if (request.asksForSlopes())
+  if (request.needsSlopes())
     deriveOf(frame, predictedSlope(measurement, tool), X_WB, request, is_displacement, prediction);
   scaleCoordinates(arm, measurement, request, prediction);
 }

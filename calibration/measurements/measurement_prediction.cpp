@@ -45,7 +45,7 @@ Prediction MeasurementPredictor::predictTip(const Eigen::Isometry3d& X_WB, const
   Prediction prediction;
   prediction.ok = solveFrame(*tip_, posture, variablesOf(request, arm_), std::nullopt, frame);
   prediction.value = X_WB * frame.p_BF;
-  if (request.asksForSlopes()) deriveOf(frame, {Matrix3d::Identity(), {}}, X_WB, request, false, prediction);
+  if (request.needsSlopes()) deriveOf(frame, {Matrix3d::Identity(), {}}, X_WB, request, false, prediction);
   return prediction;
 }
 

@@ -22,7 +22,7 @@ struct PredictionRequest {
   bool by_base = false;
   bool by_joints = false;
 
-  [[nodiscard]] bool asksForSlopes() const { return !numbers.empty() || by_base || by_joints; }
+  [[nodiscard]] bool needsSlopes() const { return !numbers.empty() || by_base || by_joints; }
 };
 
 /// Predicted values of a measurement, as its kind defines them (measurements/): up to 6 rows [m].

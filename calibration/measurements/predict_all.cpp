@@ -28,7 +28,7 @@ constexpr std::size_t kMeasurementsInTurn =
     16;  // measurements per block for one core, solved one at a time with one prepared arm
 
 /// Arguments of predictAll(): the measurements to predict, and what to compute for each.
-struct AskedMeasurements {
+struct PredictionTask {
   const PlacedArm& placed;
   const std::vector<Measurement>& measurements;
   const std::vector<int>& base_pose_of;
@@ -40,12 +40,12 @@ struct AskedMeasurements {
   }
 };
 
-bool predictInTurn(const AskedMeasurements& asked, std::size_t first, std::size_t count) {
-  MeasurementPredictor predictor(asked.placed.arm);
+bool predictInTurn(const PredictionTask& task, std::size_t first, std::size_t count) {
+  MeasurementPredictor predictor(task.placed.arm);
   for (std::size_t k = first; k < first + count; ++k) {
-    const Prediction prediction = predictor.predict(asked.X_WB(k), asked.measurements[k], asked.request);
+    const Prediction prediction = predictor.predict(task.X_WB(k), task.measurements[k], task.request);
     if (!prediction.ok) return false;
-    asked.each(k, prediction);
+    task.each(k, prediction);
   }
   return true;
 }
@@ -54,11 +54,11 @@ bool predictInTurn(const AskedMeasurements& asked, std::size_t first, std::size_
 /// measurements' own postures.
 class SideBySide {
  public:
-  explicit SideBySide(const AskedMeasurements& asked) : asked_(asked) {}
+  explicit SideBySide(const PredictionTask& task) : task_(task) {}
 
   bool predict(deflection::Kinematics& kinematics, std::size_t first, std::size_t count) {
-    const deflection::Arm& arm = asked_.placed.arm;
-    const auto variables = variablesOf(asked_.request, arm);
+    const deflection::Arm& arm = task_.placed.arm;
+    const auto variables = variablesOf(task_.request, arm);
     place(first, count);
     kinematics.solveWithDerivatives(postures_, variables, tips_);
     if (!std::ranges::all_of(tips_.status, [](auto s) { return s == deflection::KinematicsStatus::kConverged; }))
@@ -66,14 +66,14 @@ class SideBySide {
     tool_frame_ = toolFrame(arm);
     prediction_.ok = true;
     for (std::size_t k = first; k < first + count; ++k) {
-      const Measurement& measurement = asked_.measurements[k];
+      const Measurement& measurement = task_.measurements[k];
       moveTo(static_cast<Index>(k - first), seesTurn(measurement), frame_);
       if (const Index from = from_[k - first]; from >= 0) {
         moveTo(from, false, reference_);
-        frame_.takeOff(reference_, ownJointsOf(measurement, asked_.request, arm));
+        frame_.takeOff(reference_, ownJointsOf(measurement, task_.request, arm));
       }
-      predictOf(frame_, arm, asked_.X_WB(k), measurement, asked_.request, prediction_);
-      asked_.each(k, prediction_);
+      predictOf(frame_, arm, task_.X_WB(k), measurement, task_.request, prediction_);
+      task_.each(k, prediction_);
     }
     return true;
   }
@@ -83,11 +83,11 @@ class SideBySide {
     from_.assign(count, -1);
     auto postures = static_cast<Index>(count);
     for (std::size_t k = 0; k < count; ++k)
-      if (isDisplacement(asked_.measurements[first + k])) from_[k] = postures++;
-    postures_.resize(asked_.placed.arm.jointCount(), postures);
+      if (isDisplacement(task_.measurements[first + k])) from_[k] = postures++;
+    postures_.resize(task_.placed.arm.jointCount(), postures);
     for (std::size_t k = first; k < first + count; ++k) {
-      const Measurement& measurement = asked_.measurements[k];
-      const Vector3d gravity_B = deflection::gravityInBase(asked_.placed.arm, asked_.X_WB(k));
+      const Measurement& measurement = task_.measurements[k];
+      const Vector3d gravity_B = deflection::gravityInBase(task_.placed.arm, task_.X_WB(k));
       const auto put = [&](Index at, const Measurement& of, double load) {
         postures_.q.col(at) = of.q;
         postures_.load[at] = load;
@@ -106,7 +106,7 @@ class SideBySide {
     frame.by_BF.reshaped() = tips_.jacobian.col(posture);
   }
 
-  const AskedMeasurements& asked_;
+  const PredictionTask& task_;
   deflection::PostureBatch postures_;
   deflection::TipBatch tips_;
   std::vector<Index> from_;  ///< index of the reference posture, -1 if there is none
@@ -120,14 +120,14 @@ class SideBySide {
 bool predictAll(const PlacedArm& placed, const std::vector<Measurement>& measurements,
                 const std::vector<int>& base_pose_of, const PredictionRequest& request, const StopQuestion& stop,
                 const std::function<void(std::size_t, const Prediction&)>& each, deflection::Kinematics* prepared) {
-  const AskedMeasurements asked{placed, measurements, base_pose_of, request, each};
+  const PredictionTask task{placed, measurements, base_pose_of, request, each};
   const bool side_by_side = areForKernels(placed.arm, measurements);
   if (side_by_side && prepared && measurements.size() <= kMeasurementsOfCore)
-    return SideBySide(asked).predict(*prepared, 0, measurements.size());
+    return SideBySide(task).predict(*prepared, 0, measurements.size());
   const auto predictBlock = [&](std::size_t first, std::size_t count) {
-    if (!side_by_side) return predictInTurn(asked, first, count);
+    if (!side_by_side) return predictInTurn(task, first, count);
     deflection::Kinematics kinematics(placed.arm);
-    return SideBySide(asked).predict(kinematics, first, count);
+    return SideBySide(task).predict(kinematics, first, count);
   };
   if (side_by_side && measurements.size() <= kMeasurementsOfCore) return predictBlock(0, measurements.size());
   std::atomic<bool> ok = true;

@@ -215,7 +215,7 @@ Followed followGroups(const SearchedScene& search, const Variable& variable, con
 
 /// Tests a variable in one frame, in addition to the columns `others`. `PatternTest::numbers` is 0 if no column or no
 /// degree of freedom remains.
-PatternTest ask(const SearchedScene& search, const Question& question, const MatrixXd& others) {
+PatternTest testVariable(const SearchedScene& search, const Question& question, const MatrixXd& others) {
   PatternTest test;
   const Variable& variable = *question.variable;
   test.kind = question.kind->name;
@@ -263,7 +263,7 @@ std::vector<PatternTest> distinctFindings(const SearchedScene& search, const std
     const auto question = std::find_if(questions.begin(), questions.end(), [&](const Question& q) {
       return q.variable->name == test.variable && q.frame == test.frame;
     });
-    const PatternTest again = findings.size() == 1 ? test : ask(search, *question, fitted_columns);
+    const PatternTest again = findings.size() == 1 ? test : testVariable(search, *question, fitted_columns);
     if (again.p_value * static_cast<double>(tests.size()) > level)
       findings.back().goes_with = findings.front().variable;
     else if (question->variable->groups.empty())
@@ -293,12 +293,12 @@ PatternSearch searchPatterns(const MeasurementScene& scene, const MeasurementWei
       for (const PatternFrame frame : kFrames)
         if (variable.groups.empty() || frame == PatternFrame::kWorld)
           questions.push_back({&patternKinds()[k], &variable, frame});
-  std::vector<PatternTest> asked(questions.size());
+  std::vector<PatternTest> tests(questions.size());
   tbb::parallel_for(std::size_t{0}, questions.size(), [&](std::size_t k) {
-    if (!shouldStop(hooks.stop)) asked[k] = ask(search, questions[k], search.absorbed);
+    if (!shouldStop(hooks.stop)) tests[k] = testVariable(search, questions[k], search.absorbed);
   });
   throwIfStopped(hooks.stop);
-  for (const auto& test : asked)
+  for (const auto& test : tests)
     if (test.numbers > 0)
       result.tests.push_back(test);
     else if (test.frame == PatternFrame::kWorld)

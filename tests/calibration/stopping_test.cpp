@@ -27,17 +27,17 @@ class Watch {
               is_ordered_ = is_ordered_ && (total == 0 || done <= total);
             },
             [this] {
-              const int asked = ++asked_;
-              return stop_at_ >= 0 && asked >= stop_at_;
+              const int calls = ++calls_;
+              return stop_at_ >= 0 && calls >= stop_at_;
             }};
   }
-  [[nodiscard]] int asked() const { return asked_; }
+  [[nodiscard]] int calls() const { return calls_; }
   [[nodiscard]] const std::set<std::string>& stages() const { return stages_; }
   [[nodiscard]] bool isOrdered() const { return is_ordered_; }
 
  private:
   int stop_at_;
-  std::atomic<int> asked_ = 0;
+  std::atomic<int> calls_ = 0;
   std::set<std::string> stages_;
   bool is_ordered_ = true;
 };
@@ -80,12 +80,12 @@ class Stopping : public testing::Test {
   void stopEverywhere(Work work, IsStopped isStopped) {
     Watch whole;
     EXPECT_FALSE(isStopped(work(whole.hooks())));
-    EXPECT_GT(whole.asked(), 10);
+    EXPECT_GT(whole.calls(), 10);
     EXPECT_TRUE(whole.isOrdered());
-    for (const int moment : momentsOf(whole.asked())) {
+    for (const int moment : momentsOf(whole.calls())) {
       Watch watch(moment);
-      EXPECT_TRUE(isStopped(work(watch.hooks()))) << "at question " << moment << " of " << whole.asked();
-      EXPECT_LT(watch.asked(), moment + kAsItEnds);
+      EXPECT_TRUE(isStopped(work(watch.hooks()))) << "at question " << moment << " of " << whole.calls();
+      EXPECT_LT(watch.calls(), moment + kAsItEnds);
     }
   }
 };
@@ -113,10 +113,10 @@ class StoppingBetweenBlocks : public Stopping {
   void stopAtAll(Work work, IsStopped isStopped, int first, double growth) {
     Watch whole;
     EXPECT_FALSE(isStopped(work(whole.hooks())));
-    for (int moment = 1; moment <= whole.asked();
+    for (int moment = 1; moment <= whole.calls();
          moment = std::max(moment + 1, moment < first ? 0 : static_cast<int>(growth * moment))) {
       Watch watch(moment);
-      EXPECT_TRUE(isStopped(work(watch.hooks()))) << "at question " << moment << " of " << whole.asked();
+      EXPECT_TRUE(isStopped(work(watch.hooks()))) << "at question " << moment << " of " << whole.calls();
     }
   }
 };
@@ -142,7 +142,7 @@ TEST_F(Stopping, EverySolverStops) {
     IdentificationOptions options = identification(watch.hooks());
     options.solver.method = kind.method;
     EXPECT_EQ(identify(start, measurements, options).status, IdentificationStatus::kStopped) << kind.name;
-    EXPECT_LT(watch.asked(), 5 + kAsItEnds) << kind.name;
+    EXPECT_LT(watch.calls(), 5 + kAsItEnds) << kind.name;
   }
 }
 
@@ -193,11 +193,11 @@ TEST_F(Stopping, ThereAreNoWarningsOfWorkThatWasStopped) {
   Watch whole;
   options.hooks = whole.hooks();
   EXPECT_FALSE(warnOfEffects(carrying, measurements, options, fit).empty());
-  for (const int moment : momentsOf(whole.asked())) {
+  for (const int moment : momentsOf(whole.calls())) {
     Watch watch(moment);
     options.hooks = watch.hooks();
     EXPECT_TRUE(warnOfEffects(carrying, measurements, options, fit).empty()) << moment;
-    EXPECT_LT(watch.asked(), moment + kAsItEnds);
+    EXPECT_LT(watch.calls(), moment + kAsItEnds);
   }
 }
 
@@ -216,10 +216,10 @@ TEST_F(Stopping, HooksChangeNothing) {
   for (const char* stage : {"fit", "catalogue", "causes", "models", "readings kept out"})
     EXPECT_TRUE(watch.stages().contains(stage)) << stage;
   for (const auto& kind : leastSquaresMethods()) {
-    IdentificationOptions asked = identification(watch.hooks()), alone = identification({});
-    asked.solver.method = alone.solver.method = kind.method;
-    asked.folds = alone.folds = 0;
-    const auto a = identify(start, measurements, asked), b = identify(start, measurements, alone);
+    IdentificationOptions watched = identification(watch.hooks()), alone = identification({});
+    watched.solver.method = alone.solver.method = kind.method;
+    watched.folds = alone.folds = 0;
+    const auto a = identify(start, measurements, watched), b = identify(start, measurements, alone);
     ASSERT_EQ(a.numbers.size(), b.numbers.size()) << kind.name;
     for (std::size_t k = 0; k < a.numbers.size(); ++k) {
       EXPECT_EQ(a.numbers[k].value, b.numbers[k].value) << kind.name;

@@ -75,12 +75,12 @@ TEST(CompetingExplanations, HoldWhatIsAskedForFromItsTrueSizes) {
   options.baseline.free = {cell.identify, false};
   const auto models =
       competingExplanations(benchStart(cell, measurements), measurements, options, {truth, {truth.front()}});
-  ASSERT_EQ(models.asked.size(), 2U);
+  ASSERT_EQ(models.requested.size(), 2U);
   ASSERT_FALSE(models.found.empty());
-  EXPECT_EQ(models.asked.front().effects.size(), 2U);
+  EXPECT_EQ(models.requested.front().effects.size(), 2U);
   EXPECT_EQ(models.found.front().effects.size(), 2U);
-  EXPECT_NEAR(models.asked.front().criterion, models.found.front().criterion, 2);
-  EXPECT_GT(models.asked.back().criterion, models.asked.front().criterion + 20);
+  EXPECT_NEAR(models.requested.front().criterion, models.found.front().criterion, 2);
+  EXPECT_GT(models.requested.back().criterion, models.requested.front().criterion + 20);
 }
 
 }  // namespace

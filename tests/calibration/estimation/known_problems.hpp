@@ -75,15 +75,15 @@ inline LeastSquaresProblem randomLinear(std::uint64_t seed, double own = 1) {
 }
 
 /// Counts of the evaluations of a problem: without and with a Jacobian, and outside the bounds.
-struct Asked {
+struct EvaluationCounts {
   int values = 0, jacobians = 0, out_of_bounds = 0;
 };
 
-inline LeastSquaresProblem watched(LeastSquaresProblem problem, Asked& asked) {
-  problem.evaluate = [&asked, inner = problem.evaluate, lower = problem.lower, upper = problem.upper](
+inline LeastSquaresProblem watched(LeastSquaresProblem problem, EvaluationCounts& counts) {
+  problem.evaluate = [&counts, inner = problem.evaluate, lower = problem.lower, upper = problem.upper](
                          const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) {
-    ++(J ? asked.jacobians : asked.values);
-    asked.out_of_bounds += (x.array() < lower.array()).any() || (x.array() > upper.array()).any();
+    ++(J ? counts.jacobians : counts.values);
+    counts.out_of_bounds += (x.array() < lower.array()).any() || (x.array() > upper.array()).any();
     return inner(x, r, J);
   };
   return problem;

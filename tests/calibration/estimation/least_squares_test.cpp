@@ -70,12 +70,12 @@ TEST_P(EveryMethod, TellsItsIterations) {
 TEST_P(EveryMethod, StaysWithinBounds) {
   auto problem = rosenbrock();
   problem.upper[0] = 0.5;
-  Asked asked;
-  const auto found = minimize(watched(problem, asked));
+  EvaluationCounts counts;
+  const auto found = minimize(watched(problem, counts));
   ASSERT_EQ(found.status, Status::kConverged) << found.reason;
   EXPECT_NEAR(found.x[0], 0.5, 1e-6);
   EXPECT_NEAR(found.x[1], 0.25, 1e-5);
-  EXPECT_EQ(asked.out_of_bounds, 0);
+  EXPECT_EQ(counts.out_of_bounds, 0);
 }
 
 /// At the solution of a linear problem, the gradient must be zero for each variable between its bounds; for a variable
@@ -83,11 +83,11 @@ TEST_P(EveryMethod, StaysWithinBounds) {
 TEST_P(EveryMethod, LinearProblemsEndWhereNoBoundLetsThemFallFurther) {
   int at_bounds = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Asked asked;
-    const auto problem = watched(randomLinear(seed), asked);
+    EvaluationCounts counts;
+    const auto problem = watched(randomLinear(seed), counts);
     const auto found = minimize(problem);
     ASSERT_EQ(found.status, Status::kConverged) << seed << ": " << found.reason;
-    EXPECT_EQ(asked.out_of_bounds, 0);
+    EXPECT_EQ(counts.out_of_bounds, 0);
     VectorXd r;
     MatrixXd J;
     problem.evaluate(found.x, r, &J);
@@ -125,11 +125,11 @@ TEST_P(EveryMethod, CountsWhatItAsks) {
   bounded.lower[1] = 1.5;
   for (const auto& problem : {rosenbrock(), bounded, halfPlane(true), halfPlane(false), randomLinear(3)})
     for (const int limit : {0, 1, 5, 100000}) {
-      Asked asked;
-      const auto found = minimize(watched(problem, asked), limit);
-      EXPECT_EQ(found.evaluations, asked.values);
-      EXPECT_EQ(found.jacobian_evaluations, asked.jacobians);
-      EXPECT_GT(asked.jacobians, 0);
+      EvaluationCounts counts;
+      const auto found = minimize(watched(problem, counts), limit);
+      EXPECT_EQ(found.evaluations, counts.values);
+      EXPECT_EQ(found.jacobian_evaluations, counts.jacobians);
+      EXPECT_GT(counts.jacobians, 0);
       EXPECT_LE(found.iterations, limit);
     }
 }
@@ -200,23 +200,23 @@ TEST_P(EveryMethod, SaysWhenTheModelCannotBeDifferentiated) {
 TEST_P(EveryMethod, LeavesFixedVariablesWhereTheyAre) {
   auto problem = rosenbrock();
   problem.lower[0] = problem.upper[0] = 0.3;  // differs from the start
-  Asked asked;
-  const auto found = minimize(watched(problem, asked));
+  EvaluationCounts counts;
+  const auto found = minimize(watched(problem, counts));
   ASSERT_EQ(found.status, Status::kConverged) << found.reason;
   EXPECT_EQ(found.x[0], 0.3);
   EXPECT_NEAR(found.x[1], 0.09, 1e-6);
-  EXPECT_EQ(asked.out_of_bounds, 0);
+  EXPECT_EQ(counts.out_of_bounds, 0);
 }
 
 TEST_P(EveryMethod, OnlyEvaluatesWhereEveryVariableIsFixed) {
   auto problem = rosenbrock();
   problem.lower = problem.upper = Vector2d(0.3, 0.4);
-  Asked asked;
-  const auto found = minimize(watched(problem, asked));
+  EvaluationCounts counts;
+  const auto found = minimize(watched(problem, counts));
   EXPECT_EQ(found.status, Status::kConverged);
   EXPECT_EQ(found.x, problem.lower);
   EXPECT_DOUBLE_EQ(found.chi2, 3.1 * 3.1 + 0.7 * 0.7);
-  EXPECT_EQ(asked.values + asked.jacobians, 1);
+  EXPECT_EQ(counts.values + counts.jacobians, 1);
   problem.evaluate = [](const VectorXd&, VectorXd&, MatrixXd*) { return false; };
   EXPECT_EQ(minimize(problem).status, Status::kFailed);
 }
@@ -226,12 +226,12 @@ TEST_P(EveryMethod, StartsFromTheNearestPointWithinBounds) {
   problem.start = Vector2d(-50, 7);
   problem.lower = Vector2d(-1, -1);
   problem.upper = Vector2d(2, 2);
-  Asked asked;
-  const auto found = minimize(watched(problem, asked));
+  EvaluationCounts counts;
+  const auto found = minimize(watched(problem, counts));
   ASSERT_EQ(found.status, Status::kConverged) << found.reason;
   EXPECT_NEAR(found.x[0], 1, 1e-4);
   EXPECT_NEAR(found.x[1], 1, 2e-4);
-  EXPECT_EQ(asked.out_of_bounds, 0);
+  EXPECT_EQ(counts.out_of_bounds, 0);
 }
 
 TEST_P(EveryMethod, RestsWhereNothingDependsOnTheVariables) {
@@ -253,10 +253,10 @@ TEST_P(EveryMethod, BoundsHoldToTheLastBit) {
   problem.scale[0] = 0.3;
   problem.upper[0] = 0.7;
   ASSERT_GT(problem.upper[0] / problem.scale[0] * problem.scale[0], problem.upper[0]);
-  Asked asked;
-  const auto found = minimize(watched(problem, asked));
+  EvaluationCounts counts;
+  const auto found = minimize(watched(problem, counts));
   ASSERT_EQ(found.status, Status::kConverged) << found.reason;
-  EXPECT_EQ(asked.out_of_bounds, 0);
+  EXPECT_EQ(counts.out_of_bounds, 0);
   EXPECT_LE(found.x[0], problem.upper[0]);
   EXPECT_NEAR(found.x[1], 0.49, 1e-4);
 }
