@@ -31,26 +31,26 @@ constexpr std::size_t kMostTouches = 200;
 
 Answer propose(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
-  TouchRequest asked;
-  asked.goal = textOf(body, "goal", "base");
-  if (asked.goal != "base" && asked.goal != "parameters" && asked.goal != "both")
-    throw InputError("request (goal)", inQuotes(asked.goal), "base, parameters or both");
-  asked.count = integerOf(body, "count", 0, 1, 50);
+  TouchRequest touch_request;
+  touch_request.goal = textOf(body, "goal", "base");
+  if (touch_request.goal != "base" && touch_request.goal != "parameters" && touch_request.goal != "both")
+    throw InputError("request (goal)", inQuotes(touch_request.goal), "base, parameters or both");
+  touch_request.count = integerOf(body, "count", 0, 1, 50);
   const Session now = workbench.session();
   const Cell& cell = currentModel(now).cell;
   if (cell.sheet && body.contains("tubes"))
-    asked.tubes = tubesText(body, *cell.sheet, tubesheets::spreadRequest(*cell.sheet, 60));
-  if (body.contains("loads") && !body["loads"].is_null()) asked.loads = numbersOf(body, "loads");
-  asked.seed = seedOf(body);
+    touch_request.tubes = tubesText(body, *cell.sheet, tubesheets::spreadRequest(*cell.sheet, 60));
+  if (body.contains("loads") && !body["loads"].is_null()) touch_request.loads = numbersOf(body, "loads");
+  touch_request.seed = seedOf(body);
   return beginResultJob(workbench, "touches", "Holes to touch", JobInput::kModelAndMeasurements,
-                        [asked](const Session& began, JobContext& context) {
+                        [touch_request](const Session& began, JobContext& context) {
                           beginStage(context, "proposals");
                           const auto outcome =
-                              proposeTouches(asked, currentModel(began).cell,
+                              proposeTouches(touch_request, currentModel(began).cell,
                                              began.measurements ? measurementsInUse(*began.measurements)
                                                                 : std::vector<calibration::Measurement>());
                           nlohmann::json figures = proposalsJson(outcome);
-                          figures["seed"] = asked.seed;
+                          figures["seed"] = touch_request.seed;
                           figures["optimality"] = "D";
                           return figures;
                         });

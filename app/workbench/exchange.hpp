@@ -19,7 +19,7 @@ struct Request {
   std::string content_type, body;
 
   /// Returns the value of a query parameter; empty if it is missing.
-  [[nodiscard]] std::string asked(const std::string& name) const {
+  [[nodiscard]] std::string parameter(const std::string& name) const {
     const auto found = query.find(name);
     return found == query.end() ? std::string() : found->second;
   }

@@ -34,7 +34,7 @@ Answer pose(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const Session session = workbench.session();
   const Model& model = currentModel(session);
-  AskedPosture question{jointsOf(body, model.cell), loadOf(body, model.cell), holeOf(body, model.cell)};
+  RequestedPosture question{jointsOf(body, model.cell), loadOf(body, model.cell), holeOf(body, model.cell)};
   return answerOf(answerPosture(model, question));
 }
 
@@ -51,7 +51,7 @@ Answer signature(Workbench& workbench, const Request& request) {
   if (session.measurements)
     for (const auto& measurement : session.measurements->measurements)
       most_load = std::max(most_load, measurement.load);
-  return answerOf(signatureJson(cell, request.asked("effect"), request.asked("at"), most_load));
+  return answerOf(signatureJson(cell, request.parameter("effect"), request.parameter("at"), most_load));
 }
 
 // Largest number of measurements used, evenly spaced in the list; with more, the confounding would hardly change.

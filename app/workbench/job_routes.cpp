@@ -31,10 +31,10 @@ WorkHooks hooksOf(JobContext& context) {
 }
 
 planner::PlanHooks planHooksOf(JobContext& context) {
-  const WorkHooks asked = hooksOf(context);
+  const WorkHooks work_hooks = hooksOf(context);
   planner::PlanHooks hooks;
-  hooks.progress = asked.progress;
-  hooks.stop = asked.stop;
+  hooks.progress = work_hooks.progress;
+  hooks.stop = work_hooks.stop;
   return hooks;
 }
 

@@ -30,10 +30,10 @@ using ResultWork = std::function<nlohmann::json(const Session& began, JobContext
 
 /// Begins the comparison of the current model with the measurements. With `with_ladder`, also compares all models on
 /// the stack with each other (the ladder), reusing the fit of the current one.
-[[nodiscard]] Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, bool with_ladder);
+[[nodiscard]] Answer beginComparison(Workbench& workbench, const ComparisonRequest& request, bool with_ladder);
 
 /// Begins the diagnosis of the current model.
-[[nodiscard]] Answer beginDiagnosis(Workbench& workbench, const DiagnosisRequest& asked);
+[[nodiscard]] Answer beginDiagnosis(Workbench& workbench, const DiagnosisRequest& request);
 
 /// Returns hooks that report progress as stages of the job, and that stop the work when the job is cancelled.
 [[nodiscard]] WorkHooks hooksOf(JobContext& context);

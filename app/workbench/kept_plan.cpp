@@ -56,11 +56,11 @@ void restorePlan(Workbench& workbench) {
     const Session began = workbench.session();
     const auto at = findModel(began, began.plan_model);
     if (!at) throw JobStopped{};
-    const PlanRequest asked = began.plan_request;
+    const PlanRequest plan_request = began.plan_request;
     const auto outcome =
-        std::make_shared<const PlanOutcome>(planCell(began.models[*at]->cell, asked, planHooksOf(context)));
+        std::make_shared<const PlanOutcome>(planCell(began.models[*at]->cell, plan_request, planHooksOf(context)));
     requirePlanned(*outcome);
-    const nlohmann::json figures = planJson(asked, *outcome);
+    const nlohmann::json figures = planJson(plan_request, *outcome);
     const auto put = [&](Session& session) {
       if (session.plan || session.plan_model != began.plan_model) return false;
       session.plan = outcome;

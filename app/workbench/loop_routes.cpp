@@ -67,12 +67,12 @@ nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Session& be
     requireDefinedFormulas(models.back().input.measurements, cell, models.back().input.file);
   }
   models.back().fit = top;
-  LadderRequest asked;
-  asked.truth = began.truth;
-  asked.holes = 300;
-  asked.seed = seed;
-  asked.set_aside = std::move(set_aside);
-  return climbLadder(models, asked, hooks).figures;
+  LadderRequest ladder_request;
+  ladder_request.truth = began.truth;
+  ladder_request.holes = 300;
+  ladder_request.seed = seed;
+  ladder_request.set_aside = std::move(set_aside);
+  return climbLadder(models, ladder_request, hooks).figures;
 }
 
 Answer ladder(Workbench& workbench, const Request& request) {
@@ -111,7 +111,7 @@ void requireFitted(const IdentificationOutcome& outcome, const CellMeasurements&
 /// Job that fits the current model and puts the fitted model on the stack under `name`.
 struct FitJob {
   std::string kind, label, name, origin;
-  IdentificationRequest asked;
+  IdentificationRequest request;
   /// Returns the text of the cell to fit; if empty, the current cell is fitted.
   std::function<std::string(const Cell&)> changed = {};
 };
@@ -125,11 +125,11 @@ Answer beginFit(Workbench& workbench, const FitJob& fit) {
       input.cell = rereadCell(input.cell, fit.changed(input.cell));
       requireDefinedFormulas(input.measurements, input.cell, input.file);
     }
-    const auto outcome = identifyModel(input, fit.asked, hooksOf(context));
+    const auto outcome = identifyModel(input, fit.request, hooksOf(context));
     requireFitted(outcome, input);
     auto stack = stackOf(began);
     stack.push_back({fit.name, fittedCell(input.cell, outcome)});
-    const auto climbed = ladderOver(stack, began, fit.asked.seed, hooksOf(context));
+    const auto climbed = ladderOver(stack, began, fit.request.seed, hooksOf(context));
     finishJob(workbench, began, JobInput::kModelAndMeasurements, [&](Session& session) {
       const int id = pushModel(session, fit.name, fit.origin, stack.back().cell);
       putResult(session, "identify", id, outcome.figures);
@@ -141,34 +141,37 @@ Answer beginFit(Workbench& workbench, const FitJob& fit) {
 
 Answer identify(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
-  IdentificationRequest asked;
-  asked.free = textsOf(body, "free");
-  asked.seed = seedOf(body);
-  return beginFit(workbench, {"identify", "Fit", "fitted", "fit", asked});
+  IdentificationRequest identification_request;
+  identification_request.free = textsOf(body, "free");
+  identification_request.seed = seedOf(body);
+  return beginFit(workbench, {"identify", "Fit", "fitted", "fit", identification_request});
 }
 
 /// Returns the causes of {"causes": ["base-slip@base:time=90", ...]} or the formula of {"formula"}, in the notation of
 /// AdditionRequest.
-AdditionRequest additionAsked(const nlohmann::json& body) {
+AdditionRequest additionRequestOf(const nlohmann::json& body) {
   constexpr std::size_t kMostAtOnce = 8;
-  AdditionRequest asked{textsOf(body, "causes"), textOf(body, "formula")};
-  const std::size_t count = asked.causes.size() + (asked.formula.empty() ? 0 : 1);
+  AdditionRequest addition_request{textsOf(body, "causes"), textOf(body, "formula")};
+  const std::size_t count = addition_request.causes.size() + (addition_request.formula.empty() ? 0 : 1);
   if (count == 0 || count > kMostAtOnce)
     throw InputError("request (causes)", fmt::format("{} causes", count),
                      fmt::format("1 to {} causes, or a formula", kMostAtOnce));
-  return asked;
+  return addition_request;
 }
 
 Answer add(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
-  const AdditionRequest asked = additionAsked(body);
+  const AdditionRequest addition_request = additionRequestOf(body);
   IdentificationRequest fit;
   fit.seed = seedOf(body);
-  const Addition first = addToCell(currentModel(workbench.session()).cell, asked);  // refuses bad input before the job
-  const std::string label = asked.formula.empty() ? causesLabel("+", first.names) : fmt::format("+ {}", asked.formula);
-  return beginFit(workbench,
-                  {"add", label, label, asked.formula.empty() ? "effect" : "formula", fit,
-                   [asked](const Cell& cell) { return cellTextWith(cell, addToCell(cell, asked), cell.path); }});
+  const Addition first =
+      addToCell(currentModel(workbench.session()).cell, addition_request);  // refuses bad input before the job
+  const std::string label =
+      addition_request.formula.empty() ? causesLabel("+", first.names) : fmt::format("+ {}", addition_request.formula);
+  return beginFit(workbench, {"add", label, label, addition_request.formula.empty() ? "effect" : "formula", fit,
+                              [addition_request](const Cell& cell) {
+                                return cellTextWith(cell, addToCell(cell, addition_request), cell.path);
+                              }});
 }
 
 /// Fits the model without the listed effects and with the listed parameters held fixed, for the request {"causes":
@@ -188,13 +191,13 @@ Answer remove(Workbench& workbench, const Request& request) {
 
 Answer improve(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
-  const ImprovementRequest asked{integerOf(body, "steps", 6, 1, 20), seedOf(body), {}};
+  const ImprovementRequest improvement_request{integerOf(body, "steps", 6, 1, 20), seedOf(body), {}};
   return beginJob(
       workbench, "improve", "diagnose and add until no further effect is found",
-      [&workbench, asked](JobContext& context) {
+      [&workbench, improvement_request](JobContext& context) {
         const Session began = workbench.session();
         const CellMeasurements input = inputOf(began);
-        const auto outcome = improveModel(input, asked, hooksOf(context));
+        const auto outcome = improveModel(input, improvement_request, hooksOf(context));
         if (!outcome.isUsable())
           throw InputError::saying(input.file,
                                    "no verdict is possible on these readings: " +
@@ -218,16 +221,17 @@ Answer improve(Workbench& workbench, const Request& request) {
       });
 }
 
-SimulationRequest simulationAsked(const nlohmann::json& body) {
-  SimulationRequest asked;
-  asked.design = textOf(body, "design", "bench");
-  (void)entryNamed(calibration::campaignDesigns(), asked.design, "design");  // a request must not open a design file
-  asked.measurements = integerOf(body, "readings", 60, 1, kMostSimulated);
-  asked.hide = textsOf(body, "hide");
-  if (body.contains("loads") && !body["loads"].is_null()) asked.loads = numbersOf(body, "loads");
-  asked.spread = numberOf(body, "spread", 0);
-  asked.seed = seedOf(body);
-  return asked;
+SimulationRequest simulationRequestOf(const nlohmann::json& body) {
+  SimulationRequest simulation_request;
+  simulation_request.design = textOf(body, "design", "bench");
+  (void)entryNamed(calibration::campaignDesigns(), simulation_request.design,
+                   "design");  // a request must not open a design file
+  simulation_request.measurements = integerOf(body, "readings", 60, 1, kMostSimulated);
+  simulation_request.hide = textsOf(body, "hide");
+  if (body.contains("loads") && !body["loads"].is_null()) simulation_request.loads = numbersOf(body, "loads");
+  simulation_request.spread = numberOf(body, "spread", 0);
+  simulation_request.seed = seedOf(body);
+  return simulation_request;
 }
 
 /// Returns the simulated measurements as a reader of the written measurement file would see them.
@@ -240,28 +244,29 @@ std::shared_ptr<MeasurementSet> measurementsOf(const calibration::SimulatedCampa
 }
 
 Answer simulate(Workbench& workbench, const Request& request) {
-  const SimulationRequest asked = simulationAsked(objectOf(request));
+  const SimulationRequest simulation_request = simulationRequestOf(objectOf(request));
   const Session now = workbench.session();
-  (void)prepareSimulation(now.models.front()->cell, asked);  // refuses bad input before the job
-  return beginJob(workbench, "simulate", "Simulation", [&workbench, asked](JobContext& context) {
+  (void)prepareSimulation(now.models.front()->cell, simulation_request);  // refuses bad input before the job
+  return beginJob(workbench, "simulate", "Simulation", [&workbench, simulation_request](JobContext& context) {
     const Session began = workbench.session();
     const Cell& cell = began.models.front()->cell;
-    const SimulationTask task = prepareSimulation(cell, asked);
+    const SimulationTask task = prepareSimulation(cell, simulation_request);
     const auto campaign =
-        simulateMeasurements(cell, task, asked.seed,
+        simulateMeasurements(cell, task, simulation_request.seed,
                              {[&](std::size_t done, std::size_t total) { context.progress("readings", done, total); },
                               [&] { return context.stopRequested(); }});
     if (campaign.status == calibration::CampaignStatus::kStopped) throw JobStopped{};
     if (campaign.status != calibration::CampaignStatus::kDone)
       throw InputError::saying("design", campaign.reason, "choose another design or seed, or fewer readings");
-    const auto set = measurementsOf(campaign, cell, fmt::format("simulated-{}-{}.csv", asked.design, asked.seed));
+    const auto set = measurementsOf(
+        campaign, cell, fmt::format("simulated-{}-{}.csv", simulation_request.design, simulation_request.seed));
     finishJob(workbench, began, JobInput::kModelAndMeasurements, [&](Session& session) {
       putMeasurements(session, set);
       putResult(session, "simulate", currentModel(session).id,
-                {{"design", asked.design},
+                {{"design", simulation_request.design},
                  {"readings", set->measurements.size()},
-                 {"hidden", asked.hide},
-                 {"seed", asked.seed}});
+                 {"hidden", simulation_request.hide},
+                 {"seed", simulation_request.seed}});
     });
     return "simulate";
   });
@@ -275,22 +280,22 @@ constexpr Route kLoopRoutes[] = {
 
 }  // namespace
 
-Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, bool with_ladder) {
+Answer beginComparison(Workbench& workbench, const ComparisonRequest& request, bool with_ladder) {
   return beginResultJob(workbench, "compare", "Comparison", JobInput::kModelAndMeasurements,
                         [=, &workbench](const Session& began, JobContext& context) {
                           const CellMeasurements input = inputOf(began);
-                          if (!with_ladder) return compareModel(input, asked, hooksOf(context)).figures;
+                          if (!with_ladder) return compareModel(input, request, hooksOf(context)).figures;
                           beginStage(context, "fit");
-                          const auto refit = refitMeasurements(input, asked, hooksOf(context));
-                          putLadder(workbench, began, asked.seed, refit, context);
-                          return compareModel(input, asked, hooksOf(context), &refit).figures;
+                          const auto refit = refitMeasurements(input, request, hooksOf(context));
+                          putLadder(workbench, began, request.seed, refit, context);
+                          return compareModel(input, request, hooksOf(context), &refit).figures;
                         });
 }
 
-Answer beginDiagnosis(Workbench& workbench, const DiagnosisRequest& asked) {
+Answer beginDiagnosis(Workbench& workbench, const DiagnosisRequest& request) {
   return beginResultJob(workbench, "diagnose", "Diagnosis", JobInput::kModelAndMeasurements,
-                        [asked](const Session& began, JobContext& context) {
-                          return diagnoseModel(inputOf(began), asked, hooksOf(context)).figures;
+                        [request](const Session& began, JobContext& context) {
+                          return diagnoseModel(inputOf(began), request, hooksOf(context)).figures;
                         });
 }
 

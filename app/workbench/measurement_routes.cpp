@@ -49,7 +49,7 @@ Answer moments(Workbench& workbench, const Request&) {
 /// Returns the names in the query parameter "at", such as "theta3,forearm.z".
 std::vector<std::string> namesAt(const Request& request) {
   std::vector<std::string> names;
-  std::stringstream text(request.asked("at"));
+  std::stringstream text(request.parameter("at"));
   for (std::string name; std::getline(text, name, ',');) names.push_back(name);
   return names;
 }
@@ -114,7 +114,7 @@ Answer assume(Workbench& workbench, const Request& request) {
 }
 
 Answer uploadMeasurements(Workbench& workbench, const Request& request) {
-  return takeText(workbench, request.body, request.asked("name"));
+  return takeText(workbench, request.body, request.parameter("name"));
 }
 
 /// Returns the tables of {"tables": [{"name", "text"}]}, written by other programs.

@@ -29,14 +29,14 @@ JobStore storeNamed(Workbench& workbench, const std::string& name, Database::Mod
 }
 
 /// Opens the record that a query names, to read it alone.
-JobStore storeAsked(Workbench& workbench, const Request& request) {
-  return storeNamed(workbench, request.asked("file"), Database::Mode::kRead);
+JobStore requestedStore(Workbench& workbench, const Request& request) {
+  return storeNamed(workbench, request.parameter("file"), Database::Mode::kRead);
 }
 
 /// Returns the part of the job that query parameters name.
-JobPart partAsked(const Request& request, const JobFile& job) {
-  JobPart part{request.asked("package"), request.asked("sg"), std::nullopt};
-  if (const std::string leg = request.asked("leg"); !leg.empty()) {
+JobPart requestedPart(const Request& request, const JobFile& job) {
+  JobPart part{request.parameter("package"), request.parameter("sg"), std::nullopt};
+  if (const std::string leg = request.parameter("leg"); !leg.empty()) {
     part.leg = tubesheets::findLeg(leg);
     if (!part.leg) throw InputError("leg", inQuotes(leg), "one of " + tubesheets::legNames());
   }
@@ -61,40 +61,40 @@ Answer records(Workbench& workbench, const Request&) {
 }
 
 Answer totals(Workbench& workbench, const Request& request) {
-  JobStore store = storeAsked(workbench, request);
+  JobStore store = requestedStore(workbench, request);
   return answerOf(totalsJson(totalsOf(store), store.job()));
 }
 
 Answer next(Workbench& workbench, const Request& request) {
-  JobStore store = storeAsked(workbench, request);
-  return answerOf(nextJson(store, partAsked(request, store.job())));
+  JobStore store = requestedStore(workbench, request);
+  return answerOf(nextJson(store, requestedPart(request, store.job())));
 }
 
 /// Returns the number of an event in the query; 0 if it is missing.
-std::int64_t eventAsked(const Request& request, const std::string& key) {
-  const std::string text = request.asked(key);
+std::int64_t requestedEvent(const Request& request, const std::string& key) {
+  const std::string text = request.parameter(key);
   const auto event = text.empty() ? std::optional(0) : tubesheets::parseInteger(text);
   if (!event || *event < 0) throw InputError(key, inQuotes(text), "the number of an event, as the log lists it");
   return *event;
 }
 
 Answer events(Workbench& workbench, const Request& request) {
-  JobStore store = storeAsked(workbench, request);
-  json log = logJson(store.events(eventAsked(request, "after")));
+  JobStore store = requestedStore(workbench, request);
+  json log = logJson(store.events(requestedEvent(request, "after")));
   log["planned_at"] = store.plannedAt();
   return answerOf(log);
 }
 
 Answer planOfRecord(Workbench& workbench, const Request& request) {
-  JobStore store = storeAsked(workbench, request);
+  JobStore store = requestedStore(workbench, request);
   const std::string plan = store.plan();
   return answerOf({{"plan", plan.empty() ? json() : json::parse(plan)}, {"planned_at", store.plannedAt()}});
 }
 
 Answer report(Workbench& workbench, const Request& request) {
-  JobStore store = storeAsked(workbench, request);
-  const HandOverRequest asked{request.asked("shift"), request.asked("date")};
-  json report = handOverJson(store, handOverOf(store, asked), asked, presentTime());
+  JobStore store = requestedStore(workbench, request);
+  const HandOverRequest hand_over_request{request.parameter("shift"), request.parameter("date")};
+  json report = handOverJson(store, handOverOf(store, hand_over_request), hand_over_request, presentTime());
   stateOrigin(report);
   return downloadOf("handover.html", "text/html", renderHandOverReport(report));
 }
@@ -102,24 +102,24 @@ Answer report(Workbench& workbench, const Request& request) {
 Answer confirm(Workbench& workbench, const Request& request) {
   const json body = objectOf(request);
   JobStore store = storeNamed(workbench, textOf(body, "file"));
-  ConfirmationRequest asked{tubeOf(body), textOf(body, "package"), textOf(body, "read_back"), std::nullopt,
-                            entryOf(body)};
-  if (asked.read.empty()) {
+  ConfirmationRequest confirmation_request{tubeOf(body), textOf(body, "package"), textOf(body, "read_back"),
+                                           std::nullopt, entryOf(body)};
+  if (confirmation_request.read.empty()) {
     const std::vector<double> position = numbersOf(body, "position");
     if (position.size() != 2) throw InputError("position", fmt::format("{} numbers", position.size()), "x and y");
     const auto units = ShownUnits::of(request);
     const double length = units ? units->lengthFactor(store.job().units) : store.job().units.factor(dimension::kLength);
-    asked.xy = {position[0] * length, position[1] * length};
+    confirmation_request.xy = {position[0] * length, position[1] * length};
   }
-  return answerOf(findingJson(asked.tube, confirmTube(store, asked)));
+  return answerOf(findingJson(confirmation_request.tube, confirmTube(store, confirmation_request)));
 }
 
 Answer mark(Workbench& workbench, const Request& request) {
   const json body = objectOf(request);
   JobStore store = storeNamed(workbench, textOf(body, "file"));
-  MarkRequest asked{tubeOf(body), textOf(body, "package"), textOf(body, "as"), entryOf(body), std::nullopt};
-  if (body.contains("after")) asked.after = integerOf(body, "after", 0, 0, std::numeric_limits<int>::max());
-  return answerOf({{"event", markTube(store, asked)}});
+  MarkRequest mark_request{tubeOf(body), textOf(body, "package"), textOf(body, "as"), entryOf(body), std::nullopt};
+  if (body.contains("after")) mark_request.after = integerOf(body, "after", 0, 0, std::numeric_limits<int>::max());
+  return answerOf({{"event", markTube(store, mark_request)}});
 }
 
 Answer undoEvent(Workbench& workbench, const Request& request) {

@@ -121,38 +121,39 @@ Answer plan(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const Session now = workbench.session();
   const Cell& cell = currentModel(now).cell;
-  PlanRequest asked;
+  PlanRequest plan_request;
   const auto& sheet = requireSheet(cell, "plan tube visits");
-  asked.tubes = tubesText(body, sheet, tubesheets::spreadRequest(sheet, 60));
-  asked.stays = staysOf(body, sheet);
-  asked.compensation = textOf(body, "compensation", asked.compensation);
-  if (!planner::findCompensation(asked.compensation))
-    throw InputError("request (compensation)", inQuotes(asked.compensation), "none, goal-point or via-point");
-  asked.travel = textOf(body, "travel", asked.travel);
-  asked.load = numberOf(body, "load", 0);
-  (void)parseLoad(asked.load, cell.units, "request (load)");
-  asked.seed = seedOf(body);
-  asked.conditions = {textOf(body, "start"), textOf(body, "end"), {}, numberOf(body, "dwell", 0)};
-  asked.padding = numberOf(body, "padding", 0);
-  asked.insertion = numberOf(body, "insertion", 0);
-  if (body.contains("standoff") && !body["standoff"].is_null()) asked.standoff = numberOf(body, "standoff", 0);
-  asked.has_least_standoff = booleanOf(body, "least_standoff", false);
+  plan_request.tubes = tubesText(body, sheet, tubesheets::spreadRequest(sheet, 60));
+  plan_request.stays = staysOf(body, sheet);
+  plan_request.compensation = textOf(body, "compensation", plan_request.compensation);
+  if (!planner::findCompensation(plan_request.compensation))
+    throw InputError("request (compensation)", inQuotes(plan_request.compensation), "none, goal-point or via-point");
+  plan_request.travel = textOf(body, "travel", plan_request.travel);
+  plan_request.load = numberOf(body, "load", 0);
+  (void)parseLoad(plan_request.load, cell.units, "request (load)");
+  plan_request.seed = seedOf(body);
+  plan_request.conditions = {textOf(body, "start"), textOf(body, "end"), {}, numberOf(body, "dwell", 0)};
+  plan_request.padding = numberOf(body, "padding", 0);
+  plan_request.insertion = numberOf(body, "insertion", 0);
+  if (body.contains("standoff") && !body["standoff"].is_null()) plan_request.standoff = numberOf(body, "standoff", 0);
+  plan_request.has_least_standoff = booleanOf(body, "least_standoff", false);
   if (body.contains("first"))
     for (const auto& zone : textsOf(body, "first")) {
       requireNoFile(zone);
-      asked.conditions.first.push_back(zone);
+      plan_request.conditions.first.push_back(zone);
     }
-  (void)conditionsOf(asked.conditions, cell, {});
-  return beginJob(workbench, "plan", "Plan", [&workbench, asked](JobContext& context) mutable {
+  (void)conditionsOf(plan_request.conditions, cell, {});
+  return beginJob(workbench, "plan", "Plan", [&workbench, plan_request](JobContext& context) mutable {
     const Session began = workbench.session();
-    asked.truth = began.truth;
-    asked.cell = currentModel(began).cell.path;
-    auto outcome = std::make_shared<PlanOutcome>(planCell(currentModel(began).cell, asked, planHooksOf(context)));
+    plan_request.truth = began.truth;
+    plan_request.cell = currentModel(began).cell.path;
+    auto outcome =
+        std::make_shared<PlanOutcome>(planCell(currentModel(began).cell, plan_request, planHooksOf(context)));
     requirePlanned(*outcome);
-    const json figures = planJson(asked, *outcome);
+    const json figures = planJson(plan_request, *outcome);
     finishJob(workbench, began, JobInput::kModel, [&](Session& session) {
       session.plan = outcome;
-      session.plan_request = asked;
+      session.plan_request = plan_request;
       session.plan_model = currentModel(began).id;
       putResult(session, "plan", currentModel(began).id, figures);
     });

@@ -106,7 +106,7 @@ json centringOver(const Cell& cell, const Isometry3d& X_WD, int hole) {
 
 }  // namespace
 
-json answerPosture(const Model& model, const AskedPosture& question) {
+json answerPosture(const Model& model, const RequestedPosture& question) {
   const Cell& cell = model.cell;
   const deflection::Posture posture{question.q, question.load, deflection::gravityInBase(cell.arm, cell.X_WB)};
   const auto shape = deflection::solveFlexibleKinematics(cell.arm, posture);

@@ -10,7 +10,7 @@
 namespace tubeplan::app {
 
 /// Posture in a request: joint values and load, in internal units.
-struct AskedPosture {
+struct RequestedPosture {
   Eigen::VectorXd q;
   double load = 0;
   std::optional<int> hole;  ///< tube index in the sheet; std::nullopt without a hole
@@ -18,7 +18,7 @@ struct AskedPosture {
 
 /// Returns the state of the model at a posture. Throws InputError if a formula of the cell has no value there, or if
 /// the deflected shape does not converge.
-[[nodiscard]] nlohmann::json answerPosture(const Model& model, const AskedPosture& question);
+[[nodiscard]] nlohmann::json answerPosture(const Model& model, const RequestedPosture& question);
 
 /// Returns {distance, margin, pair, from, to} for the nearest pair of objects; null if the cell has no bodies, or if
 /// the deflected shape does not converge.

@@ -70,11 +70,11 @@ void takeNumber(json& number, const Unit* shown, const Unit& file) {
 }  // namespace
 
 std::optional<ShownUnits> ShownUnits::of(const Request& request) {
-  const std::string asked = request.asked("units");
-  if (asked.empty()) return std::nullopt;
-  const std::size_t comma = std::min(asked.find(','), asked.size());
-  const Unit* length = shownUnit(UnitKind::kLength, asked.substr(0, comma));
-  return ShownUnits(length, shownUnit(UnitKind::kAngle, comma < asked.size() ? asked.substr(comma + 1) : ""));
+  const std::string units_text = request.parameter("units");
+  if (units_text.empty()) return std::nullopt;
+  const std::size_t comma = std::min(units_text.find(','), units_text.size());
+  const Unit* length = shownUnit(UnitKind::kLength, units_text.substr(0, comma));
+  return ShownUnits(length, shownUnit(UnitKind::kAngle, comma < units_text.size() ? units_text.substr(comma + 1) : ""));
 }
 
 json ShownUnits::shown(json document, const Session& session) const {

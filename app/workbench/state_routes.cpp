@@ -17,16 +17,16 @@ namespace {
 Answer state(Workbench& workbench, const Request&) { return answerOf(stateJson(workbench)); }
 
 /// Returns the result of the model given by "?model="; without this parameter, the result of findResult().
-ResultPointer resultAsked(const Session& session, const Request& request) {
-  const auto asked = request.query.find("model");
-  if (asked == request.query.end()) return findResult(session, request.words[1]);
-  const auto model = tubesheets::parseNumber(asked->second);
+ResultPointer requestedResult(const Session& session, const Request& request) {
+  const auto model_parameter = request.query.find("model");
+  if (model_parameter == request.query.end()) return findResult(session, request.words[1]);
+  const auto model = tubesheets::parseNumber(model_parameter->second);
   const bool is_id = model && *model >= 0 && *model < 1e9;
   return is_id ? findResult(session, request.words[1], static_cast<int>(*model)) : nullptr;
 }
 
 Answer result(Workbench& workbench, const Request& request) {
-  const auto found = resultAsked(workbench.session(), request);
+  const auto found = requestedResult(workbench.session(), request);
   if (!found)
     return refusal(404,
                    InputError::saying(inQuotes(request.words[1]), "there is no such result yet", "compute it first"));

@@ -27,7 +27,7 @@ fs::path stateFolderOf(const WorkbenchOptions& options) {
   return parent.empty() ? fs::path(".") : parent;
 }
 
-Session openAsAsked(const WorkbenchOptions& options) {
+Session openSession(const WorkbenchOptions& options) {
   Session session = openCell(options.cell, options.truth);
   if (!options.measurement_files.empty()) {
     session.measurements = openMeasurements(options.measurement_files, currentModel(session).cell);
@@ -38,32 +38,32 @@ Session openAsAsked(const WorkbenchOptions& options) {
 
 /// Returns true if the kept session has the current text of the cell file and the requested measurements; if no
 /// measurements are requested, any are accepted.
-bool goesOn(const Session& kept, const Session& asked) {
-  Session inputs = asked;
+bool canResume(const Session& kept, const Session& requested) {
+  Session inputs = requested;
   if (!inputs.measurements) inputs.measurements = kept.measurements;
-  return hasSameInputs(kept, inputs) && (asked.truth.empty() || kept.truth == fs::absolute(asked.truth));
+  return hasSameInputs(kept, inputs) && (requested.truth.empty() || kept.truth == fs::absolute(requested.truth));
 }
 
 /// Returns the kept session if it matches the requested one; otherwise returns the requested session and renames the
 /// kept one.
-Session takeUp(SessionKeeper& keeper, Session asked, const WorkbenchOptions& options) {
+Session resumeOrOpen(SessionKeeper& keeper, Session requested, const WorkbenchOptions& options) {
   const bool is_project = isProject(options.cell);
-  auto kept = keeper.begin(asked.models.front()->cell.path);
-  if (!kept) return asked;
-  if (!options.fresh && !is_project && goesOn(*kept, asked)) return std::move(*kept);
+  auto kept = keeper.begin(requested.models.front()->cell.path);
+  if (!kept) return requested;
+  if (!options.fresh && !is_project && canResume(*kept, requested)) return std::move(*kept);
   if (hasWork(*kept)) {
     keeper.putAside();
     fmt::print(stderr, "tubeplan: {}; the saved session remains under Open, Recent\n",
                options.fresh || is_project ? "begun anew" : "cell or readings differ from the saved ones");
   }
-  return asked;
+  return requested;
 }
 
 }  // namespace
 
 Workbench::Workbench(const WorkbenchOptions& options)
     : folder_(stateFolderOf(options)), keeper_(options.state), events_(options.most_listeners), jobs_(events_) {
-  session_ = takeUp(keeper_, openAsAsked(options), options);
+  session_ = resumeOrOpen(keeper_, openSession(options), options);
   keeper_.keep(session_);
   restorePlan(*this);
 }

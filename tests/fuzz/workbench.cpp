@@ -48,10 +48,10 @@ void callWorkbench(const std::string& text) {
   request.method = text.substr(0, blank);
   std::istringstream words(text.substr(std::min(blank + 1, line), question - std::min(blank + 1, question)));
   for (std::string word; std::getline(words, word, '/');) request.words.push_back(word);
-  httplib::Params asked;
+  httplib::Params parameters;
   httplib::detail::parse_query_text(text.substr(std::min(question + 1, line), line - std::min(question + 1, line)),
-                                    asked);
-  for (const auto& [name, value] : asked) request.query[name] = value;
+                                    parameters);
+  for (const auto& [name, value] : parameters) request.query[name] = value;
   request.body = text.substr(std::min(line + 1, text.size()));
   request.content_type = request.body.starts_with("{") ? "application/json" : "text/csv";
   if (answer(workbench(), request).status == 500) std::abort();
