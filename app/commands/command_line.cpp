@@ -44,7 +44,7 @@ std::string exampleCells() {
 
 // Replaces `help CMD ACTION` by `CMD ACTION --help`. Returns true if the overview of all commands is requested: by
 // `help`, --help, -h or an empty command line.
-bool asksForOverview(std::vector<std::string>& words) {
+bool isOverviewRequested(std::vector<std::string>& words) {
   if (!words.empty() && words.front() == "help") {
     words.erase(words.begin());
     if (!words.empty()) words.emplace_back("--help");
@@ -65,7 +65,7 @@ void refuseUnknownCommand(const std::string& word) {
 }  // namespace
 
 int runCommandLine(std::vector<std::string> words) {
-  if (asksForOverview(words)) {
+  if (isOverviewRequested(words)) {
     say("{}", overview());
     return kDone;
   }

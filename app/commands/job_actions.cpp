@@ -139,8 +139,8 @@ int plan(const JobOptions& options) {
   checkWritableFile(page, "--out");
   noteStopSignals();
   JobStore store(options.file);
-  const JobPlanRequest asked{options.seed, partOf(options, store.job()), options.start,
-                             options.from.empty() ? options.out : options.from};
+  const JobPlanRequest plan_request{options.seed, partOf(options, store.job()), options.start,
+                                    options.from.empty() ? options.out : options.from};
   const auto keep = [&](const std::string& name, const PlanRequest& request, const PlanOutcome& outcome,
                         const PlanCheckpoint& checkpoint) {
     OutputFolder folder(std::filesystem::path(options.out) / name, "--out");
@@ -148,7 +148,7 @@ int plan(const JobOptions& options) {
     folder.write(kCacheFile, checkpoint.text());
     writePlan(request, outcome, folder);
   };
-  const JobPlan plan = planJob(store, asked, terminalHooks(), keep);
+  const JobPlan plan = planJob(store, plan_request, terminalHooks(), keep);
   if (plan.is_stopped) {
     remark("stopped; the packages planned so far are kept\n");
     return kStoppedExitCode;
@@ -158,7 +158,7 @@ int plan(const JobOptions& options) {
     showFigures(options.figures, figures, "nothing is left to plan\n");
     return kNegativeAnswer;
   }
-  if (asked.part.isWhole()) store.setPlan(figures.dump());  // a plan of a part does not replace that of the job
+  if (plan_request.part.isWhole()) store.setPlan(figures.dump());  // a plan of a part does not replace that of the job
   writeFileAtomically(page, renderJobPlanReport(jobPlanReport(figures)), "--out");
   showFigures(options.figures, figures, jobPlanText(figures) + fmt::format("wrote {}\n", page.string()));
   return kDone;

@@ -48,8 +48,8 @@ std::string plannedStepsText(const PlanOutcome& outcome) {
 }  // namespace
 
 std::string planAnswer(const PlanOutcome& outcome) {
-  const std::size_t visited = outcome.plan.visits.size(), asked = visited + outcome.plan.unreachable.size();
-  return fmt::format("{} of {} tubes are visited; {}; the path is proved free {}.", visited, asked,
+  const std::size_t visited = outcome.plan.visits.size(), tubes = visited + outcome.plan.unreachable.size();
+  return fmt::format("{} of {} tubes are visited; {}; the path is proved free {}.", visited, tubes,
                      plannedStepsText(outcome), wordsOf(outcome.standing()));
 }
 

@@ -109,11 +109,11 @@ std::string cellTextWith(const Cell& cell, const Addition& addition, const std::
 std::string overlapAt(const CellMeasurements& input) {
   const auto& cell = input.cell;
   const auto& measurements = input.measurements;
-  calibration::IdentificationOptions asked;
-  asked.free = freeNumbersOf(cell);
-  asked.folds = 0;
-  asked.intervals_by_profile = false;
-  const auto result = calibration::identify(startOf(cell, measurements), measurements, asked);
+  calibration::IdentificationOptions options;
+  options.free = freeNumbersOf(cell);
+  options.folds = 0;
+  options.intervals_by_profile = false;
+  const auto result = calibration::identify(startOf(cell, measurements), measurements, options);
   if (result.status != calibration::IdentificationStatus::kDone)
     return "the overlap with the catalogue cannot be computed: " + result.reason + "\n";
   return overlapText(calibration::findFormulaOverlaps(result, measurements));

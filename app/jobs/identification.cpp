@@ -79,19 +79,19 @@ calibration::IdentificationStage stageOf(const std::string& text) {
   return stage;
 }
 
-Identification identifyAsAsked(const IdentificationRequest& request, const Cell& cell,
-                               const std::vector<calibration::Measurement>& measurements, const WorkHooks& hooks) {
+Identification identifyByRequest(const IdentificationRequest& request, const Cell& cell,
+                                 const std::vector<calibration::Measurement>& measurements, const WorkHooks& hooks) {
   const auto start = startOf(cell, measurements);
-  IdentificationOptions asked = identificationOptions(request, cell, hooks);
-  asked.observe = request.observe;
-  asked.uncertainty = cell.uncertainty;
-  if (request.stages.empty()) return calibration::identify(start, measurements, asked);
+  IdentificationOptions options = identificationOptions(request, cell, hooks);
+  options.observe = request.observe;
+  options.uncertainty = cell.uncertainty;
+  if (request.stages.empty()) return calibration::identify(start, measurements, options);
   if (!request.free.empty())
     throw InputError::saying("--free", "this option cannot be combined with --stage",
                              "name the numbers freed in each stage: --stage NAME,NAME");
   std::vector<calibration::IdentificationStage> stages;
   for (const auto& text : request.stages) stages.push_back(stageOf(text));
-  auto results = calibration::identifyInStages(start, measurements, stages, asked);
+  auto results = calibration::identifyInStages(start, measurements, stages, options);
   if (request.stage_done && results.back().status != IdentificationStatus::kStopped)
     for (std::size_t k = 0; k + 1 < results.size(); ++k) request.stage_done(static_cast<int>(k), results[k]);
   return std::move(results.back());
@@ -130,7 +130,7 @@ void fitMeasurements(const CellMeasurements& input, const IdentificationRequest&
                      IdentificationOutcome& outcome) {
   const auto& cell = input.cell;
   const auto fitted = [&](const std::vector<calibration::Measurement>& measurements) {
-    auto fit = identifyAsAsked(request, cell, measurements, hooks);
+    auto fit = identifyByRequest(request, cell, measurements, hooks);
     requireGoingOn(hooks);
     requireAccepted(fit, request, input);
     return fit;

@@ -136,12 +136,13 @@ PlanOutcome begun(const Cell& cell, const PlanRequest& request) {
 
 /// Throws InputError for a zone that contains none of the tubes to visit; such a zone probably belongs to another work
 /// list.
-void requireZonesOfTheList(const ConditionsRequest& asked, const planner::VisitConditions& conditions,
+void requireZonesOfTheList(const ConditionsRequest& conditions_request, const planner::VisitConditions& conditions,
                            const std::vector<int>& tubes) {
   for (std::size_t k = 0; k < conditions.zones.size(); ++k) {
-    const auto isAsked = [&](int tube) { return std::binary_search(tubes.begin(), tubes.end(), tube); };
-    if (std::none_of(conditions.zones[k].begin(), conditions.zones[k].end(), isAsked))
-      throw InputError::saying("--first", inQuotes(asked.first[k]) + " is not among the tubes to be visited",
+    const auto isSelected = [&](int tube) { return std::binary_search(tubes.begin(), tubes.end(), tube); };
+    if (std::none_of(conditions.zones[k].begin(), conditions.zones[k].end(), isSelected))
+      throw InputError::saying("--first",
+                               inQuotes(conditions_request.first[k]) + " is not among the tubes to be visited",
                                "choose tubes that are to be visited");
   }
 }

@@ -153,27 +153,28 @@ void settleTask(const TouchRequest& request, TouchTask& task, TouchOutcome& outc
 
 }  // namespace
 
-TouchOutcome proposeTouches(const TouchRequest& asked) {
-  Cell cell = readCell(asked.cell);
-  const TouchRequest request = completed(asked, cell);
+TouchOutcome proposeTouches(const TouchRequest& stated_request) {
+  Cell cell = readCell(stated_request.cell);
+  const TouchRequest request = completed(stated_request, cell);
   const auto made = measurementsMade(request.measurements, cell,
                                      cell.units.toInternal(request.sigma, dimension::kLength), request.assume);
-  TouchOutcome outcome = proposeTouches(asked, cell, made.measurements);
+  TouchOutcome outcome = proposeTouches(stated_request, cell, made.measurements);
   outcome.checks = made.checks;
   return outcome;
 }
 
-TouchOutcome proposeTouches(const TouchRequest& asked, const Cell& cell, const std::vector<Measurement>& measurements) {
+TouchOutcome proposeTouches(const TouchRequest& stated_request, const Cell& cell,
+                            const std::vector<Measurement>& measurements) {
   TouchOutcome outcome;
   outcome.cell = cell;
-  const TouchRequest request = completed(asked, cell);
+  const TouchRequest request = completed(stated_request, cell);
   outcome.noise = noiseOf(request, cell, measurements, request.kind == "touch");
   outcome.base_noise = noiseOf(request, cell, measurements, true);
   outcome.loads = loadsOf(request, cell, measurements);
   requireEnough(request, outcome);
   TouchTask task;
   task.is_first = measurements.empty();
-  learn(request, measurements, asked.free.empty() ? cell.path + " (identify)" : "--free", task, outcome);
+  learn(request, measurements, stated_request.free.empty() ? cell.path + " (identify)" : "--free", task, outcome);
   settleTask(request, task, outcome);
   static_cast<TouchProposals&>(outcome) = proposeTouches(task);
   if (outcome.holes_unsure > 0)

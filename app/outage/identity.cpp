@@ -61,9 +61,9 @@ IdentityFinding comparePosition(const TubeAddress& meant, double x, double y, co
 }
 
 std::string findWrongMethod(const WorkPackage& package, std::string_view method) {
-  const auto asked = confirmationName(package.confirm);
-  if (package.confirm == ConfirmationMethod::kNone || method == asked) return "";
-  return fmt::format("the package {} asks for a confirmation by {}, not by {}", package.name, asked, method);
+  const auto required_method = confirmationName(package.confirm);
+  if (package.confirm == ConfirmationMethod::kNone || method == required_method) return "";
+  return fmt::format("the package {} asks for a confirmation by {}, not by {}", package.name, required_method, method);
 }
 
 std::string findMissingConfirmation(const WorkPackage& package, const std::vector<JobEvent>& events_of_item,

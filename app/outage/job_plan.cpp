@@ -30,15 +30,15 @@ double timeInTube(const WorkPackage& package, const JobTool& tool) {
 }
 
 PlanRequest requestFor(const std::vector<JobItem>& items, const WorkPackage& package, const JobFile& job,
-                       const Cell& cell, const JobPlanRequest& asked) {
+                       const Cell& cell, const JobPlanRequest& job_request) {
   std::vector<std::string> tubes;
   for (const JobItem& item : items) tubes.push_back(tubesheets::tubeName(item.tube.row, item.tube.column));
   PlanRequest request;
   request.tubes = fmt::format("{}", fmt::join(tubes, ","));
   request.load = job.toolOf(package).load / cell.units.factor(dimension::kForce);
   request.conditions.dwell = package.dwell + timeInTube(package, job.toolOf(package));
-  request.conditions.start = asked.start;
-  request.seed = asked.seed;
+  request.conditions.start = job_request.start;
+  request.seed = job_request.seed;
   request.has_least_standoff = true;
   return request;
 }
@@ -75,22 +75,23 @@ void record(JobStore& store, const std::vector<JobItem>& items, const PlanOutcom
 }
 
 /// Returns the results of an earlier plan of a package, kept in `folder`; none if the package was not planned.
-PlanCheckpoint earlierPlan(const JobPlanRequest& asked, const std::string& folder) {
-  const std::filesystem::path there = asked.earlier / folder;
+PlanCheckpoint earlierPlan(const JobPlanRequest& job_request, const std::string& folder) {
+  const std::filesystem::path there = job_request.earlier / folder;
   std::error_code error;
-  const bool is_there = !asked.earlier.empty() && std::filesystem::exists(there / kCacheFile, error);
+  const bool is_there = !job_request.earlier.empty() && std::filesystem::exists(there / kCacheFile, error);
   return {"", false, is_there ? there.string() : ""};
 }
 
 PackagePlan planPackage(JobStore& store, const Cell& cell, const std::vector<JobItem>& items,
-                        const JobPlanRequest& asked, const planner::PlanHooks& hooks, const KeepPackagePlan& keep) {
+                        const JobPlanRequest& job_request, const planner::PlanHooks& hooks,
+                        const KeepPackagePlan& keep) {
   const JobFile& job = store.job();
   const JobItem& first = items.front();
   const WorkPackage& package = job.packageOf(first.package);
   PackagePlan plan{first.package, first.tube.generator, first.tube.leg};
   plan.folder = fmt::format("{}-{}-{}", plan.generator, tubesheets::legName(plan.leg), plan.package);
-  const PlanRequest request = requestFor(items, package, job, cell, asked);
-  PlanCheckpoint checkpoint = earlierPlan(asked, plan.folder);
+  const PlanRequest request = requestFor(items, package, job, cell, job_request);
+  PlanCheckpoint checkpoint = earlierPlan(job_request, plan.folder);
   const PlanOutcome outcome = planCell(cell, request, hooks, &checkpoint);
   plan.status = outcome.plan.status;
   plan.reason = outcome.plan.reason;
@@ -158,14 +159,14 @@ JobPlan planJob(JobStore& store, const JobPlanRequest& request, const planner::P
     if (to_plan.empty()) continue;
     const Cell cell = cellOfLeg(sheet);
     LegPlan& leg = plan.legs.emplace_back(LegPlan{sheet.generator, sheet.leg.leg, {}, store.job().mount});
-    JobPlanRequest asked = request;
+    JobPlanRequest leg_request = request;
     std::string mounted;  // tool on the arm; empty when the arm enters the leg
     for (const auto& of_package : to_plan) {
-      leg.packages.push_back(planPackage(store, cell, of_package, asked, hooks, keep));
+      leg.packages.push_back(planPackage(store, cell, of_package, leg_request, hooks, keep));
       const std::string& tool = store.job().packageOf(of_package.front().package).tool;
       if (tool == mounted) leg.packages.back().change = 0;
       mounted = tool;
-      asked.start.clear();  // the start position applies only to the first package
+      leg_request.start.clear();  // the start position applies only to the first package
       if (leg.packages.back().status == VisitPlanStatus::kStopped) {
         leg.packages.pop_back();
         plan.is_stopped = true;

@@ -157,7 +157,7 @@ PlanCacheText::PlanCacheText(const std::string& text) {
 }
 
 planner::PlanCache PlanCacheText::read(const std::set<int>& tubes) const {
-  const auto isAsked = [&](const MotionEnds& ends) {
+  const auto isSelected = [&](const MotionEnds& ends) {
     return (ends.first.tube < 0 || tubes.contains(ends.first.tube)) &&
            (ends.second.tube < 0 || tubes.contains(ends.second.tube));
   };
@@ -165,9 +165,9 @@ planner::PlanCache PlanCacheText::read(const std::set<int>& tubes) const {
   for (const auto& [tube, text] : reach_)
     if (tubes.contains(tube)) cache.reach[tube] = reachFrom(json::parse(text));
   for (const auto& [ends, text] : travels_)
-    if (isAsked(ends)) cache.travels[ends] = travelFrom(json::parse(text));
+    if (isSelected(ends)) cache.travels[ends] = travelFrom(json::parse(text));
   for (const auto& [ends, text] : proofs_)
-    if (isAsked(ends)) cache.proofs[ends] = proofFrom(json::parse(text));
+    if (isSelected(ends)) cache.proofs[ends] = proofFrom(json::parse(text));
   return cache;
 }
 

@@ -215,13 +215,14 @@ const Unit* unitOf(const ForeignTable& table, const ForeignHeading& heading, Uni
   if (heading.unit) return unitOfKind(heading.unit, kind);
   if (heading.is_count) return nullptr;
   const auto above = table.units.find(kind);
-  const auto asked = usual.find(kind);
-  if (above == table.units.end()) return asked == usual.end() ? nullptr : asked->second;
-  if (asked != usual.end() && asked->second->name != above->second.unit->name)
-    throw InputError::saying(table.file,
-                             fmt::format("the line {} states the unit {}, but --units says {}",
-                                         inQuotes(above->second.line), above->second.unit->name, asked->second->name),
-                             "leave that unit out of --units, or remove the line if it is wrong");
+  const auto requested = usual.find(kind);
+  if (above == table.units.end()) return requested == usual.end() ? nullptr : requested->second;
+  if (requested != usual.end() && requested->second->name != above->second.unit->name)
+    throw InputError::saying(
+        table.file,
+        fmt::format("the line {} states the unit {}, but --units says {}", inQuotes(above->second.line),
+                    above->second.unit->name, requested->second->name),
+        "leave that unit out of --units, or remove the line if it is wrong");
   return above->second.unit;
 }
 

@@ -332,9 +332,11 @@ class ForeignReader {
   /// Returns the order of day and month in the column's dates. Throws InputError unless it is clear or chosen.
   [[nodiscard]] DateOrder dateOrderOf(const TakenColumn& column, const std::vector<std::string>& fields) const {
     constexpr std::array kOrders{DateOrder::kDayFirst, DateOrder::kMonthFirst};
-    if (const std::string& asked = request_.choice.dates; !asked.empty()) {
-      const auto order = std::ranges::find(kOrders, asked, [](DateOrder known) { return std::string(nameOf(known)); });
-      if (order == kOrders.end()) throw InputError("--dates", inQuotes(asked), "day-first or month-first", "");
+    if (const std::string& requested_order = request_.choice.dates; !requested_order.empty()) {
+      const auto order =
+          std::ranges::find(kOrders, requested_order, [](DateOrder known) { return std::string(nameOf(known)); });
+      if (order == kOrders.end())
+        throw InputError("--dates", inQuotes(requested_order), "day-first or month-first", "");
       return *order;
     }
     const auto orders = dateOrders(fields);

@@ -122,8 +122,8 @@ bool hasFreeColumn(const FormSearch& search, const ColumnTarget& target) {
   return false;
 }
 
-std::set<std::string> kindsOf(const FormSearch& search, const std::string& asked) {
-  if (!asked.empty()) return {asked};
+std::set<std::string> kindsOf(const FormSearch& search, const std::string& requested_kind) {
+  if (!requested_kind.empty()) return {requested_kind};
   std::set<std::string> kinds;
   for (std::size_t t = 0; t < search.tables.size(); ++t)
     for (std::size_t c = 0; c < search.headings[t].size(); ++c)

@@ -28,8 +28,8 @@ struct FormSearch {
 /// Returns true if the heading of an unassigned column matches a name of the target.
 [[nodiscard]] bool hasFreeColumn(const FormSearch& search, const ColumnTarget& target);
 
-/// Returns the kinds of the measurements: only `asked` or, if it is empty, all kinds stated in the rows.
-[[nodiscard]] std::set<std::string> kindsOf(const FormSearch& search, const std::string& asked);
+/// Returns the kinds of the measurements: only `requested_kind` or, if it is empty, all kinds stated in the rows.
+[[nodiscard]] std::set<std::string> kindsOf(const FormSearch& search, const std::string& requested_kind);
 
 /// Returns the quantities (orientation, position) for which a form is needed: those measured by measurements of the
 /// given kinds (a position if there are no kinds), and those whose form the user chose. Each is mapped to the name of

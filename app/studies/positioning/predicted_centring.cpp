@@ -17,7 +17,7 @@ constexpr std::size_t kHoles = 200;
 struct SpreadPostures {
   std::vector<int> tubes;                 ///< indices, in the sheet, of the tubes in reach
   std::vector<Eigen::VectorXd> postures;  ///< a posture for each of `tubes`: the first branch found
-  int asked = 0;                          ///< number of holes tried, including those out of reach
+  int tried = 0;                          ///< number of holes tried, including those out of reach
 };
 
 /// Returns postures under at most `most` holes of the sheet. Empty if the cell has no sheet or does not state the
@@ -27,7 +27,7 @@ SpreadPostures spreadPostures(const CellModel& cell, const deflection::Arm& arm,
   SpreadPostures spread;
   if (!cell.sheet || !cell.tool_axis_stated) return spread;
   const auto tubes = tubesheets::selectTubes(*cell.sheet, tubesheets::spreadRequest(*cell.sheet, most)).tube_indices;
-  spread.asked = static_cast<int>(tubes.size());
+  spread.tried = static_cast<int>(tubes.size());
   planner::Workcell work;
   work.arm = arm;
   work.X_WB = X_WB;
@@ -66,7 +66,7 @@ PredictedCentring predictCentring(const CellModel& cell, const calibration::Iden
   const SpreadPostures reached = spreadPostures(cell, fit.fitted.arm, fit.fitted.base_poses.back().X_WB, kHoles, stop);
   predicted.on_sheet = static_cast<int>(cell.sheet->tubes.size());
   predicted.holes = static_cast<int>(reached.tubes.size());
-  predicted.out_of_reach = reached.asked - predicted.holes;
+  predicted.out_of_reach = reached.tried - predicted.holes;
   calibration::CentringForecastOptions options;
   options.base_covariance = cell.base_covariance;
   predicted.forecast = calibration::forecastCentring(fit, reached.postures, options);

@@ -75,13 +75,13 @@ StepChances stepChances(const StepQuestion& question) {
   chances.model_error = question.placed_by ? modelErrorFor(cell, *question.placed_by) : cell.model_error;
   std::optional<calibration::StatedModelError> model_error;
   if (chances.model_error) model_error = {chances.model_error->sigma, chances.model_error->degrees_of_freedom};
-  const calibration::TipErrorQuestion asked{
+  const calibration::TipErrorQuestion tip_error_question{
       question.model.arm,  question.model.X_WB,
       question.model.load, jointUncertaintyOf(cell, question.model, question.placed_by),
       model_error,         question.postures};
-  chances.numbers_are_exact = asked.uncertainty.numbers.empty();
-  chances.base_is_exact = asked.uncertainty.covariance.isZero(0);
-  const auto errors = calibration::findTipError(asked);
+  chances.numbers_are_exact = tip_error_question.uncertainty.numbers.empty();
+  chances.base_is_exact = tip_error_question.uncertainty.covariance.isZero(0);
+  const auto errors = calibration::findTipError(tip_error_question);
   chances.by_posture.resize(question.postures.size());
   oneapi::tbb::parallel_for(std::size_t{0}, chances.by_posture.size(), [&](std::size_t k) {
     chances.by_posture[k] = mixed(errors[k], question.predicted[k], question.model.tool);

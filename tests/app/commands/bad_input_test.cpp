@@ -85,14 +85,14 @@ TEST_F(Program, helpsWithAnExampleForEachCommand) {
 TEST_F(Program, refusesToWriteOverItsInputs) {
   ASSERT_EQ(run("simulate " + shipped("bench.yaml") + " --design bench --readings 24 --seed 3 --out set").exit_code, 0);
   for (const char* name : {"bench.yaml", "cobra-arm.yaml"}) write(name, contentOf(shippedCells() / name));
-  const std::string measurements = "set/measurements.csv", asked = "bench.yaml " + measurements;
+  const std::string measurements = "set/measurements.csv", inputs = "bench.yaml " + measurements;
   const std::string before = contentOf(folder / measurements), arm = contentOf(folder / "cobra-arm.yaml");
-  expectRefused("identify " + asked + " --out " + measurements, {"--out", "measurements.csv", "reads"});
-  expectRefused("identify " + asked + " --json ./" + measurements, {"--json", "reads"});
-  expectRefused("compare " + asked + " --report set/../set/measurements.csv", {"--report", "reads"});
-  expectRefused("improve " + asked + " --out cobra-arm.yaml", {"--out", "cobra-arm.yaml", "reads"});
-  expectRefused("diagnose " + asked + " --json bench.yaml", {"--json", "bench.yaml", "reads"});
-  expectRefused("diagnose " + asked + " --json a.txt --report a.txt", {"also writes 'a.txt'"});
+  expectRefused("identify " + inputs + " --out " + measurements, {"--out", "measurements.csv", "reads"});
+  expectRefused("identify " + inputs + " --json ./" + measurements, {"--json", "reads"});
+  expectRefused("compare " + inputs + " --report set/../set/measurements.csv", {"--report", "reads"});
+  expectRefused("improve " + inputs + " --out cobra-arm.yaml", {"--out", "cobra-arm.yaml", "reads"});
+  expectRefused("diagnose " + inputs + " --json bench.yaml", {"--json", "bench.yaml", "reads"});
+  expectRefused("diagnose " + inputs + " --json a.txt --report a.txt", {"also writes 'a.txt'"});
   EXPECT_EQ(contentOf(folder / measurements), before);
   EXPECT_EQ(contentOf(folder / "cobra-arm.yaml"), arm);
 }
@@ -110,16 +110,16 @@ TEST_F(Program, writesACellOverItself) {
 /// cell.
 TEST_F(Program, replacesCellsByCellsAndTheirArmsAlone) {
   ASSERT_EQ(run("simulate " + shipped("bench.yaml") + " --design bench --readings 24 --seed 3 --out set").exit_code, 0);
-  const std::string asked = " " + shipped("bench.yaml") + " set/measurements.csv --out ";
+  const std::string inputs = " " + shipped("bench.yaml") + " set/measurements.csv --out ";
   write("other-arm.yaml", "# of another cell\n");
   for (const char* command : {"identify", "improve"}) {
-    expectRefused(command + asked + "other.yaml", {"--out", "other-arm.yaml", "not the arm of"});
-    expectRefused(command + asked + "other-arm.yaml", {"--out", "other-arm.yaml", "is not a cell"});
+    expectRefused(command + inputs + "other.yaml", {"--out", "other-arm.yaml", "not the arm of"});
+    expectRefused(command + inputs + "other-arm.yaml", {"--out", "other-arm.yaml", "is not a cell"});
   }
   expectRefused("add " + shipped("bench.yaml") + " backlash@tool.z --out other-arm.yaml", {"--out", "is not a cell"});
   EXPECT_EQ(contentOf(folder / "other-arm.yaml"), "# of another cell\n");
   for (int times = 0; times < 2; ++times)
-    EXPECT_EQ(run("identify" + asked + "fitted.yaml --folds 0").exit_code, 0) << "its own it replaces";
+    EXPECT_EQ(run("identify" + inputs + "fitted.yaml --folds 0").exit_code, 0) << "its own it replaces";
 }
 
 TEST_F(Program, refusesZonesOfOtherTubesAndFoldersWithoutAName) {

@@ -62,9 +62,9 @@ TEST_F(EffectCommands, MeasurementsOfAnotherCellGetNoVerdict) {
   const auto identified = run("identify " + shipped("mockup.yaml") + " set/measurements.csv");
   EXPECT_EQ(identified.exit_code, outcome.exit_code);
   EXPECT_EQ(identified.out, run("diagnose " + shipped("mockup.yaml") + " set/measurements.csv").out);
-  const auto asked = run("identify " + shipped("mockup.yaml") + " set/measurements.csv --out found.yaml");
-  EXPECT_EQ(asked.exit_code, 1);
-  expectSays(asked.out, "nothing was written");
+  const auto refused = run("identify " + shipped("mockup.yaml") + " set/measurements.csv --out found.yaml");
+  EXPECT_EQ(refused.exit_code, 1);
+  expectSays(refused.out, "nothing was written");
   EXPECT_FALSE(std::filesystem::exists(folder / "found.yaml"));
 }
 
@@ -74,12 +74,12 @@ TEST_F(EffectCommands, ABaseThatLeavesTheMeasurementsOffIsSaid) {
   ASSERT_EQ(
       run("simulate " + shipped("mockup-true.yaml") + " --design bowl --readings 40 --loads 0,30 --out set").exit_code,
       0);
-  const std::string asked = "identify " + shipped("mockup.yaml") + " set/measurements.csv --folds 0";
-  const auto alone = run(asked);
+  const std::string command = "identify " + shipped("mockup.yaml") + " set/measurements.csv --folds 0";
+  const auto alone = run(command);
   EXPECT_EQ(alone.exit_code, 1) << alone.out << alone.err;
   expectSays(alone.out, "warning: the residuals are larger than noise explains");
   const auto freed =
-      run(asked +
+      run(command +
           " --free tool.joint_stiffness.z,forearm.joint_stiffness.z,latch-link.beam.Iz,"
           "mezzanine-beam.beam.Iz,mezzanine-beam.joint_stiffness.z,mezzanine-platform.joint_stiffness.x");
   EXPECT_EQ(freed.exit_code, 0) << freed.err;

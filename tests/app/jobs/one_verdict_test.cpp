@@ -91,18 +91,19 @@ INSTANTIATE_TEST_SUITE_P(OfEveryFault, OneVerdict,
 
 /// A command on m.csv, the JSON pointer to the verdict in its figures (empty if it gives none), and the verdict that is
 /// expected if the measurements contain a mistake.
-struct Asked {
+struct ExpectedVerdict {
   const char *command, *where, *over_a_mistake;
 };
-constexpr Asked kOfBench[] = {{"compare bench.yaml m.csv --folds 0", "/verdict", "inconclusive"},
-                              {"diagnose bench.yaml m.csv --effects 1", "/verdict", "inconclusive"},
-                              {"identify bench.yaml m.csv --folds 0", "/adequacy", "inconclusive"},
-                              {"identify bench.yaml m.csv --folds 0 --out written", "/adequacy", "inconclusive"},
-                              {"improve bench.yaml m.csv --steps 1 --out written", "/end", "mistake"},
-                              {"ladder m.csv bench.yaml", "", ""},
-                              {"touches bench.yaml --readings m.csv --candidates 20 --count 2 --csv written", "", ""},
-                              {"sensitivity bench.yaml --readings m.csv --postures 10", "", ""}};
-constexpr Asked kOfMockup[] = {
+constexpr ExpectedVerdict kOfBench[] = {
+    {"compare bench.yaml m.csv --folds 0", "/verdict", "inconclusive"},
+    {"diagnose bench.yaml m.csv --effects 1", "/verdict", "inconclusive"},
+    {"identify bench.yaml m.csv --folds 0", "/adequacy", "inconclusive"},
+    {"identify bench.yaml m.csv --folds 0 --out written", "/adequacy", "inconclusive"},
+    {"improve bench.yaml m.csv --steps 1 --out written", "/end", "mistake"},
+    {"ladder m.csv bench.yaml", "", ""},
+    {"touches bench.yaml --readings m.csv --candidates 20 --count 2 --csv written", "", ""},
+    {"sensitivity bench.yaml --readings m.csv --postures 10", "", ""}};
+constexpr ExpectedVerdict kOfMockup[] = {
     {"compare mockup.yaml m.csv --folds 0", "/verdict", "inconclusive"},
     {"calibrate mockup.yaml m.csv --out written", "", ""},
     {"touches mockup.yaml --readings m.csv --goal base --tubes spread:5 --candidates 10 --csv written", "", ""}};
@@ -128,13 +129,13 @@ class OneAnswer : public ProgramTest {
     }
   }
 
-  void expectOneAnswer(std::span<const Asked> questions, int turned) const {
+  void expectOneAnswer(std::span<const ExpectedVerdict> questions, int turned) const {
     SCOPED_TRACE(std::to_string(turned) + " signs turned");
     write("m.csv", contentOf(folder / ("turned" + std::to_string(turned) + ".csv")));
     nlohmann::json checks;
-    for (const auto& asked : questions) {
-      SCOPED_TRACE(asked.command);
-      const auto outcome = run(std::string(asked.command) + " --json -");
+    for (const auto& expected : questions) {
+      SCOPED_TRACE(expected.command);
+      const auto outcome = run(std::string(expected.command) + " --json -");
       EXPECT_EQ(outcome.exit_code, turned > 0 ? 1 : 0) << outcome.err;
       const auto figures = nlohmann::json::parse(outcome.out, nullptr, false);
       ASSERT_TRUE(figures.is_object()) << outcome.out;
@@ -143,11 +144,11 @@ class OneAnswer : public ProgramTest {
       if (turned > 0) {
         ASSERT_FALSE(checks.empty());
         EXPECT_EQ(checks[0]["severity"], "mistake");
-        if (*asked.where) {
-          EXPECT_EQ(figures[nlohmann::json::json_pointer(asked.where)], asked.over_a_mistake);
+        if (*expected.where) {
+          EXPECT_EQ(figures[nlohmann::json::json_pointer(expected.where)], expected.over_a_mistake);
         }
       }
-      const bool writes = std::string(asked.command).ends_with("written");
+      const bool writes = std::string(expected.command).ends_with("written");
       EXPECT_EQ(std::filesystem::exists(folder / "written"), writes && turned == 0);
       std::filesystem::remove(folder / "written");
       std::filesystem::remove(folder / "written-arm.yaml");

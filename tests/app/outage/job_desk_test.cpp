@@ -102,11 +102,12 @@ TEST_F(JobDesk, AToolEntersOnlyWhereAnotherPersonReadTheTube) {
 }
 
 TEST_F(JobDesk, WhatConfirmCallsConfirmedMayBeMarked) {
-  for (const char* asked : {"read-back", "position", "none"})
+  for (const char* required : {"read-back", "position", "none"})
     for (const bool is_read : {true, false}) {
-      SCOPED_TRACE(fmt::format("{} {}", asked, is_read));
+      SCOPED_TRACE(fmt::format("{} {}", required, is_read));
       std::filesystem::remove(folder / "job.record");
-      JobStore store(made(fmt::format("  - {{name: rows, tubes: R9-11C18-22, tool: bobbin, confirm: {}}}\n", asked)));
+      JobStore store(
+          made(fmt::format("  - {{name: rows, tubes: R9-11C18-22, tool: bobbin, confirm: {}}}\n", required)));
       const TubeEnd end = store.endOf(hot(9, 18)), wrong = store.endOf(hot(9, 19));
       const auto confirmAs = [&](const TubeEnd& found) {
         ConfirmationRequest request{hot(9, 18), "", is_read ? addressText(found.tube) : "", {}, {"Maria", "", ""}};
@@ -117,10 +118,10 @@ TEST_F(JobDesk, WhatConfirmCallsConfirmedMayBeMarked) {
       EXPECT_FALSE(confirmAs(wrong));  // a wrong tube is recorded, by whichever method it was found
       EXPECT_EQ(store.events().size(), 1u);
       const std::string other = is_read ? "position" : "read-back";
-      if (asked == other) {
-        expectSays(messageOf([&] { (void)confirmAs(end); }), asked);
+      if (required == other) {
+        expectSays(messageOf([&] { (void)confirmAs(end); }), required);
         EXPECT_EQ(store.events().size(), 1u);
-        expectSays(messageOf(markDone), asked);
+        expectSays(messageOf(markDone), required);
       } else {
         EXPECT_TRUE(confirmAs(end));
         markDone();

@@ -54,10 +54,10 @@ TEST(Jobs, areNewerWithEveryChange) {
   const auto moment = [&] { return jobs.list().back()["moment"].get<std::uint64_t>(); };
   const std::uint64_t running = moment();
   EXPECT_GT(running, begun.job["moment"].get<std::uint64_t>());
-  const std::uint64_t asked = events.moment();  // the moment that an answer would contain now
-  EXPECT_GE(asked, running);
+  const std::uint64_t answer_moment = events.moment();  // the moment that an answer would contain now
+  EXPECT_GE(answer_moment, running);
   const auto stopping = (*jobs.cancel(begun.job["id"]))["moment"].get<std::uint64_t>();
-  EXPECT_GT(stopping, asked);
+  EXPECT_GT(stopping, answer_moment);
   go.set_value();
   EXPECT_GT(ended(jobs, begun.job["id"])["moment"].get<std::uint64_t>(), stopping);
 }

@@ -56,7 +56,7 @@ TEST_F(LiveTest, BadEncodersAreRefused) {
 class LineClient {
  public:
   explicit LineClient(int port) : stream_("127.0.0.1", std::to_string(port)) {}
-  std::string ask(const std::string& line) {
+  std::string send(const std::string& line) {
     stream_ << line << "\n" << std::flush;
     std::string answer;
     std::getline(stream_, answer);
@@ -75,7 +75,7 @@ TEST_F(LiveTest, LinesOverTcpAreAnsweredWithTheDeflectedTip) {
   stalled.begin("10 45");  // an unfinished line blocks only its own connection
   const json tip = post("/api/pose", {{"joints", {10, 45, -35, 12}}, {"load", 20}}).body["tip"]["flexible"];
   for (const char* line : {"10 45 -35 12 20", "10,45,-35,12,20", "10; 45; -35; 12; 20\r", "\t10 45 -35 12   20 "}) {
-    std::stringstream answer(controller.ask(line));
+    std::stringstream answer(controller.send(line));
     for (int k = 0; k < 3; ++k) {
       double coordinate = 0;
       ASSERT_TRUE(answer >> coordinate) << line;
@@ -84,8 +84,8 @@ TEST_F(LiveTest, LinesOverTcpAreAnsweredWithTheDeflectedTip) {
   }
   for (const char* line :
        {"", "1 2 3", "1 2 3 4 5 6", "10 45 -35 x", "10 45 -35 1e9", "10 45 -35 nan", "10 45 -35 12 -5"})
-    EXPECT_TRUE(controller.ask(line).starts_with("error: ")) << line;
-  EXPECT_FALSE(controller.ask("10 45 -35 12").starts_with("error: "));
+    EXPECT_TRUE(controller.send(line).starts_with("error: ")) << line;
+  EXPECT_FALSE(controller.send("10 45 -35 12").starts_with("error: "));
   EXPECT_THROW(LineServer(server->workbench(), lines.port()), InputError);
 }
 
@@ -93,9 +93,9 @@ TEST_F(LiveTest, ALineWithoutEndClosesItsConnection) {
   serve("bench.yaml");
   const LineServer lines(server->workbench(), 0);
   LineClient endless(lines.port());
-  EXPECT_EQ(endless.ask(std::string(100000, '1')), "");
+  EXPECT_EQ(endless.send(std::string(100000, '1')), "");
   LineClient controller(lines.port());
-  EXPECT_FALSE(controller.ask("10 45 -35 12").starts_with("error: "));
+  EXPECT_FALSE(controller.send("10 45 -35 12").starts_with("error: "));
 }
 
 TEST_F(LiveTest, MeasurementsJoinTheOthersAndAreCompared) {

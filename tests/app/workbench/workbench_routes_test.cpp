@@ -501,10 +501,10 @@ TEST_F(WorkbenchRoutes, theLoopStopsWhereverItIs) {
   serve("bench.yaml");
   simulate(400);
   const json add = {{"causes", {"joint-offset@theta3"}}};
-  const std::pair<const char*, json> asked[] = {{"compare", json::object()},  {"diagnose", json::object()},
-                                                {"identify", json::object()}, {"ladder", json::object()},
-                                                {"improve", json::object()},  {"add", add}};
-  for (const auto& [kind, body] : asked) {
+  const std::pair<const char*, json> requests[] = {{"compare", json::object()},  {"diagnose", json::object()},
+                                                   {"identify", json::object()}, {"ladder", json::object()},
+                                                   {"improve", json::object()},  {"add", add}};
+  for (const auto& [kind, body] : requests) {
     const json begun = post(std::string("/api/") + kind, body).body;
     const int id = begun["id"];
     untilAtWork(id, kind);

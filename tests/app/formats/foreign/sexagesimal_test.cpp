@@ -117,8 +117,8 @@ struct HourAngles : SixtiethColumns {
     for (std::size_t k = 0; k < fields.size(); ++k) text += fmt::format("P{};{};0;45;-35;1;2;3\n", k + 1, fields[k]);
     return {{parseForeignTable(text, "log.csv")}, {columns, {{UnitKind::kAngle, findUnitWord("deg")}}}, ""};
   }
-  [[nodiscard]] double lastDegrees(const ForeignRequest& asked) const {
-    const auto table = parseMeasurementTable(readForeign(asked, mount).text, "t", mount, nullptr);
+  [[nodiscard]] double lastDegrees(const ForeignRequest& foreign) const {
+    const auto table = parseMeasurementTable(readForeign(foreign, mount).text, "t", mount, nullptr);
     return table.measurements.back().q[0] * 180 / std::numbers::pi;
   }
 };
