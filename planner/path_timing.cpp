@@ -28,11 +28,11 @@ std::vector<PathRow> samplePath(const VisitPlan& plan, const JointSpeeds& speeds
   for (std::size_t k = 0; k < plan.segments.size(); ++k) {
     const auto& segment = plan.segments[k];
     const bool leaves_visit = segment.kind == SegmentKind::kRetreat && segment.visit >= 0;
-    const double stay = leaves_visit ? plan.visits[static_cast<std::size_t>(segment.visit)].dwell : 0;
-    start += stay;
+    const double dwell = leaves_visit ? plan.visits[static_cast<std::size_t>(segment.visit)].dwell : 0;
+    start += dwell;
     const auto samples = samplesOf(segment, speeds, max_step);
     // Skip the first row of a segment, which repeats the last row of the previous one, unless the arm dwelt there.
-    for (std::size_t s = rows.empty() || stay > 0 ? 0 : 1; s < samples.size(); ++s)
+    for (std::size_t s = rows.empty() || dwell > 0 ? 0 : 1; s < samples.size(); ++s)
       rows.push_back({start + samples[s].time, static_cast<int>(k), segment.kind, samples[s].posture});
     start += durationOf(segment, speeds);
   }

@@ -35,10 +35,10 @@ std::vector<TrajectoryPoint> trajectoryOf(const VisitPlan& plan, const JointSpee
   };
   for (const auto& segment : plan.segments) {
     if (segment.kind == SegmentKind::kRetreat && segment.visit >= 0)
-      if (const double stay = plan.visits[static_cast<std::size_t>(segment.visit)].dwell; stay > 0) {
+      if (const double dwell = plan.visits[static_cast<std::size_t>(segment.visit)].dwell; dwell > 0) {
         const Eigen::VectorXd none = Eigen::VectorXd::Zero(segment.waypoints.front().size());
         add({start, segment.waypoints.front(), none, none});
-        start += stay;
+        start += dwell;
       }
     if (segment.flows) {
       const TimedFlow flow = timeFlow(segment.waypoints, speeds);

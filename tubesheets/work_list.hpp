@@ -23,7 +23,7 @@
 
 namespace tubeplan::tubesheets {
 
-inline constexpr double kLongestStay = 86'400;  ///< longest dwell time at a tube [s]: one day
+inline constexpr double kLongestDwell = 86'400;  ///< longest dwell time at a tube [s]: one day
 
 /// One row of a work list.
 struct WorkListItem {

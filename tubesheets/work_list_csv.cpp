@@ -114,7 +114,7 @@ class ListReader {
     const std::string dwell = list_.table.field(row, TubeColumn::kDwell);
     if (dwell.empty()) return;
     item.dwell = parseNumber(dwell);
-    if (!item.dwell || *item.dwell < 0 || *item.dwell > kLongestStay)
+    if (!item.dwell || *item.dwell < 0 || *item.dwell > kLongestDwell)
       list_.refuse(Problem{"dwell_s", "\"" + dwell + "\"", "seconds from 0 to a day", "", row.line});
   }
 

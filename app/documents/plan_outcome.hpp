@@ -29,7 +29,7 @@ struct PlanRequest {
   double load = 0;                ///< in the cell's force unit
   ConditionsRequest conditions;
   /// Dwell time at each tube [s], keyed by tube index; a work list file states its own dwell times.
-  std::map<int, double> stays = {};
+  std::map<int, double> dwell_times = {};
   double padding = 0;              ///< additional clearance, in standard deviations of the base pose
   std::optional<double> standoff;  ///< distance below a hole at which the approach starts, in the cell's length unit
   /// True if each hole is approached from the shortest clear distance, up to `standoff`.

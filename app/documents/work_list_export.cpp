@@ -29,20 +29,20 @@ struct TubeOutcome {
 /// state.
 std::vector<TubeOutcome> outcomesOf(const PlanOutcome& outcome) {
   std::vector<TubeOutcome> all;
-  const auto stayAt = [&](int tube) {
+  const auto dwellAt = [&](int tube) {
     const auto own = outcome.conditions.dwell_at.find(tube);
     return formatNumber(own == outcome.conditions.dwell_at.end() ? outcome.conditions.dwell : own->second);
   };
   for (const auto& visit : outcome.plan.visits)
     all.push_back({visit.tube, std::to_string(all.size() + 1), "", formatNumber(visit.dwell)});
   for (const auto& missed : outcome.plan.unreachable)
-    all.push_back({missed.tube, "", "unreachable: " + missed.reason, stayAt(missed.tube)});
+    all.push_back({missed.tube, "", "unreachable: " + missed.reason, dwellAt(missed.tube)});
   for (const auto& left_out : outcome.selection.left_out)
     all.push_back({left_out.tube, "", fmt::format("left out: {}", left_out.word), ""});
   return all;
 }
 
-bool hasStays(const PlanOutcome& outcome) {
+bool hasDwellTimes(const PlanOutcome& outcome) {
   return std::ranges::any_of(outcome.plan.visits, [](const auto& visit) { return visit.dwell > 0; });
 }
 
@@ -51,15 +51,15 @@ std::string ownList(const PlanOutcome& outcome) {
   const auto* known = tubesheets::findLengthUnit(outcome.cell.units.length().name);
   const tubesheets::LengthUnit& unit = known ? *known : tubesheets::kInch;
   const std::string fingerprint = sheet.fingerprint();
-  const bool has_stays = hasStays(outcome);
-  std::string text =
-      fmt::format("leg,sheet,row,column,x_{0},y_{0},visit{1},outcome\n", unit.suffix, has_stays ? ",dwell_s" : "");
+  const bool has_dwell_times = hasDwellTimes(outcome);
+  std::string text = fmt::format("leg,sheet,row,column,x_{0},y_{0},visit{1},outcome\n", unit.suffix,
+                                 has_dwell_times ? ",dwell_s" : "");
   for (const TubeOutcome& of_tube : outcomesOf(outcome)) {
     if (of_tube.dwell.empty()) continue;  // skips tubes that are excluded because of their state
     const auto& tube = sheet.tubes[static_cast<std::size_t>(of_tube.tube)];
     text += fmt::format("{},{},{},{},{},{},{}{},{}\n", tubesheets::legName(sheet.leg), fingerprint, tube.row,
                         tube.column, tubesheets::formatLength(tube.x, unit), tubesheets::formatLength(tube.y, unit),
-                        of_tube.visit, has_stays ? "," + of_tube.dwell : "",
+                        of_tube.visit, has_dwell_times ? "," + of_tube.dwell : "",
                         of_tube.outcome.empty() ? "" : tubesheets::csvQuoted(of_tube.outcome));
   }
   return text;
@@ -78,14 +78,14 @@ class GivenList {
                [&](const TubeOutcome&) { return std::string(tubesheets::legName(sheet.leg)); });
     addMissing(TubeColumn::kSheet, "sheet", [print = sheet.fingerprint()](const TubeOutcome&) { return print; });
     add(TubeColumn::kVisit, "visit", [](const TubeOutcome& of_tube) { return of_tube.visit; });
-    if (hasStays(outcome_)) addStays();
+    if (hasDwellTimes(outcome_)) addDwellTimes();
     add(TubeColumn::kOutcome, "outcome", [](const TubeOutcome& of_tube) { return of_tube.outcome; });
     return tubesheets::withColumns(list_.text, list_.table.text, columns_);
   }
 
  private:
   /// Adds the dwell times that the list does not state, in a new column or in the empty fields of its own column.
-  void addStays() {
+  void addDwellTimes() {
     add(TubeColumn::kDwell, "dwell_s", [](const TubeOutcome& of_tube) { return of_tube.dwell; });
     for (const auto& item : list_.items)
       if (item.dwell) columns_.back().fields.erase(item.line);

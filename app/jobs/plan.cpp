@@ -248,8 +248,8 @@ PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::Plan
   if (selection.status != tubesheets::SelectionStatus::kSelected)
     throw InputError::saying("tubes", inQuotes(request.tubes) + " cannot be planned: " + selection.reason,
                              "name tubes of this sheet");
-  for (const auto& [tube, stay] : request.stays)
-    if (std::ranges::find(selection.tube_indices, tube) != selection.tube_indices.end()) selection.dwell[tube] = stay;
+  for (const auto& [tube, dwell] : request.dwell_times)
+    if (std::ranges::find(selection.tube_indices, tube) != selection.tube_indices.end()) selection.dwell[tube] = dwell;
   addConditions(request, selection, outcome);
   plan(request, selection.tube_indices, std::move(hooks), checkpoint, outcome);
   return outcome;

@@ -44,12 +44,12 @@ PlanRequest requestFor(const std::vector<JobItem>& items, const WorkPackage& pac
 }
 
 void addTimes(const PlanOutcome& outcome, const WorkPackage& package, const JobTool& tool, PackagePlan& plan) {
-  double stays = 0;  // dwell times of the planner: the tool's travel in the tubes, and the package's dwell times
-  for (const auto& visit : outcome.plan.visits) stays += visit.dwell;
+  double dwell_times = 0;  // dwell times of the planner: the tool's travel in the tubes, and the package's dwell times
+  for (const auto& visit : outcome.plan.visits) dwell_times += visit.dwell;
   plan.travel = outcome.plan.travel_time;
   plan.in_tubes = timeInTube(package, tool) * static_cast<double>(outcome.plan.visits.size());
-  plan.dwell = stays - plan.in_tubes;
-  plan.approaches = outcome.plan.total_time - plan.travel - stays;
+  plan.dwell = dwell_times - plan.in_tubes;
+  plan.approaches = outcome.plan.total_time - plan.travel - dwell_times;
 }
 
 /// Records the visiting order and the tubes out of reach.

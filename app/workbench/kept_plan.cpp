@@ -10,8 +10,8 @@
 namespace tubeplan::app {
 
 nlohmann::json planRequestJson(const PlanRequest& request) {
-  nlohmann::json stays = nlohmann::json::array();
-  for (const auto& [tube, stay] : request.stays) stays.push_back({tube, stay});
+  nlohmann::json dwell_times = nlohmann::json::array();
+  for (const auto& [tube, dwell] : request.dwell_times) dwell_times.push_back({tube, dwell});
   return {{"cell", request.cell},
           {"tubes", request.tubes},
           {"truth", request.truth},
@@ -22,7 +22,7 @@ nlohmann::json planRequestJson(const PlanRequest& request) {
           {"end", request.conditions.end},
           {"first", request.conditions.first},
           {"dwell", request.conditions.dwell},
-          {"stays", stays},
+          {"stays", dwell_times},
           {"padding", request.padding},
           {"standoff", request.standoff ? nlohmann::json(*request.standoff) : nlohmann::json()},
           {"least_standoff", request.has_least_standoff},
@@ -40,7 +40,7 @@ PlanRequest planRequestOf(const nlohmann::json& json) {
   request.load = json.at("load");
   request.conditions = {json.at("start"), json.at("end"), json.at("first").get<std::vector<std::string>>(),
                         json.at("dwell")};
-  for (const auto& stay : json.at("stays")) request.stays[stay.at(0).get<int>()] = stay.at(1).get<double>();
+  for (const auto& dwell : json.at("stays")) request.dwell_times[dwell.at(0).get<int>()] = dwell.at(1).get<double>();
   request.padding = json.at("padding");
   if (!json.at("standoff").is_null()) request.standoff = json.at("standoff").get<double>();
   request.has_least_standoff = json.at("least_standoff");

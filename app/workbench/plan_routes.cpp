@@ -124,7 +124,7 @@ Answer plan(Workbench& workbench, const Request& request) {
   PlanRequest plan_request;
   const auto& sheet = requireSheet(cell, "plan tube visits");
   plan_request.tubes = tubesText(body, sheet, tubesheets::spreadRequest(sheet, 60));
-  plan_request.stays = staysOf(body, sheet);
+  plan_request.dwell_times = dwellTimesOf(body, sheet);
   plan_request.compensation = textOf(body, "compensation", plan_request.compensation);
   if (!planner::findCompensation(plan_request.compensation))
     throw InputError("request (compensation)", inQuotes(plan_request.compensation), "none, goal-point or via-point");
@@ -189,10 +189,12 @@ Answer workList(Workbench& workbench, const Request& request) {
   const auto& sheet = requireSheet(currentModel(workbench.session()).cell, "read a work list");
   const auto [name, text] = listTextOf(body);
   const auto selection = readWorkList(text, name, sheet, "tubes", textsOf(body, "columns"));
-  json stays = json::object();
-  for (const auto& [tube, stay] : selection.dwell) stays[std::to_string(tube)] = stay;
-  return answerOf(
-      {{"name", name}, {"tubes", selection.tube_indices}, {"stays", stays}, {"notes", listWords(sheet, selection)}});
+  json dwell_times = json::object();
+  for (const auto& [tube, dwell] : selection.dwell) dwell_times[std::to_string(tube)] = dwell;
+  return answerOf({{"name", name},
+                   {"tubes", selection.tube_indices},
+                   {"stays", dwell_times},
+                   {"notes", listWords(sheet, selection)}});
 }
 
 /// Returns the likely meanings of the columns of a work list, for the request {"tables": [{"name", "text"}]}.

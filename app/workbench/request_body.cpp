@@ -148,20 +148,20 @@ std::string tubesText(const json& body, const tubesheets::Sheet& sheet, const st
   return text;
 }
 
-std::map<int, double> staysOf(const json& body, const tubesheets::Sheet& sheet) {
-  std::map<int, double> stays;
-  if (!body.contains("stays") || body["stays"].is_null()) return stays;
+std::map<int, double> dwellTimesOf(const json& body, const tubesheets::Sheet& sheet) {
+  std::map<int, double> dwell_times;
+  if (!body.contains("stays") || body["stays"].is_null()) return dwell_times;
   if (!body["stays"].is_object())
     throw InputError("stays", body["stays"].dump(), "an object {index of a hole: seconds}");
-  for (const auto& [name, stay] : body["stays"].items()) {
+  for (const auto& [name, dwell] : body["stays"].items()) {
     const auto tube = tubesheets::parseInteger(name);
     if (!tube || *tube < 0 || *tube >= static_cast<int>(sheet.tubes.size()))
       throw InputError("stays", inQuotes(name), fmt::format("the index of a hole, 0 to {}", sheet.tubes.size() - 1));
-    if (!stay.is_number() || !(stay.get<double>() >= 0 && stay.get<double>() <= tubesheets::kLongestStay))
-      throw InputError("stays", stay.dump(), "seconds from 0 to a day");
-    stays.emplace(*tube, stay.get<double>());
+    if (!dwell.is_number() || !(dwell.get<double>() >= 0 && dwell.get<double>() <= tubesheets::kLongestDwell))
+      throw InputError("stays", dwell.dump(), "seconds from 0 to a day");
+    dwell_times.emplace(*tube, dwell.get<double>());
   }
-  return stays;
+  return dwell_times;
 }
 
 }  // namespace tubeplan::app

@@ -59,6 +59,6 @@ namespace tubeplan::app {
 
 /// Returns the value of "stays": dwell times from 0 to a day [s], keyed by tube index; empty if the key is missing.
 /// Throws InputError.
-[[nodiscard]] std::map<int, double> staysOf(const nlohmann::json& body, const tubesheets::Sheet& sheet);
+[[nodiscard]] std::map<int, double> dwellTimesOf(const nlohmann::json& body, const tubesheets::Sheet& sheet);
 
 }  // namespace tubeplan::app

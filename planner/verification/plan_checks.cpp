@@ -229,7 +229,7 @@ class Checker {
   }
 
   /// Returns how long the arm rests in the posture of row k from that row on [s].
-  double stayAfter(std::size_t k) const {
+  double dwellAfter(std::size_t k) const {
     std::size_t last = k;
     while (last + 1 < plan_.path.size() && plan_.path[last + 1].q == plan_.path[k].q) ++last;
     return plan_.path[last].time - plan_.path[k].time;
@@ -248,8 +248,8 @@ class Checker {
       if ((row.q - stated.q).cwiseAbs().maxCoeff() > options_.joint_tolerance)
         find(fmt::format("path row {}: the approach does not end at {}", k + 1,
                          tubesheets::tubeName(stated.row, stated.column)));
-      if (!(stayAfter(k) >= stated.dwell - kTimeTolerance))
-        find(fmt::format("path row {}: the arm stays {:.3f} s at {}, {:.3f} s are stated", k + 1, stayAfter(k),
+      if (!(dwellAfter(k) >= stated.dwell - kTimeTolerance))
+        find(fmt::format("path row {}: the arm stays {:.3f} s at {}, {:.3f} s are stated", k + 1, dwellAfter(k),
                          tubesheets::tubeName(stated.row, stated.column), stated.dwell));
       if (tube > 1 && stated.zone < plan_.tubes[tube - 2].zone)
         find(tubesheets::tubeName(stated.row, stated.column) + " comes after tubes of a later zone");

@@ -77,10 +77,10 @@ TEST_F(Conditioned, StaysAtEveryHoleAsLongAsAsked) {
   EXPECT_NEAR(rows.back().time, plan_->total_time, 1e-9);
   const auto points = trajectoryOf(*plan_, jointSpeedsOf(cell_->arm));
   EXPECT_NEAR(points.back().time, plan_->total_time, 1e-6);
-  int stays = 0;
+  int dwells = 0;
   for (std::size_t k = 1; k < points.size(); ++k)
-    stays += points[k].position == points[k - 1].position && points[k].time - points[k - 1].time > 2.999;
-  EXPECT_EQ(stays, 7);
+    dwells += points[k].position == points[k - 1].position && points[k].time - points[k - 1].time > 2.999;
+  EXPECT_EQ(dwells, 7);
 }
 
 TEST_F(Conditioned, IsProvedAgainAndItsConditionsAreHeldAgainstIt) {

@@ -47,7 +47,7 @@ planner::VisitConditions conditionsOf(const ConditionsRequest& request, const Ce
   conditions.end = postureOf(request.end, "--end", cell);
   for (const auto& zone : request.first)
     conditions.zones.push_back(readTubes(zone, sheet, request.columns, "--first").tube_indices);
-  if (!(request.dwell >= 0 && request.dwell <= tubesheets::kLongestStay))
+  if (!(request.dwell >= 0 && request.dwell <= tubesheets::kLongestDwell))
     throw InputError("--dwell", fmt::format("{}", request.dwell), "seconds from 0 to a day");
   conditions.dwell = request.dwell;
   conditions.dwell_at = std::move(dwell_at);

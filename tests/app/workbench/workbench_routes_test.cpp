@@ -377,10 +377,10 @@ TEST_F(WorkbenchRoutes, aWorkListSelectsItsTubesAndSaysWhatItLeavesOut) {
   const std::string notes = list.body["notes"].dump();
   EXPECT_NE(notes.find("1 plugged"), std::string::npos) << notes;
   EXPECT_NE(notes.find("Weather"), std::string::npos) << notes;
-  const auto stays = of("row,column,dwell_s\n1,1,30\n");
-  ASSERT_EQ(stays.status, 200);
-  EXPECT_EQ(stays.body["stays"].size(), 1u);
-  EXPECT_EQ(stays.body["stays"].begin().value(), 30);
+  const auto dwell_times = of("row,column,dwell_s\n1,1,30\n");
+  ASSERT_EQ(dwell_times.status, 200);
+  EXPECT_EQ(dwell_times.body["stays"].size(), 1u);
+  EXPECT_EQ(dwell_times.body["stays"].begin().value(), 30);
   for (const char* wrong : {"", "a,b\n1,2\n", "row,column\n99,99\n", "row,column\n1\n", "row,column\none,two\n",
                             "row,column,status\n1,1,PLG\n1,1,open\n", "row,column,status\n1,99,melted\n"})
     EXPECT_EQ(of(wrong).status, 422) << wrong;
@@ -417,11 +417,11 @@ TEST_F(WorkbenchRoutes, aWorkListIsReadByTheColumnsThatAreNamed) {
 TEST_F(WorkbenchRoutes, aPlanStaysAsLongAsAskedAtItsTubes) {
   serve("mockup.yaml");
   done("/api/plan", {{"tubes", json::array({3, 40, 41})}, {"seed", 2}, {"stays", {{"40", 25}, {"77", 10}}}});
-  std::map<double, int> stays;
+  std::map<double, int> dwell_times;
   const json plan = get("/api/results/plan").body;
-  for (const json& tube : plan["tubes"]) ++stays[tube.value("dwell_s", 0.0)];
-  EXPECT_EQ(stays[25], 1);
-  EXPECT_FALSE(stays.contains(10));
+  for (const json& tube : plan["tubes"]) ++dwell_times[tube.value("dwell_s", 0.0)];
+  EXPECT_EQ(dwell_times[25], 1);
+  EXPECT_FALSE(dwell_times.contains(10));
   for (const json& wrong : {json{{"40", -1}}, json{{"40", 1e6}}, json{{"9999", 1}}, json{{"x", 1}}, json{{"40", "1"}}})
     EXPECT_EQ(post("/api/plan", {{"tubes", json::array({3, 40})}, {"stays", wrong}}).status, 422) << wrong;
 }
