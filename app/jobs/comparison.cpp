@@ -55,12 +55,12 @@ RefitOfMeasurements refitMeasurements(const CellMeasurements& input, const Compa
     const auto start = startOf(input.cell, measurements);
     auto fit = isAnythingFree(start, options) ? calibration::identify(start, measurements, options)
                                               : calibration::Identification{};
-    requireGoingOn(hooks);
+    throwIfJobStopped(hooks);
     return fit;
   };
   const auto outliers = [&](const calibration::Identification& fit) {
     auto aside = outliersOf(input, fit, options);
-    requireGoingOn(hooks);
+    throwIfJobStopped(hooks);
     return aside;
   };
   return fitWithoutOutliers(input.measurements, fitted, outliers);
@@ -76,7 +76,7 @@ ComparisonOutcome compareModel(const CellMeasurements& input, const ComparisonRe
   outcome.measurements = refit.measurements;
   outcome.set_aside = refit.set_aside;
   outcome.comparison = calibration::compare(startOf(cell, refit.measurements), refit.measurements, options);
-  requireGoingOn(hooks);
+  throwIfJobStopped(hooks);
   requireCompared(outcome.comparison, input);
   const std::string mistake = mistakeText(input.checks, cell.units);
   if (!mistake.empty()) withholdVerdict(mistake, outcome.comparison);

@@ -27,7 +27,7 @@ void proposeNext(const CellMeasurements& input, const DiagnosisRequest& request,
   discrimination.hooks = hooks;
   outcome.next =
       calibration::proposeDiscriminatingMeasurements(diagnosis, input.measurements, outcome.candidates, discrimination);
-  requireGoingOn(hooks);
+  throwIfJobStopped(hooks);
 }
 
 /// Returns an outcome without a verdict, because a mistake in the measurements explains the model's error.
@@ -68,14 +68,14 @@ DiagnosisOutcome diagnoseModel(const CellMeasurements& input, const DiagnosisReq
   DiagnosisOutcome outcome;
   if (const auto mistake = mistakeText(input.checks, cell.units); !mistake.empty()) return undiagnosed(input, mistake);
   outcome.diagnosis = calibration::diagnose(start, measurements, options);
-  requireGoingOn(hooks);
+  throwIfJobStopped(hooks);
   if (outcome.diagnosis.verdict == calibration::Verdict::kNotRun)
     throw refusalOf(outcome.diagnosis.baseline.measurement_problem, outcome.diagnosis.reason, input);
   beginStep(hooks, "next readings");
   proposeNext(input, request, hooks, outcome);
   beginStep(hooks, "warnings");
   outcome.warnings = calibration::warnOfEffects(start, measurements, options, outcome.diagnosis);
-  requireGoingOn(hooks);
+  throwIfJobStopped(hooks);
   outcome.figures = diagnosisJson(outcome.diagnosis, measurements, cell.units);
   addNextMeasurements(outcome.next, outcome.candidates, cell.arm, cell.units, outcome.figures);
   outcome.run_sheet = runSheetOf(outcome.next, outcome.candidates, measurements);

@@ -131,7 +131,7 @@ void fitMeasurements(const CellMeasurements& input, const IdentificationRequest&
   const auto& cell = input.cell;
   const auto fitted = [&](const std::vector<calibration::Measurement>& measurements) {
     auto fit = identifyByRequest(request, cell, measurements, hooks);
-    requireGoingOn(hooks);
+    throwIfJobStopped(hooks);
     requireAccepted(fit, request, input);
     return fit;
   };
@@ -140,7 +140,7 @@ void fitMeasurements(const CellMeasurements& input, const IdentificationRequest&
   const auto outliers = [&](const Identification& fit) {
     if (takes_all) return std::vector<int>();
     auto aside = outliersOf(input, fit, options);
-    requireGoingOn(hooks);
+    throwIfJobStopped(hooks);
     return aside;
   };
   RefitOfMeasurements refit = fitWithoutOutliers(input.measurements, fitted, outliers);
@@ -210,10 +210,10 @@ IdentificationOutcome identifyModel(const CellMeasurements& input, const Identif
   outcome.overlaps = calibration::findFormulaOverlaps(outcome.fit, measurements);
   if (!outcome.overlaps.empty()) outcome.figures["overlap"] = overlapJson(outcome.overlaps);
   outcome.centring = predictCentring(cell, outcome.fit, request.stages.size() > 1, hooks.stop);
-  requireGoingOn(hooks);
+  throwIfJobStopped(hooks);
   outcome.figures["predicted_centring_error"] = predictedCentringJson(outcome.centring, cell.units);
   outcome.of_effects = effectWarnings(request, cell, measurements, outcome.fit, hooks);
-  requireGoingOn(hooks);
+  throwIfJobStopped(hooks);
   for (const auto& warning : effectWarningsJson(outcome.of_effects, cell.units))
     outcome.figures["warnings"].push_back(warning);
   return outcome;

@@ -17,13 +17,13 @@ struct JobStopped {
   std::string kept;  ///< phrase that names the results already written; empty if none
 };
 
-inline void requireGoingOn(const WorkHooks& hooks) {
+inline void throwIfJobStopped(const WorkHooks& hooks) {
   if (calibration::shouldStop(hooks.stop)) throw JobStopped{};
 }
 
 /// Reports the progress of a step such as "fit" or "diagnosis". Throws JobStopped if a stop is requested.
 inline void beginStep(const WorkHooks& hooks, std::string_view step, std::size_t done = 0, std::size_t total = 0) {
-  requireGoingOn(hooks);
+  throwIfJobStopped(hooks);
   if (hooks.progress) hooks.progress(step, done, total);
 }
 

@@ -87,9 +87,9 @@ bool isLoopback(const std::string& host) {
 
 int refuseAccess(const AccessRules& rules, const Visitor& visitor) {
   if (!hostAllowed(rules, visitor.host)) return 403;
-  const bool only_looks = visitor.method == "GET" || visitor.method == "HEAD";
+  const bool is_read_only = visitor.method == "GET" || visitor.method == "HEAD";
   const bool is_api = visitor.path.starts_with("/api");
-  if ((!only_looks || is_api) && !originAllowed(rules, visitor)) return 403;
+  if ((!is_read_only || is_api) && !originAllowed(rules, visitor)) return 403;
   if (!rules.token.empty() && !tokenShown(rules, visitor)) return 401;
   return 0;
 }

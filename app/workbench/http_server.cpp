@@ -105,7 +105,7 @@ std::string eventText(const char* name, const std::string& data) {
 class HttpServer::Implementation : public httplib::Server {
  public:
   Implementation(Workbench& workbench, AccessRules access, const std::string& page_folder)
-      : workbench_(workbench), door_(std::move(access)), page_(page_folder) {
+      : workbench_(workbench), access_rules_(std::move(access)), page_(page_folder) {
     new_task_queue = [] { return new httplib::ThreadPool(kConnectionsAtOnce); };
     set_payload_max_length(kLargestBody);
     // Do not set SO_REUSEPORT, so that no other program can listen on the same port.
@@ -120,7 +120,7 @@ class HttpServer::Implementation : public httplib::Server {
                          {"Referrer-Policy", "no-referrer"},
                          {"Cross-Origin-Resource-Policy", "same-origin"},
                          {"Cross-Origin-Opener-Policy", "same-origin"}});
-    set_pre_routing_handler([this](const auto& request, auto& response) { return atDoor(request, response); });
+    set_pre_routing_handler([this](const auto& request, auto& response) { return checkAccess(request, response); });
     set_exception_handler([](const auto& request, auto& response, std::exception_ptr) {
       fmt::print(stderr, "tubeplan: {} {}: internal error\n", request.method, request.path);
       put(refused(500, request), response);
@@ -144,17 +144,18 @@ class HttpServer::Implementation : public httplib::Server {
     if (is_running()) stop();
   }
 
-  [[nodiscard]] const AccessRules& access() const { return door_; }
+  [[nodiscard]] const AccessRules& access() const { return access_rules_; }
 
  private:
   void listenAtPort() {
-    std::string host = door_.host;
+    std::string host = access_rules_.host;
     if (host.size() > 2 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
-    const bool is_bound = door_.port == 0 ? (door_.port = bind_to_any_port(host)) > 0 : bind_to_port(host, door_.port);
+    const bool is_bound = access_rules_.port == 0 ? (access_rules_.port = bind_to_any_port(host)) > 0
+                                                  : bind_to_port(host, access_rules_.port);
     if (!is_bound)
-      throw InputError::saying("--port",
-                               fmt::format("the server cannot listen on port {} of {}", door_.port, door_.host),
-                               "give a free port of this machine; --port 0 chooses any free port");
+      throw InputError::saying(
+          "--port", fmt::format("the server cannot listen on port {} of {}", access_rules_.port, access_rules_.host),
+          "give a free port of this machine; --port 0 chooses any free port");
     // The library's backlog of five is too small: clients that it refuses retry only after a second or more.
     ::listen(svr_sock_, SOMAXCONN);
   }
@@ -183,27 +184,27 @@ class HttpServer::Implementation : public httplib::Server {
     return ok;
   }
 
-  HandlerResponse atDoor(const httplib::Request& request, httplib::Response& response) {
+  HandlerResponse checkAccess(const httplib::Request& request, httplib::Response& response) {
     const auto header = [&](const char* name) { return request.get_header_value(name); };
-    int status = refuseAccess(door_, {request.method, request.path, header("Host"), header("Origin"),
-                                      header("Sec-Fetch-Site"), header("Authorization"), header("Cookie")});
+    int status = refuseAccess(access_rules_, {request.method, request.path, header("Host"), header("Origin"),
+                                              header("Sec-Fetch-Site"), header("Authorization"), header("Cookie")});
     if (request.get_header_value_count("Host") != 1) status = 403;
-    if (status == 401 && request.method == "GET" && showsToken(request)) return letIn(response);
-    const bool only_looks = request.method == "GET" || request.method == "HEAD";
+    if (status == 401 && request.method == "GET" && showsToken(request)) return acceptToken(response);
+    const bool is_read_only = request.method == "GET" || request.method == "HEAD";
     if (status == 0 && request.target.size() > kLongestTarget) status = 414;
-    if (status == 0 && !only_looks && !hasKnownContent(request)) status = 415;
-    if (status == 0 && only_looks && !hasBody(request)) is_read_whole = true;
+    if (status == 0 && !is_read_only && !hasKnownContent(request)) status = 415;
+    if (status == 0 && is_read_only && !hasBody(request)) is_read_whole = true;
     if (status == 0) return HandlerResponse::Unhandled;
     put(refused(status, request), response);
     return HandlerResponse::Handled;
   }
 
   [[nodiscard]] bool showsToken(const httplib::Request& request) const {
-    return request.has_param("token") && equalInConstantTime(request.get_param_value("token"), door_.token);
+    return request.has_param("token") && equalInConstantTime(request.get_param_value("token"), access_rules_.token);
   }
 
-  HandlerResponse letIn(httplib::Response& response) const {
-    response.set_header("Set-Cookie", tokenCookie(door_.token));
+  HandlerResponse acceptToken(httplib::Response& response) const {
+    response.set_header("Set-Cookie", tokenCookie(access_rules_.token));
     response.set_redirect("/", 303);
     return HandlerResponse::Handled;
   }
@@ -283,7 +284,7 @@ class HttpServer::Implementation : public httplib::Server {
   }
 
   Workbench& workbench_;
-  AccessRules door_;
+  AccessRules access_rules_;
   PageFiles page_;
   std::atomic<bool> is_closing_ = false, has_ended_ = false;
 };

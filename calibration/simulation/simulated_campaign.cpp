@@ -63,12 +63,12 @@ class CampaignMaker {
 
   SimulatedCampaign make() {
     const int points = pointsOf(design_, options_.measurements);
-    bool goes_on = design_.place != CampaignPlace::kPlane || findPlane();
-    for (int point = 0; goes_on && point < points; ++point) {
+    bool continues = design_.place != CampaignPlace::kPlane || findPlane();
+    for (int point = 0; continues && point < points; ++point) {
       const auto site = static_cast<std::size_t>(point) * sites_.size() / static_cast<std::size_t>(points);
-      goes_on = addPoint(sites_[site], point + 1, point + 1 == points);
+      continues = addPoint(sites_[site], point + 1, point + 1 == points);
     }
-    if (!goes_on) return std::move(result_);
+    if (!continues) return std::move(result_);
     relate();
     holdOut();
     result_.status = CampaignStatus::kDone;

@@ -59,7 +59,7 @@ void callWorkbench(const std::string& text) {
 }
 
 /// Sends bytes to a running HTTP server, with "PORT" replaced by the server's port.
-void knockAtDoor(const std::string& text) {
+void requestAccess(const std::string& text) {
   static HttpServer& server = *new HttpServer(workbench(), {"127.0.0.1", 0, ""}, "");
   static std::thread& serving = *new std::thread([] { server.run(); });
   (void)serving;
@@ -82,7 +82,7 @@ void readProjectText(const std::string& text) { (void)readProject(fileOf(text, "
 
 const std::vector<FuzzedReader>& fuzzedReaders() {
   static const std::vector<FuzzedReader> kReaders = {{"call", callWorkbench, false},
-                                                     {"door", knockAtDoor, false},
+                                                     {"door", requestAccess, false},
                                                      {"lines", sendLines, false},
                                                      {"project", readProjectText, false}};
   return kReaders;

@@ -33,12 +33,12 @@ NameWords wordsOf(const std::string& text) {
   NameWords words;
   char before = ' ';
   for (const char c : text) {
-    const bool goes_on =
+    const bool continues =
         (isLetter(c) && isLetter(before) &&
          !(std::isupper(static_cast<unsigned char>(c)) && std::islower(static_cast<unsigned char>(before)))) ||
         (isDigit(c) && isDigit(before));
     if (isLetter(c) || isDigit(c)) {
-      if (!goes_on) words.emplace_back();
+      if (!continues) words.emplace_back();
       words.back() += c;
     }
     before = c;

@@ -195,7 +195,7 @@ class Improver {
     options.hooks = hooks;
     const auto used = calibration::withoutMeasurements(measurements_, set_aside_);
     ImprovedModel model{name, cell, calibration::identify(startOf(cell, used), used, options), step, set_aside_};
-    requireGoingOn(hooks);
+    throwIfJobStopped(hooks);
     return model;
   }
 
@@ -205,7 +205,7 @@ class Improver {
     options.seed = request_.seed;
     options.hooks = hooks;
     Diagnosis diagnosis = calibration::diagnose(startOf(cell, measurements_), measurements_, options);
-    requireGoingOn(hooks);
+    throwIfJobStopped(hooks);
     return diagnosis;
   }
 

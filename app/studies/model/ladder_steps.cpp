@@ -38,7 +38,7 @@ LadderSteps addStepTables(RealArm real, int holes, std::uint64_t seed, std::vect
     else
       table = stepTableOf(model.arm, model.base_poses.back().X_WB, steps.real, drawn, hooks.stop);
   }
-  requireGoingOn(hooks);
+  throwIfJobStopped(hooks);
   return steps;
 }
 

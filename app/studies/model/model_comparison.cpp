@@ -61,7 +61,7 @@ calibration::Identification fitForLadder(const CellModel& cell,
   options.intervals_by_profile = false;
   options.hooks = hooks;
   auto fit = calibration::identify(startOf(cell, measurements), measurements, options);
-  requireGoingOn(hooks);
+  throwIfJobStopped(hooks);
   return fit;
 }
 

@@ -18,7 +18,7 @@ Visitor visitor(const std::string& method, const std::string& host) {
   return visitor;
 }
 
-TEST(Door, letsLoopbackNamesInAtItsOwnPortOnly) {
+TEST(AccessRulesTest, letsLoopbackNamesInAtItsOwnPortOnly) {
   for (const char* host : {"127.0.0.1:8642", "localhost:8642", "LocalHost:8642", "[::1]:8642"})
     EXPECT_EQ(refuseAccess(kLoopback, visitor("GET", host)), 0) << host;
   for (const char* host :
@@ -27,7 +27,7 @@ TEST(Door, letsLoopbackNamesInAtItsOwnPortOnly) {
     EXPECT_EQ(refuseAccess(kLoopback, visitor("GET", host)), 403) << host;
 }
 
-TEST(Door, refusesWhatAnotherSitesPageSends) {
+TEST(AccessRulesTest, refusesWhatAnotherSitesPageSends) {
   Visitor foreign = visitor("POST", "localhost:8642");
   for (const char* origin : {"http://evil.example", "https://localhost:8642", "null", "http://localhost:8643",
                              "http://127.0.0.1:8642", "file://"}) {
@@ -38,7 +38,7 @@ TEST(Door, refusesWhatAnotherSitesPageSends) {
   EXPECT_EQ(refuseAccess(kLoopback, foreign), 0);
 }
 
-TEST(Door, withoutOriginAsksWhereTheRequestWasMade) {
+TEST(AccessRulesTest, withoutOriginAsksWhereTheRequestWasMade) {
   for (const char* method : {"POST", "DELETE", "GET"}) {
     Visitor seen = visitor(method, "localhost:8642");
     EXPECT_EQ(refuseAccess(kLoopback, seen), 0);
@@ -53,14 +53,14 @@ TEST(Door, withoutOriginAsksWhereTheRequestWasMade) {
   }
 }
 
-TEST(Door, aLinkFromAnotherSiteMayOpenThePage) {
+TEST(AccessRulesTest, aLinkFromAnotherSiteMayOpenThePage) {
   Visitor seen = visitor("GET", "localhost:8642");
   seen.path = "/";
   seen.fetch_site = "cross-site";
   EXPECT_EQ(refuseAccess(kLoopback, seen), 0);
 }
 
-TEST(Door, asksForTheToken) {
+TEST(AccessRulesTest, asksForTheToken) {
   Visitor seen = visitor("GET", "192.0.2.7:8642");
   EXPECT_EQ(refuseAccess(kOpen, seen), 401);
   for (const char* wrong : {"Bearer wrong", "Bearer ", "Bearer correct-horse-batter", "Bearer correct-horse-batteryy",
@@ -79,7 +79,7 @@ TEST(Door, asksForTheToken) {
   EXPECT_EQ(refuseAccess(kOpen, seen), 0);
 }
 
-TEST(Door, aNameIsNoAddressWhereItListensEverywhere) {
+TEST(AccessRulesTest, aNameIsNoAddressWhereItListensEverywhere) {
   Visitor seen = visitor("GET", "rebound.example:8642");
   seen.authorization = "Bearer correct-horse-battery";
   EXPECT_EQ(refuseAccess(kOpen, seen), 403);
@@ -87,12 +87,12 @@ TEST(Door, aNameIsNoAddressWhereItListensEverywhere) {
   EXPECT_EQ(refuseAccess(kOpen, seen), 0);
 }
 
-TEST(Door, comparesWholeTexts) {
+TEST(AccessRulesTest, comparesWholeTexts) {
   EXPECT_TRUE(equalInConstantTime("abc", "abc"));
   for (const char* other : {"", "ab", "abcd", "abd", "bbc"}) EXPECT_FALSE(equalInConstantTime(other, "abc")) << other;
 }
 
-TEST(Door, knowsLoopback) {
+TEST(AccessRulesTest, knowsLoopback) {
   for (const char* host : {"localhost", "127.0.0.1", "::1", "[::1]"}) EXPECT_TRUE(isLoopback(host)) << host;
   for (const char* host : {"", "0.0.0.0", "::", "192.0.2.1", "localhost.example"})
     EXPECT_FALSE(isLoopback(host)) << host;

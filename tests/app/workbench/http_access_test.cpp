@@ -6,7 +6,7 @@
 namespace tubeplan::app {
 namespace {
 
-class HttpDoor : public WorkbenchTest {
+class HttpAccess : public WorkbenchTest {
  protected:
   [[nodiscard]] int connected() const {
     const int socket = connectedTo(server->port());
@@ -19,7 +19,7 @@ class HttpDoor : public WorkbenchTest {
   [[nodiscard]] std::string host() const { return "Host: 127.0.0.1:" + std::to_string(server->port()) + "\r\n"; }
 };
 
-TEST_F(HttpDoor, everyAnswerForbidsWhatThePageDoesNotNeed) {
+TEST_F(HttpAccess, everyAnswerForbidsWhatThePageDoesNotNeed) {
   serve("bench.yaml");
   for (const char* path : {"/", "/api/state", "/missing.js", "/api/missing"}) {
     const auto reply = get(path);
@@ -35,7 +35,7 @@ TEST_F(HttpDoor, everyAnswerForbidsWhatThePageDoesNotNeed) {
   EXPECT_EQ(get("/api/missing").status, 404);
 }
 
-TEST_F(HttpDoor, thePageComesFromItsFolderAlone) {
+TEST_F(HttpAccess, thePageComesFromItsFolderAlone) {
   std::filesystem::create_directories(folder / "page/assets");
   write("page/index.html", "the page");
   write("page/assets/a.js", "the script");
@@ -54,12 +54,12 @@ TEST_F(HttpDoor, thePageComesFromItsFolderAlone) {
     EXPECT_EQ(get(path).status, 404) << path;
 }
 
-TEST_F(HttpDoor, canBeShutBeforeItIsOpen) {
+TEST_F(HttpAccess, canBeShutBeforeItIsOpen) {
   for (int k = 0; k < 20; ++k) serve("bench.yaml");
   EXPECT_EQ(get("/api/state").status, 200);
 }
 
-TEST_F(HttpDoor, refusesOtherHosts) {
+TEST_F(HttpAccess, refusesOtherHosts) {
   serve("bench.yaml");
   EXPECT_TRUE(said("GET /api/state HTTP/1.1\r\nHost: evil.example\r\n\r\n").starts_with("HTTP/1.1 403"));
   EXPECT_TRUE(said("GET /api/state HTTP/1.1\r\n\r\n").starts_with("HTTP/1.1 403"));
@@ -67,7 +67,7 @@ TEST_F(HttpDoor, refusesOtherHosts) {
   EXPECT_TRUE(said("GET /api/state HTTP/1.1\r\n" + host() + "\r\n").starts_with("HTTP/1.1 200"));
 }
 
-TEST_F(HttpDoor, aRefusedBodyIsNoSecondRequest) {
+TEST_F(HttpAccess, aRefusedBodyIsNoSecondRequest) {
   serve("bench.yaml");
   const std::string inner = "POST /api/simulate HTTP/1.1\r\n" + host() + "Content-Length: 0\r\n\r\n";
   const std::string outer = "POST /api/undo HTTP/1.1\r\n" + host() +
@@ -82,7 +82,7 @@ TEST_F(HttpDoor, aRefusedBodyIsNoSecondRequest) {
   EXPECT_TRUE(get("/api/state").body["jobs"].empty());
 }
 
-TEST_F(HttpDoor, answersTwoRequestsOnOneConnection) {
+TEST_F(HttpAccess, answersTwoRequestsOnOneConnection) {
   serve("bench.yaml");
   const std::string post =
       "POST /api/undo HTTP/1.1\r\n" + host() + "Content-Type: application/json\r\nContent-Length: 2\r\n\r\n{}";
@@ -91,7 +91,7 @@ TEST_F(HttpDoor, answersTwoRequestsOnOneConnection) {
   EXPECT_NE(answer.find("HTTP/1.1 200"), std::string::npos);
 }
 
-TEST_F(HttpDoor, twoHundredRequestsThatAreNotFinishedStallNobody) {
+TEST_F(HttpAccess, twoHundredRequestsThatAreNotFinishedStallNobody) {
   serve("bench.yaml");
   const std::string body =
       "POST /api/undo HTTP/1.1\r\n" + host() + "Content-Type: application/json\r\nContent-Length: 100\r\n\r\n{";
@@ -108,7 +108,7 @@ TEST_F(HttpDoor, twoHundredRequestsThatAreNotFinishedStallNobody) {
   }
 }
 
-TEST_F(HttpDoor, boundsWhatIsSent) {
+TEST_F(HttpAccess, boundsWhatIsSent) {
   serve("bench.yaml");
   const std::string large(9u << 20, 'x');
   EXPECT_EQ(replyOf(client->Post("/api/measurements", large, "text/csv")).status, 413);
@@ -121,7 +121,7 @@ TEST_F(HttpDoor, boundsWhatIsSent) {
   EXPECT_EQ(get("/api/state").status, 200);
 }
 
-TEST_F(HttpDoor, refusesDeepAndBrokenJson) {
+TEST_F(HttpAccess, refusesDeepAndBrokenJson) {
   serve("bench.yaml");
   const auto status = [&](const std::string& body) {
     return replyOf(client->Post("/api/pose", body, "application/json")).status;
@@ -139,7 +139,7 @@ TEST_F(HttpDoor, refusesDeepAndBrokenJson) {
   EXPECT_EQ(status("{\"joints\": [0, 30, -60, 20]}"), 200);
 }
 
-TEST_F(HttpDoor, anOpenDoorAsksForTheToken) {
+TEST_F(HttpAccess, anOpenDoorAsksForTheToken) {
   serve("bench.yaml", "", "correct-horse-battery");
   EXPECT_EQ(get("/api/state").status, 401);
   EXPECT_EQ(get("/").status, 401);
@@ -156,7 +156,7 @@ TEST_F(HttpDoor, anOpenDoorAsksForTheToken) {
   EXPECT_EQ(get("/api/state").status, 200);
 }
 
-TEST_F(HttpDoor, listenersAreBoundedAndLeave) {
+TEST_F(HttpAccess, listenersAreBoundedAndLeave) {
   serve("bench.yaml");
   const auto listen = [&](std::atomic<bool>& heard, std::atomic<bool>& stop) {
     auto own = server->client();
