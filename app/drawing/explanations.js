@@ -78,7 +78,7 @@ const MANY_SIZES = 4;
  */
 export function sizeRows({effects}) {
   if (effects.length < MANY_SIZES) return null;
-  const numbers = effects.flatMap((effect) => tellingNumbers(effect).map((number) => ({at: effect.at, number})));
+  const numbers = effects.flatMap((effect) => shownNumbers(effect).map((number) => ({at: effect.at, number})));
   const hasStiffness = numbers.every(({number}) => /compliance/.test(number.name));
   const rows = numbers.map(({at, number}) => {
     const [value, sigma] = valueAndSigma(number.value, number.sigma);
@@ -98,7 +98,7 @@ export function plainName(name) {
  * Returns an effect's fitted parameters; if none was fitted, its parameters other than zero.
  * @param {FoundEffect} effect @returns {NamedNumber[]}
  */
-function tellingNumbers({parameters}) {
+function shownNumbers({parameters}) {
   const all = Object.entries(parameters ?? {}).flatMap(([name, number]) =>
     number !== null && isNumber(number?.value) ? [{...number, name: plainName(name)}] : [],
   );
@@ -137,7 +137,7 @@ function asWave(numbers) {
 
 /** Returns an effect's parameters, such as "half width 0.0586 +- 0.0010 deg". @param {FoundEffect} effect */
 export function sizeText(effect) {
-  return tellingNumbers(effect)
+  return shownNumbers(effect)
     .map((number) => `${number.name} ${withSigma(number.value, number.sigma, number.unit)}${stiffnessText(number)}`)
     .join(", ");
 }

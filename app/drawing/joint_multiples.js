@@ -7,7 +7,7 @@ import {isNumber} from "./numbers.js";
 import {partsAlong} from "./reading_errors.js";
 import {rangeOf} from "./scales.js";
 import {isInShare, MOST_POINTS} from "./shares.js";
-import {besideLevel, findVariable} from "./variables.js";
+import {findVariable, levelOffset} from "./variables.js";
 
 /** @typedef {import("./error_parts.js").Part} Part */
 /** @typedef {import("./reading_errors.js").ErrorPair} ErrorPair */
@@ -113,8 +113,8 @@ export function panelPlaces({variable, part}, errors, most, width, height) {
         value = column[i];
       if (!isNumber(x) || !isNumber(value) || !isInShare(i, column.length, MOST_POINTS)) continue;
       // Spread points at a discrete level slightly, so that they do not overlap.
-      const beside = variable.kind === "sense" ? besideLevel(i) * 0.2 * inner : 0;
-      places.push([across(x) + (x > (low + high) / 2 ? -Math.abs(beside) : Math.abs(beside)), up(value)]);
+      const offset = variable.kind === "sense" ? levelOffset(i) * 0.2 * inner : 0;
+      places.push([across(x) + (x > (low + high) / 2 ? -Math.abs(offset) : Math.abs(offset)), up(value)]);
     }
     return places;
   });

@@ -48,10 +48,10 @@ export function rankingRows(ranking) {
  *   `isWeak`: all folded effects lower chi-square by less than LEAST_FALL
  */
 export function foldedRows(rows) {
-  const isTelling = (/** @type {T} */ {entry}) => !isNumber(entry.chi2_fall) || entry.chi2_fall >= LEAST_FALL;
-  const shown = rows.filter(isTelling).slice(0, MOST_RANKED);
+  const isNotable = (/** @type {T} */ {entry}) => !isNumber(entry.chi2_fall) || entry.chi2_fall >= LEAST_FALL;
+  const shown = rows.filter(isNotable).slice(0, MOST_RANKED);
   const folded = rows.filter((row) => !shown.includes(row));
-  return {shown, folded, isWeak: !folded.some(isTelling)};
+  return {shown, folded, isWeak: !folded.some(isNotable)};
 }
 
 /**

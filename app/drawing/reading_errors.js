@@ -7,7 +7,7 @@ import {followedShare} from "./groups.js";
 import {lawCurve} from "./law.js";
 import {viewOfCauses} from "./own_variable.js";
 import {symmetric} from "./scales.js";
-import {besideLevel, findVariable} from "./variables.js";
+import {findVariable, levelOffset} from "./variables.js";
 
 /** @typedef {import("./error_parts.js").Part} Part */
 /** @typedef {import("./error_parts.js").Vector3} Vector3 */
@@ -180,7 +180,7 @@ function lawOf(pair, variable, part, isLevel, xs) {
  * @param {boolean} isLevel @param {number} value @param {number} index
  */
 export function spreadAtLevel(isLevel, value, index) {
-  return isLevel ? value + 0.5 * besideLevel(index) : value;
+  return isLevel ? value + 0.5 * levelOffset(index) : value;
 }
 
 /** @param {Variable} variable */

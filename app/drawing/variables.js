@@ -131,6 +131,6 @@ export function findVariable(name, variables) {
  * Returns an offset from -0.5 to 0.5 that depends on the reading's index, so that all points of one level are visible.
  * @param {number} index
  */
-export function besideLevel(index) {
+export function levelOffset(index) {
   return ((index * 0.618034) % 1) - 0.5;
 }

@@ -20,10 +20,10 @@ const refused: CalibrateDocument = {
 describe("a suspected touch", () => {
   it("is the odd one, or has a joint reading that explains the misfit", () => {
     expect(suspicionOf(refused, "T4")).toEqual({
-      isOdd: true,
+      isOutlier: true,
       words: "does not agree with the others; theta1 read 0.400 deg too large?; theta2 read 1.25 deg too small?",
     });
-    expect(suspicionOf(refused, "T2")).toEqual({isOdd: false, words: "slide read 0.0030 in too small?"});
+    expect(suspicionOf(refused, "T2")).toEqual({isOutlier: false, words: "slide read 0.0030 in too small?"});
     expect(suspicionOf({...refused, suspect_readings: []}, "T4")?.words).toBe("does not agree with the others");
   });
   it("is none where nothing is suspected, or nothing is known", () => {

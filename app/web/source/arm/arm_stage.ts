@@ -48,7 +48,7 @@ export const pictureReach = signal(1);
 export const openStage = signal<ArmStage | null>(null);
 
 /** Reach of the picture without a sheet, relative to the total length of the arm's members. */
-const BESIDE_ARM = 0.7;
+const REACH_WITHOUT_SHEET = 0.7;
 /** Relative change of the arm's length beyond which the view is fitted again, as for another arm. */
 const SAME_ARM = 0.3;
 
@@ -79,7 +79,7 @@ export class ArmStage {
   private ghost: ArmBodies | null = null;
   private solid: ArmBodies | null = null;
   private isDisposed = false;
-  private isAsked = false;
+  private isRequested = false;
   private isFilmed = false;
   private reach = 1;
   private length = 0;
@@ -97,7 +97,7 @@ export class ArmStage {
     this.renderer = new WebGLRenderer({canvas, antialias: !IS_SOFTWARE, alpha: true});
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.addEventListener("change", () => this.ask());
+    this.controls.addEventListener("change", () => this.requestFrame());
     this.scene.add(new AmbientLight(0xffffff, 1.5));
     const sun = new DirectionalLight(0xffffff, 2.1);
     sun.position.set(0.5, -0.9, 0.9);
@@ -124,9 +124,9 @@ export class ArmStage {
     this.drawNow();
   }
 
-  ask(): void {
-    if (this.isAsked) return;
-    this.isAsked = true;
+  requestFrame(): void {
+    if (this.isRequested) return;
+    this.isRequested = true;
     const wait = this.notBefore - performance.now();
     if (wait > 4) setTimeout(() => requestAnimationFrame(() => this.drawNow()), wait);
     else requestAnimationFrame(() => this.drawNow());
@@ -134,7 +134,7 @@ export class ArmStage {
 
   private drawNow(isSharp = false): void {
     if (this.isDisposed) return; // the frame was requested before the disposal
-    this.isAsked = false;
+    this.isRequested = false;
     this.renderer.setPixelRatio(isSharp ? pixelRatio() : this.ratio);
     this.renderer.render(this.scene, this.camera);
     this.onDraw?.();
@@ -161,7 +161,7 @@ export class ArmStage {
     else if (this.pose) this.frameArm(this.pose);
     this.build(document, sheet, palette);
     if (this.pose) this.setPose(this.pose, this.magnified);
-    this.ask();
+    this.requestFrame();
   }
 
   private frame(reach: number, focus: Vector3): void {
@@ -177,7 +177,7 @@ export class ArmStage {
     const places = [...pose.frames.rigid.map((frame) => vector(frame.position)), vector(pose.tip.rigid)];
     this.length = lengthAlong(places);
     if (this.length > 0)
-      this.frame(BESIDE_ARM * this.length, new Box3().setFromPoints(places).getCenter(new Vector3()));
+      this.frame(REACH_WITHOUT_SHEET * this.length, new Box3().setFromPoints(places).getCenter(new Vector3()));
   }
 
   private build(document: SceneDocument, sheet: SheetModel | null, palette: Palette): void {
@@ -231,7 +231,7 @@ export class ArmStage {
       .copy(this.focus)
       .add(way.multiplyScalar(1.12 * this.reach * Math.max(1, 1.3 / this.camera.aspect)));
     this.controls.update();
-    this.ask();
+    this.requestFrame();
   }
 
   /** Moves the camera, without turning it, so that the arm and the given places fill the picture. */
@@ -246,7 +246,7 @@ export class ArmStage {
     this.controls.target.copy(ball.center);
     this.camera.position.copy(ball.center).addScaledVector(way, (1.08 * ball.radius) / half);
     this.controls.update();
-    this.ask();
+    this.requestFrame();
   }
 
   setPose(pose: PoseDocument, magnified: number): void {
@@ -266,7 +266,7 @@ export class ArmStage {
     this.shownFrames = frames;
     this.drawAxes();
     this.drawClearance(pose, this.palette);
-    this.ask();
+    this.requestFrame();
   }
 
   private isOtherArm(pose: PoseDocument): boolean {
@@ -293,14 +293,14 @@ export class ArmStage {
     if (!this.cell || !this.palette) return;
     this.replaceArms(this.cell.document, this.palette);
     if (this.pose) this.setPose(this.pose, this.magnified);
-    this.ask();
+    this.requestFrame();
   }
 
   /** Shows the axes of these joints; an empty list hides them. */
   setAxes(joints: readonly JointInfo[]): void {
     this.joints = joints;
     this.drawAxes();
-    this.ask();
+    this.requestFrame();
   }
 
   private drawAxes(): void {
@@ -313,7 +313,7 @@ export class ArmStage {
   drawnCanvas(times: number): HTMLCanvasElement {
     this.renderer.setPixelRatio(times);
     this.renderer.render(this.scene, this.camera);
-    this.ask();
+    this.requestFrame();
     return this.canvas;
   }
 
@@ -321,11 +321,11 @@ export class ArmStage {
   paintGround(colour: string): () => void {
     this.scene.background = new Color(colour);
     this.isFilmed = true;
-    this.ask();
+    this.requestFrame();
     return () => {
       this.scene.background = null;
       this.isFilmed = false;
-      this.ask();
+      this.requestFrame();
     };
   }
 
@@ -333,20 +333,20 @@ export class ArmStage {
   setReading(reading: ShownReading | null, palette: Palette): void {
     empty(this.errors);
     if (reading) this.errors.add(errorArrows(reading, this.reach, palette));
-    this.ask();
+    this.requestFrame();
   }
 
   /** Shows the errors of all readings, coloured by their series or by their size; null hides them. */
   setErrors(errors: ReadingErrors | null, palette: Palette, isBySize: boolean): void {
     empty(this.field);
     if (errors) this.field.add(errorField(errors, this.reach, palette, isBySize));
-    this.ask();
+    this.requestFrame();
   }
 
   /** Blends the errors of all readings from before (0) to after (1). */
   fadeErrors(after: number): void {
     for (const field of this.field.children) fadeField(field as Group, after);
-    this.ask();
+    this.requestFrame();
   }
 
   /** Shows a tour through the tip positions in the order of visiting; null hides the tour. */
@@ -357,7 +357,7 @@ export class ArmStage {
       this.statics.remove(old);
     }
     if (points && points.length > 1) this.statics.add(tourLine(points, this.reach, palette));
-    this.ask();
+    this.requestFrame();
   }
 
   /** Returns the position of a world point on the canvas [pixels]; null if the point is behind the camera. */

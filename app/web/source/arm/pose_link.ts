@@ -51,13 +51,13 @@ export function bringArm(posture: number[], loaded = 0, shown: ShownReading | nu
 }
 
 const POSE = "The pose cannot be solved";
-let isAsking = false;
+let isRequesting = false;
 let isWanted = false;
 
-async function askPose(): Promise<void> {
+async function requestPose(): Promise<void> {
   isWanted = true;
-  if (isAsking) return;
-  isAsking = true;
+  if (isRequesting) return;
+  isRequesting = true;
   try {
     while (isWanted) {
       isWanted = false;
@@ -73,7 +73,7 @@ async function askPose(): Promise<void> {
   } catch (error) {
     report(POSE, error);
   } finally {
-    isAsking = false;
+    isRequesting = false;
   }
 }
 
@@ -84,7 +84,7 @@ effect(() => {
   void load.value;
   void hole.value;
   void model.value;
-  if (joints.peek().length > 0) void askPose();
+  if (joints.peek().length > 0) void requestPose();
 });
 
 export function setJoint(index: number, value: number): void {

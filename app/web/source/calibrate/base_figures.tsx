@@ -92,8 +92,8 @@ function Suspected({document, touch}: {document: CalibrateDocument; touch: strin
   return (
     <tr>
       <td />
-      <td colSpan={4} class={suspicion.isOdd ? "bad" : ""}>
-        {suspicion.isOdd ? MARKED : ""}
+      <td colSpan={4} class={suspicion.isOutlier ? "bad" : ""}>
+        {suspicion.isOutlier ? MARKED : ""}
         {suspicion.words}
       </td>
     </tr>

@@ -4,7 +4,7 @@ import type {CalibrateDocument, SuspectReading} from "../server/documents";
 
 export interface Suspicion {
   /** True if the other touches fit without this one; false if a wrong joint reading would explain the misfit. */
-  isOdd: boolean;
+  isOutlier: boolean;
   words: string;
 }
 
@@ -16,8 +16,8 @@ export function readingWords({joint, off, unit}: SuspectReading): string {
 /** Returns the suspicion about a touch of the calibration; null if there is none. */
 export function suspicionOf(document: CalibrateDocument | null, touch: string): Suspicion | null {
   if (!document) return null;
-  const isOdd = document.odd_touch === touch;
+  const isOutlier = document.odd_touch === touch;
   const readings = (document.suspect_readings ?? []).filter((reading) => reading.touch === touch).map(readingWords);
-  if (!isOdd && readings.length === 0) return null;
-  return {isOdd, words: [...(isOdd ? ["does not agree with the others"] : []), ...readings].join("; ")};
+  if (!isOutlier && readings.length === 0) return null;
+  return {isOutlier, words: [...(isOutlier ? ["does not agree with the others"] : []), ...readings].join("; ")};
 }

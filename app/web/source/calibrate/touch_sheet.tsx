@@ -52,7 +52,7 @@ export function TouchSheet({model}: {model: SheetModel}) {
         const name = `${id}: ${holeName(model, hole)}`;
         if (!suspicion) ring(hole, colours.good, name, []);
         else {
-          ring(hole, suspicion.isOdd ? colours.bad : colours.case1, `${name} ${suspicion.words}`, [2, 3]);
+          ring(hole, suspicion.isOutlier ? colours.bad : colours.case1, `${name} ${suspicion.words}`, [2, 3]);
           crossOver(context, toPixel(camera, size, model.u[hole], model.v[hole]));
         }
       }

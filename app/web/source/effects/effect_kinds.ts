@@ -27,13 +27,13 @@ export function kindsOf(
   confounding: ConfoundingDocument | null,
   diagnosis: DiagnoseDocument | null,
 ): EffectKind[] {
-  const asked = new Map((confounding?.causes ?? []).map((cause) => [causeKey(cause), cause]));
+  const confoundedCauses = new Map((confounding?.causes ?? []).map((cause) => [causeKey(cause), cause]));
   const seen = new Map((diagnosis?.detectable ?? []).map((entry) => [causeKey(entry), entry]));
   const kinds = new Map<string, EffectKind>();
   for (const {effect, at, ...about} of catalogue.effects) {
     const kind = kinds.get(effect) ?? {effect, ...about, places: []};
     kinds.set(effect, kind);
-    const cause = asked.get(causeKey({effect, at})),
+    const cause = confoundedCauses.get(causeKey({effect, at})),
       least = seen.get(causeKey({effect, at}));
     kind.places.push({
       at,

@@ -96,8 +96,8 @@ interface Frame {
   at: (place: Vector3) => [number, number];
 }
 
-const BESIDE_SHEET = {left: 12, right: 12, top: 12, bottom: 12};
-const BESIDE_PLACES = {left: 45, right: 45, top: 30, bottom: 30};
+const SHEET_MARGINS = {left: 12, right: 12, top: 12, bottom: 12};
+const PLACES_MARGINS = {left: 45, right: 45, top: 30, bottom: 30};
 
 /** Returns a frame that fits the positions of the readings, or the whole sheet if there is one. */
 function makeFrame(which: Plane, places: Vector3[], onSheet: SheetModel | null, size: Size): Frame {
@@ -106,7 +106,7 @@ function makeFrame(which: Plane, places: Vector3[], onSheet: SheetModel | null, 
     const [u, v] = inPlane(which, place);
     return [sign * u, v];
   };
-  const camera = fit(onSheet?.plate ?? extentOf(places.map(drawn)), size, onSheet ? BESIDE_SHEET : BESIDE_PLACES);
+  const camera = fit(onSheet?.plate ?? extentOf(places.map(drawn)), size, onSheet ? SHEET_MARGINS : PLACES_MARGINS);
   return {camera, size, sign, at: (place) => toPixel(camera, size, ...drawn(place))};
 }
 

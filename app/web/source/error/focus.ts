@@ -5,7 +5,7 @@ import {cell, units} from "../server/workbench";
 import {leverage} from "./leverage";
 import {compare, currentDiagnosis} from "./loop";
 import {moments} from "./moments";
-import {errorsBeside, readingErrors} from "./residuals";
+import {readingErrors, secondErrors} from "./residuals";
 import {partsOf, type Part} from "../../../drawing/error_parts.js";
 import type {View} from "../../../drawing/own_variable.js";
 import {
@@ -86,8 +86,8 @@ export const remainderFormula = computed(() => {
 });
 
 /** View of the explanation drawn next to the main explanation; null if there is none. */
-export const viewBeside = computed<View | null>(() => {
-  const errors = errorsBeside.value;
+export const secondView = computed<View | null>(() => {
+  const errors = secondErrors.value;
   return errors ? (viewOfPair(errors, variables.value, parts.value) ?? suggestedView.value) : null;
 });
 

@@ -86,9 +86,11 @@ const STEPS = {
     words: "Take the readings that distinguish the explanations",
     of: ({diagnosis: {next_readings: next, splitting}}) => {
       if (next.length === 0) return null;
-      const told = splitting?.pairs?.map((pair) => pair.probability_distinguished).filter(isNumber) ?? [];
+      const probabilities = splitting?.pairs?.map((pair) => pair.probability_distinguished).filter(isNumber) ?? [];
       const chance =
-        told.length > 0 ? `; they decide with a probability of ${probability(Math.min(...told))} or more` : "";
+        probabilities.length > 0
+          ? `; they decide with a probability of ${probability(Math.min(...probabilities))} or more`
+          : "";
       return {
         evidence: `${plural(next.length, "reading")} proposed, each with posture, load and direction of approach${chance}`,
         button: "Run sheet",

@@ -116,16 +116,16 @@ function Reversible({words, back, title, onBack}: Step) {
 }
 
 function Check({check}: {check: ReadingCheck}) {
-  const {error_as_is: asIs, error_if_mended: mended} = check;
+  const {error_as_is: asIs, error_if_mended: ifCorrected} = check;
   const ways = waysOf(check);
   return (
     <li class={check.severity}>
       <MarkIcon mark={MARKS[check.severity]} size={16} />
       <span>
         {pageWords(check.sentence)}
-        {asIs !== null && mended !== null && (
+        {asIs !== null && ifCorrected !== null && (
           <>
-            : error {short(asIs)} → {short(mended)} {units.value.length}
+            : error {short(asIs)} → {short(ifCorrected)} {units.value.length}
           </>
         )}
       </span>

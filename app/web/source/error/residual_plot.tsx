@@ -10,17 +10,17 @@ import type {View} from "../../../drawing/own_variable.js";
 import {commonMost, letterOf} from "../../../drawing/reading_errors.js";
 import {MOST_MARKS} from "../../../drawing/shares.js";
 import {makePlot} from "./error_plot";
-import {chosenPart, chosenVariable, parts, shownView, variables, viewBeside} from "./focus";
+import {chosenPart, chosenVariable, parts, secondView, shownView, variables} from "./focus";
 import {currentDiagnosis} from "./loop";
 import {SeriesLegend} from "./series_legend";
 import {PointedReading, usePointing} from "./pointing";
 import {
-  besideExplanation,
+  chooseSecond,
   drawnExplanation,
-  errorsBeside,
-  putBeside,
   readingErrors,
   type ReadingErrors,
+  secondErrors,
+  secondExplanation,
 } from "./residuals";
 
 const choiceOf = ({key, name}: {key: string; name: string}) => ({value: key, words: name});
@@ -28,9 +28,9 @@ const choiceOf = ({key, name}: {key: string; name: string}) => ({value: key, wor
 export function ResidualPlot() {
   const errors = readingErrors.value,
     view = shownView.value,
-    beside = errorsBeside.value,
-    other = viewBeside.value;
-  const most = errors && view && beside && other ? commonMost([errors, view], [beside, other]) : null;
+    second = secondErrors.value,
+    other = secondView.value;
+  const most = errors && view && second && other ? commonMost([errors, view], [second, other]) : null;
   return (
     <section class="panel residual-plot">
       <header>
@@ -42,7 +42,7 @@ export function ResidualPlot() {
           onChoose={(key) => (chosenVariable.value = key)}
         />
         <div class="end">
-          <BesideChoice />
+          <SecondChoice />
           <Select
             label="Part of the error"
             choices={parts.value.map(choiceOf)}
@@ -51,10 +51,10 @@ export function ResidualPlot() {
           />
         </div>
       </header>
-      <div class={`plots ${beside ? "two" : ""}`}>
-        <ErrorPlot errors={errors} view={view} most={most} index={beside ? drawnExplanation.value : -1} />
-        {beside && other ? (
-          <ErrorPlot errors={beside} view={other} most={most} index={besideExplanation.value} />
+      <div class={`plots ${second ? "two" : ""}`}>
+        <ErrorPlot errors={errors} view={view} most={most} index={second ? drawnExplanation.value : -1} />
+        {second && other ? (
+          <ErrorPlot errors={second} view={other} most={most} index={secondExplanation.value} />
         ) : null}
       </div>
     </section>
@@ -62,7 +62,7 @@ export function ResidualPlot() {
 }
 
 /** Choice of a second explanation next to the drawn one; empty if there is only one explanation. */
-function BesideChoice() {
+function SecondChoice() {
   const explanations = currentDiagnosis.value?.explanations ?? [];
   if (explanations.length < 2) return null;
   const drawn = drawnExplanation.value;
@@ -73,8 +73,8 @@ function BesideChoice() {
     <Select
       label="Explanation beside"
       choices={choicesOf([[-1, `${letterOf(drawn)} alone`], ...others])}
-      value={besideExplanation.value}
-      onChoose={putBeside}
+      value={secondExplanation.value}
+      onChoose={chooseSecond}
     />
   );
 }

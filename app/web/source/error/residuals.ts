@@ -168,31 +168,31 @@ export const drawnExplanation = computed(() =>
 );
 
 /** Index of the explanation chosen manually: -1 for none; null to follow the verdict. */
-const besideByHand = signal<number | null>(null);
+const chosenSecond = signal<number | null>(null);
 effect(() => {
   void currentDiagnosis.value?.revision;
-  besideByHand.value = null;
+  chosenSecond.value = null;
 });
 
 /**
  * Index of the explanation next to the drawn one: the chosen one, otherwise the next if the verdict is ambiguous; -1
  * for none.
  */
-export const besideExplanation = computed(() => {
+export const secondExplanation = computed(() => {
   const document = currentDiagnosis.value;
   if (!document || document.explanations.length < 2) return -1;
   const drawn = drawnIndex(document),
-    wanted = besideByHand.value ?? (document.verdict === "ambiguous" ? (drawn === 0 ? 1 : 0) : -1);
+    wanted = chosenSecond.value ?? (document.verdict === "ambiguous" ? (drawn === 0 ? 1 : 0) : -1);
   return wanted === drawn || wanted >= document.explanations.length ? -1 : wanted;
 });
 
-export function putBeside(index: number): void {
-  besideByHand.value = index;
+export function chooseSecond(index: number): void {
+  chosenSecond.value = index;
 }
 
-export const errorsBeside = computed<ReadingErrors | null>(() => {
+export const secondErrors = computed<ReadingErrors | null>(() => {
   const document = currentDiagnosis.value;
-  return document && besideExplanation.value >= 0 ? ofDiagnosis(document, besideExplanation.value) : null;
+  return document && secondExplanation.value >= 0 ? ofDiagnosis(document, secondExplanation.value) : null;
 });
 
 function jointsOf(document: CompareDocument): string[] {

@@ -166,7 +166,7 @@ function Log() {
             {event.reason ? <i class="muted"> {event.reason}</i> : null}
           </span>
           {event.kind === "mark" && !event.undone ? (
-            <button class="button" onClick={() => askUndo(event.event)}>
+            <button class="button" onClick={() => confirmUndo(event.event)}>
               Undo
             </button>
           ) : (
@@ -184,7 +184,7 @@ function wordsOf({kind, value}: JobEvent): string {
 }
 
 /** Undoes a mark for a reason that the person gives; does nothing without a reason. */
-function askUndo(event: number): void {
+function confirmUndo(event: number): void {
   const reason = window.prompt(`Why is event ${event} undone?`);
   if (reason) void undo(event, reason);
 }

@@ -4,8 +4,8 @@ import {plural} from "../../../drawing/numbers.js";
 import {Check, Select} from "../drawing/fields";
 import {choicesOf} from "../drawing/segments";
 import {cell, runJob, runningJob} from "../server/workbench";
-import {selection, staysOfSelection} from "../shell/page_state";
-import {StayCount, WorkListButton} from "./work_list_button";
+import {dwellTimesOfSelection, selection} from "../shell/page_state";
+import {DwellCount, WorkListButton} from "./work_list_button";
 
 const WAYS = choicesOf([
   ["via-point", "via point"],
@@ -23,7 +23,7 @@ function startPlan(): Promise<boolean> {
     travel: isOnLines.value && compensation.value === "via-point" ? "line" : "joints",
     load: 0,
     seed: 1,
-    stays: staysOfSelection.value,
+    stays: dwellTimesOfSelection.value,
     ...(isParked.value && cell.value?.has_park ? {start: "park", end: "park"} : {}),
   });
 }
@@ -53,7 +53,7 @@ export function PlanOrder() {
         </Check>
       ) : null}
       <WorkListButton />
-      <StayCount />
+      <DwellCount />
       <button class="button first" disabled={count === 0 || job !== null} onClick={startPlan}>
         {job ? "Planning …" : `Plan ${plural(count, "tube")}`}
       </button>

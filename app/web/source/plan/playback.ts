@@ -34,7 +34,7 @@ effect(() => {
   isPlaying.value = false;
   clearances.value = [];
   time.value = 0;
-  if (document) void askClearances(planMark.peek(), document.time.length);
+  if (document) void requestClearances(planMark.peek(), document.time.length);
 });
 
 const AT_ONCE = 500;
@@ -43,7 +43,7 @@ const AT_ONCE = 500;
  * Requests the clearances in batches that take about a tenth of a second, so that requests for poses can run between
  * them.
  */
-async function askClearances(mark: number, samples: number): Promise<void> {
+async function requestClearances(mark: number, samples: number): Promise<void> {
   try {
     while (clearances.peek().length < samples && planMark.peek() === mark) {
       const from = clearances.peek().length;

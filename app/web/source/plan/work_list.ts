@@ -1,8 +1,8 @@
 // A work list from a file: its tubes become the selection, with their dwell times, and excluded tubes are reported.
 // Unrecognized headings open the dialog for columns.
 import type {ListColumnsDocument} from "../shell/columns_choice";
-import {askForColumns, type ColumnsUse, type TableText} from "../shell/columns_dialog";
-import {selection, stays, view} from "../shell/page_state";
+import {chooseColumns, type ColumnsUse, type TableText} from "../shell/columns_dialog";
+import {dwellTimes, selection, view} from "../shell/page_state";
 import {OPENING} from "../shell/project";
 import {post} from "../server/requests";
 import {cell, report} from "../server/workbench";
@@ -19,14 +19,14 @@ const COLUMNS = "/api/tubes/columns";
 
 async function takeList(list: TableText, columns: string[] = []): Promise<void> {
   const {name, tubes, notes, stays: own} = await post<WorkListDocument>("/api/tubes", {...list, columns});
-  stays.value = new Map(Object.entries(own).map(([tube, seconds]) => [Number(tube), seconds]));
+  dwellTimes.value = new Map(Object.entries(own).map(([tube, seconds]) => [Number(tube), seconds]));
   selection.value = new Set(tubes);
   if (notes.length > 0) report(name, {message: notes.join("; ")}, OPENING);
 }
 
 const LIST: ColumnsUse = {
   address: COLUMNS,
-  asksNoise: false,
+  needsNoise: false,
   take: ({tables: [list], columns}) => takeList(list, columns),
   then: async () => {
     view.value = "plan";
@@ -52,16 +52,16 @@ export async function openList(list: TableText): Promise<void> {
     await takeList(list);
     await LIST.then();
   } catch (error) {
-    await askAfter(list, error);
+    await chooseColumnsAfter(list, error);
   }
 }
 
 /** Opens the dialog for column meanings, unless all headings are known and the list was rejected for another reason. */
-async function askAfter(list: TableText, refused: unknown): Promise<void> {
+async function chooseColumnsAfter(list: TableText, refused: unknown): Promise<void> {
   try {
     const document = await post<ListColumnsDocument>(COLUMNS, {tables: [list]});
     if (document.is_understood) throw refused;
-    await askForColumns([list], LIST);
+    await chooseColumns([list], LIST);
   } catch {
     report(`${list.name} cannot be read`, refused, OPENING);
   }

@@ -1,7 +1,7 @@
 // Button that opens a work list from a file, and the number of selected tubes with an individual dwell time.
 import {plural} from "../../../drawing/numbers.js";
 import {openList} from "./work_list";
-import {staysOfSelection} from "../shell/page_state";
+import {dwellTimesOfSelection} from "../shell/page_state";
 
 export function WorkListButton() {
   return (
@@ -22,8 +22,8 @@ export function WorkListButton() {
   );
 }
 
-export function StayCount() {
-  const seconds = Object.values(staysOfSelection.value);
+export function DwellCount() {
+  const seconds = Object.values(dwellTimesOfSelection.value);
   if (seconds.length === 0) return null;
   const least = Math.min(...seconds),
     most = Math.max(...seconds);

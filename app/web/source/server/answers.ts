@@ -28,11 +28,11 @@ interface Question {
 export function answerTo<T>({key, path, keeps = false, onProblem}: Question): ReadonlySignal<Loaded<T>> {
   const into = signal<Loaded<T>>(NOTHING),
     wantedKey = computed(key);
-  let asked = "";
+  let requested = "";
   effect(() => {
     const wanted = wantedKey.value;
-    if (wanted === null || wanted === asked) return;
-    asked = wanted;
+    if (wanted === null || wanted === requested) return;
+    requested = wanted;
     if (wanted === "") {
       into.value = NOTHING;
       return;
@@ -40,12 +40,12 @@ export function answerTo<T>({key, path, keeps = false, onProblem}: Question): Re
     into.value = {document: keeps ? into.peek().document : null, problem: null};
     get<T>(path()).then(
       (document) => {
-        if (asked !== wanted) return;
+        if (requested !== wanted) return;
         into.value = {document, problem: null};
         onProblem?.(null);
       },
       (error) => {
-        if (asked !== wanted) return;
+        if (requested !== wanted) return;
         into.value = isMissing(error) ? NOTHING : {document: null, problem: asProblem(error)};
         if (!isMissing(error)) onProblem?.(error);
       },

@@ -24,7 +24,7 @@ async function problemOf(response: Response): Promise<Problem> {
   return {message: `The server answered ${response.status} ${response.statusText}.`};
 }
 
-async function ask<T>(path: string, options?: RequestInit): Promise<T> {
+async function request<T>(path: string, options?: RequestInit): Promise<T> {
   let response: Response;
   try {
     response = await fetch(inChosenUnits(path), {credentials: "same-origin", cache: "no-store", ...options});
@@ -39,19 +39,19 @@ async function ask<T>(path: string, options?: RequestInit): Promise<T> {
 }
 
 export function get<T>(path: string): Promise<T> {
-  return ask<T>(path);
+  return request<T>(path);
 }
 
 export function post<T>(path: string, body: unknown = {}): Promise<T> {
-  return ask<T>(path, {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body)});
+  return request<T>(path, {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body)});
 }
 
 export function postText<T>(path: string, text: string | Blob, type = "text/csv"): Promise<T> {
-  return ask<T>(path, {method: "POST", headers: {"Content-Type": type}, body: text});
+  return request<T>(path, {method: "POST", headers: {"Content-Type": type}, body: text});
 }
 
 export function remove<T>(path: string): Promise<T> {
-  return ask<T>(path, {method: "DELETE"});
+  return request<T>(path, {method: "DELETE"});
 }
 
 export function isMissing(error: unknown): boolean {

@@ -12,8 +12,8 @@ const EXAMPLES = ["outer:2", "spread:60", "R1-10C5-9"];
 
 async function selectByText(text: string): Promise<void> {
   if (text.trim() === "") return select([]);
-  const ask = async () => select((await post<{holes: number[]}>("/api/select", {text})).holes);
-  await attempt(`“${text}” selects nothing`, ask);
+  const selectHoles = async () => select((await post<{holes: number[]}>("/api/select", {text})).holes);
+  await attempt(`“${text}” selects nothing`, selectHoles);
 }
 
 export function SelectionBox() {

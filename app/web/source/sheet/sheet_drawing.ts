@@ -37,7 +37,7 @@ export class SheetDrawing {
   lasso: [number, number][] = [];
   props!: SheetPictureProps;
   private isFitted = true;
-  private isAsked = false;
+  private isRequested = false;
   private parts = {ground: true, holes: true, over: true};
   private readonly ground: CanvasRenderingContext2D;
   private readonly over: CanvasRenderingContext2D;
@@ -65,13 +65,13 @@ export class SheetDrawing {
   fit(): void {
     this.isFitted = true;
     this.camera = fit(this.props.sheet.plate, this.size);
-    this.ask();
+    this.requestFrame();
   }
 
   move(camera: Camera): void {
     this.isFitted = false;
     this.camera = camera;
-    this.ask();
+    this.requestFrame();
   }
 
   limits(): [number, number] {
@@ -86,15 +86,15 @@ export class SheetDrawing {
   /**
    * Requests that layers are drawn at the next frame. The layer over the holes is always drawn, because it is cheap.
    */
-  ask(parts: {ground?: boolean; holes?: boolean} = {ground: true, holes: true}): void {
+  requestFrame(parts: {ground?: boolean; holes?: boolean} = {ground: true, holes: true}): void {
     this.parts = {ground: this.parts.ground || !!parts.ground, holes: this.parts.holes || !!parts.holes, over: true};
-    if (this.isAsked) return;
-    this.isAsked = true;
+    if (this.isRequested) return;
+    this.isRequested = true;
     requestAnimationFrame(() => this.drawNow());
   }
 
   drawNow(): void {
-    this.isAsked = false;
+    this.isRequested = false;
     const {sheet, colouring, hidden} = this.props;
     if (this.size.width === 0 || !palette.peek().ink) return;
     const start = performance.now();

@@ -88,7 +88,7 @@ class SheetPointers {
     if (!this.held.current) return;
     this.drawing.hover = -1;
     this.tip.value = null;
-    this.drawing.ask({});
+    this.drawing.requestFrame({});
   }
 
   wheel(event: WheelEvent): void {
@@ -105,7 +105,7 @@ class SheetPointers {
     this.moved += Math.hypot(dx, dy);
     if (drawing.lasso.length > 0) {
       drawing.lasso.push(to);
-      drawing.ask({});
+      drawing.requestFrame({});
     } else if (this.places.size === 2) {
       this.pinch(dx, dy);
     } else if (this.moved > 3 && event.buttons !== 0) {
@@ -127,7 +127,7 @@ class SheetPointers {
     const hole = drawing.holeAt(...at);
     if (hole !== drawing.hover) {
       drawing.hover = hole;
-      drawing.ask({});
+      drawing.requestFrame({});
     }
     this.tip.value = hole >= 0 && !isTouch ? {x: at[0], y: at[1], hole} : null;
   }
@@ -137,7 +137,7 @@ class SheetPointers {
     drawing.props.onLasso?.(drawing.insideLasso(), event.ctrlKey || event.metaKey);
     drawing.lasso = [];
     this.isLassoing.value = false;
-    drawing.ask({});
+    drawing.requestFrame({});
   }
 }
 
@@ -159,7 +159,7 @@ export function sheetKeys(event: KeyboardEvent, drawing: SheetDrawing, isLassoin
     drawing.reveal(drawing.hover);
     const [x, y] = toPixel(drawing.camera, drawing.size, sheet.u[drawing.hover], sheet.v[drawing.hover]);
     tip.value = {x, y, hole: drawing.hover};
-    drawing.ask({});
+    drawing.requestFrame({});
   } else if (event.key === "Enter" || event.key === " ") {
     if (drawing.hover >= 0) drawing.props.onPick?.(drawing.hover, event);
   } else if (event.key === "+" || event.key === "=") {
@@ -174,7 +174,7 @@ export function sheetKeys(event: KeyboardEvent, drawing: SheetDrawing, isLassoin
     isLassoing.value = false;
     drawing.lasso = [];
     tip.value = null;
-    drawing.ask({});
+    drawing.requestFrame({});
     return;
   } else {
     return;

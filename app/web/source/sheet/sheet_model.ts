@@ -17,8 +17,8 @@ export function neighbour(sheet: SheetModel, from: number, du: number, dv: numbe
       y = sheet.v[i] - sheet.v[from];
     const along = (x * du + y * dv) / size;
     if (along < 0.2 * sheet.pitch) continue;
-    const beside = Math.abs(x * dv - y * du) / size;
-    const cost = along + 3 * beside;
+    const lateral = Math.abs(x * dv - y * du) / size;
+    const cost = along + 3 * lateral;
     if (cost < least) [best, least] = [i, cost];
   }
   return best;

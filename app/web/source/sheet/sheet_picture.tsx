@@ -68,13 +68,13 @@ function useSheetDrawing(props: SheetPictureProps) {
   useEffect(() => {
     if (!drawing.current) return;
     drawing.current.props = props;
-    drawing.current.ask({ground: true, holes: true});
+    drawing.current.requestFrame({ground: true, holes: true});
   });
   useSignalEffect(() => {
     void palette.value;
     void props.picked?.value;
     // The drawing is synchronous, so that a print has the print colours.
-    drawing.current?.ask();
+    drawing.current?.requestFrame();
     drawing.current?.drawNow();
   });
   return {stage, drawing};

@@ -31,7 +31,7 @@ export interface ColumnsUse {
   /** Server address that proposes the meanings of the columns. */
   address: string;
   /** True if the dialog asks for the noise of a coordinate if no column states it. */
-  asksNoise: boolean;
+  needsNoise: boolean;
   /** Accepts the tables with the chosen columns; the dialog shows errors thrown by this function. */
   take: (taken: TakenTables) => Promise<void>;
   /** Called after the tables are accepted. */
@@ -58,7 +58,7 @@ const problem = signal<Problem | null>(null);
 const sigma = signal("");
 
 /** Opens the dialog if the files hold tables; otherwise throws the reason. */
-export async function askForColumns(tables: TableText[], use: ColumnsUse): Promise<void> {
+export async function chooseColumns(tables: TableText[], use: ColumnsUse): Promise<void> {
   const document = await post<ColumnsDocument>(use.address, {tables});
   foreign.value = {use, tables, document, choices: rememberedChoices(document) ?? guessed(document), options: {}};
   problem.value = null;
@@ -89,7 +89,7 @@ async function changeOptions(shown: Foreign, options: TableOptions): Promise<voi
 
 /** Returns the typed noise of a coordinate, for tables in which no column states it; empty if none was typed. */
 function noise({use}: Foreign): {sigma?: number} {
-  return !use.asksNoise || sigma.value.trim() === "" ? {} : {sigma: Number(withPoint(sigma.value))};
+  return !use.needsNoise || sigma.value.trim() === "" ? {} : {sigma: Number(withPoint(sigma.value))};
 }
 
 async function take(shown: Foreign): Promise<void> {
@@ -117,7 +117,7 @@ function ColumnsForm({shown}: {shown: Foreign}) {
           <OptionChoice shown={shown} option={option} />
         ))}
       </div>
-      {!shown.use.asksNoise || shown.choices.flat().some((choice) => choice.quantity === "sigma") ? null : (
+      {!shown.use.needsNoise || shown.choices.flat().some((choice) => choice.quantity === "sigma") ? null : (
         <label class="field narrow">
           one standard deviation of a coordinate ({cell.value?.units.length})
           <TextInput of={sigma} inputMode="decimal" placeholder="0.003" onEdit={() => (problem.value = null)} />

@@ -7,7 +7,7 @@ import {freshRows, idsHere, isFilledSheet, joinReadings} from "../error/run_shee
 import {isOfRow, tableOf} from "../error/run_sheet_table";
 import {attempt, cell, forget, report, runJob, takeState} from "../server/workbench";
 import {openList, seemsToBeList} from "../plan/work_list";
-import {askForColumns, type ColumnsUse, type TableText} from "./columns_dialog";
+import {chooseColumns, type ColumnsUse, type TableText} from "./columns_dialog";
 import {dialog, view} from "./page_state";
 import {OPENING, openInstead} from "./project";
 
@@ -78,7 +78,7 @@ async function openTables(name: string, [first, ...others]: string[]): Promise<v
 
 const READINGS: ColumnsUse = {
   address: "/api/measurements/columns",
-  asksNoise: true,
+  needsNoise: true,
   take: async ({options, ...taken}) =>
     takeState(await post<WorkbenchState>("/api/measurements/foreign", {...taken, ...options})),
   then: afterReadings,
@@ -144,7 +144,7 @@ export async function loadFiles(files: File[]): Promise<void> {
     }
   }
   try {
-    await askForColumns(tables, READINGS);
+    await chooseColumns(tables, READINGS);
     if (refused !== null) report(`${names} is not a measurement table`, refused, OPENING);
   } catch (error) {
     report(`${names} cannot be read`, refused ?? error, OPENING);

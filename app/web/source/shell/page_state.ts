@@ -57,7 +57,7 @@ export const sheet = computed(() => {
 // ---- selection
 
 const KEPT = "tubeplan.selection",
-  KEPT_STAYS = "tubeplan.stays";
+  KEPT_DWELL_TIMES = "tubeplan.stays";
 
 function keptList(key: string): unknown[] {
   try {
@@ -69,21 +69,21 @@ function keptList(key: string): unknown[] {
 }
 
 const isHole = (entry: unknown): entry is number => Number.isInteger(entry);
-const isStay = (entry: unknown): entry is [number, number] =>
+const isDwellTime = (entry: unknown): entry is [number, number] =>
   Array.isArray(entry) && isHole(entry[0]) && typeof entry[1] === "number";
 
 export const selection = signal<ReadonlySet<number>>(new Set(keptList(KEPT).filter(isHole)));
 /** Dwell time at each hole [s], keyed by tube index, from the work list opened last. */
-export const stays = signal<ReadonlyMap<number, number>>(new Map(keptList(KEPT_STAYS).filter(isStay)));
+export const dwellTimes = signal<ReadonlyMap<number, number>>(new Map(keptList(KEPT_DWELL_TIMES).filter(isDwellTime)));
 export const picked = signal(-1);
 
 /** Dwell times of those selected holes that have one, in the form for the server. */
-export const staysOfSelection = computed(() =>
-  Object.fromEntries([...stays.value].filter(([hole]) => selection.value.has(hole))),
+export const dwellTimesOfSelection = computed(() =>
+  Object.fromEntries([...dwellTimes.value].filter(([hole]) => selection.value.has(hole))),
 );
 
 effect(() => sessionStorage.setItem(KEPT, JSON.stringify([...selection.value])));
-effect(() => sessionStorage.setItem(KEPT_STAYS, JSON.stringify([...stays.value])));
+effect(() => sessionStorage.setItem(KEPT_DWELL_TIMES, JSON.stringify([...dwellTimes.value])));
 
 // Selected holes are indices in one sheet, so another sheet begins without a selection.
 let sheetName = "";
@@ -100,7 +100,7 @@ effect(() => {
 
 function forgetHoles(): void {
   selection.value = new Set();
-  stays.value = new Map();
+  dwellTimes.value = new Map();
 }
 
 export function toggleSelected(hole: number): void {

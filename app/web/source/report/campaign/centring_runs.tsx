@@ -54,7 +54,7 @@ export function CurvesSection({report}: OfReport) {
     isCut = list(report.settings).length > settings.length;
   const curves = useMemo(() => settings.map((setting) => beyondOf(setting, way.value)), [report, way.value]);
   const {options, data} = useMemo(() => makeCurves(report, curves, palette.peek()), [curves, palette.value]);
-  const tell = (row: number) => [
+  const describe = (row: number) => [
     `${short(data[0][row])} ${lengthUnit(report)}`,
     ...settings.map((setting, k) => {
       const share = data[k + 1][row];
@@ -70,7 +70,12 @@ export function CurvesSection({report}: OfReport) {
       {isCut ? <p class="note">The first {LOOKS.length} settings are drawn.</p> : null}
       <Card>
         <WayChoice report={report} value={way.value} onChoose={(next) => (way.value = next)} />
-        <PlotBox options={options} data={data} label="Fraction of visits with a larger centring error" tell={tell} />
+        <PlotBox
+          options={options}
+          data={data}
+          label="Fraction of visits with a larger centring error"
+          describe={describe}
+        />
         <Legend>{settings.map((setting, i) => [lookOf(i), settingName(report, setting)] as const)}</Legend>
       </Card>
     </>
@@ -288,9 +293,9 @@ function ChanceMap({report, sheet}: {sheet: SheetModel} & OfReport) {
       return {mark, name, places: holes.filter((hole) => bandOf(hole) === k).map(({place}) => place)};
     });
   }, [holes]);
-  const tell = useMemo(() => {
+  const describe = useMemo(() => {
     const known = new Map(holes.map((hole) => [`${hole.row} ${hole.column}`, hole]));
-    return (row: number, column: number) => tellChance(known.get(`${row} ${column}`), lengthUnit(report));
+    return (row: number, column: number) => describeChance(known.get(`${row} ${column}`), lengthUnit(report));
   }, [holes]);
   const paint = useCallback((painter: Painter) => paintGroups(painter, groups), [groups]);
   return (
@@ -312,7 +317,7 @@ function ChanceMap({report, sheet}: {sheet: SheetModel} & OfReport) {
           />
         ) : null}
       </div>
-      <SheetBox {...{report, sheet, tell, paint}} label="Probability of the steps over the sheet" isFaint />
+      <SheetBox {...{report, sheet, describe, paint}} label="Probability of the steps over the sheet" isFaint />
       <Legend>
         {groups.map(({mark, name, places}) => [mark, [name, " ", <b>{whole(places.length)}</b>]] as const)}
       </Legend>
@@ -328,7 +333,7 @@ function holesOf(report: Report, setting: number, way: string, steps: number): H
   });
 }
 
-function tellChance(hole: HoleChance | undefined, unit: string): string[] {
+function describeChance(hole: HoleChance | undefined, unit: string): string[] {
   if (!hole) return ["not visited"];
   return [
     `${plural(hole.visits, "visit")}, mean error ${short(hole.mean)} ${unit}`,

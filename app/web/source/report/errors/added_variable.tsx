@@ -60,14 +60,14 @@ function AddedVariable({report, plot}: {plot: Report} & OfReport) {
   const own = effects.find(({effect, at}) => effect === plot.effect && at === plot.at);
   const title = effectTitle(plot as {effect: string}),
     others = effects.filter((other) => other !== own).map(effectTitle);
-  const tell = (row: number) => [
+  const describe = (row: number) => [
     readingName(list(report.readings)[points[row][0]]),
     `change by the effect ${fixed(points[row][1], 1)} sigmas`,
     `unexplained ${fixed(points[row][2], 1)} sigmas`,
   ];
   return (
     <Card title={`${title}${own && others.length > 0 ? ` beside ${others.join(", ")}` : ""}`}>
-      <PlotBox options={options} data={data} label={`Added-variable plot of ${title}`} tell={tell} />
+      <PlotBox options={options} data={data} label={`Added-variable plot of ${title}`} describe={describe} />
       <p class="note">
         <b>Slope {fixed(plot.slope, 2)}</b>, where 1 is the size found: {sizeText(own ?? (plot as any))}.
         {isNumber(plot.length) ? ` Its effect on all these readings together is ${short(plot.length)} sigmas` : ""}

@@ -15,8 +15,12 @@ import {conditionsText, readingName} from "./pairs";
 /** Maximum distance from the pointer to a point at which the point is selected [pixels]. */
 const NEAR = 12;
 
-/** Plot with text about the point under the pointer; `tell` returns its lines for a row of the data. */
-export function PlotBox({tell, class: name = "", ...plot}: PlotProps & {tell: (row: number) => Lines; class?: string}) {
+/** Plot with text about the point under the pointer; `describe` returns its lines for a row of the data. */
+export function PlotBox({
+  describe,
+  class: name = "",
+  ...plot
+}: PlotProps & {describe: (row: number) => Lines; class?: string}) {
   const held = useRef<uPlot | null>(null);
   const find = (event: PointerEvent) => {
     const made = held.current;
@@ -27,7 +31,7 @@ export function PlotBox({tell, class: name = "", ...plot}: PlotProps & {tell: (r
         isNumber(value) ? [made.valToPos(xs[row], "x"), made.valToPos(value, "y")] : null,
       );
       const row = nearestPlace(places, event.offsetX, event.offsetY, NEAR);
-      if (row >= 0) return tell(row);
+      if (row >= 0) return describe(row);
     }
     return null;
   };
@@ -52,13 +56,19 @@ export function ErrorPlotBox({report, errors, view, most = null, isSmall = false
     () => makePlot(errors, view, {colours: palette.peek(), most, isBrief: isSmall}),
     [errors, view, most, palette.value],
   );
-  const tell = (row: number) => tellReading(report, errors, view, plot.rows[row].index);
+  const describe = (row: number) => describeReading(report, errors, view, plot.rows[row].index);
   return (
-    <PlotBox options={plot.options} data={plot.data} label={plot.words} tell={tell} class={isSmall ? "small" : ""} />
+    <PlotBox
+      options={plot.options}
+      data={plot.data}
+      label={plot.words}
+      describe={describe}
+      class={isSmall ? "small" : ""}
+    />
   );
 }
 
-function tellReading(report: Report, errors: ErrorPair, {variable, part}: View, index: number): Lines {
+function describeReading(report: Report, errors: ErrorPair, {variable, part}: View, index: number): Lines {
   const reading = errors.readings[index] as Report & ErrorPair["readings"][number],
     x = variable.of(reading, index);
   return [

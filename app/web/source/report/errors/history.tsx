@@ -20,10 +20,10 @@ export function PatternsSection({report}: OfReport) {
   const rows = report.patterns.map((pattern: unknown) => {
     const entry = object(pattern);
     if (!entry) return [textOf(pattern), null, null];
-    const {sentence, text, name, of, with: beside} = entry;
+    const {sentence, text, name, of, with: other} = entry;
     const strength = [entry.share_of_misfit, entry.share, entry.explains, entry.correlation].find(isNumber);
     return [
-      textOf(sentence, textOf(text, textOf(name, textOf(of, textOf(beside))))),
+      textOf(sentence, textOf(text, textOf(name, textOf(of, textOf(other))))),
       isNumber(strength) ? <Chance {...barred(Math.abs(strength), 1, fixed(strength, 2))} /> : null,
       isNumber(entry.p_value) ? pValue(entry.p_value) : null,
     ];
@@ -66,7 +66,7 @@ export function ImprovementSection({report}: OfReport) {
 
 function ImprovementStep({report, step, index}: {step: Report; index: number} & OfReport) {
   const added = textList(step.added),
-    also = textList(step.also),
+    equivalents = textList(step.also),
     reason = textOf(step.reason, ""),
     figures = object(step.figures);
   return (
@@ -80,7 +80,7 @@ function ImprovementStep({report, step, index}: {step: Report; index: number} & 
         <b>{added.length > 0 ? `Added: ${added.join(", ")}` : "Nothing was added"}</b>
         {reason === "" ? "." : `: ${reason}.`}
       </p>
-      {also.length > 0 ? <p class="note">The same all over the arm's range: {also.join(", ")}.</p> : null}
+      {equivalents.length > 0 ? <p class="note">The same all over the arm's range: {equivalents.join(", ")}.</p> : null}
       {figures && list(figures.readings).length > 0 ? (
         <LawSection report={{...figures, units: report.units, page: "diagnosis"}} />
       ) : null}

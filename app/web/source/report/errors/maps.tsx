@@ -58,7 +58,7 @@ function ArrowMap({report, errors, view, only}: ArrowMapProps) {
   usePainted(canvas, (element) => (places.current = drawArrows(element, look, palette.peek())), [palette.value]);
   const find = (event: PointerEvent) => {
     const index = nearestPlace(places.current, event.offsetX, event.offsetY, 12);
-    return index < 0 ? null : tellErrors(report, errors, index);
+    return index < 0 ? null : describeErrors(report, errors, index);
   };
   const {name, errors: shown} = errors.series[only];
   const sizes = shown.map(sizeOf).filter((size) => size !== null),
@@ -76,7 +76,7 @@ function ArrowMap({report, errors, view, only}: ArrowMapProps) {
   );
 }
 
-function tellErrors(report: Report, errors: ErrorPair, index: number): Lines {
+function describeErrors(report: Report, errors: ErrorPair, index: number): Lines {
   const unit = lengthUnit(report);
   return [
     readingName(errors.readings[index]),

@@ -94,13 +94,13 @@ function Differences({report, index}: {index: number} & OfReport) {
   const differences = list(report.readings)
     .flatMap((reading) => {
       const [a, b] = [vector(reading.explained?.[0]), vector(reading.explained?.[index])];
-      return a && b ? [{reading, apart: Math.hypot(...a.map((value, k) => value - b[k]))}] : [];
+      return a && b ? [{reading, distance: Math.hypot(...a.map((value, k) => value - b[k]))}] : [];
     })
-    .sort((one, other) => other.apart - one.apart);
+    .sort((one, other) => other.distance - one.distance);
   if (differences.length === 0) return <Missing what="Where they differ" />;
   const unit = lengthUnit(report),
     floor = errorUnit(report) === unit ? noiseFloorOf(report) : null;
-  const rms = rootMeanSquare(differences.map(({apart}) => apart))!;
+  const rms = rootMeanSquare(differences.map(({distance}) => distance))!;
   if (floor !== null && rms < SAME_SHARE * floor)
     return (
       <p class="note">
@@ -109,7 +109,7 @@ function Differences({report, index}: {index: number} & OfReport) {
     );
   const rows = differences
     .slice(0, MOST_DIFFERING)
-    .map(({reading, apart}) => [textOf(reading.id), conditionsText(report, reading), short(apart)]);
+    .map(({reading, distance}) => [textOf(reading.id), conditionsText(report, reading), short(distance)]);
   return (
     <>
       <p class="note">

@@ -50,7 +50,7 @@ function LegCard({report, leg}: {leg: Report} & OfReport) {
   const holes = textOf(standings.find((of) => of.package === chosen.value)?.of, "");
   const groups = useMemo(() => (sheet ? groupsOf(report, sheet, holes) : []), [report, sheet, holes]);
   const paint = useCallback((painter: Painter) => paintGroups(painter, groups), [groups]);
-  const tell = useCallback(
+  const describe = useCallback(
     (row: number, column: number) => {
       const at = sheet?.find(row, column) ?? -1;
       return standings
@@ -87,7 +87,7 @@ function LegCard({report, leg}: {leg: Report} & OfReport) {
           <SheetBox
             report={ofSheet}
             sheet={sheet}
-            tell={tell}
+            describe={describe}
             paint={paint}
             label={`${name}, ${sheetWords(sheet)}`}
             isFaint

@@ -116,7 +116,7 @@ export function visitOf(report: Report, tube: Report): string {
 }
 
 /** Returns a function that describes the hole at a row and column for the picture of a mode. */
-export function holeTeller(report: Report, mode: Mode): (row: number, column: number) => string[] {
+export function holeDescriber(report: Report, mode: Mode): (row: number, column: number) => string[] {
   const byName = (tubes: Report[]) => new Map(tubes.map((tube) => [`${tube.row} ${tube.column}`, tube]));
   const tubes = byName(list(report.tubes)),
     unreachable = byName(list(report.unreachable));

@@ -8,7 +8,7 @@ import {stepCountOf, stepMark} from "../../../../drawing/steps.js";
 import {MarkAt, type Mark} from "../../drawing/marks";
 import {Card, Lead, Missing, type OfReport} from "../parts";
 import {lengthUnit, list, object, tubeName} from "../values";
-import {type CentringError, errorsOf, holeTeller, largestError, type Mode, modesOf} from "./cases";
+import {type CentringError, errorsOf, holeDescriber, largestError, type Mode, modesOf} from "./cases";
 import {type Painter, paintArrow, paintMarks, type Place, readSheet, SheetBox} from "./sheet_box";
 
 /** Mark at the start of an arrow. */
@@ -78,7 +78,7 @@ function ArrowMap({report, sheet, mode, shared}: {sheet: SheetModel; mode: Mode;
   const unit = lengthUnit(report),
     isBefore = mode.key === "none";
   const errors = useMemo(() => errorsOf(report, mode.key), [report, mode.key]);
-  const tell = useMemo(() => holeTeller(report, mode), [report, mode.key]);
+  const describe = useMemo(() => holeDescriber(report, mode), [report, mode.key]);
   const own = magnificationFor(largestError(errors), sheet);
   const factor = shared !== null && own < 3 * shared ? shared : own;
   const paint = useCallback(
@@ -99,7 +99,7 @@ function ArrowMap({report, sheet, mode, shared}: {sheet: SheetModel; mode: Mode;
   const mean = errors.reduce((sum, {error}) => sum + error, 0) / errors.length;
   return (
     <Card title={`${isBefore ? "Before" : "After"}: ${mode.name}`}>
-      <SheetBox {...{report, sheet, tell, paint}} label={`Centring-error arrows, ${mode.name}`} isFaint />
+      <SheetBox {...{report, sheet, describe, paint}} label={`Centring-error arrows, ${mode.name}`} isFaint />
       <p class="note">
         <b>
           Arrows magnified {whole(factor)} times{note}.

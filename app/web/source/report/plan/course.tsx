@@ -118,8 +118,8 @@ function LeastClearance({report}: OfReport) {
 function ClearancePlot({report, curve}: {curve: [number, number][]} & OfReport) {
   const unit = lengthUnit(report);
   const {options, data} = useMemo(() => makeClearance(report, curve, palette.peek()), [curve, palette.value]);
-  const tell = (row: number) => [`${fixed(curve[row][0], 1)} s`, `${short(curve[row][1])} ${unit}`];
-  return <PlotBox options={options} data={data} label="Clearance along the tour" tell={tell} />;
+  const describe = (row: number) => [`${fixed(curve[row][0], 1)} s`, `${short(curve[row][1])} ${unit}`];
+  return <PlotBox options={options} data={data} label="Clearance along the tour" describe={describe} />;
 }
 
 function makeClearance(report: Report, curve: readonly [number, number][], colours: Palette) {

@@ -82,19 +82,19 @@ interface SheetBoxProps {
   report: Report;
   sheet: SheetModel;
   label: string;
-  tell: (row: number, column: number) => string[];
+  describe: (row: number, column: number) => string[];
   paint: (painter: Painter) => void;
   /** True if the holes are drawn faintly behind the section's painting. */
   isFaint?: boolean;
 }
 
-export function SheetBox({report, sheet, label, tell, paint, isFaint = false}: SheetBoxProps) {
+export function SheetBox({report, sheet, label, describe, paint, isFaint = false}: SheetBoxProps) {
   const colouring = useMemo<Colouring>(() => {
     const states = byState(sheet),
-      words = (hole: number) => tell(sheet.row[hole], sheet.column[hole]);
+      words = (hole: number) => describe(sheet.row[hole], sheet.column[hole]);
     const kinds = isFaint ? states.kinds.map((kind) => ({...kind, mark: FAINT})) : states.kinds;
     return {...states, kinds, words};
-  }, [sheet, tell, isFaint]);
+  }, [sheet, describe, isFaint]);
   const paintOver = useCallback(
     (context: CanvasRenderingContext2D, camera: Camera, size: Size, colours: Palette) => {
       const sign = signOf(report);

@@ -11,7 +11,7 @@ import {MarkIcon, type Mark} from "../../drawing/marks";
 import {choicesOf, Segments} from "../../drawing/segments";
 import {Card, Lead, Missing, type OfReport, Reasons} from "../parts";
 import {list, type Report, textOf, tubeName} from "../values";
-import {holeTeller, type Mode, predictedMode, scoredModes} from "./cases";
+import {holeDescriber, type Mode, predictedMode, scoredModes} from "./cases";
 import {type MarkGroup, type Painter, paintGroups, readSheet, SheetBox, stateGroups} from "./sheet_box";
 
 export function SheetSection({report}: OfReport) {
@@ -74,7 +74,7 @@ function SheetMap({report, sheet, heading, modes}: SheetMapProps) {
     hidden = useSignal<ReadonlySet<string>>(new Set());
   const mode = modes.find(({key}) => key === chosen.value)!;
   const groups = useMemo(() => groupsOf(report, mode), [report, mode]);
-  const tell = useMemo(() => holeTeller(report, mode), [report, mode]);
+  const describe = useMemo(() => holeDescriber(report, mode), [report, mode]);
   const paint = useCallback((painter: Painter) => paintGroups(painter, groups, hidden.value), [groups, hidden.value]);
   return (
     <Card>
@@ -92,7 +92,7 @@ function SheetMap({report, sheet, heading, modes}: SheetMapProps) {
         ) : null}
       </div>
       <SheetBox
-        {...{report, sheet, tell, paint}}
+        {...{report, sheet, describe, paint}}
         label={`Tube sheet, ${sheetWords(sheet)}: ${heading.toLowerCase()}, ${mode.name}`}
       />
       <ul class="legend">

@@ -8,7 +8,7 @@ import {BasePose, TouchFigures} from "../../calibrate/base_figures";
 import type {CalibrateDocument} from "../../server/documents";
 import {Card, Lead, Missing, type OfReport} from "../parts";
 import {angleUnit, lengthUnit, list, object, type Report, textOf, tubeName, vector} from "../values";
-import {holeTeller, predictedMode} from "./cases";
+import {holeDescriber, predictedMode} from "./cases";
 import {magnificationFor, paintArrowScale} from "./centring";
 import {type Painter, paintArrow, paintMarks, paintTag, readSheet, SheetBox} from "./sheet_box";
 
@@ -58,7 +58,7 @@ export function TouchesSection({report}: OfReport) {
 }
 
 function TouchMap({report, sheet, touches}: {sheet: SheetModel; touches: Report[]} & OfReport) {
-  const tell = useMemo(() => holeTeller(report, predictedMode(report)), [report]);
+  const describe = useMemo(() => holeDescriber(report, predictedMode(report)), [report]);
   const residuals = touches.flatMap((touch) => {
     const residual = vector(touch.residual);
     return residual ? [{touch, residual}] : [];
@@ -83,7 +83,7 @@ function TouchMap({report, sheet, touches}: {sheet: SheetModel; touches: Report[
   );
   return (
     <Card title="Touched holes">
-      <SheetBox {...{report, sheet, tell, paint}} label="The touched holes with their residuals" isFaint />
+      <SheetBox {...{report, sheet, describe, paint}} label="The touched holes with their residuals" isFaint />
       <p class="note">
         {residuals.length === 0
           ? "Residuals are not recorded."

@@ -7,7 +7,7 @@ import type {SheetModel} from "../../../../drawing/sheet_model.js";
 import {strokeLine} from "../../drawing/canvas";
 import {Card, Lead, Missing, type OfReport} from "../parts";
 import {list, points, type Report, tubeName} from "../values";
-import {holeTeller, modesOf, predictedMode, visitOf} from "./cases";
+import {holeDescriber, modesOf, predictedMode, visitOf} from "./cases";
 import {markRadius, type Painter, paintArrow, paintMarks, paintTag, type Place, readSheet, SheetBox} from "./sheet_box";
 
 /** Trace of the tip with the path length at each point, and the index of the point at which each tube is reached. */
@@ -53,9 +53,9 @@ export function TourSection({report}: OfReport) {
 
 function TourMap({report, sheet}: {sheet: SheetModel} & OfReport) {
   const tour = useMemo(() => readTour(report, sheet.pitch), [report]);
-  const tell = useMemo(() => {
+  const describe = useMemo(() => {
     const modes = modesOf(report);
-    return holeTeller(report, modes.find(({key}) => key === "via_point") ?? predictedMode(report));
+    return holeDescriber(report, modes.find(({key}) => key === "via_point") ?? predictedMode(report));
   }, [report]);
   const part = useSignal<number | null>(null);
   const at = part.value === null ? null : placeAlong(tour, part.value);
@@ -69,7 +69,7 @@ function TourMap({report, sheet}: {sheet: SheetModel} & OfReport) {
   );
   return (
     <>
-      <SheetBox {...{report, sheet, tell, paint}} label="The tour of the tip over the sheet" isFaint />
+      <SheetBox {...{report, sheet, describe, paint}} label="The tour of the tip over the sheet" isFaint />
       <Walk part={part.value ?? 0} onMove={(next) => (part.value = next)} />
       <p class="note">
         {at === null
