@@ -4,7 +4,7 @@ import {after, before, describe} from "node:test";
 import {readFileSync, writeFileSync} from "node:fs";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {ask, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
+import {callApi, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
 
 let made, browser, points, log;
 
@@ -57,7 +57,7 @@ describe("tables of other programs", () => {
     await take.click();
     await tab.waitForFunction(() => !document.querySelector("dialog[open]"));
     assert.equal((await stateOf(server)).measurements.readings, 40);
-    await ask(server, "compare");
+    await callApi(server, "compare");
 
     await openFiles(tab, [log, points]);
     assert.equal(await take.isDisabled(), false);

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {ask, begin, closable, ended, finish, openTab, serve, simulate, stateOf} from "./workbench.mjs";
+import {begin, callApi, closable, ended, finish, openTab, serve, simulate, stateOf} from "./workbench.mjs";
 
 let made, browser;
 
@@ -221,13 +221,13 @@ describe("a reading", () => {
     await tab.mouse.move(...first);
     await tab.mouse.down();
     await tab.mouse.move(...second, {steps: 4});
-    assert.equal(await ended(server, (await ask(server, "ladder", {})).body.id), "done"); // during a lasso
+    assert.equal(await ended(server, (await callApi(server, "ladder", {})).body.id), "done"); // during a lasso
     await tab.waitForFunction(() => !document.querySelector(".job"));
     for (const corner of [third, last, first]) await tab.mouse.move(...corner, {steps: 4});
     await tab.mouse.up();
     const picked = await tab.innerText(".selection-bar b");
     assert.match(picked, /^\d\d readings selected$/);
-    assert.equal(await ended(server, (await ask(server, "compare", {})).body.id), "done");
+    assert.equal(await ended(server, (await callApi(server, "compare", {})).body.id), "done");
     const {revision} = (await stateOf(server)).results.compare;
     await tab.waitForFunction(
       (wanted) =>

@@ -11,7 +11,7 @@ const MOST_CLICKS = 4;
 const NEAR = 0.05; // relative tolerance of the promised error
 const LIMIT = {timeout: 180_000};
 const rows = JSON.parse(readFileSync(path.join(source, "app/web/tests/hidden_effects.json"), "utf8"));
-const asked = process.argv.slice(2);
+const names = process.argv.slice(2);
 
 const idle = (tab) => tab.waitForFunction(() => !document.querySelector(".job"), null, LIMIT);
 const variable = (tab) => tab.locator("select[aria-label='Variable']").inputValue();
@@ -92,7 +92,7 @@ try {
   console.log("| hidden | verdict | added | clicks | plot opens on | before | promised | left | off |");
   console.log("|---|---|---|---|---|---|---|---|---|");
   for (const [index, row] of rows.entries()) {
-    if (asked.length > 0 && !asked.some((name) => row.hide.startsWith(name))) continue;
+    if (names.length > 0 && !names.some((name) => row.hide.startsWith(name))) continue;
     try {
       const it = await run(browser, folder, row, index);
       failed += it.fails ? 1 : 0;

@@ -4,7 +4,7 @@
 import {spawnSync} from "node:child_process";
 import {existsSync} from "node:fs";
 import path from "node:path";
-import {ask, makeFolder, program, serve, simulate, stateOf} from "./workbench.mjs";
+import {callApi, makeFolder, program, serve, simulate, stateOf} from "./workbench.mjs";
 
 const kills = Number(process.argv[2] ?? 50);
 let seed = Number(process.argv[3] ?? 1);
@@ -32,15 +32,15 @@ async function work(server) {
   ++orders;
   const kind = below(6);
   if (kind === 0) {
-    await ask(server, "project/save", {file: "mine", overwrite: true});
+    await callApi(server, "project/save", {file: "mine", overwrite: true});
     ++saves;
   } else if (kind === 1) {
-    await ask(server, "compare", {});
+    await callApi(server, "compare", {});
   } else {
     const [route, word] = kind < 4 ? ["set-aside", "aside"] : ["hold-out", "held_out"];
     const id = String(1 + below(50));
     const on = !marks[word].get(id);
-    const {status} = await ask(server, `measurements/${route}`, {ids: [id], [word]: on});
+    const {status} = await callApi(server, `measurements/${route}`, {ids: [id], [word]: on});
     if (status === 200) marks[word].set(id, on);
   }
 }
@@ -80,7 +80,7 @@ for (let kill = 1; kill <= kills; ++kill) {
       if (Math.abs(count - numberOf(word)) > 1) complain(`${word}: ${count}, answered ${numberOf(word)}`);
   if (found) {
     // The interrupted request may have taken effect, so the program's state is the new reference.
-    const all = (await ask(server, "measurements")).body;
+    const all = (await callApi(server, "measurements")).body;
     for (const [word, name] of [
       ["aside", "set_aside"],
       ["held_out", "held_out"],

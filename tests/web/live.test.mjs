@@ -5,7 +5,7 @@ import {after, before, describe} from "node:test";
 import {appendFileSync, readFileSync, writeFileSync} from "node:fs";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {ask, begin, errorsOf, finish, openTab, serve, simulate, stateOf} from "./workbench.mjs";
+import {begin, callApi, errorsOf, finish, openTab, serve, simulate, stateOf} from "./workbench.mjs";
 
 let made, browser;
 
@@ -31,7 +31,7 @@ const changes = (tab) => tab.evaluate(() => window.changes.length);
 
 /** Waits until the read-out shows a posture; returns the deflected tip in this posture. */
 async function shows(tab, server, joints, load) {
-  const pose = (await ask(server, "pose", {joints, load})).body;
+  const pose = (await callApi(server, "pose", {joints, load})).body;
   const x = pose.flexible.position[0].toFixed(3).replace("-", "−");
   await tab.waitForSelector(`.readout .figure:has-text("${x}")`);
   return pose.tip.flexible;
@@ -45,26 +45,26 @@ describe("encoders of a running arm", () => {
     await watchReadOut(tab);
     let answer;
     for (let k = 0; k < 60; ++k) {
-      answer = await ask(server, "live/encoders", {joints: joints(k), load: 20});
+      answer = await callApi(server, "live/encoders", {joints: joints(k), load: 20});
       assert.equal(answer.status, 200, JSON.stringify(answer.body));
       await pause(50);
     }
     assert.deepEqual(answer.body.tip, await shows(tab, server, joints(59), 20));
     assert.ok((await changes(tab)) > 2, "the read-out stood until the last posture");
     // The switch is shown only while the arm sends data.
-    await ask(server, "live/encoders", {joints: joints(59), load: 20});
+    await callApi(server, "live/encoders", {joints: joints(59), load: 20});
     await tab.waitForSelector("input[aria-label='Follow the running arm']:checked");
     await tab.focus(".slider input[type=range] >> nth=0");
     await tab.keyboard.press("ArrowRight");
-    await ask(server, "live/encoders", {joints: joints(59), load: 20});
+    await callApi(server, "live/encoders", {joints: joints(59), load: 20});
     await tab.waitForSelector("input[aria-label='Follow the running arm']:not(:checked)");
     const first = Number(await tab.inputValue(".slider input[type=range] >> nth=0"));
     await shows(tab, server, [first, ...joints(59).slice(1)], 20);
     const before = await tab.innerText(".readout");
-    await ask(server, "live/encoders", {joints: joints(0), load: 0});
+    await callApi(server, "live/encoders", {joints: joints(0), load: 0});
     await pause(300);
     assert.equal(await tab.innerText(".readout"), before);
-    const refused = await ask(server, "live/encoders", {joints: [1, 2]});
+    const refused = await callApi(server, "live/encoders", {joints: [1, 2]});
     assert.equal(refused.status, 422);
     assert.deepEqual(tab.errors, []);
     await tab.context().close();
@@ -145,7 +145,7 @@ describe("a program that says nothing", () => {
     await tab.waitForSelector(".connection.live");
     await tab.clock.fastForward(30_000);
     await tab.waitForFunction(() => document.querySelector(".connection.lost") && document.querySelector(".silence"));
-    await ask(server, "simulate", {design: "bench", readings: 12});
+    await callApi(server, "simulate", {design: "bench", readings: 12});
     await tab.waitForSelector(".connection.live");
     await tab.waitForSelector(".silence", {state: "detached"});
     assert.deepEqual(tab.errors, []);

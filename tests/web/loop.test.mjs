@@ -5,7 +5,7 @@ import {after, before, describe} from "node:test";
 import {readFileSync} from "node:fs";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {ask, controlsCutOff, drop, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
+import {callApi, controlsCutOff, drop, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
 
 let made, server, browser;
 
@@ -157,7 +157,7 @@ describe("the loop", () => {
     const evil = '<img src=x onerror="window.ran=1"><script>window.ran=1</script>';
     const lines = readFileSync(path.join(made.folder, "readings.csv"), "utf8").trim().split("\n");
     const point = lines[0].split(",").indexOf("point");
-    const told = lines.map((line, i) =>
+    const shownLines = lines.map((line, i) =>
       i === 0
         ? line
         : line
@@ -165,7 +165,7 @@ describe("the loop", () => {
             .map((field, k) => (k === point ? `"${evil.replaceAll('"', "'")}${i}"` : field))
             .join(","),
     );
-    await drop(tab, `${evil.replaceAll("/", "").replaceAll('"', "")}.csv`, told.join("\n"));
+    await drop(tab, `${evil.replaceAll("/", "").replaceAll('"', "")}.csv`, shownLines.join("\n"));
     await tab.waitForTimeout(2500);
     assert.equal(await tab.evaluate(() => window.ran), undefined);
     assert.equal(await tab.locator("#view img, .header img, .notices img, #view script").count(), 0);
@@ -175,12 +175,12 @@ describe("the loop", () => {
   it("loads nothing from elsewhere and has no inline script", async () => {
     const context = await browser.newContext();
     const tab = await context.newPage();
-    const asked = [];
-    tab.on("request", (request) => asked.push(new URL(request.url()).origin));
+    const requestedOrigins = [];
+    tab.on("request", (request) => requestedOrigins.push(new URL(request.url()).origin));
     await tab.goto(`${server.address}#arm`);
     await tab.waitForSelector(".slider");
     await tab.waitForTimeout(800);
-    assert.deepEqual([...new Set(asked)], [new URL(server.address).origin]);
+    assert.deepEqual([...new Set(requestedOrigins)], [new URL(server.address).origin]);
     assert.equal(await tab.locator("script:not([src])").count(), 0);
     await context.close();
   });
@@ -218,7 +218,7 @@ describe("the catalogue", () => {
     const tab = await openTab(browser, `${server.address}#error`);
     await tab.waitForSelector(".error-view");
     await tab.keyboard.press("3");
-    const {effects} = (await ask(server, "catalogue")).body;
+    const {effects} = (await callApi(server, "catalogue")).body;
     const kinds = [...new Set(effects.map(({effect}) => effect))];
     await tab.waitForSelector(".effect-list [role=option]");
     assert.deepEqual(await tab.locator(".effect-list b").allInnerTexts(), kinds);
@@ -236,7 +236,7 @@ describe("the catalogue", () => {
     await tab.waitForSelector(".effects-view h2 >> text=tool-weight");
     // If two effects have one parameter each and the first is confounded with the second, the second must be with the
     // first.
-    const {causes} = (await ask(server, "confounding")).body;
+    const {causes} = (await callApi(server, "confounding")).body;
     const confoundingOf = (effect, at) => causes.find((cause) => cause.effect === effect && cause.at === at).confounded;
     const has = (list, effect, at) => list.some((other) => other.effect === effect && other.at === at);
     assert.ok(has(confoundingOf("link-length", "mezzanine-beam"), "link-length", "mezzanine-platform"));

@@ -4,7 +4,7 @@
 import {mkdirSync, readdirSync, readFileSync, statSync} from "node:fs";
 import path from "node:path";
 import {gzipSync} from "node:zlib";
-import {ask, launch, makeFolder, openTab, page as built, serve, simulate, writeDisc} from "./workbench.mjs";
+import {callApi, launch, makeFolder, openTab, page as built, serve, simulate, writeDisc} from "./workbench.mjs";
 
 const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
 const at = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))];
@@ -220,7 +220,7 @@ async function hoverLatency(browser, folder) {
   await newLadder(tab, "a loop, no effect in the model");
   await tab.click(".selection-bar >> text=Undo");
   await settled(tab);
-  await ask(own, "add", {causes: ["hysteresis@theta4"]});
+  await callApi(own, "add", {causes: ["hysteresis@theta4"]});
   await tab.waitForSelector(".ladder-row >> nth=2", {timeout: 120000});
   await settled(tab);
   await newLadder(tab, "a loop, one effect in the model");
@@ -255,7 +255,7 @@ async function liveInput(browser, folder, seconds) {
   for (let k = 0; Date.now() - begin < 1000 * seconds; ++k) {
     const wave = 20 * Math.sin(0.05 * k);
     sent.push(Date.now());
-    await ask(own, "live/encoders", {joints: [10 + wave, 45, -35 - 0.5 * wave, 12], load: 20});
+    await callApi(own, "live/encoders", {joints: [10 + wave, 45, -35 - 0.5 * wave, 12], load: 20});
     ++answered;
     if (k === 200 || k % 600 === 599) console.log(`  after ${(k / 20).toFixed(0)} s: ${await memory()}`);
     await new Promise((resolve) => setTimeout(resolve, Math.max(0, begin + 50 * (k + 1) - Date.now())));

@@ -6,7 +6,7 @@ import {after, before, describe} from "node:test";
 import {rmSync, writeFileSync} from "node:fs";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {ask, begin, closable, errorsOf, finish, openTab, program, serve} from "./workbench.mjs";
+import {begin, callApi, closable, errorsOf, finish, openTab, program, serve} from "./workbench.mjs";
 
 const LIMIT = {timeout: 60_000};
 let made, browser;
@@ -103,11 +103,11 @@ describe("the desk of an outage", () => {
     const tab = await desk(server, record, "Tom");
     const {close} = closable(tab, server);
     await tab.waitForSelector(".desk-tube[data-tube='A/hot/R9C19']", LIMIT);
-    const asked = [];
-    tab.on("request", (request) => asked.push(new URL(request.url())));
+    const requested = [];
+    tab.on("request", (request) => requested.push(new URL(request.url())));
     await tab.waitForRequest((request) => request.url().includes("after=1"), LIMIT);
     await tab.waitForTimeout(500);
-    const own = asked.filter(({pathname}) => pathname.startsWith("/api/outage/"));
+    const own = requested.filter(({pathname}) => pathname.startsWith("/api/outage/"));
     assert.deepEqual([...new Set(own.map(({pathname}) => pathname))], ["/api/outage/log"]);
     job("undo", record, "--event", "1", "--by", "Paul", "--reason", "extent too short");
     await tab.waitForSelector(".desk-event.undone >> text=A/hot/R9C18", LIMIT);
@@ -120,9 +120,9 @@ describe("the desk of an outage", () => {
     assert.equal(report.status, 200);
     assert.match(report.headers.get("content-disposition"), /handover\.html/);
     assert.match(await report.text(), /"page":"hand-over"/);
-    const unknown = await ask(server, `outage/report?file=${record}&shift=nigth`);
+    const unknown = await callApi(server, `outage/report?file=${record}&shift=nigth`);
     assert.equal(unknown.status, 422);
-    assert.equal((await ask(server, `outage/log?file=${record}&after=-3`)).status, 422);
+    assert.equal((await callApi(server, `outage/log?file=${record}&after=-3`)).status, 422);
     assert.equal(errorsOf(tab).length, 0);
     await close();
   });
@@ -152,9 +152,9 @@ describe("the desk of an outage", () => {
   it("refuses a mark of a tube that another desk has changed", async () => {
     const record = makeRecord("late", "none");
     const server = await serve(made.folder, "mockup.yaml");
-    const next = (await ask(server, `outage/next?file=${record}`)).body;
+    const next = (await callApi(server, `outage/next?file=${record}`)).body;
     job("mark", record, next.tube, "--as", "obstructed", "--by", "Paul");
-    const late = await ask(server, "outage/mark", {
+    const late = await callApi(server, "outage/mark", {
       file: record,
       tube: next.tube,
       as: "done",
@@ -174,26 +174,26 @@ describe("the desk of an outage", () => {
       random = 7;
     const draw = () => (random = (random * 16807) % 2147483647) / 2147483647;
     for (let k = 0; k < 60; ++k) {
-      const {body: tube} = await ask(server, `outage/next?file=${record}&sg=A&leg=hot`);
+      const {body: tube} = await callApi(server, `outage/next?file=${record}&sg=A&leg=hot`);
       const at = {x: tube.x + 0.04 * (draw() - 0.5), y: tube.y + 0.04 * (draw() - 0.5)};
       const where = {file: record, tube: tube.tube};
       if (k % 10 === 3) {
-        const under = await ask(server, "outage/confirm", {...where, by: "camera", position: [at.x + PITCH, at.y]});
+        const under = await callApi(server, "outage/confirm", {...where, by: "camera", position: [at.x + PITCH, at.y]});
         assert.equal(under.body.same, false);
-        assert.equal((await ask(server, "outage/mark", {...where, as: "done", by: "Tom"})).status, 422);
+        assert.equal((await callApi(server, "outage/mark", {...where, as: "done", by: "Tom"})).status, 422);
         ++wrong;
       }
-      const found = await ask(server, "outage/confirm", {...where, by: "camera", position: [at.x, at.y]});
+      const found = await callApi(server, "outage/confirm", {...where, by: "camera", position: [at.x, at.y]});
       assert.equal(found.body.same, true);
       assert.equal(
-        (await ask(server, "outage/mark", {...where, as: k % 7 === 5 ? "retest" : "done", by: "Tom"})).status,
+        (await callApi(server, "outage/mark", {...where, as: k % 7 === 5 ? "retest" : "done", by: "Tom"})).status,
         200,
       );
     }
-    const {total} = (await ask(server, `outage/totals?file=${record}`)).body;
+    const {total} = (await callApi(server, `outage/totals?file=${record}`)).body;
     assert.equal(total.planned, total.done + total.excluded + total.unresolved);
     assert.equal(total.done + total.queued, 60);
-    const events = (await ask(server, `outage/log?file=${record}`)).body.events;
+    const events = (await callApi(server, `outage/log?file=${record}`)).body.events;
     assert.equal(events.length, 60 + 60 + wrong);
     await server.stop();
   });

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {ask, controlsCutOff, launch, makeFolder, openTab, serve} from "./workbench.mjs";
+import {callApi, controlsCutOff, launch, makeFolder, openTab, serve} from "./workbench.mjs";
 
 let made, server, browser, tab;
 
@@ -23,7 +23,7 @@ after(async () => {
 describe("the mock-up", () => {
   it("shows its sheet, and what a hole is", async () => {
     await tab.waitForSelector(".sheet-words >> text=4,674 holes");
-    const {manway} = (await ask(server, "sheet")).body;
+    const {manway} = (await callApi(server, "sheet")).body;
     assert.ok(manway.u > 0 && manway.v > 0, "the manway is to the right, seen from below");
     await tab.focus(".stage");
     await tab.keyboard.press("ArrowUp");
@@ -98,13 +98,13 @@ describe("the mock-up", () => {
     await tab.waitForFunction(() => !document.querySelector("button.play").disabled, null, {timeout: 20000});
     const played = async () => Number(await tab.inputValue("[aria-label='Time along the tour']")); // [s]
     await tab.click(".segments >> text=×16");
-    const asked = Date.now();
+    const started = Date.now();
     await tab.click("button.play");
     const begun = Date.now();
     await tab.waitForTimeout(3000);
     const stopped = Date.now();
     await tab.click("button.play");
-    const most = (16 * (Date.now() - asked)) / 1000 + 1,
+    const most = (16 * (Date.now() - started)) / 1000 + 1,
       least = (0.6 * 16 * (stopped - begun)) / 1000; // the last picture may be drawn a second late
     const seconds = await played();
     assert.ok(seconds > least && seconds < most, `×16 plays ${seconds} s, which is not ${least} to ${most} s`);
@@ -118,7 +118,7 @@ describe("the mock-up", () => {
     }
     assert.ok(figures.size > 4, `the cursor reads ${[...figures].join(", ")}`);
     await tab.click(".plan-view .segments >> text=Tubes by chance");
-    const planned = (await ask(server, "results/plan")).body.tubes.length;
+    const planned = (await callApi(server, "results/plan")).body.tubes.length;
     await tab.waitForSelector(`[aria-label='Histogram of ${planned} tubes by the chance of all steps'] canvas`);
     await tab.click(".plan-view .menu summary");
     const [download] = await Promise.all([
@@ -149,7 +149,7 @@ describe("the mock-up", () => {
     await tab.check(".plan-head label:has-text('straight') input");
     await tab.click(".plan-head .button.first");
     await tab.waitForSelector(".outcome >> text=/straight \\d/", {timeout: 60000});
-    const {travel} = (await ask(server, "results/plan")).body;
+    const {travel} = (await callApi(server, "results/plan")).body;
     assert.equal(travel.kind, "line");
     assert.ok(travel.on_line >= 5 && travel.line_deviation <= 0.002, JSON.stringify(travel));
     await tab.uncheck(".plan-head label:has-text('straight') input");
@@ -174,11 +174,11 @@ describe("the mock-up", () => {
 
   it("says that plan and base are of another model once their model is taken back", async () => {
     assert.equal(await tab.locator(".other-model").count(), 0);
-    await ask(server, "undo", {});
+    await callApi(server, "undo", {});
     await tab.waitForSelector(".plan-view .other-model >> text=base calibrated");
     await tab.click(".rail-entry >> text=Calibrate");
     await tab.waitForSelector(".calibrate-view .other-model >> text=base calibrated");
-    await ask(server, "redo", {});
+    await callApi(server, "redo", {});
     await tab.waitForSelector(".other-model", {state: "detached"});
     assert.deepEqual(tab.errors, []);
   });

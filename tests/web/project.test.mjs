@@ -7,7 +7,7 @@ import {createHash} from "node:crypto";
 import {existsSync, readFileSync} from "node:fs";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {ask, ended, launch, makeFolder, openTab, program, serve, simulate, stateOf} from "./workbench.mjs";
+import {callApi, ended, launch, makeFolder, openTab, program, serve, simulate, stateOf} from "./workbench.mjs";
 
 let made, browser;
 
@@ -21,7 +21,7 @@ after(async () => {
   made?.remove();
 });
 
-const post = (server, name, body = {}) => ask(server, name, body);
+const post = (server, name, body = {}) => callApi(server, name, body);
 
 /** Makes a model with an added effect. */
 async function makeWork(server) {
@@ -114,12 +114,12 @@ describe("the work", () => {
       });
       while (!isKilled) {
         const id = String(1 + Math.floor(60 * random()));
-        const asked = random();
+        const draw = random();
         try {
           const {status, body} =
-            asked < 0.6
+            draw < 0.6
               ? await post(server, "measurements/set-aside", {ids: [id], aside: random() < 0.7})
-              : await post(server, asked < 0.8 ? "undo" : "redo");
+              : await post(server, draw < 0.8 ? "undo" : "redo");
           if (status === 200) {
             answered = body;
             ++steps;
@@ -182,9 +182,9 @@ describe("the report of a project", () => {
     assert.equal(facts.get("Readings in use"), "59");
 
     // Each command line is run, and must reproduce the results of the report.
-    const told = report.commands.map((line) => line.split(" "));
-    assert.equal(told[0][1], "report");
-    const figures = told.slice(1).map((words) => {
+    const commands = report.commands.map((line) => line.split(" "));
+    assert.equal(commands[0][1], "report");
+    const figures = commands.slice(1).map((words) => {
       const {status, said, out} = run([...words.slice(1), "--json", "-"]);
       assert.equal(status, words[1] === "compare" && /falls-short/.test(out) ? 1 : 0, said);
       return {words, document: JSON.parse(out)};

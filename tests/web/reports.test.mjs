@@ -32,13 +32,13 @@ function run(...words) {
 
 /** Opens a report; only the sections named in `unrecorded` may be reported as not recorded. */
 async function opened(name, unrecorded = []) {
-  const asked = [];
+  const requestedUrls = [];
   const tab = await openTab(browser, "about:blank");
-  tab.on("request", (request) => request.url().startsWith("http") && asked.push(request.url()));
+  tab.on("request", (request) => request.url().startsWith("http") && requestedUrls.push(request.url()));
   await tab.goto(pathToFileURL(path.join(made.folder, name)).href);
   await tab.waitForFunction(() => document.getElementById("foot").textContent !== "");
   assert.deepEqual(tab.errors, []);
-  assert.deepEqual(asked, []);
+  assert.deepEqual(requestedUrls, []);
   assert.deepEqual(await tab.locator(".missing").allInnerTexts(), unrecorded);
   // Canvases must have about two pixels per page pixel or more, so that they are sharp on paper.
   const ratios = await tab.evaluate(() =>

@@ -6,7 +6,19 @@ import {after, before, describe} from "node:test";
 import {readFileSync, writeFileSync} from "node:fs";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {ask, begin, closable, drop, ended, errorsOf, finish, openTab, serve, simulate, stateOf} from "./workbench.mjs";
+import {
+  begin,
+  callApi,
+  closable,
+  drop,
+  ended,
+  errorsOf,
+  finish,
+  openTab,
+  serve,
+  simulate,
+  stateOf,
+} from "./workbench.mjs";
 
 const LIMIT = {timeout: 120_000};
 let made, browser;
@@ -94,7 +106,7 @@ describe("several explanations", () => {
     await rows.first().waitFor();
     const count = await rows.count();
     assert.ok(count >= 3);
-    const text = (await ask(server, "results/diagnose")).body.run_sheet;
+    const text = (await callApi(server, "results/diagnose")).body.run_sheet;
     const [header, ...lines] = text.trim().split("\n");
     assert.equal(lines.length, count);
     const columns = header.split(",");
@@ -103,7 +115,7 @@ describe("several explanations", () => {
     const place = async (line) => {
       const fields = line.split(",");
       const joints = [1, 2, 3, 4].map((k) => Number(fields[columns.indexOf(`theta${k}_deg`)]));
-      return (await ask(server, "pose", {joints, load: Number(fields[at("load")])})).body.tip.flexible;
+      return (await callApi(server, "pose", {joints, load: Number(fields[at("load")])})).body.tip.flexible;
     };
     // The coordinates of the first reading are typed by hand.
     const first = await place(lines[0]);
@@ -302,8 +314,8 @@ describe("the arm's picture", () => {
 describe("the sheet", () => {
   it("goes from before to after the last change of the model, in bands of one scale", async () => {
     const server = await serve(made.folder, "mockup.yaml", ["--truth", path.join(made.folder, "mockup-true.yaml")]);
-    for (const hole of [500, 2500, 4000]) await ask(server, "touch", {hole});
-    assert.equal(await ended(server, (await ask(server, "calibrate", {})).body.id), "done");
+    for (const hole of [500, 2500, 4000]) await callApi(server, "touch", {hole});
+    assert.equal(await ended(server, (await callApi(server, "calibrate", {})).body.id), "done");
     const tab = await openTab(browser, `${server.address}#sheet`);
     await tab.click(".sheet-view .segments >> text=Sag");
     await tab.click("text=Compute sag", LIMIT);

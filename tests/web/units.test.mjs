@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {ask, begin, ended, finish, openTab, serve, simulate} from "./workbench.mjs";
+import {begin, callApi, ended, finish, openTab, serve, simulate} from "./workbench.mjs";
 
 const VIEWS = ["sheet", "arm", "calibrate", "error", "effects", "plan"];
 /** A figure with a unit of the cell's file; "in" may also be the word. */
@@ -21,7 +21,7 @@ before(async () => {
   });
   server = await serve(setting.made.folder, "mockup.yaml", [path.join(setting.made.folder, "readings.csv")]);
   for (const name of ["compare", "diagnose"])
-    assert.equal(await ended(server, (await ask(server, name, {effects: 1, next: 3})).body.id), "done");
+    assert.equal(await ended(server, (await callApi(server, name, {effects: 1, next: 3})).body.id), "done");
   tab = await openTab(setting.browser, server.address);
 });
 after(async () => {
@@ -81,7 +81,7 @@ describe("the units of the page", () => {
       theta1.fill("0.5").then(() => theta1.press("Enter")),
     ]);
     const shown = await (await request.response()).json();
-    const own = await ask(server, "pose", {
+    const own = await callApi(server, "pose", {
       ...request.postDataJSON(),
       joints: request.postDataJSON().joints.map((angle) => (angle * 180) / Math.PI),
     });

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import {statSync} from "node:fs";
 import {after, before, describe} from "node:test";
 import {it} from "./limits.mjs";
-import {ask, begin, closable, finish, openTab, serve} from "./workbench.mjs";
+import {begin, callApi, closable, finish, openTab, serve} from "./workbench.mjs";
 
 let setting;
 before(async () => (setting = await begin()));
@@ -67,7 +67,7 @@ describe("the splitters", () => {
 describe("the arm", () => {
   it("opens in its park posture, shows the names of its joints, and is saved as a picture", async () => {
     const {tab, server, close} = await open("mockup.yaml");
-    const {park, joints} = (await ask(server, "state")).body.cell;
+    const {park, joints} = (await callApi(server, "state")).body.cell;
     await tab.keyboard.press("2");
     await tab.waitForSelector(".arm-view .slider");
     for (const [k, value] of park.entries()) {
@@ -111,7 +111,7 @@ async function blueShare(tab) {
 describe("the way back", () => {
   it("leads to the park posture, where nothing collides, and each figure of the read-out has its unit", async () => {
     const {tab, server, close} = await open("mockup.yaml");
-    const {park, joints, units} = (await ask(server, "state")).body.cell;
+    const {park, joints, units} = (await callApi(server, "state")).body.cell;
     await tab.waitForSelector(".sheet-view");
     await tab.keyboard.press("2");
     await tab.waitForSelector(".arm-view .slider");
@@ -122,7 +122,7 @@ describe("the way back", () => {
     await tab.click(".arm-view button:has-text('park')");
     await tab.waitForFunction((k) => Number(document.querySelector(".slider .number-box").value) === k, park[0]);
     await tab.waitForTimeout(500);
-    const {clearance} = (await ask(server, "pose", {joints: park})).body;
+    const {clearance} = (await callApi(server, "pose", {joints: park})).body;
     assert.ok(clearance.distance > 0, "the park posture is free");
     assert.equal(await tab.locator(".arm-view dd .bad").count(), 0);
     for (const name of ["sag", "from rigid", "clearance"])
@@ -137,7 +137,7 @@ describe("the way back", () => {
 describe("the arm as a skeleton", () => {
   it("is drawn thinner than by its shapes, with the names of its joints, also in another view", async () => {
     const {tab, server, close} = await open("mockup.yaml");
-    const {joints} = (await ask(server, "state")).body.cell;
+    const {joints} = (await callApi(server, "state")).body.cell;
     await tab.waitForSelector(".sheet-view");
     await tab.keyboard.press("2");
     await tab.waitForSelector(".arm-view .slider");

@@ -180,14 +180,14 @@ export async function serve(
 }
 
 /** Gets a document `name` from the server or, with a body, posts a request; fails if the server does not answer. */
-export async function ask({address}, name, body) {
+export async function callApi({address}, name, body) {
   const signal = AbortSignal.timeout(ANSWER_LIMIT);
   const order = {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body)};
   const answer = await fetch(`${address}api/${name}`, body === undefined ? {signal} : {...order, signal});
   return {status: answer.status, body: await answer.json()};
 }
 
-export const stateOf = async (server) => (await ask(server, "state")).body;
+export const stateOf = async (server) => (await callApi(server, "state")).body;
 
 /** Waits until the job `id` has ended and returns its status. */
 export async function ended(server, id, limit = JOB_LIMIT) {

@@ -15,9 +15,9 @@ describe("chosen units", () => {
     for (const length of ["", ...UNIT_CHOICES.length])
       for (const angle of ["", ...UNIT_CHOICES.angle]) {
         const {inChosenUnits} = await withKept({length, angle});
-        const asked = length + angle === "" ? "" : `units=${length},${angle}`;
-        expect(inChosenUnits("/api/state")).toBe(`/api/state${asked && `?${asked}`}`);
-        expect(inChosenUnits("/api/a?b=1")).toBe(`/api/a?b=1${asked && `&${asked}`}`);
+        const query = length + angle === "" ? "" : `units=${length},${angle}`;
+        expect(inChosenUnits("/api/state")).toBe(`/api/state${query && `?${query}`}`);
+        expect(inChosenUnits("/api/a?b=1")).toBe(`/api/a?b=1${query && `&${query}`}`);
       }
   });
 

@@ -82,7 +82,7 @@ async function serve(row: Row): Promise<Server> {
   return server;
 }
 
-async function ask<T>(server: Server, name: string, body?: unknown): Promise<T> {
+async function callApi<T>(server: Server, name: string, body?: unknown): Promise<T> {
   const json = {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body)};
   return answerTo<T>(server, name, body === undefined ? {} : json);
 }
@@ -99,9 +99,9 @@ async function answerTo<T>({address}: Server, name: string, order: RequestInit):
 }
 
 async function done(server: Server, name: string, body: unknown): Promise<void> {
-  const {id} = await ask<{id: number}>(server, name, body);
+  const {id} = await callApi<{id: number}>(server, name, body);
   for (const start = Date.now(); Date.now() - start < 90000;) {
-    const {jobs} = await ask<{jobs: {id: number; status: string; error: unknown}[]}>(server, "state");
+    const {jobs} = await callApi<{jobs: {id: number; status: string; error: unknown}[]}>(server, "state");
     const job = jobs.find((entry) => entry.id === id)!;
     if (job.status === "done") return;
     if (job.status !== "running") throw new Error(`${name} ${job.status}: ${JSON.stringify(job.error)}`);
@@ -144,13 +144,13 @@ async function opened(row: Row): Promise<{cause: EffectAt; variable: string; pro
     server = await serve(row);
   await simulate(server, row);
   await done(server, "diagnose", {effects: 3, next: 1});
-  const document = await ask<DiagnoseDocument>(server, "results/diagnose");
+  const document = await callApi<DiagnoseDocument>(server, "results/diagnose");
   const [cause, index] = causeOf(document, hide.split(":")[0]);
   expect(cause, document.sentence).toBeDefined();
   const joints = document.joints.map((joint) => joint.name);
   const axis = /\.[xyz]$/.test(turnedBy(cause)) ? `,${turnedBy(cause)}` : "";
-  const moments = await ask<MomentsDocument>(server, "moments");
-  const leverage = await ask<LeverageDocument>(server, `leverage?at=${joints.join(",")}${axis}`);
+  const moments = await callApi<MomentsDocument>(server, "moments");
+  const leverage = await callApi<LeverageDocument>(server, `leverage?at=${joints.join(",")}${axis}`);
   const places = document.readings.map((reading) => reading.position);
   const variables = variablesOf(
     {readings: document.readings, joints: document.joints, places},
@@ -165,8 +165,8 @@ async function opened(row: Row): Promise<{cause: EffectAt; variable: string; pro
   const variable = viewOfCause(cause, did, document.readings, variables, parts)?.variable.key ?? "";
   const {effects, heldout_rms, rms} = document.explanations[index];
   await done(server, "add", {causes: effects.map(({add, effect, at}) => add ?? `${effect}@${at}`)});
-  const ladder = await ask<LadderDocument>(server, "results/ladder");
-  await ask(server, "undo", {});
+  const ladder = await callApi<LadderDocument>(server, "results/ladder");
+  await callApi(server, "undo", {});
   return {cause, variable, promised: heldout_rms ?? rms, left: ladder.models.at(-1)!.rms.heldout ?? NaN};
 }
 
