@@ -147,25 +147,25 @@ def main():
     parser.add_argument("--runs", type=int, default=300)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", choices=ALTERATIONS)
-    asked = parser.parse_args()
-    rng = random.Random(asked.seed)
-    with copy_of(asked.plan) as folder:
-        if verify(asked.program, asked.cell, folder) != 0:
+    options = parser.parse_args()
+    rng = random.Random(options.seed)
+    with copy_of(options.plan) as folder:
+        if verify(options.program, options.cell, folder) != 0:
             sys.exit("the plan as it is is not proved")
-    names, caught, missed = [asked.only] if asked.only else list(ALTERATIONS), dict.fromkeys(ALTERATIONS, 0), []
-    for run in range(asked.runs):
+    names, caught, missed = [options.only] if options.only else list(ALTERATIONS), dict.fromkeys(ALTERATIONS, 0), []
+    for run in range(options.runs):
         name = names[run % len(names)]
-        with copy_of(asked.plan) as folder:
+        with copy_of(options.plan) as folder:
             what = ALTERATIONS[name](folder, rng)
-            cell = str(folder / "cell.yaml") if name in OF_THE_CELL else asked.cell
-            code = verify(asked.program, cell, folder)
+            cell = str(folder / "cell.yaml") if name in OF_THE_CELL else options.cell
+            code = verify(options.program, cell, folder)
         if code in (1, 2):
             caught[name] += 1
         else:
             missed.append(f"{what} (exit code {code})")
     for name in names:
-        print(f"  {name:22s} {caught[name]} of {sum(1 for k in range(asked.runs) if names[k % len(names)] == name)}")
-    print(f"caught {sum(caught.values())} of {asked.runs}")
+        print(f"  {name:22s} {caught[name]} of {sum(1 for k in range(options.runs) if names[k % len(names)] == name)}")
+    print(f"caught {sum(caught.values())} of {options.runs}")
     for what in missed:
         print(f"  not caught: {what}")
     sys.exit(bool(missed))

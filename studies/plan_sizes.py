@@ -39,9 +39,9 @@ def peak(folder, program, cell, tubes):
     """Returns the peak memory [MB] of the planning command, measured in a separate process."""
     code = ("import resource,subprocess,sys;c=subprocess.run(sys.argv[1:],stdout=subprocess.DEVNULL,"
             "stderr=subprocess.DEVNULL);print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss/1024)")
-    told = subprocess.run([sys.executable, "-c", code, program, "plan", cell, "--tubes", tubes, "--out", folder],
-                          stdout=subprocess.PIPE, text=True, check=True)
-    return float(told.stdout)
+    finished = subprocess.run([sys.executable, "-c", code, program, "plan", cell, "--tubes", tubes, "--out", folder],
+                              stdout=subprocess.PIPE, text=True, check=True)
+    return float(finished.stdout)
 
 
 def slope(points):

@@ -117,15 +117,15 @@ class Comparison:
 
     def __init__(self, figures, rows):
         by_id = {str(reading["id"]): reading for reading in figures["readings"]}
-        told = [by_id.get(row["id"]) for row in rows]
-        if not all(told) or len(by_id) != len(rows):
+        readings = [by_id.get(row["id"]) for row in rows]
+        if not all(readings) or len(by_id) != len(rows):
             raise Refused(f"compare told of {len(by_id)} readings out of {len(rows)}")
-        self.as_written = np.array([reading["error_before"] for reading in told], float)
-        self.refitted = np.array([reading["error_after"] for reading in told], float)
-        self.tips_as_written = np.array([reading["position_before"] for reading in told], float)
-        self.kept_out = np.array([reading["held_out"] for reading in told])
+        self.as_written = np.array([reading["error_before"] for reading in readings], float)
+        self.refitted = np.array([reading["error_after"] for reading in readings], float)
+        self.tips_as_written = np.array([reading["position_before"] for reading in readings], float)
+        self.kept_out = np.array([reading["held_out"] for reading in readings])
         bases = {base["setup"]: np.array(base["base"]["position"]) for base in figures["refit"]["bases"]}
-        tips = np.array([reading["position_after"] for reading in told], float)
+        tips = np.array([reading["position_after"] for reading in readings], float)
         self.reach = np.linalg.norm([tip - bases[row.get("setup") or ""] for tip, row in zip(tips, rows)], axis=1)
 
 
@@ -249,21 +249,21 @@ def judgement(program, written, readings, rows, folder):
 def by_improve(program, cell, readings, rows, folder):
     """Returns the comparison for the improved cell, the output of `improve`, its CPU time [s], and the cell file."""
     written = folder / "improved.yaml"
-    told, seconds = program.run("improve", cell, readings, "--out", written)
+    improvement, seconds = program.run("improve", cell, readings, "--out", written)
     if not written.exists():
-        raise Refused(f"improve wrote no cell and ended with {told['end']}: {told['steps'][-1]['reason']}")
-    return judgement(program, written, readings, rows, folder), told, seconds, written
+        raise Refused(f"improve wrote no cell and ended with {improvement['end']}: {improvement['steps'][-1]['reason']}")
+    return judgement(program, written, readings, rows, folder), improvement, seconds, written
 
 
 def without_farthest(program, cell, rows, far, folder):
     """Returns the mean errors of both methods over the farthest quarter, which neither method was fitted to."""
-    apart = [dict(row, split="held-out" if is_far else "fit") for row, is_far in zip(rows, far)]
-    readings = write_rows(folder / "without-farthest.csv", apart)
-    rigid = geometry_alone(program, cell, readings, apart, folder)
-    box = by_black_box(apart, rigid)
-    improved = by_improve(program, cell, readings, apart, folder)[0].as_written
-    return {"far_apart": mean_of(apart, improved, far), "box_far_apart": mean_of(apart, box, far),
-            "rigid_far_apart": mean_of(apart, rigid.refitted, far)}
+    split_rows = [dict(row, split="held-out" if is_far else "fit") for row, is_far in zip(rows, far)]
+    readings = write_rows(folder / "without-farthest.csv", split_rows)
+    rigid = geometry_alone(program, cell, readings, split_rows, folder)
+    box = by_black_box(split_rows, rigid)
+    improved = by_improve(program, cell, readings, split_rows, folder)[0].as_written
+    return {"far_apart": mean_of(split_rows, improved, far), "box_far_apart": mean_of(split_rows, box, far),
+            "rigid_far_apart": mean_of(split_rows, rigid.refitted, far)}
 
 
 def carried(program, written, readings, folder):
@@ -282,8 +282,8 @@ def pairs_apart(rows, tips):
                     if point.endswith("-0") and point[:-1] + "1" in places])
 
 
-def first_added(told):
-    for step in told["steps"]:
+def first_added(improvement):
+    for step in improvement["steps"]:
         if step["added"]:
             return step["added"][0] + (f" and {len(step['added']) - 1} more" if len(step["added"]) > 1 else "")
     return "nothing"
@@ -299,12 +299,12 @@ def study(program, real, robot, with_farthest, folder):
     far = farthest_quarter(rows, rigid.reach)
     out, far_out = rigid.kept_out, rigid.kept_out & far
     box = by_black_box(rows, rigid)
-    judged, told, seconds, written = by_improve(program, cell, readings, rows, folder)
+    judged, improvement, seconds, written = by_improve(program, cell, readings, rows, folder)
     improved = judged.as_written
     figures = {"rigid": mean_of(rows, rigid.refitted, out), "improved": mean_of(rows, improved, out),
                "box": mean_of(rows, box, out), "far": mean_of(rows, improved, far_out),
-               "box_far": mean_of(rows, box, far_out), "seconds": seconds, "first": first_added(told),
-               "end": told["end"]}
+               "box_far": mean_of(rows, box, far_out), "seconds": seconds, "first": first_added(improvement),
+               "end": improvement["end"]}
     if robot.carried_to:
         figures["carried"] = carried(program, written, real / robot.carried_to, folder)
     if robot.pair_apart:
@@ -347,23 +347,23 @@ def main():
     parser.add_argument("real", type=pathlib.Path)
     parser.add_argument("sets", nargs="*", metavar="SET", help=", ".join(SETS))
     parser.add_argument("--farthest", action="store_true", help="both ways afresh, without the farthest quarter")
-    asked = parser.parse_args()
-    unknown = [name for name in asked.sets if name not in SETS]
+    options = parser.parse_args()
+    unknown = [name for name in options.sets if name not in SETS]
     if unknown:
         parser.error(f"no set {unknown[0]}; there are {', '.join(SETS)}")
-    if not asked.real.is_dir():
-        print(f"{asked.real} is not there: the measured robots are no part of the repository, nothing was judged")
+    if not options.real.is_dir():
+        print(f"{options.real} is not there: the measured robots are no part of the repository, nothing was judged")
         sys.exit(ABSENT)
-    program, real = Program(str(asked.program.resolve())), asked.real.resolve()
-    print_head(asked.farthest)
-    for name in asked.sets or SETS:
+    program, real = Program(str(options.program.resolve())), options.real.resolve()
+    print_head(options.farthest)
+    for name in options.sets or SETS:
         with tempfile.TemporaryDirectory() as folder:
             try:
-                figures = study(program, real, SETS[name], asked.farthest, pathlib.Path(folder))
+                figures = study(program, real, SETS[name], options.farthest, pathlib.Path(folder))
             except Refused as refusal:
                 print(f"{name:13s} {refusal}", flush=True)
                 continue
-            print_row(name, SETS[name], figures, asked.farthest)
+            print_row(name, SETS[name], figures, options.farthest)
 
 
 if __name__ == "__main__":

@@ -331,17 +331,17 @@ def main():
     parser.add_argument("--seeds", type=int, default=50)
     parser.add_argument("--first-seed", type=int, default=1)
     parser.add_argument("--each", action="store_true", help="a line for every seed, with the answer where it is missed")
-    asked = parser.parse_args()
+    options = parser.parse_args()
     cases, failed = [], 0
-    for seed in range(asked.first_seed, asked.first_seed + asked.seeds):
+    for seed in range(options.first_seed, options.first_seed + options.seeds):
         try:
-            case = attempt(str(asked.program.resolve()), seed)
+            case = attempt(str(options.program.resolve()), seed)
         except (RuntimeError, ValueError, subprocess.TimeoutExpired) as error:
             failed += 1
             print(f"seed {seed} failed: {error}", flush=True)
             continue
         cases.append(case)
-        if asked.each:
+        if options.each:
             print(case.line(), flush=True)
             if not (case.both_named and case.both_ranked):
                 print("".join(f"    {line}\n" for line in case.answered()), end="", flush=True)
@@ -358,7 +358,7 @@ def main():
     print_effects(cases)
     print_figures(cases)
     print(f"failed: {failed}")
-    sys.exit(sum(case.both_named for case in cases) < GOAL * asked.seeds)
+    sys.exit(sum(case.both_named for case in cases) < GOAL * options.seeds)
 
 
 if __name__ == "__main__":

@@ -284,12 +284,12 @@ def main():
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--command", choices=COMMANDS, help="the only one to run")
     parser.add_argument("--pairs", action="store_true", help="two mistakes in every file")
-    asked = parser.parse_args()
-    program, cells = str(asked.program.resolve()), asked.cells.resolve()
+    options = parser.parse_args()
+    program, cells = str(options.program.resolve()), options.cells.resolve()
     wrong = made = 0
-    with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
-        seeds = range(asked.seed, asked.seed + asked.runs)
-        for what, complaint_found in pool.map(lambda seed: attempt(program, cells, seed, asked.command, asked.pairs), seeds):
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        seeds = range(options.seed, options.seed + options.runs)
+        for what, complaint_found in pool.map(lambda seed: attempt(program, cells, seed, options.command, options.pairs), seeds):
             made += what is not None
             if made % 100 == 0 and sys.stderr.isatty():
                 print(f"\r{made} runs, {wrong} of them wrong", end="", file=sys.stderr, flush=True)
@@ -297,7 +297,7 @@ def main():
                 wrong += 1
                 print(f"{what}: {complaint_found}", flush=True)
     print(f"{made} runs, {wrong} of them wrong")
-    sys.exit(bool(wrong) or made < asked.runs // 2)
+    sys.exit(bool(wrong) or made < options.runs // 2)
 
 
 if __name__ == "__main__":

@@ -75,8 +75,8 @@ def instructions(folder, jacobian):
     def counted(rounds):
         words = ['valgrind', '--tool=callgrind', '--callgrind-out-file=/dev/null', folder / 'kernel_instructions',
                  '--rounds', str(rounds)] + (['--jacobian'] if jacobian else [])
-        told = subprocess.run(words, capture_output=True, text=True).stderr
-        return int(re.search(r'Collected : (\d+)', told).group(1))
+        listing = subprocess.run(words, capture_output=True, text=True).stderr
+        return int(re.search(r'Collected : (\d+)', listing).group(1))
 
     return (counted(21) - counted(1)) / (20 * POSTURES_PER_ROUND)
 

@@ -53,11 +53,11 @@ def true_arm(drawn, world, rng):
     return replace(drawn, spring=spring, rod=rod, theta=theta, a=a, tip=drawn.tip + world["tip"] * rng.normal(size=3))
 
 
-def draw_spread_holes(holes, asked, rng):
+def draw_spread_holes(holes, options, rng):
     """Returns holes from draw_holes whose touched holes are far from collinear."""
     while True:
-        chosen = draw_holes(holes, asked.touches + asked.holes, asked.touches, rng)
-        places = np.array([hole["hole"] for hole in chosen[:asked.touches]])
+        chosen = draw_holes(holes, options.touches + options.holes, options.touches, rng)
+        places = np.array([hole["hole"] for hole in chosen[:options.touches]])
         spread = np.linalg.svd(places - places.mean(0), compute_uv=False)
         if spread[1] > .1 * spread[0]:
             return chosen
@@ -79,51 +79,51 @@ def base_error(found, position, turn):
     return np.concatenate([shift, np.array([off[2, 1] - off[1, 2], off[0, 2] - off[2, 0], off[1, 0] - off[0, 1]]) / 2. / DEG])
 
 
-def draw_touches(holes, asked, seed):
+def draw_touches(holes, options, seed):
     """Returns a true arm at work: (generator, design, chosen holes, session with the joint readings of all of them,
     standard deviation of a touch); None if the true arm cannot make the touches."""
-    rng = np.random.default_rng([asked.seed, seed])
+    rng = np.random.default_rng([options.seed, seed])
     drawn = read_arm()
-    arm = true_arm(drawn, WORLDS[asked.world], rng)
+    arm = true_arm(drawn, WORLDS[options.world], rng)
     sigma = yaml.safe_load(CELL.read_text())["calibration_tool"]["steps"][-1]["tolerance"] / 2
-    chosen = draw_spread_holes(holes, asked, rng)
+    chosen = draw_spread_holes(holes, options, rng)
     q, targets = np.radians([hole["joints"] for hole in chosen]), to_base([hole["hole"] for hole in chosen])
     session = draw_session(q, np.zeros(len(q)), rng)
     design = Design("bowl", arm, session, targets, q[:, 1:].sum(1), np.arange(len(q)), rng.normal(0., .4, 3), rng.normal(0., .5 * DEG, 3))
     touched = reach(design, [], targets + rng.normal(0., sigma, targets.shape))
-    if not np.all(np.isfinite(touched[:asked.touches])):
+    if not np.all(np.isfinite(touched[:options.touches])):
         return None
     session.q = touched + rng.normal(0., drawn.encoder_sigma, touched.shape)
     return rng, design, chosen, session, sigma
 
 
-def calibrate(program, drawn, asked, folder):
+def calibrate(program, drawn, options, folder):
     """Calibrates the cell by the drawn touches, in the folder's cell.yaml and t.csv, and writes c2.yaml; returns the
     exit code, the figures and the messages."""
     _, _, chosen, session, sigma = drawn
-    (pathlib.Path(folder) / "cell.yaml").write_text(cell_text(None if asked.prior == "default" else WORLDS[asked.world]))
-    (pathlib.Path(folder) / "t.csv").write_text(touches_csv(chosen[:asked.touches], session, sigma))
+    (pathlib.Path(folder) / "cell.yaml").write_text(cell_text(None if options.prior == "default" else WORLDS[options.world]))
+    (pathlib.Path(folder) / "t.csv").write_text(touches_csv(chosen[:options.touches], session, sigma))
     words = [program, "calibrate", "cell.yaml", "t.csv", "--out", "c2.yaml", "--json", "-"]
     done = subprocess.run(words, cwd=folder, capture_output=True, text=True)
     return done.returncode, json.loads(done.stdout) if done.stdout else {}, done.stderr.strip()
 
 
-def trial(program, holes, asked, seed):
+def trial(program, holes, options, seed):
     """Returns (exit code, chi-square of the base's error, predicted steps, observed steps), or None if the true arm
     cannot make the touches."""
-    drawn = draw_touches(holes, asked, seed)
+    drawn = draw_touches(holes, options, seed)
     if drawn is None:
         return None
     rng, design, chosen, _, _ = drawn
     tool = yaml.safe_load(CELL.read_text())["calibration_tool"]
     with tempfile.TemporaryDirectory() as folder:
-        code, found, said = calibrate(program, drawn, asked, folder)
+        code, found, said = calibrate(program, drawn, options, folder)
         if "base" not in found:
             print((found.get("reason") or said).strip(), file=sys.stderr)
             return code, np.nan, None, None
         cell = pathlib.Path(folder) / "cell.yaml"
-        tubes = ",".join(hole["name"] for hole in chosen[asked.touches:])
-        planned = plan(program, ["--touches", "t.csv", "--tubes", tubes], folder, cell) if asked.holes else None
+        tubes = ",".join(hole["name"] for hole in chosen[options.touches:])
+        planned = plan(program, ["--touches", "t.csv", "--tubes", tubes], folder, cell) if options.holes else None
     error = base_error(found["base"], design.base_position, design.base_turn)
     chi2 = error @ np.linalg.solve(np.array(found["covariance"]), error)
     visits = [tube for tube in planned["tubes"] if tube["probability_by_steps"]] if planned else []
@@ -151,15 +151,15 @@ def main():
     parser.add_argument("--world", choices=WORLDS, default="stiffness")
     parser.add_argument("--prior", choices=("default", "world"), default="world")
     parser.add_argument("--jobs", type=int, default=1)
-    asked = parser.parse_args()
+    options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        holes = plan(asked.program, ["--tubes", f"spread:{CANDIDATES}"], folder)["tubes"]
-    with concurrent.futures.ProcessPoolExecutor(asked.jobs) as pool:
-        found = [one for one in pool.map(trial, *zip(*[(asked.program, holes, asked, k) for k in range(asked.runs)])) if one]
+        holes = plan(options.program, ["--tubes", f"spread:{CANDIDATES}"], folder)["tubes"]
+    with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
+        found = [one for one in pool.map(trial, *zip(*[(options.program, holes, options, k) for k in range(options.runs)])) if one]
     code, chi2 = np.array([one[0] for one in found]), np.array([one[1] for one in found])
     placed = np.isfinite(chi2)
     held = chi2 < LIMIT
-    print(f"world {asked.world}, prior {asked.prior}, {asked.touches} touches: {len(found)} calibrations, {int((~placed).sum())} refused")
+    print(f"world {options.world}, prior {options.prior}, {options.touches} touches: {len(found)} calibrations, {int((~placed).sum())} refused")
     print(f"  95 % region holds the base: {share(held[placed])}; exit 0: {share(held[placed & (code == 0)])}; exit 1: {share(held[placed & (code == 1)])}")
     print(f"  median of chi-square on six: {np.median(chi2[placed]):.2f} (5.35)")
     planned = [one for one in found if one[2] is not None]

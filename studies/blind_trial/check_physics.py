@@ -90,8 +90,8 @@ def poses_error(path):
     gamma, beta, alpha = np.radians(columns("gamma_deg", "beta_deg", "alpha_deg")).T
     def about(axis, angle): return exponential(angle[:, None] * np.eye(3)[axis])
     R = about(2, alpha) @ about(1, beta) @ about(0, gamma)
-    apart = np.linalg.norm(state.tip - columns("x_in", "y_in", "z_in"), axis=1).max()
-    return apart, np.abs(R.transpose(0, 2, 1) @ state.R_tip - np.eye(3)).max()
+    distance = np.linalg.norm(state.tip - columns("x_in", "y_in", "z_in"), axis=1).max()
+    return distance, np.abs(R.transpose(0, 2, 1) @ state.R_tip - np.eye(3)).max()
 
 
 def pieces_error():

@@ -48,15 +48,15 @@ def tip_covariance(covariance, r):
     return slopes @ covariance @ slopes.T
 
 
-def trial(program, holes, asked, seed):
+def trial(program, holes, options, seed):
     """Returns errors divided by the standard deviation of the padding; an empty list if the arm cannot be
     calibrated."""
-    drawn = draw_touches(holes, asked, seed)
+    drawn = draw_touches(holes, options, seed)
     if drawn is None:
         return []
     rng, design, chosen, _, _ = drawn
     with tempfile.TemporaryDirectory() as folder:
-        _, found, _ = calibrate(program, drawn, asked, folder)
+        _, found, _ = calibrate(program, drawn, options, folder)
         if "base" not in found:
             return []
         planned = answer(program, ["plan", "c2.yaml", "--tubes", chosen[-1]["name"], "--padding", "1", "--out", "p"], folder)
@@ -89,15 +89,15 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--runs", type=int, default=40)
     parser.add_argument("--seed", type=int, default=3)
-    asked = parser.parse_args()
-    asked.touches, asked.holes = 3, 1
+    options = parser.parse_args()
+    options.touches, options.holes = 3, 1
     with tempfile.TemporaryDirectory() as folder:
-        holes = plan(asked.program, ["--tubes", f"spread:{CANDIDATES}"], folder)["tubes"]
+        holes = plan(options.program, ["--tubes", f"spread:{CANDIDATES}"], folder)["tubes"]
     is_wrong = False
-    for asked.world, asked.prior in (("exact", "world"), ("stiffness", "world"), ("geometry", "default")):
-        ratios = np.array([r for k in range(asked.runs) for r in trial(asked.program, holes, asked, k)])
+    for options.world, options.prior in (("exact", "world"), ("stiffness", "world"), ("geometry", "default")):
+        ratios = np.array([r for k in range(options.runs) for r in trial(options.program, holes, options, k)])
         held = np.mean(np.abs(ratios) <= 2)
-        print(f"world {asked.world}, prior {asked.prior}: {len(ratios)} errors, {100 * held:.1f} % within two standard deviations, rms {np.sqrt(np.mean(ratios ** 2)):.2f} of one")
+        print(f"world {options.world}, prior {options.prior}: {len(ratios)} errors, {100 * held:.1f} % within two standard deviations, rms {np.sqrt(np.mean(ratios ** 2)):.2f} of one")
         is_wrong |= bool(held < .95)
     sys.exit(is_wrong)
 

@@ -68,8 +68,8 @@ def draw_holes(holes, count, touches, rng):
     while True:
         chosen = rng.permutation(len(holes))[:count]
         places = np.array([holes[k]["hole"] for k in chosen[:touches]])
-        apart = np.linalg.norm(places[:, None] - places[None], axis=2)[np.triu_indices(touches, 1)]
-        if apart.min() >= 20.:
+        distances = np.linalg.norm(places[:, None] - places[None], axis=2)[np.triu_indices(touches, 1)]
+        if distances.min() >= 20.:
             return [holes[k] for k in chosen]
 
 
@@ -92,25 +92,25 @@ def steps_inserted(tool, offset, lean):
     return entered
 
 
-def trial(program, holes, asked, seed):
+def trial(program, holes, options, seed):
     """Returns the predicted and observed numbers of visited holes per number of steps; None if calibration failed."""
-    rng = np.random.default_rng([asked.seed, seed])
+    rng = np.random.default_rng([options.seed, seed])
     drawn_arm = read_arm()
     arm, tool = true_arm(drawn_arm, rng), yaml.safe_load(CELL.read_text())["calibration_tool"]
     sigma = tool["steps"][-1]["tolerance"] / 2
-    chosen = draw_holes(holes, asked.touches + asked.holes, asked.touches, rng)
+    chosen = draw_holes(holes, options.touches + options.holes, options.touches, rng)
     q, targets = np.radians([hole["joints"] for hole in chosen]), to_base([hole["hole"] for hole in chosen])
     session = draw_session(q, np.zeros(len(q)), rng)
     design = Design("bowl", arm, session, targets, q[:, 1:].sum(1), np.arange(len(q)), rng.normal(0., .16, 3), rng.normal(0., .004, 3))
     scene = linearise(arm, session, design.numbers(session), sigma, drawn_arm.encoder_sigma, identified(drawn_arm))
-    hidden = draw_effects(scene, arm, rng, asked.hidden)
+    hidden = draw_effects(scene, arm, rng, options.hidden)
     touched = reach(design, hidden, targets + rng.normal(0., sigma, targets.shape))
-    if not np.all(np.isfinite(touched[:asked.touches])):
+    if not np.all(np.isfinite(touched[:options.touches])):
         return None
     session.q = touched + rng.normal(0., drawn_arm.encoder_sigma, touched.shape)
     with tempfile.TemporaryDirectory() as folder:
-        (pathlib.Path(folder) / "t.csv").write_text(touches_csv(chosen[:asked.touches], session, sigma))
-        tubes = ",".join(hole["name"] for hole in chosen[asked.touches:])
+        (pathlib.Path(folder) / "t.csv").write_text(touches_csv(chosen[:options.touches], session, sigma))
+        tubes = ",".join(hole["name"] for hole in chosen[options.touches:])
         planned = plan(program, ["--touches", "t.csv", "--tubes", tubes], folder)
     visits = [tube for tube in planned["tubes"] if tube["probability_by_steps"]] if planned else []
     if not visits:
@@ -149,16 +149,16 @@ def main():
     parser.add_argument("--holes", type=int, default=10)
     parser.add_argument("--hidden", choices=KINDS, default="mixed")
     parser.add_argument("--jobs", type=int, default=1)
-    asked = parser.parse_args()
+    options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        holes = plan(asked.program, ["--tubes", f"spread:{CANDIDATES}"], folder)["tubes"]
-    with concurrent.futures.ProcessPoolExecutor(asked.jobs) as pool:
-        found = [one for one in pool.map(trial, *zip(*[(asked.program, holes, asked, k) for k in range(asked.runs)])) if one]
+        holes = plan(options.program, ["--tubes", f"spread:{CANDIDATES}"], folder)["tubes"]
+    with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
+        found = [one for one in pool.map(trial, *zip(*[(options.program, holes, options, k) for k in range(options.runs)])) if one]
     predicted, happened = (np.array(column) for column in zip(*found))
     count = happened.sum()
     off = (predicted - happened).sum(0) / count
     error = np.sqrt(((predicted - happened) ** 2).sum(0)) / count
-    print(f"{asked.touches} touches, {asked.hidden}: {len(found)} of {asked.runs} arms calibrated, {int(count)} holes")
+    print(f"{options.touches} touches, {options.hidden}: {len(found)} of {options.runs} arms calibrated, {int(count)} holes")
     print("  steps      predicted   happened   difference  (standard error)")
     for k in range(len(off)):
         print(f"  {k:5d}      {100 * predicted[:, k].sum() / count:8.1f} %  {100 * happened[:, k].sum() / count:8.1f} %  {100 * off[k]:+9.1f} %  ({100 * error[k]:.1f} %)")

@@ -118,8 +118,8 @@ def function_of(command: str) -> Callable[..., Result]:
     is_method = takes_cell(command)
     parameters = _parameters(options, is_method)
     named = inspect.Parameter('progress', inspect.Parameter.KEYWORD_ONLY, default=None)
-    asked = [] if is_method else [inspect.Parameter('units', inspect.Parameter.KEYWORD_ONLY, default='si')]
-    signature = inspect.Signature([*parameters, *asked, named])
+    units = [] if is_method else [inspect.Parameter('units', inspect.Parameter.KEYWORD_ONLY, default='si')]
+    signature = inspect.Signature([*parameters, *units, named])
 
     def run(*args: Any, **kwargs: Any) -> Result:
         given = dict(signature.bind(*args, **kwargs).arguments)
