@@ -43,7 +43,7 @@ Lump<S> weightOfSideChain(const SideChain<S>& chain, const Eigen::Matrix<S, Eige
   S weight(0);
   Vector3<S> moment = Vector3<S>::Zero(), p = Vector3<S>::Zero();
   Matrix3<S> R = Matrix3<S>::Identity();
-  const auto hang = [&](const S& size, const Vector3<S>& at) {
+  const auto attach = [&](const S& size, const Vector3<S>& at) {
     weight += size;
     moment += at * size;
   };
@@ -56,13 +56,13 @@ Lump<S> weightOfSideChain(const SideChain<S>& chain, const Eigen::Matrix<S, Eige
       if (row.joint.type == JointType::kRevolute) R = (R * rotationZ<S>(reading)).eval();
       if (row.joint.type == JointType::kPrismatic) p += R.col(2) * reading;
     }
-    for (const auto& lump : row.weight.lumps) hang(lump.weight, p + R * lump.at);
+    for (const auto& lump : row.weight.lumps) attach(lump.weight, p + R * lump.at);
     Vector3<S> member = Vector3<S>::Zero();
     if (k + 1 < chain.rows.size()) member = R * offsetInPreviousAxes<S>(chain.rows[k + 1]);
     using std::sqrt;
     if (valueOf(member.squaredNorm()) > 0)
-      hang(row.weight.distributed * sqrt(member.squaredNorm()), p + member * S(0.5));
-    hang(row.weight.end, p + member);
+      attach(row.weight.distributed * sqrt(member.squaredNorm()), p + member * S(0.5));
+    attach(row.weight.end, p + member);
   }
   if (valueOf(weight) == 0) return {};
   return {weight, moment / weight};
@@ -70,7 +70,7 @@ Lump<S> weightOfSideChain(const SideChain<S>& chain, const Eigen::Matrix<S, Eige
 
 /// Adds the weights of an arm's side chains to the rows of `to`, a copy of the arm.
 template <class S>
-void hangSideChains(const ArmOf<S>& arm, const PostureOf<S>& posture, ArmOf<S>& to) {
+void attachSideChains(const ArmOf<S>& arm, const PostureOf<S>& posture, ArmOf<S>& to) {
   if (arm.side_chains.empty()) return;
   Eigen::Matrix<S, Eigen::Dynamic, 1> q = posture.side_q;
   if (q.size() == 0) q = restOfSideChains(arm).template cast<S>();

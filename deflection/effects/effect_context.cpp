@@ -83,7 +83,7 @@ void applyEffects(EffectContext<S>& context) {
   const Vector3<S> gravity_B = rotationFromVector<S>(context.gravity_turn) * context.nominal_posture.gravity_B;
   context.posture.gravity_B = context.X_BM.R.transpose() * gravity_B;
   applyWrench(context);
-  hangSideChains<S>(context.given, context.nominal_posture, context.arm);
+  attachSideChains<S>(context.given, context.nominal_posture, context.arm);
 }
 
 template <class S>

@@ -23,7 +23,7 @@ std::vector<Vector3<S>> rigidMoments(const ArmOf<S>& arm, const PostureOf<S>& po
   ArmOf<S> arm_with_side_chains;
   if (!arm.side_chains.empty()) {
     arm_with_side_chains = arm;
-    hangSideChains<S>(arm, posture, arm_with_side_chains);
+    attachSideChains<S>(arm, posture, arm_with_side_chains);
   }
   const ArmOf<S>& whole = arm.side_chains.empty() ? arm : arm_with_side_chains;
   Chain<S> chain;

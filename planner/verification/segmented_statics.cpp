@@ -162,19 +162,19 @@ class SegmentedArm {
   void addLumps(const Row& row, const Vector3d& member) {
     const bool gives = member.squaredNorm() > 0 && !curvatureOf(row, member.normalized()).isZero(0);
     Step& frame = steps_.emplace_back();
-    const auto hang = [&](const deflection::Lump<double>& lump) {
+    const auto attach = [&](const deflection::Lump<double>& lump) {
       frame.end_weight += lump.weight;
       frame.end_moment += lump.weight * lump.at;
     };
     if (row.effect_terms)
-      std::for_each(row.effect_terms->attached_weights.begin(), row.effect_terms->attached_weights.end(), hang);
+      std::for_each(row.effect_terms->attached_weights.begin(), row.effect_terms->attached_weights.end(), attach);
     for (const auto& lump : row.weight.lumps) {
       const double share = gives ? std::clamp(lump.at.dot(member) / member.squaredNorm(), 0., 1.) : 0;
       if (share > 0) {
         pending_.push_back({share, lump});
         continue;
       }
-      hang(lump);
+      attach(lump);
     }
   }
 

@@ -52,14 +52,14 @@ TEST(SideChains, WeighWhatTheirLinksWeighWhereTheyAre) {
   const auto at = [&](int row, const Eigen::Vector3d& p) -> Eigen::Vector3d {
     return shape.rows[static_cast<std::size_t>(row)].X_BL.p + shape.rows[static_cast<std::size_t>(row)].X_BL.R * p;
   };
-  const auto hang = [&](double size, const Eigen::Vector3d& p) {
+  const auto attach = [&](double size, const Eigen::Vector3d& p) {
     weight += size;
     moment += size * p;
   };
   const Eigen::Vector3d elbow = at(1, {0, 0, 0}), shoulder = at(0, {0, 0, 0});
-  hang(60 * (elbow - shoulder).norm(), (elbow + shoulder) / 2);
-  hang(35, at(1, {0.2, -0.1, 0.05}));
-  hang(25, at(2, {0, 0, 0}));
+  attach(60 * (elbow - shoulder).norm(), (elbow + shoulder) / 2);
+  attach(35, at(1, {0.2, -0.1, 0.05}));
+  attach(25, at(2, {0, 0, 0}));
   Eigen::Index joint = 0;
   const auto lump = weightOfSideChain<double>(chain, q, joint);
   EXPECT_EQ(joint, 3);
