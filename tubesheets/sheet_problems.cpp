@@ -142,10 +142,10 @@ void findPitchProblems(const Sheet& sheet, std::vector<double> distances, std::v
 // holes is a whole multiple of 25.4 pitches, but not of the pitch.
 void findUnitProblems(const Sheet& sheet, std::vector<Problem>& problems) {
   constexpr double kExact = 1e-3, kFar = 300;  // relative tolerance of a multiple; largest distance in pitches
-  constexpr std::size_t kMostLooked = 500;
+  constexpr std::size_t kMostComparedTubes = 500;
   if (sheet.tubes.size() < 4) return;
   std::vector<double> distances;
-  for (std::size_t i = 0; i < std::min(sheet.tubes.size(), kMostLooked); ++i) {
+  for (std::size_t i = 0; i < std::min(sheet.tubes.size(), kMostComparedTubes); ++i) {
     double nearest = kFar * sheet.pitch;
     for (std::size_t k = 0; k < sheet.tubes.size(); ++k)
       if (k != i)

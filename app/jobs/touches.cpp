@@ -22,7 +22,7 @@ using calibration::Estimate, calibration::Measurement;
 
 constexpr double kUsualSigma = 1.27e-4;  // default noise [m] (0.005 in): centring tolerance of a calibration tool
 
-bool wants(const TouchRequest& request, const std::string& goal) {
+bool isGoal(const TouchRequest& request, const std::string& goal) {
   return request.goal == goal || request.goal == "both";
 }
 
@@ -78,20 +78,20 @@ void noteEstimate(const Estimate& estimate, double known, const Units& units, st
 /// Adds the estimates from the measurements to the task, and puts the estimated arm and base into the outcome's cell.
 void learn(const TouchRequest& request, const std::vector<Measurement>& measurements, const std::string& named_by,
            TouchTask& task, TouchOutcome& outcome) {
-  if (wants(request, "parameters")) {
+  if (isGoal(request, "parameters")) {
     task.of_numbers =
         estimateOf(outcome.cell, measurements, {request.free, !outcome.cell.base_known, outcome.cell.priors}, named_by);
     noteEstimate(*task.of_numbers, 0, outcome.cell.units, outcome.notes);
     outcome.setup = lastSetup(*task.of_numbers);
     outcome.cell = cellAsEstimated(outcome.cell, *task.of_numbers);
   }
-  if (!wants(request, "base")) return;
+  if (!isGoal(request, "base")) return;
   Cell unplaced = outcome.cell;
   unplaced.base_known = false;
-  if (!measurements.empty() && !wants(request, "parameters")) unplaced.arm = unplaced.filedArm();
+  if (!measurements.empty() && !isGoal(request, "parameters")) unplaced.arm = unplaced.filedArm();
   const calibration::AdditionalUncertainty doubt = additionalUncertainty(unplaced);
   task.of_base = estimateOf(unplaced, measurements, {{}, true}, named_by, doubt);
-  if (wants(request, "parameters")) return;
+  if (isGoal(request, "parameters")) return;
   outcome.setup = lastSetup(*task.of_base);
   noteEstimate(*task.of_base, doubt.model_error, outcome.cell.units, outcome.notes);
   outcome.cell = cellAsEstimated(outcome.cell, *task.of_base);
@@ -117,9 +117,9 @@ TouchRequest completed(TouchRequest request, const Cell& cell) {
 }
 
 void requireEnough(const TouchRequest& request, const TouchOutcome& outcome) {
-  if (wants(request, "base") && request.count > 0 && request.count < 3)
+  if (isGoal(request, "base") && request.count > 0 && request.count < 3)
     throw InputError("--count", std::to_string(request.count), "three or more touches to place a base");
-  const bool needs_loads = wants(request, "parameters") && request.kind == "touch" && !outcome.cell.sheet;
+  const bool needs_loads = isGoal(request, "parameters") && request.kind == "touch" && !outcome.cell.sheet;
   if (needs_loads && outcome.loads.size() < 2)
     throw InputError(
         "--loads", fmt::format("{} load", outcome.loads.size()),

@@ -153,7 +153,7 @@ std::string JobStore::noteOf(const std::string& key) {
   return rows.empty() ? "" : rows.front().text(0);
 }
 
-std::string JobStore::lookOf(const LegName& leg) {
+std::string JobStore::drawingOf(const LegName& leg) {
   const std::string look = noteOf("look " + addressText(leg));
   return look.empty() ? "{}" : look;
 }

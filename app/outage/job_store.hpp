@@ -102,7 +102,7 @@ class JobStore {
 
   /// Returns the drawing data of a leg's sheet, as JSON: {viewed_from, hole_diameter_m, manway: direction [x, y] or
   /// null}; an empty object for a record without it.
-  [[nodiscard]] std::string lookOf(const LegName& leg);
+  [[nodiscard]] std::string drawingOf(const LegName& leg);
   /// Return the latest plan of the job, and the time at which it was recorded; empty before the first plan.
   [[nodiscard]] std::string plan() { return noteOf("plan"); }
   [[nodiscard]] std::string plannedAt() { return noteOf("planned_at"); }

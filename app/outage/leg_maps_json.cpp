@@ -28,8 +28,9 @@ constexpr char kNoItem = '.';
 /// where its cells are not.
 json sheetJson(JobStore& store, const JobSheet& sheet, const std::vector<TubeEnd>& ends) {
   const Units& units = store.job().units;
-  const json look = json::parse(store.lookOf({sheet.generator, sheet.leg.leg}));
-  const auto side = tubesheets::findViewedFrom(look.value("viewed_from", "")).value_or(tubesheets::ViewedFrom::kBelow);
+  const json drawing = json::parse(store.drawingOf({sheet.generator, sheet.leg.leg}));
+  const auto side =
+      tubesheets::findViewedFrom(drawing.value("viewed_from", "")).value_or(tubesheets::ViewedFrom::kBelow);
   json holes = json::array(), state_words;
   for (const TubeEnd& end : ends)
     holes.push_back({end.tube.row, end.tube.column, lengthOf(end.x, units), lengthOf(end.y, units), "open"});
@@ -37,9 +38,9 @@ json sheetJson(JobStore& store, const JobSheet& sheet, const std::vector<TubeEnd
           {"leg_words", tubesheets::legWords(sheet.leg.leg)},
           {"viewed_from", tubesheets::viewedFromName(side)},
           {"view_words", tubesheets::viewedFromWords(side)},
-          {"hole_diameter", lengthOf(look.value("hole_diameter_m", 0.), units)},
+          {"hole_diameter", lengthOf(drawing.value("hole_diameter_m", 0.), units)},
           {"pitch", lengthOf(sheet.pitch, units)},
-          {"manway", look.value("manway", json())},
+          {"manway", drawing.value("manway", json())},
           {"holes", holes}};
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kLooked = 20;        // maximum number of measurements in the quick comparison
+constexpr std::size_t kMostScored = 20;    // maximum number of measurements in the quick comparison
 constexpr std::size_t kMostTogether = 16;  // maximum number of hypotheses that are returned
 constexpr int kMostSigns = 8;              // maximum number of joints for which all sets of signs are tried
 constexpr int kMostOrdered = 7;            // maximum number of joints for which all orders are tried
@@ -83,20 +83,20 @@ class JoinedSearch {
       : trials_(trials), alignment_(trials.checked().start, trials.reach()) {
     const auto& pool = trials.pool();
     for (const auto& measurement : pool.measurements)
-      if (statesPlace(measurement) && pool.counted_quickly.contains(measurement.id) && ids_.size() < kLooked)
+      if (statesPlace(measurement) && pool.counted_quickly.contains(measurement.id) && ids_.size() < kMostScored)
         ids_.insert(measurement.id);
     // The neighbours of the compared measurements are kept until the first correction is applied, because it may move
     // measured values between rows.
     for (std::size_t k = 0; k < pool.measurements.size(); ++k) {
-      const auto is_looked = [&](std::size_t near) {
+      const auto is_scored = [&](std::size_t near) {
         return near < pool.measurements.size() && ids_.contains(pool.measurements[near].id);
       };
-      if (is_looked(k - 1) || is_looked(k) || is_looked(k + 1)) near_.push_back(pool.measurements[k]);
+      if (is_scored(k - 1) || is_scored(k) || is_scored(k + 1)) near_.push_back(pool.measurements[k]);
     }
   }
 
   std::vector<JoinedCorrections> find() {
-    if (!(as_is_ = looked({})).tips.empty() && std::isfinite(as_is_.score)) {
+    if (!(as_is_ = scored({})).tips.empty() && std::isfinite(as_is_.score)) {
       lookAlone();
       lookAtPairs();
       lookAtOrders();
@@ -116,7 +116,7 @@ class JoinedSearch {
 
  private:
   /// Applies the corrections to the measurements and all their neighbours, and scores the compared measurements.
-  TriedQuickly looked(JoinedCorrections corrections) {
+  TriedQuickly scored(JoinedCorrections corrections) {
     TriedQuickly one{std::move(corrections), near_, {}, 0, false};
     for (const Correction& correction : one.corrections) correction.change(one.measurements);
     std::erase_if(one.measurements, [&](const Measurement& measurement) { return !ids_.contains(measurement.id); });
@@ -133,7 +133,7 @@ class JoinedSearch {
         throwIfStopped(trials_.options().stop);
         auto correction = kind.correction(checked, value);
         if (!correction || correction->parts_setups) continue;
-        alone_.push_back(looked({std::move(*correction)}));
+        alone_.push_back(scored({std::move(*correction)}));
         if (alone_.back().measurements.empty()) alone_.pop_back();
       }
     lookAtSigns();
@@ -148,7 +148,7 @@ class JoinedSearch {
       JoinedCorrections corrections;
       for (std::size_t j = 0; j < joints.size(); ++j)
         if (set >> j & 1) corrections.push_back(*mistakes::joint_sign::correction(checked, joints[j]));
-      if (corrections.size() > 1) sets_of_signs_.push_back(looked(std::move(corrections)));
+      if (corrections.size() > 1) sets_of_signs_.push_back(scored(std::move(corrections)));
     }
     for (const TriedQuickly& signs : sets_of_signs_) found_.push_back({&signs, nullptr, signs.score});
   }
@@ -162,7 +162,7 @@ class JoinedSearch {
     for (const auto& values : likelyScales(checked, joints)) {
       JoinedCorrections corrections;
       for (const auto& value : values) corrections.push_back(*mistakes::joint_scale::kind().correction(checked, value));
-      scales_.push_back(looked(std::move(corrections)));
+      scales_.push_back(scored(std::move(corrections)));
     }
     for (const TriedQuickly& scales : scales_) found_.push_back({&scales, nullptr, scales.score});
   }
@@ -184,7 +184,7 @@ class JoinedSearch {
         are_alike = are_alike && arm.joint(order[j]).type == arm.joint(static_cast<int>(j)).type;
       }
       if (moved <= 2 || !are_alike) continue;
-      auto one = looked(mistakes::joint_order::ringsOf(checked, order));
+      auto one = scored(mistakes::joint_order::ringsOf(checked, order));
       if (one.score < as_is_.score - kNearer) orders_.push_back(std::move(one));
       if (orders_.size() >= 2 * kMostTogether) keepBestOrders();
     }
@@ -248,7 +248,7 @@ class JoinedSearch {
   }
 
   void settle(Likely& one) {
-    TriedQuickly tried = looked(one.corrections());
+    TriedQuickly tried = scored(one.corrections());
     for (Correction& correction : tried.corrections) {
       if (correction.zeros_of.empty()) continue;
       const int joint = correction.zeros_of.front();

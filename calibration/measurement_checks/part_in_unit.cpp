@@ -12,13 +12,13 @@ namespace tubeplan::calibration::mistakes::part_in_unit {
 
 namespace {
 
-constexpr std::size_t kMostLooked = 2000;
+constexpr std::size_t kMostComparedRows = 2000;
 constexpr std::size_t kShortest = 2;  // shortest run [rows]; a single wrong measurement may have any cause
 
 /// Returns the run of rows with the largest sum of RowComparison::at() (Kadane's algorithm), searched at a fixed stride
 /// and then extended row by row at both ends; nullopt if no run is significant.
 std::optional<Run> bestRun(RowComparison& comparison, std::size_t count) {
-  const std::size_t stride = (count + kMostLooked - 1) / kMostLooked;
+  const std::size_t stride = (count + kMostComparedRows - 1) / kMostCompared;
   double best = 0, sum = 0;
   Run run, found;
   for (std::size_t k = 0; k < count; k += stride) {
@@ -26,8 +26,8 @@ std::optional<Run> bestRun(RowComparison& comparison, std::size_t count) {
     sum += comparison.at(k);
     if (sum > best) best = sum, found = {run.first, k};
   }
-  const std::size_t looked = (found.last - found.first) / stride + 1;
-  if (best < RowComparison::kLeastMean * static_cast<double>(looked)) return std::nullopt;
+  const std::size_t compared = (found.last - found.first) / stride + 1;
+  if (best < RowComparison::kLeastMean * static_cast<double>(compared)) return std::nullopt;
   for (std::size_t left = stride - 1; left > 0 && found.first > 0 && comparison.at(found.first - 1) > 0; --left)
     --found.first;
   for (std::size_t left = stride - 1; left > 0 && found.last + 1 < count && comparison.at(found.last + 1) > 0; --left)

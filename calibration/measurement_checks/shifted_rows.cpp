@@ -69,13 +69,13 @@ std::vector<Measurement> inPlace(int by, const std::vector<Measurement>& measure
 std::optional<std::size_t> startOf(RowComparison& comparison, RowErrors& as_is, std::size_t count, double fits) {
   const std::size_t stride = (count + kMostRowsLooked - 1) / kMostRowsLooked;
   double sum = 0, best = 0;
-  std::size_t start = count, looked = 0, best_looked = 0;
+  std::size_t start = count, compared = 0, best_compared = 0;
   for (std::size_t k = count - count % stride; k >= stride; k -= stride) {
     sum += comparison.at(k - stride);
-    ++looked;
-    if (sum > best) best = sum, start = k - stride, best_looked = looked;
+    ++compared;
+    if (sum > best) best = sum, start = k - stride, best_compared = compared;
   }
-  if (best_looked == 0 || best < RowComparison::kLeastMean * static_cast<double>(best_looked)) return std::nullopt;
+  if (best_compared == 0 || best < RowComparison::kLeastMean * static_cast<double>(best_compared)) return std::nullopt;
   for (std::size_t left = stride + 1; left > 0 && start > 0 && as_is.at(start - 1) > fits; --left) --start;
   while (start < count && as_is.at(start) <= fits) ++start;
   return start >= kFewest && start + kFewest <= count ? std::optional(start) : std::nullopt;

@@ -65,7 +65,8 @@ LipschitzMargins::LipschitzMargins(const Scene& scene, const BasePadding& paddin
   }
 }
 
-LipschitzMargins::Look LipschitzMargins::lookAt(const Pair& pair, std::span<const Eigen::Isometry3d> X_WL) const {
+LipschitzMargins::PairEstimate LipschitzMargins::estimateOf(const Pair& pair,
+                                                            std::span<const Eigen::Isometry3d> X_WL) const {
   const auto frameOf = [&](const Body& body) -> const Eigen::Isometry3d& {
     return X_WL[static_cast<std::size_t>(body.frame_index)];
   };
@@ -83,30 +84,30 @@ LipschitzMargins::Look LipschitzMargins::lookAt(const Pair& pair, std::span<cons
 
 /// Returns the gap between a body that is not a capsule and the other shape of the pair. Supporting planes on both
 /// sides of the gap prove it, in any direction.
-double LipschitzMargins::gapOf(const Look& look, std::span<const Eigen::Isometry3d> X_WL) const {
+double LipschitzMargins::gapOf(const PairEstimate& estimate, std::span<const Eigen::Isometry3d> X_WL) const {
   const auto frameOf = [&](const Body& body) { return X_WL[static_cast<std::size_t>(body.frame_index)]; };
-  const Body& body = scene_.bodies[look.pair->body];
-  if (!look.pair->with_body) return look.other->separationFrom(frameOf(body), solidOf(body)).distance;
-  const Body& other = scene_.bodies[look.pair->other];
+  const Body& body = scene_.bodies[estimate.pair->body];
+  if (!estimate.pair->with_body) return estimate.other->separationFrom(frameOf(body), solidOf(body)).distance;
+  const Body& other = scene_.bodies[estimate.pair->other];
   return separation(frameOf(body), solidOf(body), frameOf(other), solidOf(other)).distance;
 }
 
 double LipschitzMargins::at(std::span<const Eigen::Isometry3d> X_WL, double accuracy, double share,
                             std::string* names) {
-  looks_.clear();
-  for (const Pair& pair : pairs_) looks_.push_back(lookAt(pair, X_WL));
-  std::ranges::stable_sort(looks_, {}, &Look::bound);
+  estimates_.clear();
+  for (const Pair& pair : pairs_) estimates_.push_back(estimateOf(pair, X_WL));
+  std::ranges::stable_sort(estimates_, {}, &PairEstimate::bound);
   double enough = std::numeric_limits<double>::infinity();
   const Pair* nearest = nullptr;
-  for (const Look& look : looks_) {
-    if (look.bound >= enough) break;
-    const LipschitzOptions options{accuracy, share, scene_.clearance + look.padding, enough + look.padding};
-    double distance = lipschitzDistance(look.capsule, *look.other, options) - look.padding;
-    if (distance < enough && !solidOf(scene_.bodies[look.pair->body]).isCapsule())
-      distance = std::max(distance, gapOf(look, X_WL) - look.padding);
+  for (const PairEstimate& estimate : estimates_) {
+    if (estimate.bound >= enough) break;
+    const LipschitzOptions options{accuracy, share, scene_.clearance + estimate.padding, enough + estimate.padding};
+    double distance = lipschitzDistance(estimate.capsule, *estimate.other, options) - estimate.padding;
+    if (distance < enough && !solidOf(scene_.bodies[estimate.pair->body]).isCapsule())
+      distance = std::max(distance, gapOf(estimate, X_WL) - estimate.padding);
     if (distance >= enough) continue;
     enough = distance;
-    nearest = look.pair;
+    nearest = estimate.pair;
   }
   if (names && nearest)
     *names = bodyLabel(scene_.bodies[nearest->body]) + ", " +

@@ -49,7 +49,7 @@ class LipschitzMargins {
     bool with_body;
   };
   /// First estimate of a pair's distance, from the middle of the capsule.
-  struct Look {
+  struct PairEstimate {
     const Pair* pair;
     Capsule capsule;  ///< capsule in the frame of the other shape
     const Shape* other;
@@ -57,13 +57,13 @@ class LipschitzMargins {
     double bound;    ///< lower bound of the distance after the padding is subtracted [m]
   };
 
-  [[nodiscard]] Look lookAt(const Pair& pair, std::span<const Eigen::Isometry3d> X_WL) const;
-  [[nodiscard]] double gapOf(const Look& look, std::span<const Eigen::Isometry3d> X_WL) const;
+  [[nodiscard]] PairEstimate estimateOf(const Pair& pair, std::span<const Eigen::Isometry3d> X_WL) const;
+  [[nodiscard]] double gapOf(const PairEstimate& estimate, std::span<const Eigen::Isometry3d> X_WL) const;
 
   const Scene& scene_;
   BasePadding padding_;
   std::vector<Pair> pairs_;
-  std::vector<Look> looks_;
+  std::vector<PairEstimate> estimates_;
 };
 
 }  // namespace tubeplan::planner

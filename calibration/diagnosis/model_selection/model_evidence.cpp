@@ -89,8 +89,8 @@ CompetingModel weigh(const DiagnosisWork& work, std::vector<ModelTerm> terms, do
   return model;
 }
 
-double lookAt(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, double log_share,
-              const CompetingModel& like) {
+double estimateLogWeight(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, double log_share,
+                         const CompetingModel& like) {
   const NoiseHypothesis& noise = work.noise[likelyNoise(work, like)];
   double log = -std::numeric_limits<double>::infinity();
   for (const auto& [scale, share] : kSizes)

@@ -32,7 +32,7 @@ void blendEvidence(const DiagnosisWork& work, bool has_effects, const EvidenceOf
 
 /// Returns a quick estimate of the log weight of a model with these terms. It takes into account only the noise and the
 /// size of the discrepancy that are most probable for the model `like`.
-[[nodiscard]] double lookAt(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, double log_share,
-                            const CompetingModel& like);
+[[nodiscard]] double estimateLogWeight(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, double log_share,
+                                       const CompetingModel& like);
 
 }  // namespace tubeplan::calibration

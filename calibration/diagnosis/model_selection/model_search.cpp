@@ -23,15 +23,15 @@ constexpr double kHopeless = 5;
 // Maximum number of models that another cause is added to, counted separately for single and for collective causes.
 constexpr std::size_t kMostSeeds = 20;
 // Maximum number of extended models that are kept after the quick estimate, counted in the same way.
-constexpr std::size_t kMostLooked = 40;
+constexpr std::size_t kMostExtendedModels = 40;
 
 /// Returns quick estimates of each seed extended by the best term of every cause: grouped by seed, one estimate per
 /// cause.
-std::vector<Looked> estimateExtensions(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
+std::vector<CandidateModel> estimateExtensions(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
   const std::size_t causes = work.causes.causes.size();
-  std::vector<Looked> looked(seeds.size() * causes);
+  std::vector<CandidateModel> candidates(seeds.size() * causes);
   std::atomic<bool> is_stopped = false;
-  tbb::parallel_for(std::size_t{0}, looked.size(), [&](std::size_t at) {
+  tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t at) {
     const CompetingModel& seed = seeds[at / causes];
     const int cause = static_cast<int>(at % causes);
     if (is_stopped || !isVisible(work, cause) || !mayStandTogether(work, seed.terms, cause)) return;
@@ -39,26 +39,27 @@ std::vector<Looked> estimateExtensions(const DiagnosisWork& work, const std::vec
       is_stopped = true;
       return;
     }
-    looked[at] = bestExtension(work, seed, cause, seed.terms.empty());
+    candidates[at] = bestExtension(work, seed, cause, seed.terms.empty());
   });
   throwIfStopped(work.basis.stop);
-  return looked;
+  return candidates;
 }
 
 /// Returns indices of the most probable estimates, in descending order, without repeated sets of causes. At most `most`
 /// estimates with only single causes are kept, and at most `most` with collective causes (saysManyAtOnce()), so that
 /// neither kind excludes the other.
-std::vector<std::size_t> mostProbable(const DiagnosisWork& work, const std::vector<Looked>& looked, std::size_t most) {
-  std::vector<std::size_t> order(looked.size());
+std::vector<std::size_t> mostProbable(const DiagnosisWork& work, const std::vector<CandidateModel>& candidates,
+                                      std::size_t most) {
+  std::vector<std::size_t> order(candidates.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order,
-                           [&](std::size_t a, std::size_t b) { return looked[a].log_weight > looked[b].log_weight; });
+  std::ranges::stable_sort(
+      order, [&](std::size_t a, std::size_t b) { return candidates[a].log_weight > candidates[b].log_weight; });
   std::set<std::vector<int>> seen;
   std::vector<std::size_t> chosen;
   std::array<std::size_t, 2> count{};
   for (const std::size_t k : order) {
-    if (!std::isfinite(looked[k].log_weight) || !seen.insert(causesOf(looked[k].terms)).second) continue;
-    if (count[saysManyAtOnce(work, looked[k].terms)]++ < most) chosen.push_back(k);
+    if (!std::isfinite(candidates[k].log_weight) || !seen.insert(causesOf(candidates[k].terms)).second) continue;
+    if (count[saysManyAtOnce(work, candidates[k].terms)]++ < most) chosen.push_back(k);
   }
   return chosen;
 }
@@ -66,16 +67,18 @@ std::vector<std::size_t> mostProbable(const DiagnosisWork& work, const std::vect
 /// Returns the models extended by one cause, most probable first: the best term of every cause added to each seed.
 std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
   const std::size_t causes = work.causes.causes.size();
-  auto looked = estimateExtensions(work, seeds);
-  const auto chosen = mostProbable(work, looked, seeds.front().terms.empty() ? looked.size() : kMostLooked);
+  auto candidates = estimateExtensions(work, seeds);
+  const auto chosen =
+      mostProbable(work, candidates, seeds.front().terms.empty() ? candidates.size() : kMostExtendedModels);
   std::vector<CompetingModel> found(chosen.size());
   tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t k) {
     if (shouldStop(work.basis.stop)) return;
-    Looked& look = looked[chosen[k]];
+    CandidateModel& candidate = candidates[chosen[k]];
     const CompetingModel& seed = seeds[chosen[k] / causes];
     const int cause = static_cast<int>(chosen[k] % causes);
-    if (!seed.terms.empty() && termsOf(work, cause).size() >= kManyTerms) look = bestExtension(work, seed, cause, true);
-    found[k] = weigh(work, look.terms, look.log_share);
+    if (!seed.terms.empty() && termsOf(work, cause).size() >= kManyTerms)
+      candidate = bestExtension(work, seed, cause, true);
+    found[k] = weigh(work, candidate.terms, candidate.log_share);
   });
   throwIfStopped(work.basis.stop);
   sortByWeight(found);
@@ -99,13 +102,13 @@ std::vector<CompetingModel> leadersOf(const DiagnosisWork& work, const std::vect
 
 }  // namespace
 
-Looked bestExtension(const DiagnosisWork& work, const CompetingModel& seed, int cause, bool of_all) {
-  Looked best;
+CandidateModel bestExtension(const DiagnosisWork& work, const CompetingModel& seed, int cause, bool of_all) {
+  CandidateModel best;
   for (const WeighedTerm& more : of_all ? termsOf(work, cause) : someTermsOf(work, cause)) {
     auto terms = seed.terms;
     terms.push_back(more.term);
     const double log_share = seed.log_share + more.log_share;
-    const double log_weight = lookAt(work, terms, log_share, seed);
+    const double log_weight = estimateLogWeight(work, terms, log_share, seed);
     if (log_weight > best.log_weight) best = {std::move(terms), log_share, log_weight};
   }
   return best;

@@ -13,13 +13,14 @@ namespace tubeplan::calibration {
 void compareModels(DiagnosisWork& work);
 
 /// Candidate model: a model extended by one cause, with its estimated weight.
-struct Looked {
+struct CandidateModel {
   std::vector<ModelTerm> terms;
   double log_share = 0, log_weight = -std::numeric_limits<double>::infinity();
 };
 
 /// Returns the terms of `seed` extended by the best term of `cause`, with the estimated weight. Tries all terms of the
 /// cause if `of_all` is true, otherwise only some.
-[[nodiscard]] Looked bestExtension(const DiagnosisWork& work, const CompetingModel& seed, int cause, bool of_all);
+[[nodiscard]] CandidateModel bestExtension(const DiagnosisWork& work, const CompetingModel& seed, int cause,
+                                           bool of_all);
 
 }  // namespace tubeplan::calibration
