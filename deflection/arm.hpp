@@ -131,8 +131,8 @@ struct EffectTerms {
   /// Bending compliance of the member about the row's axes [1/(N m^2)].
   Vector3<S> bending_compliance = Vector3<S>::Zero();
   S torsion_compliance{0};  ///< torsion compliance of the member [1/(N m^2)]
-  Vector3<S> end_force =
-      Vector3<S>::Zero();                 ///< force at the member's end, such as the pull of a hose, in base axes [N]
+  /// Force at the member's end, such as the pull of a hose, in base axes [N].
+  Vector3<S> end_force = Vector3<S>::Zero();
   std::vector<Lump<S>> attached_weights;  ///< weights that move with the row's origin, even if the member bends
 };
 

@@ -17,7 +17,7 @@ namespace tubeplan::app {
 namespace {
 
 /// Returns the measurements of a set, checked as if they came from one file, with the marks of the set.
-std::shared_ptr<MeasurementSet> lookedAtAgain(MeasurementSet set, Cell cell) {
+std::shared_ptr<MeasurementSet> checkedAgain(MeasurementSet set, Cell cell) {
   MeasurementSource source{{}, measurementsCsv(set.measurements, cell.arm, cell.units), 0, {}};
   if (std::ranges::count(assumedOf(set), kAsIs) > 0) source.assumed = {kAsIs};
   try {
@@ -72,7 +72,7 @@ std::shared_ptr<MeasurementSet> joinedSet(const MeasurementSet* before,
   all.joined.clear();
   if (before)
     for (const auto& measurement : arrived) all.joined.insert(measurement.id);
-  return lookedAtAgain(std::move(all), std::move(cell));
+  return checkedAgain(std::move(all), std::move(cell));
 }
 
 std::shared_ptr<MeasurementSet> partedSet(const MeasurementSet& joined, Cell cell) {
@@ -80,7 +80,7 @@ std::shared_ptr<MeasurementSet> partedSet(const MeasurementSet& joined, Cell cel
   std::erase_if(left.measurements, [&](const auto& measurement) { return joined.joined.contains(measurement.id); });
   for (const auto& id : joined.joined) left.set_aside.erase(id);
   left.joined.clear();
-  return lookedAtAgain(std::move(left), std::move(cell));
+  return checkedAgain(std::move(left), std::move(cell));
 }
 
 std::size_t joinedCount(const MeasurementSet& set) {

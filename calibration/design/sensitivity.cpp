@@ -224,7 +224,7 @@ Sensitivity findSensitivities(const deflection::Arm& arm, const Eigen::Isometry3
   const Estimate untouched = estimateFrom(arm, X_WB, false, {}, {{}, true}, task.doubt);
   const auto response = calibratedResponse(untouched, task, touches, static_cast<Index>(result.numbers.size()));
   if (!response) {
-    result.status = SensitivityStatus::kTouchesTellNoBase;
+    result.status = SensitivityStatus::kTouchesDoNotDetermineBase;
     result.reason = "the touches do not place the base: three different places that are not on a line are needed";
     return result;
   }

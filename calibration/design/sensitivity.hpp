@@ -44,7 +44,7 @@ struct NumberSensitivity {
   double error = std::numeric_limits<double>::quiet_NaN();
 };
 
-enum class SensitivityStatus { kNotRun, kDone, kNotConverged, kTouchesTellNoBase };
+enum class SensitivityStatus { kNotRun, kDone, kNotConverged, kTouchesDoNotDetermineBase };
 
 struct Sensitivity {
   SensitivityStatus status = SensitivityStatus::kNotRun;

@@ -13,7 +13,7 @@ namespace tubeplan::calibration::mistakes::shifted_rows {
 
 namespace {
 
-constexpr std::size_t kMostRowsLooked = 2000;
+constexpr std::size_t kMostRowsCompared = 2000;
 constexpr std::size_t kFewest = 3;    // smallest number of rows before and after a lost point
 constexpr int kTried[] = {-1, 1};     // tried shifts [rows] that begin within the table
 constexpr double kNotShifted = 0.03;  // a row with a smaller error, relative to the reach, is not shifted
@@ -67,7 +67,7 @@ std::vector<Measurement> inPlace(int by, const std::vector<Measurement>& measure
 /// for the corrected rows, moved to the nearest row at which errors above `fits` [m] begin. Returns nullopt if there is
 /// none.
 std::optional<std::size_t> startOf(RowComparison& comparison, RowErrors& as_is, std::size_t count, double fits) {
-  const std::size_t stride = (count + kMostRowsLooked - 1) / kMostRowsLooked;
+  const std::size_t stride = (count + kMostRowsCompared - 1) / kMostRowsCompared;
   double sum = 0, best = 0;
   std::size_t start = count, compared = 0, best_compared = 0;
   for (std::size_t k = count - count % stride; k >= stride; k -= stride) {

@@ -166,7 +166,7 @@ TEST(Sensitivity, AKnownBaseAbsorbsNothing) {
 TEST(Sensitivity, TouchesThatPlaceNoBaseAreTold) {
   Case c;
   c.task.touches = {c.task.work[0], c.task.work[0], c.task.work[0]};
-  EXPECT_EQ(c.find().status, SensitivityStatus::kTouchesTellNoBase);
+  EXPECT_EQ(c.find().status, SensitivityStatus::kTouchesDoNotDetermineBase);
   c.task.work.clear();
   EXPECT_EQ(c.find().status, SensitivityStatus::kNotConverged);
 }
