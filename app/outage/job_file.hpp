@@ -73,8 +73,8 @@ struct JobFile {
   std::vector<JobTool> tools = {};
   std::vector<WorkPackage> packages = {};  ///< packages, in order of priority
   std::vector<JobShift> shifts = {};       ///< shifts of the file, and one for each time of day that no shift has
-  std::vector<std::vector<LegName>> exclusive_legs =
-      {};            ///< groups of legs of which at most one has an arm at any time
+  /// Groups of legs of which at most one has an arm at any time.
+  std::vector<std::vector<LegName>> exclusive_legs = {};
   int arms = 1;      ///< number of arms that work at the same time, each in a different leg
   double mount = 0;  ///< time to mount an arm in a leg and calibrate its base [s]
 
