@@ -18,7 +18,7 @@ constexpr std::size_t kShortest = 2;  // shortest run [rows]; a single wrong mea
 /// Returns the run of rows with the largest sum of RowComparison::at() (Kadane's algorithm), searched at a fixed stride
 /// and then extended row by row at both ends; nullopt if no run is significant.
 std::optional<Run> bestRun(RowComparison& comparison, std::size_t count) {
-  const std::size_t stride = (count + kMostComparedRows - 1) / kMostCompared;
+  const std::size_t stride = (count + kMostComparedRows - 1) / kMostComparedRows;
   double best = 0, sum = 0;
   Run run, found;
   for (std::size_t k = 0; k < count; k += stride) {
