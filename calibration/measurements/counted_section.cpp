@@ -22,9 +22,7 @@ double middleOf(const tubesheets::SteppedTool& tool, std::size_t step) {
 
 }  // namespace
 
-Vector3d toolAxisInTool(const deflection::Arm& arm) {
-  return deflection::toolFrame(arm).transpose() * arm.tool_axis_L;
-}
+Vector3d toolAxisInTool(const deflection::Arm& arm) { return deflection::toolFrame(arm).transpose() * arm.tool_axis_L; }
 
 std::optional<Vector2d> toolLean(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                  const Measurement& measurement) {

@@ -1,9 +1,9 @@
 // Section of a stepped tool whose offset a count of steps bounds.
 //
 // A step enters if both of its ends are within its tolerance of the hole's axis (tubesheets/stepped_tool.hpp). For a
-// tool with lengths, the count measures the middle of the first step that stayed out, or of the last step if all of them
-// entered. The offset there is outside the tolerance of the step that stayed out and within that of the step before it,
-// both up to half a step's length times the tool's tilt.
+// tool with lengths, the count measures the middle of the first step that stayed out, or of the last step if all of
+// them entered. The offset there is outside the tolerance of the step that stayed out and within that of the step
+// before it, both up to half a step's length times the tool's tilt.
 #pragma once
 
 #include <optional>
