@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "tests/calibration/watch/hidden_changes.hpp"
+#include "tests/calibration/watch/simulated_outage.hpp"
 
 namespace {
 
@@ -30,7 +30,7 @@ Trial trialOf(const HiddenChange& change, const VisitKind& kind, int visits, int
   WatchOptions options;
   options.judged_after = judged_after;
   options.finds_means = false;
-  const Watch watch = outage.watch(outage.visits(kind, visits, since, change.make(outage)), options);
+  const Watch watch = outage.watch(outage.visits(kind, visits, since, outage.changed(change)), options);
   Trial trial;
   trial.is_alarm = watch.alarm.has_value();
   if (!trial.is_alarm) return trial;
@@ -39,7 +39,8 @@ Trial trialOf(const HiddenChange& change, const VisitKind& kind, int visits, int
   const auto& answers = watch.alarm->judgement.answers;
   trial.answers = static_cast<int>(answers.size());
   if (answers.empty()) return trial;
-  const auto isTrue = [&](const ChangeAnswer& a) { return a.effect == change.effect && a.at == change.at; };
+  const std::string at = change.at(outage.truth());
+  const auto isTrue = [&](const ChangeAnswer& a) { return a.effect == change.effect && a.at == at; };
   const auto truth = std::ranges::find_if(answers, isTrue);
   trial.first = answers.front().effect + "@" + answers.front().at;
   trial.is_named = truth != answers.end();
@@ -74,7 +75,7 @@ void print(const HiddenChange& change, const std::vector<Trial>& trials, bool sh
     if (trial.answers > 0) sizes.push_back(trial.answers);
     ++firsts[trial.first];
   }
-  fmt::print("{:<38} {:>6} {:>5} {:>5} {:>5} {:>6} {:>6} {:>6} {:>6} {:>5} {:>5} {:>5}\n", change.name, alarms, early,
+  fmt::print("{:<40} {:>6} {:>5} {:>5} {:>5} {:>6} {:>6} {:>6} {:>6} {:>5} {:>5} {:>5}\n", change.words, alarms, early,
              quantile(delays, 0.5), quantile(delays, 0.9), named, with_course, alone, first, quantile(sizes, 0.5),
              quantile(sizes, 0.9), none);
   if (!shows_first) return;
@@ -103,7 +104,7 @@ int main(int argc, char** argv) {
   for (const VisitKind& kind : kVisitKinds) {
     if (std::ranges::find(kinds, kind.name) == kinds.end() && !kinds.empty()) continue;
     fmt::print(
-        "{} outages of {} visits each: {}\n{:<38} {:>6} {:>5} {:>5} {:>5} {:>6} {:>6} {:>6} {:>6} {:>5} {:>5} {:>5}\n",
+        "{} outages of {} visits each: {}\n{:<40} {:>6} {:>5} {:>5} {:>5} {:>6} {:>6} {:>6} {:>6} {:>5} {:>5} {:>5}\n",
         outages, visits, kind.name, "change", "alarms", "early", "50%", "90%", "in set", "course", "alone", "first",
         "size", "90%", "none");
     for (const HiddenChange& change : hiddenChanges()) {

@@ -4,23 +4,23 @@
 #include <gtest/gtest.h>
 
 #include "calibration/watch/candidate_changes.hpp"
-#include "tests/calibration/watch/hidden_changes.hpp"
+#include "tests/calibration/watch/simulated_outage.hpp"
 
 namespace tubeplan::calibration {
 namespace {
 
 constexpr int kVisits = 120;
 
-const HiddenChange& hidden(std::string_view begin) {
-  return *std::ranges::find_if(hiddenChanges(),
-                               [&](const auto& c) { return std::string_view(c.name).starts_with(begin); });
+const HiddenChange& hidden(std::string_view name) {
+  return *std::ranges::find_if(hiddenChanges(), [&](const auto& change) { return change.name == name; });
 }
 
 const ChangeAnswer* answerOf(const Watch& watch, const HiddenChange& change) {
   if (!watch.alarm) return nullptr;
+  static const deflection::Arm kArm = touchedCell({}).arm;
   const auto& answers = watch.alarm->judgement.answers;
   const auto found = std::ranges::find_if(
-      answers, [&](const auto& answer) { return answer.effect == change.effect && answer.at == change.at; });
+      answers, [&](const auto& answer) { return answer.effect == change.effect && answer.at == change.at(kArm); });
   return found == answers.end() ? nullptr : &*found;
 }
 
@@ -28,7 +28,7 @@ Watch watchOf(const HiddenChange& change, const VisitKind& kind, int visits, int
   SimulatedOutage outage(seed);
   WatchOptions options;
   options.finds_means = false;
-  return outage.watch(outage.visits(kind, visits, since, change.make(outage)), options);
+  return outage.watch(outage.visits(kind, visits, since, outage.changed(change)), options);
 }
 
 TEST(ChangeWatch, IsQuietWhereNothingChanges) {
@@ -93,11 +93,11 @@ TEST_P(NamedChange, IsAmongTheAnswersOfTouchesWithItsCourse) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheTable, NamedChange,
-                         testing::Values("base turned", "forearm's joint slipped", "forearm's joint with",
-                                         "play growing", "base creeping", "warmer"));
+                         testing::Values("base-turn", "joint-slip", "joint-play", "growing-play", "base-creep",
+                                         "warmth"));
 
 TEST(ChangeWatch, AChangeOfTheArmIsNotCalledAStepOfTheBase) {
-  const HiddenChange& change = hidden("forearm's joint slipped");
+  const HiddenChange& change = hidden("joint-slip");
   for (std::uint64_t seed = 301; seed < 311; ++seed) {
     const Watch watch = watchOf(change, kVisitKinds[0], kVisits, 40, seed);
     ASSERT_TRUE(watch.alarm);
@@ -107,7 +107,7 @@ TEST(ChangeWatch, AChangeOfTheArmIsNotCalledAStepOfTheBase) {
 }
 
 TEST(ChangeWatch, CountsOfStepsLeaveTheTruthAmongSeveralAnswers) {
-  const HiddenChange& change = hidden("base turned");
+  const HiddenChange& change = hidden("base-turn");
   for (const VisitKind& kind : kVisitKinds) {
     if (kind.kind != MeasurementKind::kSteps || kind.touch_every > 0) continue;
     int alarms = 0, named = 0;
@@ -128,7 +128,7 @@ TEST(ChangeWatch, ALeanOfTheToolShowsInStepsWithLengthsAlone) {
   for (const VisitKind& kind : kVisitKinds) {
     if (kind.kind != MeasurementKind::kSteps || kind.touch_every > 0) continue;
     SimulatedOutage outage(5);
-    TrueState leaning = unchangedState(outage);
+    TrueState leaning = outage.state();
     leaning.arm.tool_axis_L = Eigen::AngleAxisd(2 * kDegree, Eigen::Vector3d::UnitX()) * leaning.arm.tool_axis_L;
     WatchOptions options;
     options.finds_means = false;
@@ -141,9 +141,9 @@ TEST(ChangeWatch, TwoChangesAreNotNamedAsOne) {
   int as_one = 0;
   for (std::uint64_t seed = 501; seed < 506; ++seed) {
     SimulatedOutage outage(seed);
-    TrueState first = unchangedState(outage), second;
+    TrueState first = outage.state(), second;
     first.X_WB.translation().x() += 0.04 * kInch;
-    second = withOffset(first, "forearm", 0.15);
+    second = withOffset(first, slippingRow(first.arm), 0.15 * kDegree);
     const Watch watch =
         outage.watch(outage.visits(kVisitKinds[0], kVisits, 40, [&](int n) { return n < 8 ? first : second; }));
     ASSERT_TRUE(watch.alarm);
@@ -164,7 +164,7 @@ TEST(ChangeWatch, SaysWhatItsSilenceMeans) {
 
 TEST(ChangeWatch, TellsWhatWouldSeparateTheAnswers) {
   SimulatedOutage outage(7);
-  const auto visits = outage.visits(kVisitKinds[1], 100, 30, hidden("base shifted").make(outage));
+  const auto visits = outage.visits(kVisitKinds[1], 100, 30, outage.changed(hidden("base-shift")));
   const Watch watch = outage.watch(visits);
   ASSERT_TRUE(watch.alarm);
   ASSERT_EQ(watch.alarm->kind, ChangeKind::kSeveral);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/simulation/hidden_changes.hpp"
 #include "calibration/watch/change_watch.hpp"
 #include "tests/calibration/estimation/cobra_touches.hpp"
 
@@ -21,12 +22,6 @@ inline ArmUncertainty stiffnessesByTenPercent() {
   uncertainty.stiffness = 0.1;
   return uncertainty;
 }
-
-/// True arm and base.
-struct TrueState {
-  deflection::Arm arm;
-  Eigen::Isometry3d X_WB;
-};
 
 /// What is measured at the visits of an outage.
 struct VisitKind {
@@ -59,8 +54,10 @@ class SimulatedOutage {
       throw std::runtime_error("the arm cannot be calibrated: " + found_.reason);
   }
 
-  /// Returns the state of arm and base at the `n`-th visit since the change, counted from 1.
-  using ChangedState = std::function<TrueState(int n)>;
+  /// Returns the states of arm and base since a change from the table.
+  ChangedState changed(const HiddenChange& change) {
+    return change.make(truth_, [this] { return random_.vector(1).normalized(); });
+  }
 
   /// Returns `count` visits of random holes; from the visit `since` on, the true arm and base are the changed ones.
   std::vector<Measurement> visits(const VisitKind& kind, int count, int since, const ChangedState& changed) {
@@ -85,6 +82,7 @@ class SimulatedOutage {
     return watchForChange({found_.arm, found_.X_WB, found_.uncertainty, 0, tool_}, visits, options);
   }
 
+  [[nodiscard]] const TrueState& state() const { return truth_; }
   [[nodiscard]] const deflection::Arm& truth() const { return truth_.arm; }
   [[nodiscard]] const Eigen::Isometry3d& base() const { return truth_.X_WB; }
   RandomStream& random() { return random_; }
