@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/commands/campaign/campaign_json.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/figures_text.hpp"
 #include "app/documents/pose_json.hpp"
-#include "app/formats/arm/joint_units.hpp"
 #include "app/formats/units_json.hpp"
 
 namespace tubeplan::app {
@@ -20,35 +20,6 @@ using nlohmann::json;
 constexpr std::array kQuantiles{0.5, 0.9, 0.95, 0.99};
 constexpr std::size_t kWorstHoles = 10;
 constexpr std::size_t kCurvePoints = 120;
-
-json probabilityJson(const Probability& probability) {
-  return {{"value", finiteJson(probability.value)},
-          {"low", finiteJson(probability.low)},
-          {"high", finiteJson(probability.high)}};
-}
-
-json drawnJson(const CentringResults& results) {
-  const auto& spread = results.task.options.spread;
-  const Units& units = results.task.cell.units;
-  json encoders = json::object();
-  for (const auto& joint : results.task.truth.arm.joints()) {
-    encoders[joint.name] = finiteJson(joint.encoder_sigma / units.factor(jointDimension(joint)));
-  }
-  return {{"base_shift_sigma", lengthJson(spread.base_shift_sigma, units)},
-          {"base_turn_sigma", finiteJson(spread.base_turn_sigma / units.factor(dimension::kAngle))},
-          {"stiffness_sigma", spread.stiffness_sigma},
-          {"unmodelled_sigma", lengthJson(spread.unmodelled_sigma, units)},
-          {"encoder_sigma", encoders}};
-}
-
-json failuresJson(const SettingTally& tally) {
-  json list = json::array();
-  for (std::size_t k = 1; k < tally.failures.size(); ++k)
-    if (const auto& failure = tally.failures[k]; failure.runs > 0)
-      list.push_back(
-          {{"reason", nameOf(static_cast<TrialFailure>(k))}, {"runs", failure.runs}, {"first_run", failure.first_run}});
-  return list;
-}
 
 json quantilesJson(const ErrorSketch& errors, const Units& units) {
   json quantiles;
@@ -147,7 +118,7 @@ json settingJson(const CentringResults& results, std::size_t index) {
       {"runs", tally.runs},
       {"scored", scored},
       {"calibrated", probabilityJson(wilsonInterval(static_cast<double>(scored), static_cast<double>(tally.runs)))},
-      {"refused", failuresJson(tally)}};
+      {"refused", failuresJson(tally.failures)}};
   for (std::size_t w = 0; w < kWays.size(); ++w) figures[kWays[w]] = wayJson(results, tally, tally.ways[w]);
   return figures;
 }
@@ -188,7 +159,7 @@ json centringJson(const CentringResults& results) {
                   {"runs_done", progress.done},
                   {"units", unitsJson(task.cell.units)},
                   {"base", standingJson(standingOf(task.options.settings))},
-                  {"drawn", drawnJson(results)},
+                  {"drawn", drawnJson(task.options.spread, task.truth.arm, task.cell.units)},
                   {"holes_in_a_run", task.options.holes},
                   {"tubes", {{"asked", task.tubes}, {"in_reach", task.holes.visited.size()}}},
                   {"step_tolerances", tolerances},

@@ -99,21 +99,19 @@ std::vector<CentringSetting> settingsOf(const CampaignRequest& request, const Ce
   return settings;
 }
 
-/// Number of tubes spread over the sheet if the request names none.
-constexpr std::size_t kTubes = 80;
-
 /// Finds the holes to visit and to touch; tubes that the tool cannot enter because of their state are excluded.
-void findHoles(const CampaignRequest& request, CentringTask& task) {
-  const std::string tubes = tubesOrSpread(request.tubes, task.model.sheet, kTubes);
+void findHoles(const CampaignRequest& request, const VisitedHoles& visited, CentringTask& task) {
+  const std::string tubes = tubesOrSpread(request.tubes, task.model.sheet, visited.tubes);
   requireWorkList(request.columns, {tubes});
   const auto selection = readTubes(tubes, task.model.sheet, request.columns);
   for (const auto& note : listNotes(selection)) remark("note: {}\n", note);
   task.tubes = static_cast<int>(selection.tube_indices.size());
   task.holes.visited = touchCandidates(task.model, selection.tube_indices);
   if (static_cast<int>(task.holes.visited.size()) < request.holes)
-    throw InputError(
-        "--tubes " + tubes, fmt::format("{} reachable holes among {} tubes", task.holes.visited.size(), task.tubes),
-        fmt::format("at least the {} that a run visits", request.holes), "select more tubes, or reduce --holes");
+    throw InputError("--tubes " + tubes,
+                     fmt::format("{} reachable holes among {} tubes", task.holes.visited.size(), task.tubes),
+                     fmt::format("at least the {} that a run visits", request.holes),
+                     fmt::format("select more tubes, or reduce {}", visited.option));
   for (const auto& setting : task.options.settings)
     if (setting.rule == TouchRule::kBest && task.holes.touchable.empty())
       task.holes.touchable = touchCandidates(task.model, kTouchableHoles);
@@ -135,7 +133,7 @@ void requireTouchable(const CentringTask& task) {
 
 }  // namespace
 
-CentringTask centringTask(const CampaignRequest& request) {
+CentringTask centringTask(const CampaignRequest& request, const VisitedHoles& visited) {
   CentringTask task;
   task.cell = readCell(request.cell);
   forgetTouches(task.cell);
@@ -148,8 +146,9 @@ CentringTask centringTask(const CampaignRequest& request) {
         fmt::format("this tube sheet (fingerprint {}) differs from that of the cell (fingerprint {})",
                     task.truth.sheet.fingerprint(), task.model.sheet.fingerprint()),
         "give a true cell with the same tube sheet");
-  if (request.holes < 1 || request.holes > 1000)
-    throw InputError("--holes", std::to_string(request.holes), "1 to 1000 holes in each run");
+  if (request.holes < visited.least || request.holes > visited.most)
+    throw InputError(visited.option, std::to_string(request.holes),
+                     fmt::format("{} to {} holes in each run", visited.least, visited.most));
   if (request.encoder_sigma)
     for (auto* arm : {&task.model.arm, &task.truth.arm})
       setEncoderSigma(angleFrom("--encoder-sigma", request.encoder_sigma, 0, task.cell.units), *arm);
@@ -158,7 +157,7 @@ CentringTask centringTask(const CampaignRequest& request) {
   task.options.holes = request.holes;
   task.options.seed = request.seed;
   task.options.settings = settingsOf(request, task);
-  findHoles(request, task);
+  findHoles(request, visited, task);
   requireTouchable(task);
   return task;
 }

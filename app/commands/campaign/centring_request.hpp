@@ -15,8 +15,15 @@ struct CentringTask {
   CentringOptions options;
 };
 
+/// Choice of the holes that the runs of a kind of campaign visit.
+struct VisitedHoles {
+  std::size_t tubes = 80;          ///< number of tubes spread over the sheet if the request names none
+  const char* option = "--holes";  ///< option with the number of holes that a run visits
+  int least = 1, most = 1000;      ///< limits of this number
+};
+
 /// Reads the cells, finds the holes within reach and lists the settings. Throws InputError for bad input.
-[[nodiscard]] CentringTask centringTask(const CampaignRequest& request);
+[[nodiscard]] CentringTask centringTask(const CampaignRequest& request, const VisitedHoles& visited = {});
 
 /// Returns a key made of everything that affects the results, except the number of runs.
 [[nodiscard]] PlanKey centringKey(const CentringTask& task, const CampaignRequest& request);

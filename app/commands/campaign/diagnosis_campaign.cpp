@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/commands/campaign/campaign.hpp"
+#include "app/commands/campaign/campaign_json.hpp"
 #include "app/commands/campaign/diagnosis_trial.hpp"
 #include "app/documents/effect_words_json.hpp"
 #include "app/documents/figures.hpp"
@@ -11,7 +12,6 @@
 #include "app/storage/count_text.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/suggestion.hpp"
-#include "app/studies/monte_carlo/confidence.hpp"
 #include "deflection/effects/effect.hpp"
 
 namespace tubeplan::app {
@@ -145,15 +145,6 @@ std::uint64_t sumOf(const OutcomeCounts& counts, std::initializer_list<Diagnosis
   std::uint64_t sum = 0;
   for (const auto outcome : outcomes) sum += counts[static_cast<std::size_t>(outcome)];
   return sum;
-}
-
-json shareJson(std::uint64_t part, std::uint64_t whole) {
-  const Probability share = wilsonInterval(static_cast<double>(part), static_cast<double>(whole));
-  return {{"count", part},
-          {"of", whole},
-          {"value", finiteJson(share.value)},
-          {"low", finiteJson(share.low)},
-          {"high", finiteJson(share.high)}};
 }
 
 std::uint64_t madeOf(const OutcomeCounts& counts) {

@@ -7,21 +7,6 @@ namespace tubeplan::app {
 
 namespace {
 
-void mergeFailure(const FailureCount& other, FailureCount& count) {
-  if (other.runs == 0) return;
-  count.first_run = count.runs == 0 ? other.first_run : std::min(count.first_run, other.first_run);
-  count.runs += other.runs;
-}
-
-void putFailure(const FailureCount& failure, TallyWords& words) {
-  words.insert(words.end(), {failure.runs, failure.first_run});
-}
-
-FailureCount failureOf(WordReader& reader) {
-  const std::uint64_t runs = reader.next();
-  return {runs, reader.next()};
-}
-
 void putHole(std::uint64_t index, const HoleTally& hole, TallyWords& words) {
   words.push_back(index);
   hole.errors.put(words);
@@ -90,8 +75,8 @@ CentringTally::CentringTally(std::size_t settings, std::size_t holes, std::size_
 void CentringTally::add(const std::vector<Trial>& trials, std::uint64_t run) {
   for (std::size_t k = 0; k < trials.size(); ++k) {
     ++settings_[k].runs;
-    mergeFailure({1, run}, settings_[k].failures[static_cast<std::size_t>(trials[k].failure)]);
-    if (trials[k].is_misfit) mergeFailure({1, run}, settings_[k].misfits);
+    settings_[k].failures[static_cast<std::size_t>(trials[k].failure)].merge({1, run});
+    if (trials[k].is_misfit) settings_[k].misfits.merge({1, run});
     if (trials[k].failure == TrialFailure::kNone) addVisits(trials[k], settings_[k]);
   }
 }
@@ -130,8 +115,8 @@ void CentringTally::put(TallyWords& words) const {
   words.push_back(settings_.size());
   for (const auto& setting : settings_) {
     words.push_back(setting.runs);
-    for (const auto& failure : setting.failures) putFailure(failure, words);
-    putFailure(setting.misfits, words);
+    for (const auto& failure : setting.failures) failure.put(words);
+    setting.misfits.put(words);
     for (const auto& way : setting.ways) putWay(way, words);
   }
 }
@@ -141,8 +126,8 @@ bool CentringTally::merge(const TallyWords& words) {
   if (reader.next() != settings_.size()) return false;
   for (auto& setting : settings_) {
     setting.runs += reader.next();
-    for (auto& failure : setting.failures) mergeFailure(failureOf(reader), failure);
-    mergeFailure(failureOf(reader), setting.misfits);
+    for (auto& failure : setting.failures) failure.merge(FailureCount::read(reader));
+    setting.misfits.merge(FailureCount::read(reader));
     for (auto& way : setting.ways)
       if (!mergeWay(reader, way)) return false;
   }

@@ -7,6 +7,7 @@
 #include "app/studies/monte_carlo/centring_trial.hpp"
 #include "app/studies/monte_carlo/confidence.hpp"
 #include "app/studies/monte_carlo/error_sketch.hpp"
+#include "app/studies/monte_carlo/failure_count.hpp"
 
 namespace tubeplan::app {
 
@@ -28,10 +29,6 @@ struct WayTally {
 
   [[nodiscard]] ErrorSketch allErrors() const;
   [[nodiscard]] std::uint64_t missed() const;
-};
-
-struct FailureCount {
-  std::uint64_t runs = 0, first_run = 0;  ///< number of failed runs, and index of the first of them
 };
 
 struct SettingTally {

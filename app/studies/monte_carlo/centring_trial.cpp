@@ -12,9 +12,6 @@ namespace {
 using calibration::CalibrationStatus, calibration::TouchPlan;
 using Draw = calibration::RandomStreamFrom<SplitMix>;
 
-// Smallest sigma used for weights [m]; without noise the weights would be infinite.
-constexpr double kLeastWeighingSigma = 1e-6;
-
 /// Purpose of random numbers, as a part of their key. With separate keys, the random numbers of one quantity stay the
 /// same when more numbers are drawn for another.
 enum Purpose : std::uint64_t { kTruthKey = 1, kVisitedKey, kTouchedKey, kTipErrorKey, kNoiseKey };
@@ -126,11 +123,23 @@ std::vector<std::string> CentringTrials::touchedHoles(std::size_t setting) const
 }
 
 std::vector<Trial> CentringTrials::run(std::uint64_t index) const {
-  Draw draw(keyOf({options_.seed, index, kTruthKey}));
-  const Run run{index, truths_.draw(draw)};
+  const Run run = drawnRun(index);
   std::vector<Trial> trials;
   for (std::size_t k = 0; k < options_.settings.size(); ++k) trials.push_back(runSetting(run, k));
   return trials;
+}
+
+CentringTrials::Run CentringTrials::drawnRun(std::uint64_t index) const {
+  Draw draw(keyOf({options_.seed, index, kTruthKey}));
+  return {index, truths_.draw(draw)};
+}
+
+CalibratedRun CentringTrials::calibrate(std::uint64_t index, std::size_t setting) const {
+  Run run = drawnRun(index);
+  Calibrated calibrated = this->calibrated(run, setting);
+  CalibratedRun result{calibrated.failure, std::move(run.truth), std::move(calibrated.base), {}};
+  for (const Hole* hole : calibrated.visited) result.visited.push_back(trialHole(*hole, index));
+  return result;
 }
 
 TrialHole CentringTrials::trialHole(const Hole& hole, std::uint64_t run) const {
@@ -158,12 +167,12 @@ std::vector<const CentringTrials::Hole*> CentringTrials::drawnHoles(std::uint64_
   return {};
 }
 
-Trial CentringTrials::runSetting(const Run& run, std::size_t index) const {
+CentringTrials::Calibrated CentringTrials::calibrated(const Run& run, std::size_t index) const {
   const auto& setting = options_.settings[index];
   const bool is_tested = setting.rule == TouchRule::kTested;
-  Trial trial;
-  const auto visited =
-      drawnHoles(keyOf({options_.seed, run.index, kVisitedKey}), options_.holes, is_tested ? setting.touches : 0);
+  Calibrated result;
+  auto& visited = result.visited;
+  visited = drawnHoles(keyOf({options_.seed, run.index, kVisitedKey}), options_.holes, is_tested ? setting.touches : 0);
   std::vector<const Hole*> touched;
   if (is_tested)
     touched.assign(visited.begin(), visited.begin() + std::min<std::ptrdiff_t>(setting.touches, std::ssize(visited)));
@@ -172,20 +181,27 @@ Trial CentringTrials::runSetting(const Run& run, std::size_t index) const {
   else
     for (const auto& hole : fixed_[index]) touched.push_back(&hole);
   if (touched.empty() || visited.empty()) {
-    trial.failure = TrialFailure::kTooNarrow;
-    return trial;
+    result.failure = TrialFailure::kTooNarrow;
+    return result;
   }
   const auto touches = touch(run, touched, setting);
   if (touches.empty()) {
-    trial.failure = TrialFailure::kUntouchable;
-    return trial;
+    result.failure = TrialFailure::kUntouchable;
+    return result;
   }
-  const auto base = calibrateBoth(flexible_, rigid_, options_.doubt, X_WB_, sheet_, touches);
-  trial.failure = failureOf(base);
+  result.base = calibrateBoth(flexible_, rigid_, options_.doubt, X_WB_, sheet_, touches);
+  result.failure = failureOf(result.base);
+  return result;
+}
+
+Trial CentringTrials::runSetting(const Run& run, std::size_t index) const {
+  const Calibrated calibrated = this->calibrated(run, index);
+  Trial trial;
+  trial.failure = calibrated.failure;
   if (trial.failure != TrialFailure::kNone) return trial;
-  trial.touch_error = meanResidual(base.flexible);
-  trial.is_misfit = calibration::isFitRefused(base.flexible);
-  trial.visits = visit(run, visited, base);
+  trial.touch_error = meanResidual(calibrated.base.flexible);
+  trial.is_misfit = calibration::isFitRefused(calibrated.base.flexible);
+  trial.visits = visit(run, calibrated.visited, calibrated.base);
   return trial;
 }
 

@@ -73,6 +73,14 @@ struct Trial {
   std::vector<TrialVisit> visits;
 };
 
+/// A run of one setting after its calibration and before its visits.
+struct CalibratedRun {
+  TrialFailure failure = TrialFailure::kNone;
+  planner::Workcell truth;  ///< true arm on its true base, without sheet and scene
+  BothCalibrations base;
+  std::vector<TrialHole> visited;  ///< holes to visit, with the unmodelled error of the true arm there
+};
+
 /// Simulated runs of a campaign; holds everything that does not depend on the run.
 class CentringTrials {
  public:
@@ -86,6 +94,9 @@ class CentringTrials {
   /// Returns the results of the run with this index, one for each setting. Thread-safe.
   [[nodiscard]] std::vector<Trial> run(std::uint64_t index) const;
 
+  /// Returns the run with this index after its calibration under one setting. Thread-safe.
+  [[nodiscard]] CalibratedRun calibrate(std::uint64_t index, std::size_t setting = 0) const;
+
   /// Returns the sheet's index of the tube that is visited as hole number `hole`.
   [[nodiscard]] int tubeOfHole(std::size_t hole) const { return holes_[hole].tube; }
 
@@ -98,12 +109,20 @@ class CentringTrials {
     int tube;
   };
   struct Run;  ///< data of a run that all settings share
+  /// Base of a run, and the holes that it visits.
+  struct Calibrated {
+    TrialFailure failure = TrialFailure::kNone;
+    BothCalibrations base;
+    std::vector<const Hole*> visited;
+  };
 
   [[nodiscard]] std::vector<Hole> prepared(const std::vector<calibration::TouchPlan>& plans) const;
   [[nodiscard]] std::vector<Hole> fixedHoles(const planner::Workcell& model, const CentringHoles& holes,
                                              const CentringSetting& setting);
   [[nodiscard]] TrialHole trialHole(const Hole& hole, std::uint64_t run) const;
   [[nodiscard]] std::vector<const Hole*> drawnHoles(std::uint64_t key, int count, int well_spread) const;
+  [[nodiscard]] Run drawnRun(std::uint64_t index) const;
+  [[nodiscard]] Calibrated calibrated(const Run& run, std::size_t index) const;
   [[nodiscard]] Trial runSetting(const Run& run, std::size_t index) const;
   [[nodiscard]] std::vector<calibration::Measurement> touch(const Run& run, const std::vector<const Hole*>& holes,
                                                             const CentringSetting& setting) const;

@@ -17,6 +17,9 @@ struct TrialHole {
   Eigen::Vector3d tip_error = Eigen::Vector3d::Zero();  ///< unmodelled error of the tip in the world frame [m]
 };
 
+/// Smallest standard deviation by which touches are weighted [m]; without noise the weights would be infinite.
+inline constexpr double kLeastWeighingSigma = 1e-6;
+
 /// Returns the true arm's measurements of touches of the first `count` holes, with a centring noise of `sigma` [m] in
 /// each coordinate. Empty if one of the holes is out of reach.
 [[nodiscard]] std::vector<calibration::Measurement> touchHoles(const planner::Workcell& truth,
