@@ -1,4 +1,4 @@
-// `tubeplan campaign`: simulates many calibrations or diagnoses, each with a random true arm.
+// `tubeplan campaign`: simulates many calibrations, diagnoses or outages, each with a random true arm.
 #include "app/commands/campaign/campaign.hpp"
 
 #include <fmt/format.h>
@@ -10,13 +10,13 @@
 #include "app/cli/command.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/stop_signal.hpp"
+#include "app/commands/campaign/campaign_options.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/formats/checkpoint/tally_checkpoint.hpp"
 #include "app/storage/atomic_file.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/named_entry.hpp"
 #include "app/storage/origin.hpp"
-#include "app/studies/monte_carlo/centring_trial.hpp"
 #include "app/studies/monte_carlo/repeat_runs.hpp"
 #include "app/studies/monte_carlo/run_workers.hpp"
 
@@ -48,7 +48,7 @@ class CampaignDesk {
     noteStopSignals();  // installed before the first folder is created, so that a stop removes the folder
     if (!options.out.empty()) {
       folder_.emplace(options.out, "--out");
-      folder_->requireOwn({kTallyFile, "campaign.json"}, {"holes.csv", "outcomes.csv", "report.html"});
+      folder_->requireOwn({kTallyFile, "campaign.json"}, {"holes.csv", "outcomes.csv", "changes.csv", "report.html"});
       keeper_.emplace(folder_->path(), options.resume);
       if (const auto kept = keeper_->begin(campaign.question, runs_)) {
         if (!campaign.experiment->add(kept->total))
@@ -168,87 +168,10 @@ int run(const CampaignOptions& options) {
   return runRanked(options, ranks);
 }
 
-std::string groupOf(std::string_view kind) { return fmt::format("Of kind {}, in the cell's units", kind); }
-
-/// Throws InputError for an option of another kind of campaign, because the option would have no effect.
-void requireOptionsOf(const CLI::App& cli, const std::string& chosen) {
-  for (const auto& kind : campaignKinds()) {
-    if (kind.name == chosen) continue;
-    for (const auto* option : cli.get_options([&](const auto* one) { return one->get_group() == groupOf(kind.name); }))
-      if (option->count() > 0)
-        throw InputError::saying(
-            option->get_name(),
-            fmt::format("this option is for campaigns of kind {}, not of kind {}", kind.name, chosen),
-            fmt::format("add --kind {}, or leave it out", kind.name));
-  }
-}
-
 std::string kindHelp() {
   std::string text = "kind of study that each run belongs to:";
   for (const auto& kind : campaignKinds()) text += fmt::format("\n{}: {}", kind.name, kind.summary);
   return text;
-}
-
-std::string choiceHelp() {
-  std::string text = "how the touched holes are chosen, one or more of these:";
-  for (const auto& row : touchRules()) text += fmt::format("\n{}: {}", row.name, row.summary);
-  return text;
-}
-
-void configureCentring(CLI::App& cli, CampaignRequest& request) {
-  const std::string group = groupOf("centre");
-  cli.add_option("--truth", request.truth, "the cell about which true arms are drawn (default: CELL)")->group(group);
-  cli.add_option("--tubes", request.tubes, "the tubes whose holes may be visited, as for plan (spread:80)")
-      ->group(group);
-  addListColumns(cli, request.columns)->group(group);
-  cli.add_option("--holes", request.holes, "number of these holes that each run visits")
-      ->capture_default_str()
-      ->group(group);
-  cli.add_option("--touches", request.touches, "number of touched holes; a list compares several: 3,4,6,12")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->group(group);
-  cli.add_option("--choice", request.choices, choiceHelp())->delimiter(',')->allow_extra_args(false)->group(group);
-  cli.add_option("--touch-sigma", request.touch_sigmas,
-                 "standard deviation of each coordinate of a touch; a list compares several. Default: half the radial "
-                 "clearance of the last step")
-      ->type_name("LENGTH")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->group(group);
-  cli.add_option("--base-shift", request.base_shift,
-                 "standard deviation of the true base's position, per coordinate (0.5 in)")
-      ->type_name("LENGTH")
-      ->group(group);
-  cli.add_option("--base-turn", request.base_turn, "standard deviation of the true base's rotation, per axis (0.5 deg)")
-      ->type_name("ANGLE")
-      ->group(group);
-  cli.add_option("--stiffness", request.stiffness, "relative standard deviation of the true arm's stiffnesses (0.02)")
-      ->group(group);
-  cli.add_option("--unmodelled", request.unmodelled,
-                 "standard deviation of the true arm's unmodelled error, per coordinate (0.0197 in)")
-      ->type_name("LENGTH")
-      ->group(group);
-  cli.add_option("--encoder-sigma", request.encoder_sigma, "encoder noise of a joint (default: that of the arm file)")
-      ->type_name("ANGLE")
-      ->group(group);
-}
-
-void configureDiagnosis(CLI::App& cli, CampaignRequest& request) {
-  const std::string group = groupOf("diagnose");
-  cli.add_option("--design", request.design, "the design of the readings, as for simulate")
-      ->capture_default_str()
-      ->group(group);
-  cli.add_option("--readings", request.measurements, "readings of each run")->capture_default_str()->group(group);
-  cli.add_option("--nothing", request.nothing, "fraction of the runs without a hidden effect")
-      ->capture_default_str()
-      ->group(group);
-  cli.add_option("--hide", request.hide, "effect hidden in the other runs, at a random place; any: a random effect")
-      ->capture_default_str()
-      ->group(group);
-  cli.add_option("--effects", request.effects, "largest number of effects in one explanation")
-      ->capture_default_str()
-      ->group(group);
 }
 
 }  // namespace
@@ -268,8 +191,7 @@ Run configureCampaign(CLI::App& cli) {
                  "the folder for results and checkpoint: after a stop the same command continues, also with more runs");
   cli.add_flag("--resume", options->resume, "continue the campaign in the folder; refuse if its options differ");
   addFigures(cli, options->figures);
-  configureCentring(cli, options->request);
-  configureDiagnosis(cli, options->request);
+  addKindOptions(cli, options->request);
   return [options, &cli] {
     requireOptionsOf(cli, options->kind);
     return run(*options);

@@ -85,7 +85,7 @@ constexpr Command kCommands[] = {
      configureTouches},
     {"sensitivity", "which member to stiffen or lighten, and how accurately each parameter must be known",
      "tubeplan sensitivity app/cells/mockup.yaml --tubes spread:60", configureSensitivity},
-    {"campaign", "Monte Carlo study: many calibrations or diagnoses of randomly drawn true arms",
+    {"campaign", "Monte Carlo study: many calibrations, diagnoses or outages of randomly drawn true arms",
      "tubeplan campaign app/cells/mockup.yaml --runs 10000 --touches 3,6,12 --out out/campaign\n"
      "mpirun -n 64 tubeplan campaign app/cells/mockup.yaml --runs 10000000 --tubes all --out out/campaign\n"
      "tubeplan campaign app/cells/bench.yaml --kind diagnose --runs 200",

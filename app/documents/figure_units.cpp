@@ -22,7 +22,8 @@ struct UnitRow {
 
 constexpr UnitRow kUnitRows[] = {
     {"",
-     "bits/ by_size/size calibrated/ correlations/value false_alarms/ in_all_holes/ inconclusive/ missed/ named/ "
+     "all_steps/ all_steps_after/ all_steps_before/ allowed_false_alarms alone/ bits/ by_size/size calibrated/ "
+     "correlations/value delay/ detected/ false_alarms/ in_all_holes/ inconclusive/ lost/ missed/ named/ nothing "
      "probability/ refused/ repeats/ truth_among_answers/ wrong/"},
     {"units/length",
      "band/median band/p95 base/sigma centring_error/median centring_error/p95 compensated/max compensated/rms "

@@ -79,7 +79,7 @@ class DocumentedKeys(unittest.TestCase):
                      f"improve {bench} s/measurements.csv --out better.yaml",
                      f"touches {mockup} --tubes spread:12 --candidates 14", f"sensitivity {mockup} --tubes spread:5",
                      f"score {mockup} --truth {mockup} --tubes spread:5", f"score {mockup} --truth {mockup} --runs 2",
-                     f"campaign {mockup} --runs 3", f"verify {mockup} p", f"effects {bench}"]
+                     f"campaign {mockup} --runs 3", f"campaign {mockup} --kind outage --runs 2 --tubes spread:40 --visits 20", f"verify {mockup} p", f"effects {bench}"]
             seen = {}
             for words in asked:
                 command = words.split()[0]

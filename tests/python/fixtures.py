@@ -77,6 +77,7 @@ def calls(units, bench=BENCH, mockup=MOCKUP, true=TRUE, made_of=None):
     yield 'score', lambda: sheet.score(truth=true, runs=2, unmodelled=0.0005 * length)
     yield 'campaign', lambda: sheet.campaign(runs=3, jobs=1)
     yield 'campaign', lambda: arm.campaign(runs=2, kind='diagnose', jobs=1)
+    yield 'campaign', lambda: sheet.campaign(runs=2, kind='outage', tubes='spread:40', visits=20, jobs=1)
     yield 'bases', lambda: sheet.bases(tubes='spread:10')
     yield 'effects', lambda: arm.effects()
     yield 'plan', lambda: sheet.plan(tubes='spread:3', touches=touches, padding=1)

@@ -21,20 +21,26 @@ struct CampaignRequest {
   std::string cell, truth;
   std::uint64_t seed = 1;
 
-  // Options of campaigns of kind `centre`.
+  // Options of campaigns of kinds `centre` and `outage`.
   std::string tubes;                 ///< selection or work list; the default is spread:80
   std::vector<std::string> columns;  ///< meanings of the work list's columns
-  int holes = 10;
   std::vector<int> touches = {3};
   std::vector<std::string> choices = {"best"};
   std::vector<double> touch_sigmas;
   std::optional<double> base_shift, base_turn, stiffness, unmodelled, encoder_sigma;
 
-  // Options of campaigns of kind `diagnose`.
-  std::string design = "bench", hide = "any";
-  int measurements = 120;
+  int holes = 10;  // of kind `centre`
+
+  // Options of campaigns of kind `outage`.
+  int visits = 200, touch_every = 50;
+
+  // Options of campaigns of kinds `diagnose` and `outage`.
+  std::string hide = "any";
   double nothing = 0.5;
-  int effects = 2;
+
+  // Options of campaigns of kind `diagnose`.
+  std::string design = "bench";
+  int measurements = 120, effects = 2;
 };
 
 /// Progress of a campaign: number of runs requested, and number completed so far.
@@ -62,8 +68,9 @@ struct CampaignKind {
 };
 [[nodiscard]] std::span<const CampaignKind> campaignKinds();
 
-// Defined in centring_campaign.cpp and diagnosis_campaign.cpp.
+// Defined in centring_campaign.cpp, diagnosis_campaign.cpp and outage_campaign.cpp.
 Campaign makeCentringCampaign(const CampaignRequest& request);
 Campaign makeDiagnosisCampaign(const CampaignRequest& request);
+Campaign makeOutageCampaign(const CampaignRequest& request);
 
 }  // namespace tubeplan::app

@@ -13,7 +13,12 @@ constexpr std::array kCampaignKinds{
         makeCentringCampaign},
     CampaignKind{"diagnose",
                  "each run simulates readings of an arm with a random hidden effect, or none: how often it is found",
-                 makeDiagnosisCampaign}};
+                 makeDiagnosisCampaign},
+    CampaignKind{
+        "outage",
+        "each run calibrates a true arm and visits holes, with a hidden change at some visit, or none: how soon "
+        "the watch finds it",
+        makeOutageCampaign}};
 
 }  // namespace
 
