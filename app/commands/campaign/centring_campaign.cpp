@@ -21,23 +21,28 @@ class CentringExperiment : public Experiment {
       if (stop()) return std::nullopt;
       tally.add(trials_.run(run), run);
     }
-    TallyWords words;
-    tally.put(words);
-    return words;
+    return wordsOfCentring(tally);
   }
 
   bool add(const TallyWords& tally) override { return total_.merge(tally); }
 
-  TallyWords total() const override {
-    TallyWords words;
-    total_.put(words);
-    return words;
+  std::optional<TallyWords> sum(const TallyWords& a, const TallyWords& b) const override {
+    CentringTally tally = empty();
+    if (!tally.merge(a) || !tally.merge(b)) return std::nullopt;
+    return wordsOfCentring(tally);
   }
+
+  TallyWords total() const override { return wordsOfCentring(total_); }
 
   const CentringTrials& trials() const { return trials_; }
   const CentringTally& tally() const { return total_; }
 
  private:
+  static TallyWords wordsOfCentring(const CentringTally& tally) {
+    TallyWords words;
+    tally.put(words);
+    return words;
+  }
   CentringTally empty() const { return {settings_, holes_, steps_}; }
 
   CentringTrials trials_;

@@ -80,6 +80,11 @@ class DiagnosisExperiment : public Experiment {
     return wordsOf(tally);
   }
   bool add(const TallyWords& tally) override { return total_.merge(tally); }
+  std::optional<TallyWords> sum(const TallyWords& a, const TallyWords& b) const override {
+    DiagnosisTally tally;
+    if (!tally.merge(a) || !tally.merge(b)) return std::nullopt;
+    return wordsOf(tally);
+  }
   TallyWords total() const override { return wordsOf(total_); }
   const DiagnosisTally& tally() const { return total_; }
 

@@ -21,6 +21,11 @@ class OutageExperiment : public Experiment {
     return wordsOfOutages(tally);
   }
   bool add(const TallyWords& tally) override { return total_.merge(tally); }
+  std::optional<TallyWords> sum(const TallyWords& a, const TallyWords& b) const override {
+    OutageTally tally;
+    if (!tally.merge(a) || !tally.merge(b)) return std::nullopt;
+    return wordsOfOutages(tally);
+  }
   TallyWords total() const override { return wordsOfOutages(total_); }
 
   const OutageTrials& trials() const { return trials_; }

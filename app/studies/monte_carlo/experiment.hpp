@@ -25,6 +25,9 @@ class Experiment {
   /// this experiment.
   [[nodiscard]] virtual bool add(const TallyWords& tally) = 0;
 
+  /// Returns the sum of two tallies; std::nullopt if one of them does not belong to this experiment. Thread-safe.
+  [[nodiscard]] virtual std::optional<TallyWords> sum(const TallyWords& a, const TallyWords& b) const = 0;
+
   /// Returns the sum of all added tallies.
   [[nodiscard]] virtual TallyWords total() const = 0;
 };

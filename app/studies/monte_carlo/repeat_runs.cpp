@@ -1,32 +1,30 @@
 #include "app/studies/monte_carlo/repeat_runs.hpp"
 
 #include <cassert>
+#include <thread>
 
+#include "app/studies/monte_carlo/group_leader.hpp"
+#include "app/studies/monte_carlo/rank_groups.hpp"
 #include "app/studies/monte_carlo/run_workers.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
-/// Subjects of the messages between ranks. The first rank distributes chunks of runs; the other ranks are workers.
-enum Subject {
-  kWant = 1,  ///< to the first rank: number of further chunks wanted
-  kRuns,      ///< to a worker rank: first and end of a chunk
-  kTally,     ///< to the first rank: first and end of a chunk, then its tally
-  kEnd,       ///< to a worker rank: stop work and leave
-  kLeft,      ///< to the first rank: last message of a worker rank
-};
-
 // Pauses between checks for messages: longer than a check, shorter than the computation of a chunk.
 constexpr std::chrono::microseconds kPause{10000};
 constexpr std::chrono::milliseconds kPauseAlone{20};
+// Time after which a leader passes on the sum of its group.
+constexpr std::chrono::seconds kPassEvery{1};
 
 /// The first rank, which distributes chunks, works on some and adds the tallies.
 class Master {
  public:
   Master(Experiment& experiment, RunSchedule& schedule, const RepeatHooks& hooks, Ranks* ranks)
       : experiment_(experiment), schedule_(schedule), hooks_(hooks), ranks_(ranks) {
-    if (ranks_) wanted_.resize(static_cast<std::size_t>(ranks_->size()), 0);
+    if (!ranks_) return;
+    wanted_.resize(static_cast<std::size_t>(ranks_->size()), 0);
+    senders_ = rankGroups(ranks_->size()).sendersTo(0);
   }
 
   RepeatStatus run(int workers_count) {
@@ -41,17 +39,17 @@ class Master {
       const bool has_news = takeMessages();
       const auto pause = ranks_ ? kPause : std::chrono::duration_cast<std::chrono::microseconds>(kPauseAlone);
       if (const auto result = workers.take(has_news ? std::chrono::microseconds(0) : pause))
-        add(result->runs, result->tally);
+        add({{result->runs}, result->tally});
     }
     return RepeatStatus::kDone;
   }
 
-  /// Sends all ranks the request to stop and waits until they have stopped. Other messages that arrive meanwhile are
-  /// dropped.
+  /// Sends all ranks the request to stop and waits until they have stopped; leaders do so for their groups. Other
+  /// messages that arrive meanwhile are dropped.
   void dismiss() {
     if (!ranks_) return;
-    for (int rank = 1; rank < ranks_->size(); ++rank) ranks_->send(rank, kEnd, {});
-    for (int left = 0; left < ranks_->size() - 1;)
+    for (const int rank : senders_) ranks_->send(rank, kEnd, {});
+    for (std::size_t left = 0; left < senders_.size();)
       if (const auto message = ranks_->receive()) left += message->subject == kLeft;
   }
 
@@ -59,36 +57,39 @@ class Master {
   void feed(RunWorkers& workers) {
     for (int wanted = workers.wanted(); wanted > 0; --wanted)
       if (const auto runs = schedule_.next()) workers.give(*runs);
-    for (std::size_t rank = 1; rank < wanted_.size(); ++rank)
-      for (; wanted_[rank] > 0; --wanted_[rank]) {
-        const auto runs = schedule_.next();
-        if (!runs) return;
-        ranks_->send(static_cast<int>(rank), kRuns, {runs->first, runs->end});
-      }
+    for (const int rank : senders_)
+      if (const auto chunks = nextChunks(wanted_[static_cast<std::size_t>(rank)]); !chunks.empty())
+        ranks_->send(rank, kRuns, wordsOfChunks(chunks));
+  }
+
+  /// Returns the next chunks, as many as are wanted, and subtracts their number from `wanted`.
+  std::vector<RunRange> nextChunks(std::uint64_t& wanted) {
+    std::vector<RunRange> chunks;
+    for (; wanted > 0; --wanted) {
+      const auto runs = schedule_.next();
+      if (!runs) break;
+      chunks.push_back(*runs);
+    }
+    return chunks;
   }
 
   bool takeMessages() {
     bool has_news = false;
     while (ranks_) {
-      auto message = ranks_->receive();
+      const auto message = ranks_->receive();
       if (!message) break;
       has_news = true;
-      auto& words = message->words;
-      if (message->subject == kWant) wanted_[static_cast<std::size_t>(message->from)] += static_cast<int>(words.at(0));
-      if (message->subject != kTally) continue;
-      const RunRange runs{words.at(0), words.at(1)};
-      words.erase(words.begin(), words.begin() + 2);
-      ++wanted_[static_cast<std::size_t>(message->from)];
-      add(runs, words);
+      if (message->subject == kWant) wanted_[static_cast<std::size_t>(message->from)] += message->words.at(0);
+      if (message->subject == kTally) add(doneIn(message->words));
     }
     return has_news;
   }
 
-  void add(RunRange runs, const TallyWords& tally) {
-    const bool is_added = experiment_.add(tally);
+  void add(const DoneRuns& done) {
+    const bool is_added = experiment_.add(done.tally);
     assert(is_added);
     (void)is_added;
-    schedule_.finish(runs);
+    for (const RunRange& chunk : done.chunks) schedule_.finish(chunk);
     hooks_.progress(schedule_.done().size());
     hooks_.keep(false);
   }
@@ -97,7 +98,86 @@ class Master {
   RunSchedule& schedule_;
   const RepeatHooks& hooks_;
   Ranks* ranks_;
-  std::vector<int> wanted_;  ///< number of chunks that each rank is waiting for
+  std::vector<int> senders_;           ///< ranks that send to the first rank
+  std::vector<std::uint64_t> wanted_;  ///< number of chunks that each rank is waiting for
+};
+
+/// A rank other than the first: works on chunks and, as the leader of a group, adds up the tallies of the group.
+class RankServer {
+ public:
+  RankServer(const Experiment& experiment, Ranks& ranks)
+      : experiment_(experiment), ranks_(ranks), receiver_(rankGroups(ranks.size()).receiverOf(ranks.rank())) {
+    const RankGroups groups = rankGroups(ranks.size());
+    if (!groups.isLeader(ranks.rank())) return;
+    std::vector<int> members = groups.sendersTo(ranks.rank());
+    members.push_back(ranks.rank());
+    leader_.emplace(experiment, ranks.rank(), members);
+  }
+
+  void run(int workers_count) {
+    work(workers_count);
+    say(kLeft, {});
+    while (!has_left_) {
+      receive(nullptr);
+      std::this_thread::sleep_for(kPause);
+    }
+  }
+
+ private:
+  void work(int workers_count) {
+    RunWorkers workers(experiment_, workers_count);
+    say(kWant, {static_cast<std::uint64_t>(workers.wanted())});
+    while (!is_over_) {
+      receive(&workers);
+      const auto result = workers.take(kPause);
+      if (result && !is_over_) {
+        say(kTally, wordsOfDone({{result->runs}, result->tally}));
+        say(kWant, {1});
+      }
+      passOn();
+    }
+  }
+
+  /// Handles all messages that have arrived; `workers` is null once this rank has stopped work.
+  void receive(RunWorkers* workers) {
+    while (const auto message = ranks_.receive()) {
+      const RankMessage taken{message->from, ranks_.rank(), message->subject, message->words};
+      if (!leader_)
+        deliver(taken, workers);
+      else
+        for (const auto& next : leader_->take(taken)) deliver(next, workers);
+    }
+  }
+
+  /// Sends a message, or hands it to this rank's own workers.
+  void deliver(const RankMessage& message, RunWorkers* workers) {
+    has_left_ = has_left_ || (message.to == receiver_ && message.subject == kLeft);
+    if (message.to != ranks_.rank()) return ranks_.send(message.to, message.subject, message.words);
+    is_over_ = is_over_ || message.subject == kEnd;
+    if (message.subject != kRuns || !workers) return;
+    for (const RunRange& chunk : chunksIn(message.words, 0, message.words.size())) workers->give(chunk);
+  }
+
+  /// Sends a message of this rank's own workers to the receiver, or to the leader that this rank is.
+  void say(int subject, const TallyWords& words) {
+    const RankMessage message{ranks_.rank(), receiver_, subject, words};
+    if (!leader_) return deliver(message, nullptr);
+    for (const auto& next : leader_->take(message)) deliver(next, nullptr);
+  }
+
+  void passOn() {
+    const auto now = std::chrono::steady_clock::now();
+    if (!leader_ || (!leader_->isIdle() && now - passed_ < kPassEvery)) return;
+    for (const auto& message : leader_->pass()) deliver(message, nullptr);
+    passed_ = now;
+  }
+
+  const Experiment& experiment_;
+  Ranks& ranks_;
+  int receiver_;
+  std::optional<GroupLeader> leader_;
+  std::chrono::steady_clock::time_point passed_ = std::chrono::steady_clock::now();
+  bool is_over_ = false, has_left_ = false;
 };
 
 }  // namespace
@@ -111,22 +191,7 @@ RepeatStatus repeatRuns(Experiment& experiment, RunSchedule& schedule, int worke
 }
 
 void serveRuns(const Experiment& experiment, int workers_count, Ranks& ranks) {
-  {
-    RunWorkers workers(experiment, workers_count);
-    ranks.send(0, kWant, {static_cast<std::uint64_t>(workers.wanted())});
-    for (bool is_over = false; !is_over;) {
-      while (const auto message = ranks.receive()) {
-        if (message->subject == kRuns) workers.give({message->words.at(0), message->words.at(1)});
-        is_over = is_over || message->subject == kEnd;
-      }
-      const auto result = workers.take(kPause);
-      if (!result || is_over) continue;
-      TallyWords words{result->runs.first, result->runs.end};
-      words.insert(words.end(), result->tally.begin(), result->tally.end());
-      ranks.send(0, kTally, words);
-    }
-  }
-  ranks.send(0, kLeft, {});
+  RankServer(experiment, ranks).run(workers_count);
 }
 
 }  // namespace tubeplan::app

@@ -60,10 +60,12 @@ TEST_F(OutageCampaign, ARunDependsOnSeedAndIndexAlone) {
   request.touch_every = 4;
   const Campaign campaign = makeOutageCampaign(request), again = makeOutageCampaign(request);
   const auto goes_on = [] { return false; };
-  ASSERT_TRUE(campaign.experiment->add(*campaign.experiment->run({0, 3}, goes_on)));
-  for (const std::uint64_t run : {2, 0, 1})
-    ASSERT_TRUE(again.experiment->add(*again.experiment->run({run, run + 1}, goes_on)));
-  EXPECT_EQ(campaign.experiment->total(), again.experiment->total());
+  const Experiment &whole = *campaign.experiment, &parts = *again.experiment;
+  const TallyWords all = *whole.run({0, 3}, goes_on);
+  const TallyWords last = *parts.run({2, 3}, goes_on), first = *parts.run({0, 1}, goes_on);
+  const TallyWords second = *parts.run({1, 2}, goes_on);
+  EXPECT_EQ(*parts.sum(*parts.sum(last, first), second), all);
+  EXPECT_EQ(*parts.sum(last, *parts.sum(first, second)), all);
   EXPECT_FALSE(campaign.experiment->run({3, 4}, [] { return true; }));
 }
 

@@ -26,6 +26,9 @@ class SquareSum : public Experiment {
     sum_ += tally.at(0);
     return true;
   }
+  std::optional<TallyWords> sum(const TallyWords& a, const TallyWords& b) const override {
+    return TallyWords{a.at(0) + b.at(0)};
+  }
   TallyWords total() const override { return {sum_}; }
   int timesOf(std::size_t run) const { return times_[run]; }
 
