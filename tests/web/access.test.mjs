@@ -44,7 +44,7 @@ describe("axe-core has no serious finding", () => {
       });
 
   it("in the dialogs", async () => {
-    for (const key of ["o", "?"]) {
+    for (const key of ["o", "?", "Control+s"]) {
       await tab.keyboard.press(key);
       await tab.waitForSelector("dialog[open]");
       assert.deepEqual(await findings(), []);
@@ -75,4 +75,33 @@ describe("axe-core has no serious finding", () => {
       assert.deepEqual(await findings(), [], name);
     }
   });
+});
+
+describe("the header in the window of a telephone", () => {
+  const MENUS = {".unit-menu": ".unit-panel", ".project-tools .menu": "ul", ".model-steps": ".model-panel"};
+
+  /** Returns the controls of the header that are too small for a finger or not all within the window. */
+  const poor = () =>
+    tab.evaluate(() =>
+      [...document.querySelectorAll(".header :is(button, summary, a)")]
+        .filter((control) => control.checkVisibility())
+        .map((control) => [control.textContent || control.title, control.getBoundingClientRect()])
+        .filter(([, {left, right, width, height}]) => left < 0 || right > innerWidth || width < 40 || height < 40)
+        .map(([words]) => words),
+    );
+
+  for (const width of [360, 400, 480, 600])
+    it(`has targets of 40 px, of which none is cut off, at ${width} px`, async () => {
+      await tab.setViewportSize({width, height: 760});
+      await tab.waitForTimeout(300); // until the layout has settled
+      assert.deepEqual(await poor(), []);
+      for (const [menu, panel] of Object.entries(MENUS)) {
+        await tab.click(`.header ${menu} summary`);
+        const {x, width: wide} = await tab.locator(`.header ${menu} ${panel}`).first().boundingBox();
+        assert.ok(x >= 0 && x + wide <= width, `${menu}: ${x} to ${x + wide}`);
+        assert.deepEqual(await poor(), [], menu);
+        await tab.keyboard.press("Escape");
+      }
+      assert.deepEqual(await findings(), []);
+    });
 });

@@ -1,4 +1,5 @@
-// The header: cell and readings, the stack of models with undo and redo, running jobs, dark or light colours.
+// The header: cell and readings, the stack of models with undo and redo, running jobs, dark or light colours. A narrow
+// window has it in two rows.
 import {Icon} from "../drawing/icons";
 import {chooseScheme, isDark, scheme} from "../drawing/colours";
 import {duration, plural, whole} from "../../../drawing/numbers.js";
@@ -103,8 +104,8 @@ export function Header() {
         </span>
       </button>
       <ModelStack />
-      <div class="header-space" />
       {job ? <JobProgress key={job.id} job={job} /> : null}
+      <div class="header-space" />
       <ProjectTools />
       <Connection />
       <UnitMenu />
