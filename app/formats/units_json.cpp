@@ -1,6 +1,7 @@
 #include "app/formats/units_json.hpp"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "deflection/conditions.hpp"
 
@@ -20,6 +21,14 @@ nlohmann::json measurementUnitsJson(const Units& units) {
     conditions.push_back({{"name", kind.name}, {"unit", units.nameOf(kind.unit)}});
   json["conditions"] = conditions;
   return json;
+}
+
+nlohmann::json unitTableJson() {
+  nlohmann::json table;
+  for (const auto& [name, kind] : {std::pair("length", UnitKind::kLength), std::pair("angle", UnitKind::kAngle)})
+    for (const Unit& unit : unitTable())
+      if (unit.kind == kind) table[name].push_back({{"name", unit.name}, {"factor", unit.factor}});
+  return table;
 }
 
 }  // namespace tubeplan::app

@@ -13,4 +13,8 @@ namespace tubeplan::app {
 /// Returns unitsJson() with an entry `conditions: [{name, unit}]` for the conditions that measurements may state.
 [[nodiscard]] nlohmann::json measurementUnitsJson(const Units& units);
 
+/// Returns the units of length and angle that can be chosen, with their sizes in m and rad, in the order of the table:
+/// {"length": [{"name": "in", "factor": 0.0254}, ...], "angle": [...]}.
+[[nodiscard]] nlohmann::json unitTableJson();
+
 }  // namespace tubeplan::app

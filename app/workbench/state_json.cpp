@@ -152,6 +152,7 @@ json stateJson(const Workbench& workbench) {
           {"moment", moment},
           {"version", kVersion},
           {"folder", workbench.folder().path().string()},
+          {"unit_table", unitTableJson()},
           {"cell", cellJson(session)},
           {"models", modelsJson(session)},
           {"model", currentModel(session).id},

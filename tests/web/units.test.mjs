@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {begin, callApi, ended, finish, openTab, serve, simulate} from "./workbench.mjs";
+import {begin, callApi, ended, finish, openTab, serve, simulate, stateOf} from "./workbench.mjs";
 
 const VIEWS = ["sheet", "arm", "calibrate", "error", "effects", "plan"];
 /** A figure with a unit of the cell's file; "in" may also be the word. */
@@ -58,6 +58,29 @@ describe("the units of the page", () => {
     assert.match(await buttonText(), /mm · deg/);
     await choose("Angles", "rad");
     assert.match(await buttonText(), /mm · rad/);
+    await tab.reload();
+    assert.match(await buttonText(), /mm · rad/);
+  });
+
+  it("can be each of the program's", async () => {
+    const {unit_table} = await stateOf(server);
+    assert.equal(unit_table.length.find(({name}) => name === "in").factor, 0.0254);
+    for (const [group, kind] of [
+      ["Lengths", "length"],
+      ["Angles", "angle"],
+    ]) {
+      const [, ...words] = await tab.locator(`.unit-menu [aria-label='${group}'] button`).allTextContents();
+      const names = unit_table[kind].map(({name}) => name);
+      assert.deepEqual(words, names, "after that of the file");
+    }
+  });
+
+  it("are those of the file again where the program does not know the kept ones", async () => {
+    const kept = await tab.evaluate(() => localStorage.getItem("tubeplan.units"));
+    await tab.evaluate(() => localStorage.setItem("tubeplan.units", '{"length": "parsec", "angle": "rad"}'));
+    await tab.reload();
+    await tab.waitForSelector(".unit-menu summary:has-text('in · deg')");
+    await tab.evaluate((text) => localStorage.setItem("tubeplan.units", text), kept);
     await tab.reload();
     assert.match(await buttonText(), /mm · rad/);
   });

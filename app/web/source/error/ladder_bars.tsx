@@ -1,7 +1,7 @@
 // The ladder as bars: the fitted and held-out errors of each model, relative to the noise floor.
 import {signal} from "@preact/signals";
-import {inUnit} from "../server/chosen_units";
-import {cell, state} from "../server/workbench";
+import {inUnit} from "../server/unit_table";
+import {cell, state, unitTable} from "../server/workbench";
 import {keep, keptObject} from "../shell/kept";
 import {LADDER_WORDS} from "../../../drawing/ladder.js";
 import {ladderOf, ladderOfDiagnosis, ladderOfOne, type Ladder} from "./ladder";
@@ -17,7 +17,9 @@ const typed = signal(keptObject<string>(KEPT));
 function typedHere(unit: string): string {
   const info = cell.value,
     [text = "", own = info?.file_units?.length ?? unit] = (typed.value[info?.file ?? ""] ?? "").split(" ");
-  return own === unit || text === "" ? text : String(Number(inUnit(Number(text), own, unit).toPrecision(4)));
+  return own === unit || text === ""
+    ? text
+    : String(Number(inUnit(Number(text), own, unit, unitTable.value).toPrecision(4)));
 }
 
 function tolerance(unit: string): number | null {

@@ -2,8 +2,8 @@
 import {senseArrow} from "../../../drawing/conditions.js";
 import {fixed, isNumber, jointDecimals, short} from "../../../drawing/numbers.js";
 import {poseRequest} from "../arm/pose_link";
-import {inUnit} from "../server/chosen_units";
-import {cell} from "../server/workbench";
+import {inUnit} from "../server/unit_table";
+import {cell, unitTable} from "../server/workbench";
 import {view} from "../shell/page_state";
 import {change, takenIds} from "./run_sheet";
 import {openColumns, type RunSheet, type RunSheetTable} from "./run_sheet_table";
@@ -170,7 +170,9 @@ function show({joints, load}: Layout, row: string[]): void {
   const own = new Map(joints.map((joint) => [joint.name, joint]));
   poseRequest.joints.value = (cell.value?.joints ?? []).map(({name, unit}, i) => {
     const column = own.get(name);
-    return column ? inUnit(proposedJoint(row, column), column.unit, unit) : poseRequest.joints.value[i];
+    return column
+      ? inUnit(proposedJoint(row, column), column.unit, unit, unitTable.value)
+      : poseRequest.joints.value[i];
   });
   if (load >= 0 && isNumber(Number(row[load]))) poseRequest.load.value = Number(row[load]);
   view.value = "arm";

@@ -1,5 +1,6 @@
 // Documents of the state shared by all browsers.
 import type {BaseStanding, Problem, Units, Vector3} from "./common_documents";
+import type {UnitTable} from "./unit_table";
 
 export interface JointInfo {
   name: string;
@@ -137,6 +138,7 @@ export interface WorkbenchState {
   moment: number;
   version: string;
   folder: string;
+  unit_table: UnitTable;
   cell: CellInfo;
   models: Model[];
   model: number;

@@ -3,10 +3,11 @@
 import {batch, computed, effect, signal, type ReadonlySignal} from "@preact/signals";
 import type {Job, LiveNews, Model, Problem, SceneDocument, SheetDocument, Units, WorkbenchState} from "./documents";
 import {answerTo, type Loaded} from "./answers";
-import {inChosenUnits} from "./chosen_units";
-import {asProblem, post} from "./requests";
+import {chooseUnits, inChosenUnits} from "./chosen_units";
+import {asProblem, get, post} from "./requests";
 import {newestJobs, withJob} from "./newest_jobs";
 import {sharing} from "./sharing";
+import type {UnitTable} from "./unit_table";
 
 export const state = signal<WorkbenchState | null>(null);
 export const connection = signal<"connecting" | "live" | "lost">("connecting");
@@ -17,6 +18,7 @@ export const liveNews = signal<LiveNews | null>(null);
 
 export const cell = computed(() => state.value?.cell ?? null);
 export const units = computed<Units>(() => cell.value?.units ?? {length: "", angle: "", force: ""});
+export const unitTable = computed<UnitTable>(() => state.value?.unit_table ?? {length: [], angle: []});
 export const runningJobs = computed(() => [...jobs.value.values()].filter((job) => job.status === "running"));
 export const currentModel = computed<Model | null>(
   () => state.value?.models.find((model) => model.id === state.value?.model) ?? null,
@@ -79,6 +81,15 @@ export function dropTokenFromAddress(): void {
   history.replaceState(null, "", address);
 }
 
+/** Takes back the chosen units if the program does not know them: they were chosen from another version's table. */
+async function dropUnknownUnits(): Promise<void> {
+  try {
+    await get("/api/state");
+  } catch (error) {
+    if (asProblem(error).where === "units") chooseUnits({length: "", angle: ""});
+  }
+}
+
 /**
  * Follows the server's events. The browser reconnects automatically, and every connection begins with the whole state.
  */
@@ -98,7 +109,9 @@ export function followServer(): void {
   });
   events.addEventListener("error", () => {
     connection.value = "lost";
-    if (events.readyState === EventSource.CLOSED) setTimeout(followServer, 2000);
+    if (events.readyState !== EventSource.CLOSED) return;
+    void dropUnknownUnits();
+    setTimeout(followServer, 2000);
   });
 }
 

@@ -1,7 +1,8 @@
 // Choice of the units in which the page shows and takes lengths and angles.
 import {choicesOf, Segments} from "../drawing/segments";
-import {chosenUnits, chooseUnit, UNIT_CHOICES, type UnitKind} from "../server/chosen_units";
-import {cell} from "../server/workbench";
+import {chosenUnits, chooseUnits} from "../server/chosen_units";
+import type {UnitKind} from "../server/unit_table";
+import {cell, unitTable} from "../server/workbench";
 import {Menu} from "./menu";
 
 const KINDS: readonly (readonly [UnitKind, string])[] = [
@@ -32,10 +33,10 @@ export function UnitMenu() {
               label={words}
               choices={[
                 {value: "", words: `as in the file: ${info.file_units?.[kind] ?? info.units[kind]}`},
-                ...choicesOf(UNIT_CHOICES[kind].map((unit) => [unit, unit] as const)),
+                ...choicesOf(unitTable.value[kind].map(({name}) => [name, name] as const)),
               ]}
               value={chosenUnits[kind]}
-              onChoose={(unit) => unit !== chosenUnits[kind] && chooseUnit(kind, unit)}
+              onChoose={(unit) => unit !== chosenUnits[kind] && chooseUnits({[kind]: unit})}
             />
           </div>
         ))}
