@@ -1,8 +1,18 @@
 #include "app/workbench/exchange.hpp"
 
-#include "app/storage/input_error.hpp"
+#include "app/storage/input_question.hpp"
 
 namespace tubeplan::app {
+
+namespace {
+
+nlohmann::json choiceJson(const InputChoice& choice) {
+  nlohmann::json values = nlohmann::json::array();
+  for (const auto& [value, words] : choice.values) values.push_back({{"value", value}, {"words", words}});
+  return {{"name", choice.name}, {"label", choice.label}, {"values", values}};
+}
+
+}  // namespace
 
 Answer answerOf(const nlohmann::json& json, int status) {
   Answer answer;
@@ -12,11 +22,13 @@ Answer answerOf(const nlohmann::json& json, int status) {
 }
 
 nlohmann::json errorJson(const InputError& error) {
-  return {{"where", error.where()},
-          {"found", error.found()},
-          {"expected", error.expected()},
-          {"advice", error.advice()},
-          {"message", error.what()}};
+  nlohmann::json json = {{"where", error.where()},
+                         {"found", error.found()},
+                         {"expected", error.expected()},
+                         {"advice", error.advice()},
+                         {"message", error.what()}};
+  if (const auto* question = dynamic_cast<const InputQuestion*>(&error)) json["choice"] = choiceJson(question->choice);
+  return json;
 }
 
 Answer refusal(int status, const InputError& error) { return answerOf({{"error", errorJson(error)}}, status); }

@@ -43,6 +43,21 @@ async function untilOpen(file) {
   }
 }
 
+/** Returns a robot with a hand of two fingers, of which one follows the other. */
+function withHand() {
+  const link = (name, type, parent, more = "") =>
+    `<link name="${name}"/><joint name="to_${name}" type="${type}"><parent link="${parent}"/><child link="${name}"/>
+    <axis xyz="0 0 1"/><origin xyz="0.3 0 0"/><limit lower="0" upper="1" effort="1" velocity="1"/>${more}</joint>`;
+  const parts = [
+    link("upper", "revolute", "base"),
+    link("lower", "revolute", "upper"),
+    link("hand", "fixed", "lower"),
+    link("left", "prismatic", "hand"),
+    link("right", "prismatic", "hand", '<mimic joint="to_left"/>'),
+  ];
+  return `<robot name="r"><link name="base"/>${parts.join("")}</robot>`;
+}
+
 const noticeText = async () => (await tab.waitForSelector(".notice")).innerText();
 
 describe("a dropped file", () => {
@@ -77,5 +92,27 @@ describe("a dropped file", () => {
     }
     await tab.click(".project-tools summary");
     await tab.waitForSelector(".project-tools a[download='arm.urdf']");
+    await tab.keyboard.press("Escape");
+  });
+
+  it("with a robot that has several ends asks for the tip, and nothing is written before", async () => {
+    const isWritten = () => existsSync(path.join(setting.made.folder, "hand.yaml"));
+    await drop(tab, "hand.urdf", withHand());
+    const choice = tab.locator("dialog[open] .choice-form select");
+    const values = await choice.locator("option").evaluateAll((options) => options.map(({value}) => value));
+    assert.deepEqual(values, ["left", "hand", "lower", "upper"]);
+    if (process.env.PICTURES) await tab.screenshot({path: `${process.env.PICTURES}/tips.png`});
+    await tab.keyboard.press("Escape");
+    await tab.waitForSelector("dialog[open]", {state: "detached"});
+    assert.ok(!isWritten());
+    await drop(tab, "hand.urdf", withHand());
+    await choice.selectOption("hand");
+    await tab.click("dialog[open] .choice-form [type=submit]");
+    await untilOpen("hand.yaml");
+    const {cell} = await stateOf(server);
+    assert.deepEqual(
+      cell.joints.map(({name}) => name),
+      ["to_upper", "to_lower"],
+    );
   });
 });

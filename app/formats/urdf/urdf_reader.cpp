@@ -9,9 +9,9 @@
 
 #include "app/formats/units.hpp"
 #include "app/formats/urdf/urdf_remarks.hpp"
+#include "app/formats/urdf/urdf_tips.hpp"
 #include "app/formats/urdf/urdf_tree.hpp"
-#include "app/storage/input_error.hpp"
-#include "app/storage/suggestion.hpp"
+#include "app/storage/input_question.hpp"
 #include "deflection/rotation.hpp"
 
 namespace tubeplan::app {
@@ -33,49 +33,7 @@ Isometry3d alignment(const UrdfTree::Joint& joint) {
   return X;
 }
 
-bool isMoving(const UrdfTree::Joint& joint) { return joint.type != "fixed"; }
 bool isTurning(const UrdfTree::Joint& joint) { return joint.type == "revolute" || joint.type == "continuous"; }
-
-using Chain = std::vector<const Link*>;
-
-/// Returns the links from the first link after the root to `tip`. Throws InputError if the links form a closed loop.
-Chain chainTo(const UrdfTree& tree, const Link& tip, const std::string& file) {
-  Chain chain;
-  for (const Link* link = &tip; link->joint; link = link->parent) {
-    if (chain.size() == tree.links.size())
-      throw InputError::saying(file, "the links on the way to " + inQuotes(tip.name) + " form a closed loop",
-                               "arrange the links as a tree with one root");
-    chain.push_back(link);
-  }
-  std::reverse(chain.begin(), chain.end());
-  return chain;
-}
-
-const Link& findTip(const UrdfTree& tree, const std::string& name, const std::string& file) {
-  const auto depthOf = [&](const Link& link) {
-    const Chain chain = chainTo(tree, link, file);
-    return std::count_if(chain.begin(), chain.end(), [](const auto& at) { return isMoving(*at->joint); });
-  };
-  std::vector<std::string> names;
-  for (const auto& [link_name, link] : tree.links) names.push_back(link_name);
-  if (!name.empty()) {
-    if (const auto link = tree.links.find(name); link != tree.links.end()) return link->second;
-    throw InputError::saying(file, "the robot has no link " + inQuotes(name),
-                             suggestionOr(name, names, "select another link with --tip"));
-  }
-  Chain deepest;
-  for (const auto& [link_name, link] : tree.links) {
-    if (!link.children.empty()) continue;
-    const auto depth = depthOf(link), most = deepest.empty() ? -1 : depthOf(*deepest.front());
-    if (depth > most) deepest.clear();
-    if (depth >= most) deepest.push_back(&link);
-  }
-  if (deepest.size() == 1) return *deepest.front();
-  std::vector<std::string> tips;
-  for (const auto& link : deepest) tips.push_back(link->name);
-  throw InputError::saying(file, fmt::format("{} links are each at the end of an equally long chain", tips.size()),
-                           "select one with --tip: " + alternatives(tips));
-}
 
 /// Converter of a chain of links to rows of an arm; `X_LK` is the pose of a link's frame K relative to its row's frame
 /// L.
@@ -86,8 +44,8 @@ class ChainReader {
     last_moving_ = links_.size();
     while (last_moving_ > 0 && !isMoving(*links_[last_moving_ - 1]->joint)) --last_moving_;
     if (last_moving_ == 0)
-      throw InputError::saying(file_, "there is no moving joint between the root and " + inQuotes(tip.name),
-                               "select another link with --tip");
+      throw TipError(InputError::saying(file_, "there is no moving joint between the root and " + inQuotes(tip.name),
+                                        "select another link with --tip"));
   }
 
   UrdfArm read() {
@@ -194,14 +152,18 @@ class ChainReader {
                                        [&](const auto& link) { return link->joint->name == mimic.joint; });
       found = {static_cast<std::size_t>(leader - links_.begin()), found.ratio * mimic.multiplier,
                found.offset + found.ratio * mimic.offset};
+      if (leader == links_.end())
+        throw TipError(
+            InputError::saying(at(from),
+                               fmt::format("the joint mimics {}, which is not in the chain from the base to the tip",
+                                           inQuotes(mimic.joint)),
+                               "choose a tip whose chain contains both joints, or remove the mimic"));
       if (found.leader >= last_moving_ || steps > links_.size())
         throw InputError::saying(
             at(from),
-            fmt::format("the joint mimics {}, which {}", inQuotes(mimic.joint),
-                        leader == links_.end() ? "is not in the chain from the base to the tip"
-                                               : "is not a moving joint with a reading of its own"),
-            leader == links_.end() ? "choose a tip whose chain contains both joints, or remove the mimic"
-                                   : "let it mimic another joint, or remove the mimic");
+            fmt::format("the joint mimics {}, which is not a moving joint with a reading of its own",
+                        inQuotes(mimic.joint)),
+            "let it mimic another joint, or remove the mimic");
       at_joint = &*links_[found.leader]->joint;
     }
     return found;
@@ -284,7 +246,7 @@ class ChainReader {
 
   const UrdfTree& tree_;
   const std::string& file_;
-  Chain links_;
+  UrdfChain links_;
   std::size_t last_moving_ = 0;   ///< number of rows: links up to the last link with a moving joint
   std::vector<Isometry3d> X_LK_;  ///< pose of each link of the chain relative to its row's frame
   bool has_inertia_ = false;
@@ -292,7 +254,7 @@ class ChainReader {
 };
 
 /// Returns sentences on controller data of the chain's joints that an arm does not contain, one for each kind of data.
-std::vector<std::string> leftToControllers(const Chain& chain) {
+std::vector<std::string> leftToControllers(const UrdfChain& chain) {
   using Words = UrdfTree::ControllerWords;
   const struct {
     std::string Words::*words;
@@ -314,13 +276,9 @@ std::vector<std::string> leftToControllers(const Chain& chain) {
   return sentences;
 }
 
-}  // namespace
-
-UrdfArm parseUrdf(const std::string& text, const std::string& file, const std::string& tip) {
-  const UrdfTree tree = readUrdfTree(text, file);
-  const Link& end = findTip(tree, tip, file);
+UrdfArm armTo(const UrdfTree& tree, const Link& end, const std::string& file) {
   UrdfArm read = ChainReader(tree, end, file).read();
-  const Chain chain = chainTo(tree, end, file);
+  const UrdfChain chain = chainTo(tree, end, file);
   read.remarks = remarksOnNumbers(chain);
   std::ranges::move(leftToControllers(chain), std::back_inserter(read.left_out));
   read.left_out.insert(read.left_out.begin(), tree.left_out.begin(), tree.left_out.end());
@@ -329,6 +287,28 @@ UrdfArm parseUrdf(const std::string& text, const std::string& file, const std::s
     throw InputError(fmt::format("{} ({})", file, problems.front().path), problems.front().found,
                      problems.front().expected);
   return read;
+}
+
+bool canEndAt(const UrdfTree& tree, const Link& end, const std::string& file) {
+  try {
+    (void)armTo(tree, end, file);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+UrdfArm parseUrdf(const std::string& text, const std::string& file, const std::string& tip) {
+  const UrdfTree tree = readUrdfTree(text, file);
+  try {
+    return armTo(tree, findTip(tree, tip, file), file);
+  } catch (const TipError& error) {
+    InputChoice choice = tipChoice(tree, [&](const Link& end) { return canEndAt(tree, end, file); });
+    if (choice.values.empty()) throw;
+    throw InputQuestion(error, std::move(choice));
+  }
 }
 
 }  // namespace tubeplan::app

@@ -37,8 +37,8 @@ struct UrdfArm {
 /// joint's pose from the file, rotated so that the joint's axis is the row's z. Fixed joints after the last moving
 /// joint form the tool, whose frame is the tip link's. Masses, including those of parts fixed to the chain, become
 /// lumps (m g, at the centre of mass). Joints with `mimic` follow other joints, even through intermediate `mimic`
-/// joints. Throws InputError for text that is not URDF, for a missing link and for an unsupported arm (floating or
-/// planar joints).
+/// joints. Throws InputError for text that is not URDF and for an unsupported arm (floating or planar joints), and
+/// InputQuestion, which offers the possible tips, where another tip may avoid the error.
 [[nodiscard]] UrdfArm parseUrdf(const std::string& text, const std::string& file, const std::string& tip = "");
 
 }  // namespace tubeplan::app

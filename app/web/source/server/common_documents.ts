@@ -31,4 +31,6 @@ export interface Problem {
   expected?: string;
   advice?: string;
   message: string;
+  /** Choice that would avoid the error: `name` is the key of the request that names it; the first value is likeliest. */
+  choice?: {name: string; label: string; values: {value: string; words: string}[]};
 }

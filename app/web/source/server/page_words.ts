@@ -42,7 +42,13 @@ export function pageAdvice(text: string): string {
 }
 
 /** Returns the problem with its texts adapted to the page; `expected` is empty unless the problem is a wrong value. */
-export function pageProblem({where = "", found = "", expected = "", advice = "", message}: Problem): Required<Problem> {
+export function pageProblem({
+  where = "",
+  found = "",
+  expected = "",
+  advice = "",
+  message,
+}: Problem): Required<Omit<Problem, "choice">> {
   const [at, had, wanted, said] = [where, found, expected, message].map(pageWords);
   return {where: at, found: had, expected: wanted, message: said, advice: pageAdvice(advice)};
 }

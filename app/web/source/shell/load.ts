@@ -7,9 +7,10 @@ import {freshRows, idsHere, isFilledSheet, joinReadings} from "../error/run_shee
 import {isOfRow, tableOf} from "../error/run_sheet_table";
 import {attempt, cell, forget, report, runJob, takeState} from "../server/workbench";
 import {openList, seemsToBeList} from "../plan/work_list";
-import {chooseColumns, type ColumnsUse, type TableText} from "./columns_dialog";
+import {chooseColumns, type ColumnsUse} from "./columns_dialog";
 import {dialog, view} from "./page_state";
 import {OPENING, openInstead} from "./project";
+import {importRobot, isRobot} from "./robot";
 
 function showErrors(): void {
   dialog.value = "";
@@ -83,33 +84,6 @@ const READINGS: ColumnsUse = {
     takeState(await post<WorkbenchState>("/api/measurements/foreign", {...taken, ...options})),
   then: afterReadings,
 };
-
-/** Returns true if a file is a robot description; the program reports its errors. */
-function isRobot({name, text}: TableText): boolean {
-  return /\.urdf$/i.test(name) || /^\s*<[^]*<robot[\s>]/.test(text.slice(0, 65536));
-}
-
-interface ImportedRobot {
-  written: string[];
-  left_out: string[];
-  remarks: string[];
-}
-
-/** Converts a robot description to a cell, opens it, and lists the parts that were not converted. */
-async function importRobot(robot: TableText): Promise<void> {
-  await attempt(
-    `${robot.name} cannot be imported`,
-    async () => {
-      const {written, left_out, remarks} = await post<ImportedRobot>("/api/arm/import", robot);
-      await openCell(written[0]);
-      if (cell.value?.file === written[0]) view.value = "arm";
-      const words = [...left_out.map((what) => `left out: ${what}`), ...remarks];
-      if (words.length > 0)
-        report(`${robot.name} is imported as ${written.join(" and ")}`, {message: words.join("; ")}, OPENING);
-    },
-    OPENING,
-  );
-}
 
 /**
  * Loads a robot description, measurement tables or a work list; otherwise tables of another program, in one file or in

@@ -40,7 +40,7 @@ effect(() => {
   if (viewOfAddress() !== view.value) location.hash = view.value;
 });
 
-export type DialogName = "open" | "keys" | "practice" | "save" | "unsaved" | "columns" | "join";
+export type DialogName = "open" | "keys" | "practice" | "save" | "unsaved" | "columns" | "join" | "choice";
 export const dialog = signal<"" | DialogName>("");
 
 /** Closes the dialog of this name, not one opened since then: a browser reports a closing with a delay. */

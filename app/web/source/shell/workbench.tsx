@@ -13,6 +13,7 @@ import {Header} from "./header";
 import {JoinDialog} from "./join_dialog";
 import {KeysDialog, followKeys} from "./keys";
 import {Notices} from "./notices";
+import {ChoiceDialog} from "./choice_dialog";
 import {ColumnsDialog} from "./columns_dialog";
 import {OpenDialog} from "./open_dialog";
 import {dialog, view, type ViewName} from "./page_state";
@@ -80,6 +81,7 @@ export function Workbench() {
       <SaveDialog />
       <UnsavedDialog />
       <JoinDialog />
+      <ChoiceDialog />
       <DropTarget />
     </div>
   );

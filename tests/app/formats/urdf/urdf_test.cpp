@@ -12,6 +12,7 @@
 #include "app/formats/urdf/urdf_reader.hpp"
 #include "app/formats/urdf/urdf_writer.hpp"
 #include "app/formats/yaml/strict_yaml.hpp"
+#include "app/storage/input_question.hpp"
 #include "deflection/flexible_kinematics.hpp"
 #include "tests/app/test_files.hpp"
 
@@ -171,6 +172,36 @@ TEST(Urdf, RefusesWhatIsNoArm) {
       "link=\"other\"/></joint></robot>";
   expectSays(refusal(changed(good, "</robot>", fork)), "--tip");
   EXPECT_EQ(parseUrdf(changed(good, "</robot>", fork), "p.urdf", "tool0").arm.rows.size(), 5u);
+}
+
+/// Returns the values of the choice that a refusal offers; empty if it offers none.
+std::vector<std::string> tipsOffered(const std::string& text) {
+  std::vector<std::string> tips;
+  try {
+    (void)parseUrdf(text, "r.urdf");
+  } catch (const InputQuestion& question) {
+    EXPECT_EQ(question.choice.name, "tip");
+    for (const auto& value : question.choice.values) tips.push_back(value.value);
+  } catch (const InputError&) {
+  }
+  return tips;
+}
+
+// A hand with two fingers, one of which follows the other: the tip cannot be guessed, and one finger cannot be it.
+TEST(Urdf, OffersTheLinksThatCanBeTheTip) {
+  const auto joint = [](const char* name, const char* type, const char* parent, const char* more = "") {
+    return fmt::format(
+        "<link name=\"{0}\"/><joint name=\"to_{0}\" type=\"{1}\"><parent link=\"{2}\"/><child link=\"{0}\"/>"
+        "<limit lower=\"0\" upper=\"1\" effort=\"1\" velocity=\"1\"/>{3}</joint>",
+        name, type, parent, more);
+  };
+  const std::string arm = "<robot name=\"r\"><link name=\"base\"/>" + joint("arm", "revolute", "base") +
+                          joint("hand", "fixed", "arm") + joint("centre", "fixed", "hand");
+  const std::string left = joint("left", "prismatic", "hand"),
+                    right = joint("right", "prismatic", "hand", "<mimic joint=\"to_left\"/>");
+  EXPECT_EQ(tipsOffered(arm + left + right + "</robot>"), (std::vector<std::string>{"left", "centre", "hand", "arm"}));
+  EXPECT_EQ(tipsOffered(arm + left + "</robot>"), std::vector<std::string>());  // the only end of the longest chain
+  EXPECT_EQ(tipsOffered("<robot name=\"r\"><link name=\"only\"/></robot>"), std::vector<std::string>());
 }
 
 /// Returns a URDF with a revolute joint, a flange behind the joint, and the test's additions.
