@@ -99,6 +99,7 @@ describe("a dropped file", () => {
     const isWritten = () => existsSync(path.join(setting.made.folder, "hand.yaml"));
     await drop(tab, "hand.urdf", withHand());
     const choice = tab.locator("dialog[open] .choice-form select");
+    await choice.waitFor();
     const values = await choice.locator("option").evaluateAll((options) => options.map(({value}) => value));
     assert.deepEqual(values, ["left", "hand", "lower", "upper"]);
     if (process.env.PICTURES) await tab.screenshot({path: `${process.env.PICTURES}/tips.png`});

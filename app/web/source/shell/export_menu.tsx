@@ -11,7 +11,7 @@ interface ExportMenuProps {
 export function ExportMenu({exports, isHere = true, at = ""}: ExportMenuProps) {
   const button = (
     <>
-      <Icon name="down" size={16} /> <span class="export-words">Export</span>
+      <Icon name="down" size={16} /> Export
     </>
   );
   return (
