@@ -89,6 +89,9 @@ describe("a dropped file", () => {
       assert.ok(existsSync(path.join(setting.made.folder, `${stem}-arm.yaml`)), name);
       const exported = await fetch(`${server.address}api/export/arm.urdf`);
       assert.match(await exported.text(), /<robot /, name);
+      await tab.waitForSelector(".view-arm .slider > span");
+      const isCut = (spans) => spans.filter(({scrollWidth, clientWidth}) => scrollWidth > clientWidth).length;
+      assert.equal(await tab.locator(".slider > span").evaluateAll(isCut), 0, `${name}: names beside the sliders`);
     }
     await tab.click(".project-tools summary");
     await tab.waitForSelector(".project-tools a[download='arm.urdf']");

@@ -213,13 +213,18 @@ interface SliderProps {
   onType: (next: number) => void;
 }
 
+/** Returns a name that may continue on another line after each of its underscores. */
+function breakable(name: string) {
+  return name.split("_").flatMap((part, k) => (k === 0 ? [part] : ["_", <wbr />, part]));
+}
+
 /**
  * Slider with its value, which can also be typed. A typed value is accepted on Enter or when the field loses the focus.
  */
 function Slider({name, unit, range: [min, max, step], value, digits, onSlide, onType}: SliderProps) {
   return (
     <label class="slider">
-      <span>{name}</span>
+      <span>{breakable(name)}</span>
       <input
         {...{type: "range", min, max, step, value}}
         onInput={(event) => onSlide(Number(event.currentTarget.value))}
