@@ -4,7 +4,7 @@ import {readFileSync} from "node:fs";
 import path from "node:path";
 import {after, before, describe} from "node:test";
 import {it} from "./limits.mjs";
-import {begin, finish, openTab, serve, simulate, web} from "./workbench.mjs";
+import {ask, begin, ended, finish, openTab, serve, simulate, web} from "./workbench.mjs";
 
 const axe = readFileSync(path.join(web, "node_modules/axe-core/axe.min.js"), "utf8");
 const GRAVE = new Set(["serious", "critical"]);
@@ -63,6 +63,18 @@ describe("axe-core has no serious finding", () => {
       assert.ok(await tab.evaluate((name) => document.activeElement.closest(name) !== null, menu), menu);
       await tab.keyboard.press("Escape");
       await tab.waitForSelector(`.header ${menu}:not([open])`);
+    }
+  });
+
+  it("in the plan view with a plan, whose table has cells", async () => {
+    assert.equal(await ended(server, (await ask(server, "plan", {tubes: "spread:6"})).body.id), "done");
+    await tab.evaluate(() => (location.hash = "plan"));
+    await tab.waitForSelector(".tube-rows .tube-row");
+    const columns = await tab.locator(".tube-table [role=columnheader]").count();
+    assert.equal(await tab.locator(".tube-rows .tube-row >> nth=0").locator("[role=cell]").count(), columns);
+    for (const name of ["Tubes by chance", "Clearance"]) {
+      await tab.click(`.plan-view .segments >> text=${name}`);
+      assert.deepEqual(await findings(), [], name);
     }
   });
 

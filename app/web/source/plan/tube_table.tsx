@@ -32,9 +32,13 @@ export function TubeTable({document}: {document: PlanDocument}) {
     const tube = unreachable[i - tubes.length];
     return (
       <div class="tube-row out" key={i} role="row" style={{top: `${ROW * i}px`}}>
-        <span class="number">–</span>
-        <b>{titleOf(tube)}</b>
-        <span class="wide bad">{pageWords(tube.reason)}</span>
+        <span role="cell" class="number">
+          –
+        </span>
+        <b role="cell">{titleOf(tube)}</b>
+        <span role="cell" class="wide bad">
+          {pageWords(tube.reason)}
+        </span>
       </div>
     );
   };
@@ -42,17 +46,25 @@ export function TubeTable({document}: {document: PlanDocument}) {
   return (
     <div class="tube-table" role="table" aria-rowcount={total} aria-label="Tubes in visiting order">
       <div class="tube-row head" role="row">
-        <span class="number">#</span>
-        <span>tube</span>
-        <span>tool goes in</span>
-        <span class="number" title={`probability: ${kinds.at(-1)!.name}`}>
+        <span role="columnheader" class="number">
+          #
+        </span>
+        <span role="columnheader">tube</span>
+        <span role="columnheader">tool goes in</span>
+        <span role="columnheader" class="number" title={`probability: ${kinds.at(-1)!.name}`}>
           chance of all
         </span>
-        <span class="number">true arm, {length}</span>
-        <span class="number">tilt, {angle}</span>
-        <span class="number">at</span>
+        <span role="columnheader" class="number">
+          true arm, {length}
+        </span>
+        <span role="columnheader" class="number">
+          tilt, {angle}
+        </span>
+        <span role="columnheader" class="number">
+          at
+        </span>
       </div>
-      <div class="tube-rows" ref={box} tabIndex={0}>
+      <div class="tube-rows" role="rowgroup" ref={box} tabIndex={0}>
         <div style={{height: `${ROW * total}px`}}>{Array.from({length: last - first}, (_, k) => rowAt(first + k))}</div>
       </div>
     </div>
@@ -73,9 +85,11 @@ function TubeRow({tube, index, kinds}: {tube: PlannedTube; index: number; kinds:
         goToVisit(index);
       }}
     >
-      <span class="number">{index + 1}</span>
-      <b>{titleOf(tube)}</b>
-      <span>
+      <span role="cell" class="number">
+        {index + 1}
+      </span>
+      <b role="cell">{titleOf(tube)}</b>
+      <span role="cell">
         {kind ? (
           <>
             <MarkIcon mark={kind.mark} size={12} /> {kind.name}
@@ -84,10 +98,18 @@ function TubeRow({tube, index, kinds}: {tube: PlannedTube; index: number; kinds:
           "–"
         )}
       </span>
-      <span class="number">{probability(tube.probability_by_steps?.at(-1))}</span>
-      <span class="number">{lengthFigure(score?.error, units.value.length, 4)}</span>
-      <span class="number">{short(tube.tilt)}</span>
-      <span class="number">{Number.isFinite(arrivals.value[index]) ? clock(arrivals.value[index]) : "–"}</span>
+      <span role="cell" class="number">
+        {probability(tube.probability_by_steps?.at(-1))}
+      </span>
+      <span role="cell" class="number">
+        {lengthFigure(score?.error, units.value.length, 4)}
+      </span>
+      <span role="cell" class="number">
+        {short(tube.tilt)}
+      </span>
+      <span role="cell" class="number">
+        {Number.isFinite(arrivals.value[index]) ? clock(arrivals.value[index]) : "–"}
+      </span>
     </div>
   );
 }
