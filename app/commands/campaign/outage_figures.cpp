@@ -25,7 +25,7 @@ json stepSharesJson(const RunSums& visits) {
 }
 
 json histogramJson(const CountHistogram& counts) {
-  return {{"mean_count", finiteJson(counts.mean())},
+  return {{"mean", finiteJson(counts.mean())},
           {"50", finiteJson(counts.quantile(0.5))},
           {"90", finiteJson(counts.quantile(0.9))}};
 }
@@ -77,7 +77,7 @@ json changesJson(const OutageTask& task, const OutageTally& tally) {
     const auto k = static_cast<std::size_t>(change);
     const auto& row = calibration::hiddenChanges()[k];
     json entry = changeJson(tally.changes()[k]);
-    entry["change"] = row.name;
+    entry["name"] = row.name;
     entry["words"] = row.words;
     entry["at"] = row.at(task.centring.truth.arm);
     list.push_back(entry);
@@ -158,7 +158,7 @@ std::string outageText(const json& figures) {
   std::string text = textOf(figures, kOutageWords) + fmt::format("{:<14}", "change");
   for (const auto& figure : kOutageFigures) text += figure.heading;
   text += "\n";
-  for (const auto& entry : figures["changes"]) text += rowText(entry, entry["change"].get<std::string>());
+  for (const auto& entry : figures["changes"]) text += rowText(entry, entry["name"].get<std::string>());
   return text + rowText(figures["changed"], "all of these");
 }
 
@@ -166,7 +166,7 @@ std::string changesCsv(const json& figures) {
   std::string text = "change";
   forEachNumber(figures["changed"], [&](const std::string& key, const json&) { text += "," + key; });
   for (const auto& entry : figures["changes"]) {
-    text += "\n" + entry["change"].get<std::string>();
+    text += "\n" + entry["name"].get<std::string>();
     forEachNumber(entry, [&](const std::string&, const json& number) {
       text += "," + (number.is_null() ? std::string() : number.dump());
     });
