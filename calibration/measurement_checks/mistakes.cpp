@@ -4,6 +4,7 @@
 #include "calibration/measurement_checks/axes.hpp"
 #include "calibration/measurement_checks/base_elsewhere.hpp"
 #include "calibration/measurement_checks/clock.hpp"
+#include "calibration/measurement_checks/coordinate_scale.hpp"
 #include "calibration/measurement_checks/coordinate_unit.hpp"
 #include "calibration/measurement_checks/coordinates_unit.hpp"
 #include "calibration/measurement_checks/holes_off.hpp"
@@ -41,6 +42,7 @@ const std::vector<MistakeKind>& mistakeKinds() {
       mistakes::loads_unit::kind(),
       mistakes::angles_unit::kind(),
       mistakes::coordinate_unit::kind(),
+      mistakes::coordinate_scale::kind(),
       mistakes::joint_unit::kind(),
       mistakes::sigma_unit::kind(),
       mistakes::mirror::kind(),

@@ -94,6 +94,13 @@ inline Made coordinateInMillimetres(SeededSet& s, SeededRandom& random) {
   for (auto& m : s.table.measurements) (*m.p_W)[axis] *= s.table.units.coordinates.factor / 1e-3;
   return std::string("coordinate-unit=") + "xyz"[axis] + ":mm";
 }
+inline Made coordinateTimesFactor(SeededSet& s, SeededRandom& random) {
+  if (!arePlaces(s) || areHoles(s)) return std::nullopt;
+  const int axis = drawnBelow(3, random);
+  const double factor = drawnBetween(1.2, 8, random);
+  for (auto& m : s.table.measurements) (*m.p_W)[axis] *= factor;
+  return std::string("coordinate-scale=") + "xyz"[axis];
+}
 /// Converts the sigmas of measurement `first` and of all later measurements to `unit`, the actual unit of the
 /// coordinates.
 inline Made withSigma(SeededSet& set, const std::string& unit, std::size_t first, Made correction) {
@@ -505,6 +512,7 @@ inline const std::vector<SeededMistake>& seededMistakes() {
       {"angles", "degrees under rad", seeded::degrees},
       {"joint-unit", "one joint in radians under deg", seeded::jointInRadians},
       {"coordinate-unit", "one coordinate in mm", seeded::coordinateInMillimetres},
+      {"coordinate-scale", "one coordinate times a factor", seeded::coordinateTimesFactor},
       {"coordinates-of", "the last coordinates in mm", seeded::lastInMillimetres},
       {"angles-of", "the last joint readings in radians under deg", seeded::lastInRadians},
       {"sigma", "sigma x 1000", seeded::sigmaThousandfold},
@@ -586,7 +594,7 @@ inline Naming judgeNaming(const SeededMistake& mistake, const std::string& corre
     if (correction.find('@') != std::string::npos && !correction.starts_with("shift="))
       return isSameStep(assume, correction);
     if (mistake.name == std::string("sigma")) return assume.starts_with("sigma=");
-    if (mistake.name == std::string("joint-zero") || mistake.name == std::string("joint-scale"))
+    if (mistake.name == std::string("joint-zero") || std::string(mistake.name).ends_with("-scale"))
       return assume.starts_with(correction + ":");
     if (mistake.name == std::string("setup")) return assume.starts_with("setup=");
     return assume == correction || assume.starts_with(correction + ",sigma=");
