@@ -5,8 +5,10 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "calibration/measurement_checks/coordinate_unit.hpp"
+#include "calibration/measurement_checks/robust_fit.hpp"
 #include "calibration/measurements/measurement_prediction.hpp"
 #include "tubesheets/csv_table.hpp"
 
@@ -18,62 +20,81 @@ using Eigen::Index, Eigen::MatrixX4d, Eigen::VectorXd;
 
 constexpr double kLeastChange = 1.1;   // smallest factor, or inverse factor, that no scale error of a machine reaches
 constexpr double kSameAsUnit = 0.02;   // difference from a ratio of units, up to which the coordinate's unit is wrong
-constexpr std::size_t kFewest = 8;     // smallest number of positions from which a factor is estimated
+constexpr Index kFewest = 8;           // smallest number of positions from which a factor is estimated
 constexpr std::size_t kMostTips = 80;  // largest number of positions that are used
 constexpr double kKeptShare = 0.9;     // fraction of the positions that fit best, to which the second fit is limited
 constexpr double kFlat = 0.02;         // spread of the tips in one direction relative to that in another; see slopeOf()
+constexpr int kRepeats = 3;            // number of fits of the arm by which a factor is refined
 
-/// Written positions of the tip [m], and the positions of the tip as drawn, in the frame of the base [m].
-struct WrittenTips {
-  std::vector<Eigen::Vector3d> p_W, p_B;
-};
-
-WrittenTips tipsOf(const CheckedMeasurements& checked) {
-  WrittenTips tips;
+/// Returns the measurements of the first set-up whose coordinates of the tip are in the file, thinned to kMostTips.
+std::vector<Measurement> writtenPositions(const CheckedMeasurements& checked) {
+  std::vector<Measurement> written;
   const auto& all = checked.measurements;
   const std::size_t stride = 1 + all.size() / kMostTips;
-  for (std::size_t k = 0; k < all.size(); k += stride) {
-    if (!statesPlace(all[k]) || !coordinates_unit::areWritten(checked, all[k]) || all[k].setup != all.front().setup)
-      continue;
-    const auto& X_WB = basePoseAt(checked.start, all[k]);
-    if (const auto tool = toolAt(checked.start.arm, X_WB, all[k])) {
-      tips.p_W.push_back(*all[k].p_W);
-      tips.p_B.push_back(X_WB.inverse() * tool->p_W);
-    }
+  for (std::size_t k = 0; k < all.size(); k += stride)
+    if (statesPlace(all[k]) && coordinates_unit::areWritten(checked, all[k]) && all[k].setup == all.front().setup)
+      written.push_back(all[k]);
+  return written;
+}
+
+/// Returns the predicted positions of the tip [m], each followed by a 1; empty if a shape does not converge.
+MatrixX4d tipsOf(const PlacedArm& placed, const std::vector<Measurement>& written) {
+  MatrixX4d tips(written.size(), 4);
+  for (std::size_t k = 0; k < written.size(); ++k) {
+    const auto tool = toolAt(placed, written[k]);
+    if (!tool) return {};
+    tips.row(static_cast<Index>(k)) << tool->p_W.transpose(), 1;
   }
   return tips;
 }
 
 /// Returns the length of the slope of a coordinate over the tips, which is 1 for any base if the coordinate is right; 0
-/// if the tips lie in a plane, and the slope across it is unknown.
-double slopeOf(const MatrixX4d& tips, const VectorXd& coordinate) {
+/// if it is unknown, because there are few tips, or because they lie in a plane.
+double slopeOf(const MatrixX4d& tips, const std::vector<Measurement>& written, Index axis) {
+  if (tips.rows() < kFewest) return 0;
+  VectorXd coordinate(tips.rows());
+  for (Index k = 0; k < tips.rows(); ++k) coordinate[k] = (*written[static_cast<std::size_t>(k)].p_W)[axis];
   const Eigen::ColPivHouseholderQR<MatrixX4d> all(tips);
   if (std::abs(all.matrixR()(3, 3)) < kFlat * std::abs(all.matrixR()(1, 1))) return 0;
   const VectorXd off = (coordinate - tips * all.solve(coordinate)).cwiseAbs();
   std::vector<Index> order(static_cast<std::size_t>(off.size()));
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<Index>(k);
+  std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, {}, [&](Index k) { return off[k]; });
   order.resize(static_cast<std::size_t>(kKeptShare * static_cast<double>(order.size())));
   const MatrixX4d kept = tips(order, Eigen::all);
   return kept.colPivHouseholderQr().solve(VectorXd(coordinate(order))).head<3>().norm();
 }
 
+/// Returns the factor that fits the arm with its free parameters, starting from the factor that fits the arm as drawn.
+double refined(double factor, const CheckedMeasurements& checked, std::vector<Measurement> written, Index axis) {
+  RobustFitOptions options{checked.free};
+  options.free.base = true;  // frees base poses that are not known
+  for (Measurement& measurement : written) (*measurement.p_W)[axis] *= factor;
+  for (int repeat = 0; repeat < kRepeats; ++repeat) {
+    const RobustFit fit = fitRobustly(checked.start, written, options);
+    const double slope = fit.ok ? slopeOf(tipsOf(fit.placed, written), written, axis) : 0;
+    if (!(slope > 0)) return factor;
+    for (Measurement& measurement : written) (*measurement.p_W)[axis] /= slope;
+    factor /= slope;
+  }
+  return factor;
+}
+
+bool isRatioOfUnits(const CheckedMeasurements& checked, double slope) {
+  return std::ranges::any_of(checked.units.lengths, [&](const NamedUnit& unit) {
+    return std::abs(std::log(slope * unit.factor / checked.units.coordinates.factor)) < kSameAsUnit;
+  });
+}
+
 std::vector<std::string> valuesOf(const CheckedMeasurements& checked) {
   std::vector<std::string> values;
-  const auto [p_W, p_B] = tipsOf(checked);
-  if (p_W.size() < kFewest) return values;
-  MatrixX4d tips(p_B.size(), 4);
-  for (std::size_t k = 0; k < p_B.size(); ++k) tips.row(static_cast<Index>(k)) << p_B[k].transpose(), 1;
+  const auto written = writtenPositions(checked);
+  const MatrixX4d tips = tipsOf(checked.start, written);
   for (Index axis = 0; axis < 3; ++axis) {
-    VectorXd coordinate(p_W.size());
-    for (std::size_t k = 0; k < p_W.size(); ++k) coordinate[static_cast<Index>(k)] = p_W[k][axis];
-    const double slope = slopeOf(tips, coordinate);
-    if (!(slope > 0) || std::abs(std::log(slope)) < std::log(kLeastChange)) continue;
-    const bool is_unit = std::ranges::any_of(checked.units.lengths, [&](const NamedUnit& unit) {
-      return std::abs(std::log(slope * unit.factor / checked.units.coordinates.factor)) < kSameAsUnit;
-    });
-    if (!is_unit)
-      values.push_back(fmt::format("{}:{:.5g}", coordinate_unit::kAxes[static_cast<std::size_t>(axis)], 1 / slope));
+    const double slope = slopeOf(tips, written, axis);
+    if (!(slope > 0) || std::abs(std::log(slope)) < std::log(kLeastChange) || isRatioOfUnits(checked, slope)) continue;
+    values.push_back(fmt::format("{}:{:.8g}", coordinate_unit::kAxes[static_cast<std::size_t>(axis)],
+                                 refined(1 / slope, checked, written, axis)));
   }
   return values;
 }
