@@ -305,6 +305,7 @@ TEST_F(MeasurementsReader, readsAnotherPointOfTheTool) {
 
 TEST_F(MeasurementsReader, stepsSayBetweenWhichTolerancesTheToolStood) {
   const std::string header = "id,kind,point,theta1_deg,theta2_deg,theta3_deg,theta4_deg,steps\n";
+  cell.tool->lengths.clear();  // the tolerances are then those of the tip, whatever the tilt
   const auto settled = [&](const std::string& steps) {
     auto measurements =
         parseMeasurements(header + "a,steps,R10C20,10,90,-20,5," + steps + "\n", "m.csv", cell.arm, &*cell.sheet);
