@@ -98,7 +98,7 @@ constexpr TextLine kOutageWords[] = {
     {"",
      "{runs_done} of {runs} run(|s), {visits} visit(|s) in each of {tubes/in_reach} in reach of {tubes/asked}, "
      "{base/words}\n"},
-    {"touch_every", "steps are counted, and every {}th visit is a touch\n"},
+    {"touch_every", "steps are counted, with a touch every {} visits\n"},
     {"refused", "  {runs} run(|s): {reason} (first: run {first_run})\n"},
     {"unchanged",
      "no change: {runs} run(|s), false alarms {false_alarms/count}, {false_alarms/value:.1%} % "
