@@ -48,7 +48,7 @@ std::vector<int> TourSearch::order() const {
   return order;
 }
 
-double TourSearch::costAt(int node_a, int posture_a, int node_b) const {
+double TourSearch::costAtAnchor(int node_a, int posture_a, int node_b) const {
   // An edge between anchors has a cost of minus infinity, so that removing it never gains. A move that removes and
   // restores it has a gain of NaN, which fails every comparison.
   if (node_a >= visits_ && node_b >= visits_) return -std::numeric_limits<double>::infinity();

@@ -50,7 +50,11 @@ class TourSearch {
   [[nodiscard]] int previous(int node) const { return tour_[place_[node] == 0 ? size() - 1 : place_[node] - 1]; }
   [[nodiscard]] int adjacent(int node, Side side) const { return side == Side::kNext ? next(node) : previous(node); }
   [[nodiscard]] double cost(int node_a, int node_b) const { return costAt(node_a, posture_of_node_[node_a], node_b); }
-  [[nodiscard]] double costAt(int node_a, int posture_a, int node_b) const;
+  [[nodiscard]] double costAt(int node_a, int posture_a, int node_b) const {
+    if (node_a < visits_ && node_b < visits_) return table_.cost(posture_a, posture_of_node_[node_b]);
+    return costAtAnchor(node_a, posture_a, node_b);
+  }
+  [[nodiscard]] double costAtAnchor(int node_a, int posture_a, int node_b) const;
 
   /// Computes the cost from each posture of `node_a` to the current posture of `node_b` [s].
   void costsFrom(int node_a, int node_b, Eigen::ArrayXd& times) const;
