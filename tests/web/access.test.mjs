@@ -4,7 +4,7 @@ import {readFileSync} from "node:fs";
 import path from "node:path";
 import {after, before, describe} from "node:test";
 import {it} from "./limits.mjs";
-import {ask, begin, ended, finish, openTab, serve, simulate, web} from "./workbench.mjs";
+import {begin, callApi, ended, finish, openTab, serve, simulate, web} from "./workbench.mjs";
 
 const axe = readFileSync(path.join(web, "node_modules/axe-core/axe.min.js"), "utf8");
 const GRAVE = new Set(["serious", "critical"]);
@@ -67,7 +67,7 @@ describe("axe-core has no serious finding", () => {
   });
 
   it("in the plan view with a plan, whose table has cells", async () => {
-    assert.equal(await ended(server, (await ask(server, "plan", {tubes: "spread:6"})).body.id), "done");
+    assert.equal(await ended(server, (await callApi(server, "plan", {tubes: "spread:6"})).body.id), "done");
     await tab.evaluate(() => (location.hash = "plan"));
     await tab.waitForSelector(".tube-rows .tube-row");
     const columns = await tab.locator(".tube-table [role=columnheader]").count();
