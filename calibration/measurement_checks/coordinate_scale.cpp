@@ -10,6 +10,7 @@
 #include "calibration/measurement_checks/coordinate_unit.hpp"
 #include "calibration/measurement_checks/robust_fit.hpp"
 #include "calibration/measurements/measurement_prediction.hpp"
+#include "deflection/weights.hpp"
 #include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::calibration::mistakes::coordinate_scale {
@@ -24,6 +25,7 @@ constexpr Index kFewest = 8;           // smallest number of positions from whic
 constexpr std::size_t kMostTips = 80;  // largest number of positions that are used
 constexpr double kKeptShare = 0.9;     // fraction of the positions that fit best, to which the second fit is limited
 constexpr double kFlat = 0.02;         // spread of the tips in one direction relative to that in another; see slopeOf()
+constexpr double kLeastMove = 0.01;    // smallest rms move of the corrected coordinates, as a fraction of the reach
 constexpr int kRepeats = 3;            // number of fits of the arm by which a factor is refined
 
 /// Returns the measurements of the first set-up whose coordinates of the tip are in the file, thinned to kMostTips.
@@ -80,6 +82,14 @@ double refined(double factor, const CheckedMeasurements& checked, std::vector<Me
   return factor;
 }
 
+/// Returns true if the factor moves the coordinates farther than the physical effects of a machine move the tip.
+bool movesFar(const CheckedMeasurements& checked, const std::vector<Measurement>& written, Index axis, double slope) {
+  VectorXd coordinate(written.size());
+  for (std::size_t k = 0; k < written.size(); ++k) coordinate[static_cast<Index>(k)] = (*written[k].p_W)[axis];
+  const double spread = (coordinate.array() - coordinate.mean()).matrix().norm() / std::sqrt(coordinate.size());
+  return std::abs(1 - 1 / slope) * spread > kLeastMove * deflection::reachOf(checked.start.arm);
+}
+
 bool isRatioOfUnits(const CheckedMeasurements& checked, double slope) {
   return std::ranges::any_of(checked.units.lengths, [&](const NamedUnit& unit) {
     return std::abs(std::log(slope * unit.factor / checked.units.coordinates.factor)) < kSameAsUnit;
@@ -93,6 +103,7 @@ std::vector<std::string> valuesOf(const CheckedMeasurements& checked) {
   for (Index axis = 0; axis < 3; ++axis) {
     const double slope = slopeOf(tips, written, axis);
     if (!(slope > 0) || std::abs(std::log(slope)) < std::log(kLeastChange) || isRatioOfUnits(checked, slope)) continue;
+    if (!movesFar(checked, written, axis, slope)) continue;
     values.push_back(fmt::format("{}:{:.8g}", coordinate_unit::kAxes[static_cast<std::size_t>(axis)],
                                  refined(1 / slope, checked, written, axis)));
   }
