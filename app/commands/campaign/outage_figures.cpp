@@ -151,7 +151,7 @@ json outageJson(const OutageTask& task, const CampaignRequest& request, const Ou
           {"unchanged", unchangedJson(tally.changes().front())},
           {"changed", changeJson(tally.changed())},
           {"changes", changesJson(task, tally)},
-          {"figures", meanings}};
+          {"meanings", meanings}};
 }
 
 std::string outageText(const json& figures) {

@@ -48,7 +48,7 @@ TEST_F(OutageCampaign, WritesTheSameBytesForAnyNumberOfWorkersAndAfterMoreRuns) 
   for (const auto& change : figures["changes"]) sum += change["runs"].get<int>();
   for (const auto& reason : figures["refused"]) sum += reason["runs"].get<int>();
   EXPECT_EQ(sum, 4);
-  for (const auto& meaning : figures["figures"])
+  for (const auto& meaning : figures["meanings"])
     EXPECT_TRUE(figures["changed"].contains(meaning["name"].get<std::string>())) << meaning;
 }
 
