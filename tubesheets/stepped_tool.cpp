@@ -5,6 +5,7 @@
 #include <array>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -133,6 +134,12 @@ std::vector<Section> sectionsOf(const SteppedTool& tool) {
     sections.push_back({k, below, tool.steps[k].tolerance});
   }
   return sections;
+}
+
+double middleOf(const SteppedTool& tool, std::size_t step) {
+  const auto sections = sectionsOf(tool);
+  const auto [first, last] = std::ranges::equal_range(sections, step, {}, &Section::step);
+  return (first->below + std::prev(last)->below) / 2;
 }
 
 int stepsInserted(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean) {

@@ -38,6 +38,9 @@ struct Section {
 /// Returns both ends of every step from the tip down, or one section at the tip for each if the tool has no lengths.
 [[nodiscard]] std::vector<Section> sectionsOf(const SteppedTool& tool);
 
+/// Returns the depth below the tip of the middle of a step [m]; 0 for a tool without lengths.
+[[nodiscard]] double middleOf(const SteppedTool& tool, std::size_t step);
+
 /// Returns a phrase for each number of entered steps from 0 up: "no step enters", ..., "all three steps enter".
 [[nodiscard]] std::vector<std::string> stepWords(const SteppedTool& tool);
 

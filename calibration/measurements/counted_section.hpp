@@ -14,13 +14,18 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the tool's axis in the tool frame: the unit vector from the shank to the tip.
-[[nodiscard]] Eigen::Vector3d toolAxisInTool(const deflection::Arm& arm);
+/// The tool's axis, from the shank to the tip, at a measurement: unit vectors in the world frame and in the tool frame.
+struct ToolAxis {
+  Eigen::Vector3d axis_W, axis_T;
 
-/// Returns the tilt of the tool at a measurement, for a base at `X_WB`: how far its axis moves sideways per unit length
-/// upwards. Empty if the deflected shape does not converge or the tool is not above the horizontal.
-[[nodiscard]] std::optional<Eigen::Vector2d> toolLean(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
-                                                      const Measurement& measurement);
+  [[nodiscard]] bool isUpward() const { return axis_W.z() > 0; }
+  /// Returns how far the axis moves sideways per unit length upwards.
+  [[nodiscard]] Eigen::Vector2d lean() const { return axis_W.head<2>() / axis_W.z(); }
+};
+
+/// Returns the tool's axis for a base at `X_WB`; empty if the deflected shape does not converge.
+[[nodiscard]] std::optional<ToolAxis> toolAxisAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
+                                                 const Measurement& measurement);
 
 /// Sets the counted section of a measurement of kind `steps`, the bounds of the offset there, and sigma, for the number
 /// of steps in own[0], which the tool must have. The tilt is that of `arm` on a base at `X_WB`. A measurement that

@@ -7,9 +7,7 @@ namespace tubeplan::calibration {
 using Eigen::Vector2d;
 
 double depthAmidLastStep(const tubesheets::SteppedTool& tool) {
-  const auto sections = tubesheets::sectionsOf(tool);
-  const auto first = std::ranges::find(sections, tool.steps.size() - 1, &tubesheets::Section::step);
-  return (first->below + sections.back().below) / 2;
+  return tubesheets::middleOf(tool, tool.steps.size() - 1);
 }
 
 CountedSteps countedSteps(const tubesheets::SteppedTool& tool, const Vector2d& lean, double sigma, int entered) {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "calibration/estimation/whitened_residual.hpp"
+#include "calibration/measurements/counted_section.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/measurement_posture.hpp"
 
 namespace tubeplan::calibration {
 
@@ -51,11 +51,11 @@ CountedOffsets countedOffsets(const WatchedArm& watched, const std::vector<Measu
   for (std::size_t k = 0; k < measurements.size() && counted.ok; ++k) {
     Measurement& offset = counted.measurements[k];
     if (!kindOf(offset).counts_steps) continue;
-    const auto shape = deflection::solveFlexibleKinematics(watched.arm, postureOf(offset, watched.arm, watched.X_WB));
-    counted.ok = shape.status == deflection::KinematicsStatus::kConverged;
-    const Vector3d axis_W = watched.X_WB.linear() * shape.X_BD.R * watched.arm.tool_axis_L;
-    counted.lean[k] = axis_W.head<2>() / axis_W.z();
-    offset.p_QS = -depthAmidLastStep(watched.tool) / axis_W.z() * (shape.R_LT.transpose() * watched.arm.tool_axis_L);
+    const auto axis = toolAxisAt(watched.arm, watched.X_WB, offset);
+    counted.ok = axis.has_value();
+    if (!axis) continue;
+    counted.lean[k] = axis->lean();
+    offset.p_QS = -depthAmidLastStep(watched.tool) / axis->axis_W.z() * axis->axis_T;
     const auto next = std::min(static_cast<std::size_t>(offset.own[0]), watched.tool.steps.size() - 1);
     offset.own[1] = 0;
     offset.own[2] = watched.tool.steps[next].tolerance;

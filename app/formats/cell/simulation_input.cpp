@@ -155,8 +155,9 @@ void countSteps(const Cell& cell, const calibration::CampaignTruth& truth,
                 std::vector<calibration::Measurement>& measurements) {
   for (auto& measurement : measurements) {
     const auto base = std::ranges::find(truth.bases, measurement.setup, &calibration::TrueBase::setup);
-    const auto lean = calibration::toolLean(truth.arm, base->X_WB, measurement);
-    measurement.own[0] = lean ? tubesheets::stepsInserted(*cell.tool, measurement.own.tail<2>(), *lean) : 0;
+    const auto axis = calibration::toolAxisAt(truth.arm, base->X_WB, measurement);
+    const bool is_upward = axis && axis->isUpward();
+    measurement.own[0] = is_upward ? tubesheets::stepsInserted(*cell.tool, measurement.own.tail<2>(), axis->lean()) : 0;
   }
   std::erase_if(measurements, [](const auto& measurement) { return measurement.own[0] == 0; });
   settleSteps(measurements, cell, "simulated visits");

@@ -31,9 +31,10 @@ std::optional<Measurement> uprightVisit(const app::Cell& cell, SeededRandom& ran
   visit.kind = MeasurementKind::kSteps;
   visit.q.resize(4);
   visit.q << drawnBetween(-1.5, 1.5, random), drawnBetween(0.6, 1.6, random), drawnBetween(-1.6, -0.4, random), 0;
-  const auto lean = toolLean(cell.arm, cell.X_WB, visit);
-  if (!lean) return std::nullopt;
-  visit.q[3] -= std::atan(lean->norm()) * (lean->dot(toolAt(cell.arm, cell.X_WB, visit)->p_W.head<2>()) > 0 ? 1 : -1);
+  const auto axis = toolAxisAt(cell.arm, cell.X_WB, visit);
+  if (!axis || !axis->isUpward()) return std::nullopt;
+  const Vector2d lean = axis->lean();
+  visit.q[3] -= std::atan(lean.norm()) * (lean.dot(toolAt(cell.arm, cell.X_WB, visit)->p_W.head<2>()) > 0 ? 1 : -1);
   return visit;
 }
 
@@ -52,8 +53,9 @@ TEST(CountedSection, HasAnOffsetWithinTheBoundsForAnyToolAndTilt) {
     const auto tool = randomTool(1 + drawnBelow(8, random), random);
     auto visit = uprightVisit(cell, random);
     if (!visit) continue;
-    const Vector2d lean = toolLean(cell.arm, cell.X_WB, *visit).value_or(Vector2d(9, 9));
-    if (lean.norm() > 0.1) continue;
+    const auto axis = toolAxisAt(cell.arm, cell.X_WB, *visit);
+    if (!axis || !axis->isUpward() || axis->lean().norm() > 0.1) continue;
+    const Vector2d lean = axis->lean();
     const Vector2d offset =
         0.08 * kInch * Vector2d(drawnBetween(-1, 1, random), drawnBetween(-1, 1, random)) * drawnBetween(0, 1, random);
     visit->p_W = toolAt(cell.arm, cell.X_WB, *visit)->p_W;
@@ -83,7 +85,9 @@ TEST(CountedSection, OfAToolWithoutLengthsIsTheTip) {
     settleCount(visit, tool, cell.arm, cell.X_WB);
     EXPECT_FALSE(visit.p_QS);
     EXPECT_EQ(visit.own[1], entered < 3 ? tool.steps[static_cast<std::size_t>(entered)].tolerance : 0);
-    if (entered > 0) EXPECT_EQ(visit.own[2], tool.steps[static_cast<std::size_t>(entered) - 1].tolerance);
+    if (entered > 0) {
+      EXPECT_EQ(visit.own[2], tool.steps[static_cast<std::size_t>(entered) - 1].tolerance);
+    }
   }
 }
 
@@ -108,7 +112,7 @@ TEST(CountedSection, OfSimulatedVisitsAgreesWithTheTrueArmOnALeaningBase) {
     const double off = offsetOf(visit, cell.arm, cell.X_WB), slack = 0.003 * kInch;  // encoder noise
     EXPECT_GE(off, visit.own[1] - slack);
     EXPECT_LE(off, visit.own[2] + slack);
-    lean += toolLean(cell.arm, cell.X_WB, visit)->norm() / static_cast<double>(campaign.measurements.size());
+    lean += toolAxisAt(cell.arm, cell.X_WB, visit)->lean().norm() / static_cast<double>(campaign.measurements.size());
   }
   EXPECT_GT(lean, 0.003);
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/measurements/counted_section.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/simulation/hidden_changes.hpp"
 #include "calibration/watch/change_watch.hpp"
@@ -113,9 +114,8 @@ class SimulatedOutage {
     const auto tool = toolAt(now.arm, now.X_WB, true_visit);
     if (!tool) throw std::runtime_error("a visit does not converge");
     if (kind == MeasurementKind::kSteps) {
-      const Eigen::Vector3d axis_W = tool->R_WT * (deflection::toolFrame(now.arm).transpose() * now.arm.tool_axis_L);
-      visit.own[0] =
-          tubesheets::stepsInserted(tool_, (tool->p_W - *visit.p_W).head<2>(), axis_W.head<2>() / axis_W.z());
+      const auto axis = toolAxisAt(now.arm, now.X_WB, true_visit);
+      visit.own[0] = tubesheets::stepsInserted(tool_, (tool->p_W - *visit.p_W).head<2>(), axis->lean());
       visit.sigma = kVisitSigma;
     } else {
       visit.sigma = kCameraNoise * kInch;
