@@ -50,12 +50,17 @@ MatrixX4d tipsOf(const PlacedArm& placed, const std::vector<Measurement>& writte
   return tips;
 }
 
+VectorXd coordinateOf(const std::vector<Measurement>& written, Index axis) {
+  VectorXd coordinate(written.size());
+  for (std::size_t k = 0; k < written.size(); ++k) coordinate[static_cast<Index>(k)] = (*written[k].p_W)[axis];
+  return coordinate;
+}
+
 /// Returns the length of the slope of a coordinate over the tips, which is 1 for any base if the coordinate is right; 0
 /// if it is unknown, because there are few tips, or because they lie in a plane.
 double slopeOf(const MatrixX4d& tips, const std::vector<Measurement>& written, Index axis) {
   if (tips.rows() < kFewest) return 0;
-  VectorXd coordinate(tips.rows());
-  for (Index k = 0; k < tips.rows(); ++k) coordinate[k] = (*written[static_cast<std::size_t>(k)].p_W)[axis];
+  const VectorXd coordinate = coordinateOf(written, axis);
   const Eigen::ColPivHouseholderQR<MatrixX4d> all(tips);
   if (std::abs(all.matrixR()(3, 3)) < kFlat * std::abs(all.matrixR()(1, 1))) return 0;
   const VectorXd off = (coordinate - tips * all.solve(coordinate)).cwiseAbs();
@@ -84,8 +89,7 @@ double refined(double factor, const CheckedMeasurements& checked, std::vector<Me
 
 /// Returns true if the factor moves the coordinates farther than the physical effects of a machine move the tip.
 bool movesFar(const CheckedMeasurements& checked, const std::vector<Measurement>& written, Index axis, double slope) {
-  VectorXd coordinate(written.size());
-  for (std::size_t k = 0; k < written.size(); ++k) coordinate[static_cast<Index>(k)] = (*written[k].p_W)[axis];
+  const VectorXd coordinate = coordinateOf(written, axis);
   const double spread = (coordinate.array() - coordinate.mean()).matrix().norm() / std::sqrt(coordinate.size());
   return std::abs(1 - 1 / slope) * spread > kLeastMove * deflection::reachOf(checked.start.arm);
 }
@@ -112,15 +116,13 @@ std::vector<std::string> valuesOf(const CheckedMeasurements& checked) {
 
 std::optional<Correction> correctionOf(const CheckedMeasurements& checked, const std::string& value) {
   const auto [axis, number] = partedAtColon(value);
-  const auto at = axis.size() == 1 ? coordinate_unit::kAxes.find(axis.front()) : std::string_view::npos;
+  const std::size_t at = coordinate_unit::axisNamed(axis);
   const double factor = tubesheets::parseNumber(number).value_or(0);
   if (at == std::string_view::npos || !(factor > 0)) return std::nullopt;
   Correction correction{"coordinate-scale", value,
                         fmt::format("the column of {} is too {}: multiplied by {:.5g} it is a coordinate in {}", axis,
                                     factor < 1 ? "large" : "small", factor, checked.units.coordinates.name)};
-  correction.change = toEach([checked = &checked, at, factor](Measurement& measurement) {
-    if (coordinates_unit::areWritten(*checked, measurement)) (*measurement.p_W)[static_cast<Index>(at)] *= factor;
-  });
+  correction.change = coordinate_unit::multiplied(checked, at, factor);
   correction.numbers_fitted = 1;
   return correction;
 }
