@@ -30,7 +30,7 @@ export function attemptWithChoices(
   about: string,
   choices: Choices = {},
 ): Promise<boolean> {
-  const actOrAsk = async () => {
+  const actOrOffer = async () => {
     try {
       await act(choices);
     } catch (error) {
@@ -42,29 +42,29 @@ export function attemptWithChoices(
       dialog.value = "choice";
     }
   };
-  return attempt(title, actOrAsk, about);
+  return attempt(title, actOrOffer, about);
 }
 
 export function ChoiceDialog() {
   return (
     <Dialog name="choice" title="A choice is needed">
-      {question.value ? <ChoiceForm asked={question.value} /> : null}
+      {question.value ? <ChoiceForm shown={question.value} /> : null}
     </Dialog>
   );
 }
 
-function ChoiceForm({asked}: {asked: Question}) {
-  const {label, values} = asked.problem.choice!;
-  const goOn = () => {
+function ChoiceForm({shown}: {shown: Question}) {
+  const {label, values} = shown.problem.choice!;
+  const submit = () => {
     closeDialog("choice");
-    return asked.answer(asked.chosen);
+    return shown.answer(shown.chosen);
   };
   return (
-    <form class="choice-form" onSubmit={submitting(goOn)}>
-      <ProblemWords problem={asked.problem} />
+    <form class="choice-form" onSubmit={submitting(submit)}>
+      <ProblemWords problem={shown.problem} />
       <label class="field">
         {label}
-        <Select choices={values} value={asked.chosen} onChoose={(chosen) => (question.value = {...asked, chosen})} />
+        <Select choices={values} value={shown.chosen} onChoose={(chosen) => (question.value = {...shown, chosen})} />
       </label>
       <div class="row">
         <button class="button first" type="submit">
