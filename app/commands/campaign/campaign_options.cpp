@@ -137,4 +137,9 @@ void requireOptionsOf(const CLI::App& cli, const std::string& kind) {
   }
 }
 
+void requireFractionOfNothing(const CampaignRequest& request) {
+  if (!(request.nothing >= 0 && request.nothing <= 1))
+    throw InputError("--nothing", fmt::format("{}", request.nothing), "a fraction from 0 to 1");
+}
+
 }  // namespace tubeplan::app

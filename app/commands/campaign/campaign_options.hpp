@@ -14,4 +14,7 @@ void addKindOptions(CLI::App& cli, CampaignRequest& request);
 /// Throws InputError for an option of other kinds of campaigns, because the option would have no effect.
 void requireOptionsOf(const CLI::App& cli, const std::string& kind);
 
+/// Throws InputError unless `--nothing` is a fraction.
+void requireFractionOfNothing(const CampaignRequest& request);
+
 }  // namespace tubeplan::app

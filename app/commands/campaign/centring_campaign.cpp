@@ -1,19 +1,18 @@
 // Centring campaign: performs the runs, and derives the results from their tally.
 #include "app/commands/campaign/centring_figures.hpp"
 #include "app/formats/sheet/touch_input.hpp"
+#include "app/studies/monte_carlo/tally_experiment.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
-class CentringExperiment : public Experiment {
+class CentringExperiment : public TallyExperiment<CentringTally> {
  public:
   explicit CentringExperiment(const CentringTask& task)
-      : trials_(task.model, task.truth, task.holes, task.options),
-        steps_(task.model.tool.steps.size()),
-        holes_(task.holes.visited.size()),
-        settings_(task.options.settings.size()),
-        total_(empty()) {}
+      : TallyExperiment(
+            CentringTally(task.options.settings.size(), task.holes.visited.size(), task.model.tool.steps.size())),
+        trials_(task.model, task.truth, task.holes, task.options) {}
 
   std::optional<TallyWords> run(RunRange runs, const std::function<bool()>& stop) const override {
     CentringTally tally = empty();
@@ -21,33 +20,13 @@ class CentringExperiment : public Experiment {
       if (stop()) return std::nullopt;
       tally.add(trials_.run(run), run);
     }
-    return wordsOfCentring(tally);
+    return wordsOf(tally);
   }
-
-  bool add(const TallyWords& tally) override { return total_.merge(tally); }
-
-  std::optional<TallyWords> sum(const TallyWords& a, const TallyWords& b) const override {
-    CentringTally tally = empty();
-    if (!tally.merge(a) || !tally.merge(b)) return std::nullopt;
-    return wordsOfCentring(tally);
-  }
-
-  TallyWords total() const override { return wordsOfCentring(total_); }
 
   const CentringTrials& trials() const { return trials_; }
-  const CentringTally& tally() const { return total_; }
 
  private:
-  static TallyWords wordsOfCentring(const CentringTally& tally) {
-    TallyWords words;
-    tally.put(words);
-    return words;
-  }
-  CentringTally empty() const { return {settings_, holes_, steps_}; }
-
   CentringTrials trials_;
-  std::size_t steps_, holes_, settings_;
-  CentringTally total_;
 };
 
 constexpr std::uint64_t kLargestChunk = 256;  // number of runs that takes about a tenth of a second

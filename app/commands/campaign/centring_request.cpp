@@ -153,7 +153,7 @@ CentringTask centringTask(const CampaignRequest& request, const VisitedHoles& vi
     for (auto* arm : {&task.model.arm, &task.truth.arm})
       setEncoderSigma(angleFrom("--encoder-sigma", request.encoder_sigma, 0, task.cell.units), *arm);
   task.options.spread = spreadOf(request, task.cell.units);
-  task.options.doubt = additionalUncertainty(task.cell);
+  task.options.additional = additionalUncertainty(task.cell);
   task.options.holes = request.holes;
   task.options.seed = request.seed;
   task.options.settings = settingsOf(request, task);
@@ -180,7 +180,7 @@ PlanKey centringKey(const CentringTask& task, const CampaignRequest& request) {
           {"base", numbersFingerprint(task.model.X_WB.matrix())},
           {"uncertainty of the arm's numbers",
            fingerprintOf(uncertaintyText(task.cell.uncertainty, task.cell.arm, task.cell.units))},
-          {"model error", fmt::format("{} m", task.options.doubt.model_error)},
+          {"model error", fmt::format("{} m", task.options.additional.model_error)},
           {"true arm", modelFingerprint(truth)},
           {"true base", numbersFingerprint(task.truth.X_WB.matrix())},
           {"sheet", task.model.sheet.fingerprint()},

@@ -3,6 +3,7 @@
 
 #include "app/commands/campaign/campaign.hpp"
 #include "app/commands/campaign/campaign_json.hpp"
+#include "app/commands/campaign/campaign_options.hpp"
 #include "app/commands/campaign/diagnosis_trial.hpp"
 #include "app/documents/effect_words_json.hpp"
 #include "app/documents/figures.hpp"
@@ -12,6 +13,7 @@
 #include "app/storage/count_text.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/suggestion.hpp"
+#include "app/studies/monte_carlo/tally_experiment.hpp"
 #include "deflection/effects/effect.hpp"
 
 namespace tubeplan::app {
@@ -66,12 +68,13 @@ struct DiagnosisTask {
   std::vector<int> kinds;
 };
 
-class DiagnosisExperiment : public Experiment {
+class DiagnosisExperiment : public TallyExperiment<DiagnosisTally> {
  public:
-  explicit DiagnosisExperiment(const DiagnosisTask& task) : trials_(task.cell, task.kinds, task.options) {}
+  explicit DiagnosisExperiment(const DiagnosisTask& task)
+      : TallyExperiment(DiagnosisTally()), trials_(task.cell, task.kinds, task.options) {}
 
   std::optional<TallyWords> run(RunRange runs, const std::function<bool()>& stop) const override {
-    DiagnosisTally tally;
+    DiagnosisTally tally = empty();
     for (std::uint64_t run = runs.first; run < runs.end; ++run) {
       const auto trial = stop() ? std::nullopt : trials_.run(run, stop);
       if (!trial) return std::nullopt;
@@ -79,29 +82,13 @@ class DiagnosisExperiment : public Experiment {
     }
     return wordsOf(tally);
   }
-  bool add(const TallyWords& tally) override { return total_.merge(tally); }
-  std::optional<TallyWords> sum(const TallyWords& a, const TallyWords& b) const override {
-    DiagnosisTally tally;
-    if (!tally.merge(a) || !tally.merge(b)) return std::nullopt;
-    return wordsOf(tally);
-  }
-  TallyWords total() const override { return wordsOf(total_); }
-  const DiagnosisTally& tally() const { return total_; }
 
  private:
-  static TallyWords wordsOf(const DiagnosisTally& tally) {
-    TallyWords words;
-    tally.put(words);
-    return words;
-  }
-
   DiagnosisTrials trials_;
-  DiagnosisTally total_;
 };
 
 DiagnosisTask diagnosisTask(const CampaignRequest& request) {
-  if (!(request.nothing >= 0 && request.nothing <= 1))
-    throw InputError("--nothing", fmt::format("{}", request.nothing), "a fraction from 0 to 1");
+  requireFractionOfNothing(request);
   if (request.effects < 1 || request.effects > 2)
     throw InputError("--effects", std::to_string(request.effects), "1 or 2");
   DiagnosisTask task;

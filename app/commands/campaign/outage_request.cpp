@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/commands/campaign/campaign_options.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/named_entry.hpp"
 
@@ -36,8 +37,7 @@ std::vector<int> hideableChanges(const std::string& hide, const deflection::Arm&
 
 OutageTask outageTask(const CampaignRequest& request) {
   requireOneSetting(request);
-  if (!(request.nothing >= 0 && request.nothing <= 1))
-    throw InputError("--nothing", fmt::format("{}", request.nothing), "a fraction from 0 to 1");
+  requireFractionOfNothing(request);
   if (request.touch_every < 0 || request.touch_every == 1)
     throw InputError("--touch-every", std::to_string(request.touch_every), "2 or more visits, or 0 for no touch");
   CampaignRequest visits = request;
@@ -46,8 +46,8 @@ OutageTask outageTask(const CampaignRequest& request) {
   task.centring = centringTask(visits, kOutageVisits);
   // The calibration and the watch are told the size of the unmodelled error, which is that of the cell by default.
   auto& centring = task.centring.options;
-  if (!request.unmodelled) centring.spread.unmodelled_sigma = centring.doubt.model_error;
-  centring.doubt.model_error = centring.spread.unmodelled_sigma;
+  if (!request.unmodelled) centring.spread.unmodelled_sigma = centring.additional.model_error;
+  centring.additional.model_error = centring.spread.unmodelled_sigma;
   task.options.centring = centring;
   task.options.touch_every = request.touch_every;
   task.options.nothing = request.nothing;
