@@ -123,9 +123,9 @@ int scoreRuns(const ScoredRunsOptions& options, const std::vector<int>& tubes, c
   TruthSpread spread;
   if (options.unmodelled >= 0) spread.unmodelled_sigma = cell.units.toInternal(options.unmodelled, dimension::kLength);
   if (options.stiffness >= 0) spread.stiffness_sigma = options.stiffness;
-  const auto trialsOf = [&](const calibration::AdditionalUncertainty& doubt, int touches, TouchRule rule) {
+  const auto trialsOf = [&](const calibration::AdditionalUncertainty& additional, int touches, TouchRule rule) {
     const CentringSetting setting{touches, rule, touchSigmaOf(model.tool)};
-    return CentringTrials(model, truth, holes, {spread, doubt, kVisitedHoles, options.seed, {setting}});
+    return CentringTrials(model, truth, holes, {spread, additional, kVisitedHoles, options.seed, {setting}});
   };
   const auto scored =
       scoredBy(trialsOf(additionalUncertainty(cell), kTouchedHoles, TouchRule::kTested), options.runs, terminalHooks());

@@ -63,7 +63,7 @@ std::string chooseBaseTouches(const Cell& cell, std::uint64_t seed, SensitivityR
                               calibration::SensitivityTask& task) {
   const BestTouches best = cell.sheet ? touchedHoles(cell, task.work) : touchedPostures(cell, task.work, seed);
   if (cell.sheet) task.touch_sigma = touchSigmaOf(requireTool(cell, "touch holes"));
-  task.doubt = additionalUncertainty(cell);
+  task.additional = additionalUncertainty(cell);
   for (const auto& plan : best.plans) {
     task.touches.push_back(plan.q_start);
     report.touches.push_back(plan.hole);

@@ -14,8 +14,8 @@ MeasurementsWithChecks measurementsMade(const std::string& file, Cell& cell, dou
 
 calibration::Estimate estimateOf(const Cell& cell, const std::vector<calibration::Measurement>& measurements,
                                  const calibration::FreeChoice& free, const std::string& where,
-                                 const calibration::AdditionalUncertainty& doubt) {
-  auto estimate = calibration::estimateFrom(cell.arm, cell.X_WB, cell.base_known, measurements, free, doubt);
+                                 const calibration::AdditionalUncertainty& additional) {
+  auto estimate = calibration::estimateFrom(cell.arm, cell.X_WB, cell.base_known, measurements, free, additional);
   if (estimate.problems.empty()) return estimate;
   refuseName(where, estimate.problems.front(), cell.arm);
 }

@@ -21,7 +21,7 @@ namespace tubeplan::app {
 [[nodiscard]] calibration::Estimate estimateOf(const Cell& cell,
                                                const std::vector<calibration::Measurement>& measurements,
                                                const calibration::FreeChoice& free, const std::string& where,
-                                               const calibration::AdditionalUncertainty& doubt = {});
+                                               const calibration::AdditionalUncertainty& additional = {});
 
 /// Throws InputError for a name that cannot be freed, with a suggestion of a similar name if there is one.
 [[noreturn]] void refuseName(const std::string& where, const calibration::FreeProblem& problem,

@@ -89,11 +89,11 @@ void learn(const TouchRequest& request, const std::vector<Measurement>& measurem
   Cell unplaced = outcome.cell;
   unplaced.base_known = false;
   if (!measurements.empty() && !isGoal(request, "parameters")) unplaced.arm = unplaced.filedArm();
-  const calibration::AdditionalUncertainty doubt = additionalUncertainty(unplaced);
-  task.of_base = estimateOf(unplaced, measurements, {{}, true}, named_by, doubt);
+  const calibration::AdditionalUncertainty additional = additionalUncertainty(unplaced);
+  task.of_base = estimateOf(unplaced, measurements, {{}, true}, named_by, additional);
   if (isGoal(request, "parameters")) return;
   outcome.setup = lastSetup(*task.of_base);
-  noteEstimate(*task.of_base, doubt.model_error, outcome.cell.units, outcome.notes);
+  noteEstimate(*task.of_base, additional.model_error, outcome.cell.units, outcome.notes);
   outcome.cell = cellAsEstimated(outcome.cell, *task.of_base);
 }
 

@@ -221,7 +221,7 @@ Sensitivity findSensitivities(const deflection::Arm& arm, const Eigen::Isometry3
     result.reason = task.work.empty() ? "no posture to work at" : "the deflected shape does not converge";
     return result;
   }
-  const Estimate untouched = estimateFrom(arm, X_WB, false, {}, {{}, true}, task.doubt);
+  const Estimate untouched = estimateFrom(arm, X_WB, false, {}, {{}, true}, task.additional);
   const auto response = calibratedResponse(untouched, task, touches, static_cast<Index>(result.numbers.size()));
   if (!response) {
     result.status = SensitivityStatus::kTouchesDoNotDetermineBase;

@@ -21,8 +21,9 @@ struct SensitivityTask {
   double load = 0;  ///< load hung from the tip at the work postures [N]; touches are made without load
   /// Joint readings of the touches that determine the base, three or more; empty means that the base is known.
   std::vector<Eigen::VectorXd> touches;
-  double touch_sigma = 1.27e-4;      ///< standard deviation of each coordinate of a touch [m]
-  AdditionalUncertainty doubt = {};  ///< prior uncertainty of the arm, which the fit of the touches takes into account
+  double touch_sigma = 1.27e-4;  ///< standard deviation of each coordinate of a touch [m]
+  AdditionalUncertainty additional =
+      {};  ///< prior uncertainty of the arm, which the fit of the touches takes into account
   /// Axis of the holes. Only components perpendicular to it count as centring error; empty means that all components
   /// count.
   std::optional<Eigen::Vector3d> hole_axis_W;

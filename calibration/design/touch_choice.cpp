@@ -170,7 +170,7 @@ TouchChoice chooseTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X
   if (candidates.empty()) return chooseTouches(DesignProblem{}, options.count);
   std::vector<MeasurementCandidate> touches;
   for (const auto& plan : candidates) touches.push_back({{proposedTouch(plan, options.sigma)}});
-  const Estimate untouched = estimateFrom(arm, X_WB, false, {}, {{}, true}, options.doubt);
+  const Estimate untouched = estimateFrom(arm, X_WB, false, {}, {{}, true}, options.additional);
   const PosedDesign posed = poseDesign(untouched, touches, {work, 0});
   TouchChoice choice = chooseTouches(posed.problem, options.count);
   for (int& k : choice.chosen) k = posed.candidates[static_cast<std::size_t>(k)];

@@ -19,8 +19,9 @@ namespace tubeplan::calibration {
 
 struct TouchChoiceOptions {
   int count = 3;
-  double sigma = 1.27e-4;            ///< standard deviation of the centring noise of each coordinate [m]
-  AdditionalUncertainty doubt = {};  ///< prior uncertainty of the arm, which the fit of the touches takes into account
+  double sigma = 1.27e-4;  ///< standard deviation of the centring noise of each coordinate [m]
+  AdditionalUncertainty additional =
+      {};  ///< prior uncertainty of the arm, which the fit of the touches takes into account
 };
 
 enum class TouchChoiceStatus { kNotRun, kDone, kTooFewCandidates, kNotDetermined };

@@ -9,7 +9,7 @@ namespace {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 /// Returns the trial errors of the base pose: unit vectors along each axis with either sign, and along each diagonal.
-/// The first three components are fractions of BaseDoubt::shift, the last three of BaseDoubt::turn.
+/// The first three components are fractions of BaseUncertainty::shift, the last three of BaseUncertainty::turn.
 std::vector<Vector6> waysOff() {
   std::vector<Vector6> ways;
   for (int axis = 0; axis < 6; ++axis)
@@ -22,10 +22,10 @@ std::vector<Vector6> waysOff() {
   return ways;
 }
 
-Eigen::Isometry3d displaced(const Eigen::Isometry3d& X_WB, const Vector6& way, const BaseDoubt& doubt) {
+Eigen::Isometry3d displaced(const Eigen::Isometry3d& X_WB, const Vector6& way, const BaseUncertainty& uncertainty) {
   Eigen::Isometry3d X = X_WB;
-  X.translation() += doubt.shift * way.head<3>();
-  const Eigen::Vector3d turn = doubt.turn * way.tail<3>();
+  X.translation() += uncertainty.shift * way.head<3>();
+  const Eigen::Vector3d turn = uncertainty.turn * way.tail<3>();
   if (turn.norm() > 0) X.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * X_WB.linear();
   return X;
 }
@@ -50,9 +50,9 @@ std::vector<TouchPlan> touchedFrom(const deflection::Arm& arm, const Eigen::Isom
 }  // namespace
 
 std::vector<TouchPlan> keepTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
-                                     const std::vector<TouchPlan>& candidates, const BaseDoubt& doubt) {
+                                     const std::vector<TouchPlan>& candidates, const BaseUncertainty& uncertainty) {
   std::vector<TouchPlan> kept = touchedFrom(arm, X_WB, candidates);
-  for (const Vector6& way : waysOff()) kept = touchedFrom(arm, displaced(X_WB, way, doubt), kept);
+  for (const Vector6& way : waysOff()) kept = touchedFrom(arm, displaced(X_WB, way, uncertainty), kept);
   return kept;
 }
 

@@ -11,7 +11,7 @@ namespace tubeplan::calibration {
 /// Largest expected error of the base pose: shift in any direction, and rotation about any axis through the base's
 /// origin. The defaults are three standard deviations of the base errors that the commands `campaign` and `score`
 /// simulate.
-struct BaseDoubt {
+struct BaseUncertainty {
   double shift = 0.0381;  ///< largest shift [m] (1.5 in)
   double turn = 0.0262;   ///< largest rotation [rad] (1.5 deg)
 };
@@ -21,7 +21,7 @@ struct BaseDoubt {
 /// considered, collisions are not.
 [[nodiscard]] std::vector<TouchPlan> keepTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                                    const std::vector<TouchPlan>& candidates,
-                                                   const BaseDoubt& doubt = {});
+                                                   const BaseUncertainty& uncertainty = {});
 
 /// Returns the result of keepTouchable(), or all candidates if it has fewer than `count` entries.
 [[nodiscard]] std::vector<TouchPlan> robustlyTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,

@@ -88,7 +88,7 @@ bool fitFreeNumbers(const PlacedArm& placed, const std::vector<Measurement>& mea
 
 Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                       const std::vector<Measurement>& measurements, const FreeChoice& free,
-                      const AdditionalUncertainty& doubt) {
+                      const AdditionalUncertainty& additional) {
   std::vector<Measurement> used = measurements;
   std::erase_if(used, [](const Measurement& measurement) { return measurement.is_held_out; });
   Estimate estimate;
@@ -99,8 +99,8 @@ Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
   estimate.unknowns = std::move(unknowns.list);
   if (!estimate.problems.empty()) return estimate;
   estimate.x = zerosOf(estimate.unknowns);
-  estimate.nuisance_parameters = uncertainNumbers(arm, doubt.arm);
-  estimate.model_error = doubt.model_error;
+  estimate.nuisance_parameters = uncertainNumbers(arm, additional.arm);
+  estimate.model_error = additional.model_error;
   estimate.information = informationBeforehand(estimate).asDiagonal();
   if (used.empty() || estimate.unknowns.empty()) return estimate;
   const bool is_fitted = !estimate.nuisance_parameters.unknowns.empty() && placesByTouches(estimate, used)

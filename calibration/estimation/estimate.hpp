@@ -38,10 +38,10 @@ struct Estimate {
 
 /// Fits the measurements, except held-out ones, and adds up their information; there may be no measurements. If only a
 /// base is free and the measurements are touches of known holes, the base is fitted as by calibrateBase(), together
-/// with the uncertain parameters of `doubt`. In all other cases, these parameters are treated as exact.
+/// with the uncertain parameters of `additional`. In all other cases, these parameters are treated as exact.
 [[nodiscard]] Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                                     const std::vector<Measurement>& measurements, const FreeChoice& free,
-                                    const AdditionalUncertainty& doubt = {});
+                                    const AdditionalUncertainty& additional = {});
 
 /// Returns the placed arm with the estimated parameter values.
 [[nodiscard]] PlacedArm placedAsEstimated(const Estimate& estimate);

@@ -224,10 +224,10 @@ class SizeSearch {
     while (up < kMostStretch && disagreementOf(stretched(mode, up + kStretch)) <= limit) up += kStretch;
     const VectorXd none = valuesIn(bare_), least = none + down * (mode.values - none),
                    most = none + up * (mode.values - none);
-    const VectorXd doubt =
+    const VectorXd spread =
         (mode.values.cwiseAbs().array() > 2 * mode.sigma.array()).select(2 * mode.sigma.array(), 0.).matrix();
-    mode.lower = least.cwiseMin(most).cwiseMin(mode.values - doubt);
-    mode.upper = least.cwiseMax(most).cwiseMax(mode.values + doubt);
+    mode.lower = least.cwiseMin(most).cwiseMin(mode.values - spread);
+    mode.upper = least.cwiseMax(most).cwiseMax(mode.values + spread);
   }
 
   /// Adds a mode to the list unless the list has a similar one. The similar one is replaced if the new mode's

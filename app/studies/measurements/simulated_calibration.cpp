@@ -37,17 +37,17 @@ int tubeOf(const calibration::TouchPlan& candidate, const tubesheets::Sheet& she
 }
 
 BestTouches bestTouches(const planner::Workcell& cell, const std::vector<calibration::TouchPlan>& candidates, int count,
-                        const calibration::AdditionalUncertainty& doubt) {
+                        const calibration::AdditionalUncertainty& additional) {
   std::vector<Eigen::VectorXd> work;
   for (const auto& candidate : candidates) work.push_back(candidate.q_start);
-  return bestTouches(cell, candidates, work, count, doubt);
+  return bestTouches(cell, candidates, work, count, additional);
 }
 
 BestTouches bestTouches(const planner::Workcell& cell, const std::vector<calibration::TouchPlan>& candidates,
                         const std::vector<Eigen::VectorXd>& work, int count,
-                        const calibration::AdditionalUncertainty& doubt) {
+                        const calibration::AdditionalUncertainty& additional) {
   return bestTouches(cell.arm, cell.X_WB, calibration::robustlyTouchable(cell.arm, cell.X_WB, candidates, count), work,
-                     {count, touchSigmaOf(cell.tool), doubt});
+                     {count, touchSigmaOf(cell.tool), additional});
 }
 
 BestTouches bestTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
@@ -91,11 +91,12 @@ BothCalibrations calibrateBoth(const planner::Workcell& placed, const CellModel&
 }
 
 BothCalibrations calibrateBoth(const deflection::Arm& flexible, const deflection::Arm& rigid,
-                               const calibration::AdditionalUncertainty& doubt, const Eigen::Isometry3d& X_WB_start,
-                               const tubesheets::Sheet& sheet, const std::vector<calibration::Measurement>& touches) {
+                               const calibration::AdditionalUncertainty& additional,
+                               const Eigen::Isometry3d& X_WB_start, const tubesheets::Sheet& sheet,
+                               const std::vector<calibration::Measurement>& touches) {
   calibration::BaseCalibrationOptions options;
-  options.arm = doubt.arm;
-  options.model_error = doubt.model_error;
+  options.arm = additional.arm;
+  options.model_error = additional.model_error;
   options.finds_suspects = false;
   options.method = calibration::LeastSquaresMethod::kLevenbergMarquardt;
   options.neighbours = neighboursOn(sheet);

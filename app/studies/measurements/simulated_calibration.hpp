@@ -34,13 +34,13 @@ struct BestTouches {
 /// Returns the `count` touches that minimize the tip's uncertainty in the postures of the candidates themselves.
 [[nodiscard]] BestTouches bestTouches(const planner::Workcell& cell,
                                       const std::vector<calibration::TouchPlan>& candidates, int count,
-                                      const calibration::AdditionalUncertainty& doubt);
+                                      const calibration::AdditionalUncertainty& additional);
 
 /// Returns the `count` touches that minimize the tip's uncertainty in the postures `work`.
 [[nodiscard]] BestTouches bestTouches(const planner::Workcell& cell,
                                       const std::vector<calibration::TouchPlan>& candidates,
                                       const std::vector<Eigen::VectorXd>& work, int count,
-                                      const calibration::AdditionalUncertainty& doubt);
+                                      const calibration::AdditionalUncertainty& additional);
 
 /// Returns the touches that minimize the tip's uncertainty in the postures `work`; `touchable` are candidates that the
 /// arm is known to reach.
@@ -63,7 +63,7 @@ struct BothCalibrations {
 /// Calibrates the base with each of the given arms. If the same model is calibrated many times, this is faster than the
 /// function above. However, it does not search for a wrong joint reading if the touches do not fit.
 [[nodiscard]] BothCalibrations calibrateBoth(const deflection::Arm& flexible, const deflection::Arm& rigid,
-                                             const calibration::AdditionalUncertainty& doubt,
+                                             const calibration::AdditionalUncertainty& additional,
                                              const Eigen::Isometry3d& X_WB_start, const tubesheets::Sheet& sheet,
                                              const std::vector<calibration::Measurement>& touches);
 

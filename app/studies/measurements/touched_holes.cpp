@@ -27,9 +27,9 @@ calibration::AdditionalUncertainty additionalUncertainty(const CellModel& cell) 
 
 calibration::BaseCalibrationOptions calibrationOptionsOf(const CellModel& cell) {
   calibration::BaseCalibrationOptions options;
-  const calibration::AdditionalUncertainty doubt = additionalUncertainty(cell);
-  options.arm = doubt.arm;
-  options.model_error = doubt.model_error;
+  const calibration::AdditionalUncertainty additional = additionalUncertainty(cell);
+  options.arm = additional.arm;
+  options.model_error = additional.model_error;
   if (cell.sheet) options.neighbours = neighboursOn(*cell.sheet);
   return options;
 }

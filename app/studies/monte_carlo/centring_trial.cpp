@@ -108,7 +108,7 @@ std::vector<CentringTrials::Hole> CentringTrials::prepared(const std::vector<Tou
 std::vector<CentringTrials::Hole> CentringTrials::fixedHoles(const planner::Workcell& model, const CentringHoles& holes,
                                                              const CentringSetting& setting) {
   if (setting.rule == TouchRule::kBest) {
-    const BestTouches best = bestTouches(model, holes.touchable, setting.touches, options_.doubt);
+    const BestTouches best = bestTouches(model, holes.touchable, setting.touches, options_.additional);
     if (problem_.empty()) problem_ = best.reason;
     return prepared(best.plans);
   }
@@ -189,7 +189,7 @@ CentringTrials::Calibrated CentringTrials::calibrated(const Run& run, std::size_
     result.failure = TrialFailure::kUntouchable;
     return result;
   }
-  result.base = calibrateBoth(flexible_, rigid_, options_.doubt, X_WB_, sheet_, touches);
+  result.base = calibrateBoth(flexible_, rigid_, options_.additional, X_WB_, sheet_, touches);
   result.failure = failureOf(result.base);
   return result;
 }

@@ -44,8 +44,9 @@ struct CentringHoles {
 
 struct CentringOptions {
   TruthSpread spread;
-  calibration::AdditionalUncertainty doubt;  ///< uncertainties considered in choosing touches and calibrating bases
-  int holes = 10;                            ///< number of holes visited in a run; each run draws its own holes
+  calibration::AdditionalUncertainty
+      additional;  ///< uncertainties considered in choosing touches and calibrating bases
+  int holes = 10;  ///< number of holes visited in a run; each run draws its own holes
   std::uint64_t seed = 1;
   std::vector<CentringSetting> settings;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "calibration/measurements/counted_section.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/measurement_prediction.hpp"
 
@@ -28,10 +29,10 @@ std::optional<int> stepsOf(const TrueState& now, Measurement visit, const Eigen:
                            const tubesheets::SteppedTool& tool, OutageDraw& draw) {
   for (Eigen::Index j = 0; j < visit.q.size(); ++j) visit.q[j] += draw.normal(now.arm.joint(j).encoder_sigma);
   const auto at = calibration::toolAt(now.arm, now.X_WB, visit);
-  if (!at) return std::nullopt;
-  const Eigen::Vector3d axis_W = at->R_WT * (deflection::toolFrame(now.arm).transpose() * now.arm.tool_axis_L);
+  const auto axis = calibration::toolAxisAt(now.arm, now.X_WB, visit);
+  if (!at || !axis) return std::nullopt;
   const Eigen::Vector3d offset = at->p_W + tip_error_W - *visit.p_W;
-  return tubesheets::stepsInserted(tool, offset.head<2>(), axis_W.head<2>() / axis_W.z());
+  return tubesheets::stepsInserted(tool, offset.head<2>(), axis->lean());
 }
 
 bool isTrueAnswer(const calibration::ChangeAnswer& answer, const HiddenChange& change, const deflection::Arm& arm) {
@@ -164,7 +165,8 @@ std::optional<OutageTrial> OutageTrials::run(std::uint64_t index, const calibrat
   watching.stop = stop;
   const auto& base = run.base.flexible;
   const auto watch = calibration::watchForChange(
-      {base.arm, base.X_WB, base.uncertainty, options_.centring.doubt.model_error, tool_}, readings.list, watching);
+      {base.arm, base.X_WB, base.uncertainty, options_.centring.additional.model_error, tool_}, readings.list,
+      watching);
   if (watch.status == calibration::WatchStatus::kStopped) return std::nullopt;
   if (watch.status != calibration::WatchStatus::kNotComputed) judge(watch, readings, run.truth.arm, trial);
   return trial;

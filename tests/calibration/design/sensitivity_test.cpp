@@ -113,7 +113,7 @@ TEST(Sensitivity, AllStiffnessesTogetherScaleTheSag) {
 TEST(Sensitivity, ErrorAfterCalibrationIsWhatACalibrationLeaves) {
   for (const auto& doubt : {ArmUncertainty::none(), ArmUncertainty{}}) {
     Case c;
-    c.task.doubt.arm = doubt;
+    c.task.additional.arm = doubt;
     const auto result = c.find();
     for (const char* name : {"latch-link.beam.Iz", "mezzanine-platform.joint_stiffness.x", "forearm.dh.a",
                              "tool.weight.distributed", "latch-link.weight.end"}) {

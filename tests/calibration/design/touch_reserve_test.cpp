@@ -31,8 +31,8 @@ TEST(TouchReserve, NoHoleIsInReachFromEverywhere) {
 
 TEST(TouchReserve, KeptHolesAreTouchedFromBasesOfAThirdOfTheDoubt) {
   const auto cell = touchedCell(kHolesAtTheEdge);
-  const BaseDoubt doubt;
-  const auto kept = keepTouchable(cell.arm, cell.X_WB_nominal, cell.plans, doubt);
+  const BaseUncertainty uncertainty;
+  const auto kept = keepTouchable(cell.arm, cell.X_WB_nominal, cell.plans, uncertainty);
   ASSERT_GE(kept.size(), 3U);
   EXPECT_LT(kept.size(), cell.plans.size());
   std::mt19937_64 random(5);
@@ -44,8 +44,8 @@ TEST(TouchReserve, KeptHolesAreTouchedFromBasesOfAThirdOfTheDoubt) {
   int touched = 0;
   for (int run = 0; run < kRuns; ++run) {
     Eigen::Isometry3d X = cell.X_WB_nominal;
-    X.translation() += doubt.shift / 3 * draw();
-    const Eigen::Vector3d turn = doubt.turn / 3 * draw();
+    X.translation() += uncertainty.shift / 3 * draw();
+    const Eigen::Vector3d turn = uncertainty.turn / 3 * draw();
     X.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * X.linear();
     touched += simulateTouches(cell.arm, X, kept, exact).status == TouchSimulationStatus::kDone;
   }
