@@ -11,7 +11,7 @@
 
 namespace tubeplan::app {
 
-/// Adds to a JSON document: `checks`, [{name, severity, sentence, error_as_is, error_if_corrected, assume, equally},
+/// Adds to a JSON document: `checks`, [{name, severity, sentence, error_as_is, error_if_mended, assume, equally},
 /// ...], and `missing_columns`, [{column, sentence}, ...]; errors and `assume` are null if there are none.
 void addChecks(const calibration::MeasurementChecks& checks, const Units& units, nlohmann::json& document);
 
