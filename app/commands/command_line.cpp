@@ -39,7 +39,7 @@ std::string exampleCells() {
   for (const char* cells : {"share/tubeplan/cells", "app/cells"})
     if (std::filesystem::is_directory(folder / cells)) return (folder / cells).string();
   throw InputError::saying("--cells", "the example cells are not installed with this program",
-                           "install the package whole, or take them from the source tree: app/cells");
+                           "install the whole package, or take them from the source tree: app/cells");
 }
 
 // Replaces `help CMD ACTION` by `CMD ACTION --help`. Returns true if the overview of all commands is requested: by

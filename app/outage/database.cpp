@@ -18,13 +18,13 @@ constexpr const char* kWriterSettings =
     "PRAGMA foreign_keys = ON; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;";
 constexpr const char* kReaderSettings = "SELECT 1 FROM sqlite_master";  // fails if the file cannot be read
 
-/// Returns true if the file's or its folder's protection kept it from being opened.
+/// Returns true if the file could not be opened because it or its folder is write-protected.
 bool isProtected(int code) {
   const int kind = code & 0xff;
   return kind == SQLITE_CANTOPEN || kind == SQLITE_READONLY || kind == SQLITE_PERM || kind == SQLITE_AUTH;
 }
 
-/// Returns the name by which SQLite opens a file that nobody changes.
+/// Returns the name by which SQLite opens a file as immutable: no process changes it.
 std::string unchangingName(const std::string& path) {
   std::string name = "file:";
   for (const char c : path)
@@ -89,14 +89,14 @@ Database::Database(const std::string& path, Mode mode) : path_(path), is_read_(m
   const int create = mode == Mode::kCreate ? SQLITE_OPEN_CREATE : 0;
   int code = open(path, SQLITE_OPEN_READWRITE | create);
   if (mode == Mode::kRead && isProtected(code)) {
-    // SQLite writes beside a file in WAL mode even to read it, unless the file is stated never to change. Without a log
-    // beside it, nobody has it open.
+    // To read a file in WAL mode, SQLite writes other files next to it, unless it opens the file as immutable. Without
+    // a log next to it, no process has the file open.
     const bool has_log = std::filesystem::file_size(path + "-wal", none) > 0 && !none;
     code =
         has_log ? open(path, SQLITE_OPEN_READONLY) : open(unchangingName(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
     if (has_log && isProtected(code))
-      throw InputError::saying(path, "changes stand in " + path + "-wal, and this folder is write-protected",
-                               "copy both files to a folder of your own");
+      throw InputError::saying(path, "changes are stored in " + path + "-wal, but this folder is write-protected",
+                               "copy both files to a folder that you may write to");
   }
   if (code != SQLITE_OK) fail(code);
 }

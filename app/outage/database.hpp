@@ -63,7 +63,7 @@ class Database {
     void operator()(sqlite3* database) const;
   };
 
-  /// Opens the file, and returns SQLite's code. On failure too, the connection is there for its message.
+  /// Opens the file, and returns SQLite's code. After a failure the connection still exists, for its message.
   int open(const std::string& name, int flags);
   [[noreturn]] void fail(int code) const;
 

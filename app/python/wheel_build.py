@@ -1,7 +1,8 @@
 """Builds the wheel of the package, as PEP 517 asks: CMake builds and installs it, and its files are zipped.
 
-Debian bookworm has no scikit-build-core, and this needs nothing but CMake. TUBEPLAN_BUILD names a build folder that is
-there already; else build-wheel is made. The libraries of packages.txt are not in the wheel: it is for machines that have them.
+Debian bookworm has no scikit-build-core, and this needs nothing but CMake. TUBEPLAN_BUILD names an existing build
+folder; otherwise build-wheel is made. The wheel does not contain the libraries of packages.txt, so it is for machines
+that have them.
 """
 import base64
 import hashlib

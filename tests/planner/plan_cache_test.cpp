@@ -154,7 +154,7 @@ TEST(PlanCache, WhatIsLeftIsPlannedFromTheOldOrder) {
 }
 
 TEST(PlanCache, TheBoundOfWhatIsLeftHoldsForEveryOrder) {
-  // What is left of seven tubes is few enough for every order and branch to be tried.
+  // The rest of seven tubes is small enough to try every order and branch.
   const Workcell cell = mockup();
   PlanCache cache;
   const VisitPlan before = planVisits(cell, tubesOf(cell, "spread:7"), {}, {}, cache);
@@ -178,7 +178,7 @@ TEST(PlanCache, TheBoundOfWhatIsLeftHoldsForEveryOrder) {
       if (!std::isnan(bound)) {
         EXPECT_LE(bound, least) << done;
       }
-      // From where the old plan is left, its own bound, which is exact for seven tubes, says nearly all.
+      // If the rest starts where the old plan stopped, the old bound, which is exact for seven tubes, is nearly sharp.
       if (has_start && done == 1) {
         EXPECT_GE(bound, 0.9 * least);
       }

@@ -1,4 +1,4 @@
-"""What the tests of the Python package share: the program, the tree, readings, and one call of every command."""
+"""Objects shared by the tests of the Python package: the program, the tree, readings, and one call of every command."""
 import functools
 import json
 import pathlib

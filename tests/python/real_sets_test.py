@@ -1,5 +1,5 @@
 """real_sets_test.py TUBEPLAN SOURCE FOLDER: from a URDF and measured points to a corrected URDF, on three robots: the
-held-out error is the one that `tubeplan improve` prints. Skipped where the sets are not beside the tree."""
+held-out error is the one that `tubeplan improve` prints. Skipped if the sets are not next to the tree."""
 import os
 import pathlib
 import re

@@ -22,7 +22,7 @@ after(async () => {
   await finish(setting);
 });
 
-/** Returns the grave findings of axe-core on the page as it is now, one line for each. */
+/** Returns the serious and critical findings of axe-core on the present page, one line for each. */
 async function findings() {
   const {violations} = await tab.evaluate(() => window.axe.run(document, {resultTypes: ["violations"]}));
   return violations

@@ -1,5 +1,5 @@
-// Tests of files that are dropped on the page: a robot description becomes a cell, other files are named, and the message
-// about one file goes with the next.
+// Tests of files that are dropped on the page: a robot description becomes a cell, other files are named, and a message
+// about a file disappears when the next one is opened.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {existsSync, readFileSync, readdirSync} from "node:fs";
@@ -8,7 +8,7 @@ import {it} from "./limits.mjs";
 import {begin, drop, finish, openTab, serve, simulate, source, stateOf} from "./workbench.mjs";
 
 const ROBOTS = path.join(source, "tests/app/urdf");
-/** Files that are no tables, with a word of what they are. */
+/** Files that are not tables, with a word that states their kind. */
 const OTHERS = [
   ["robot.sdf", '<?xml version="1.0"?>\n<sdf version="1.6"><model name="arm"/></sdf>\n', "robot description"],
   ["page.csv", "<!DOCTYPE html>\n<html><body>Sign in</body></html>\n", "web page"],

@@ -1,4 +1,4 @@
-// Tests of the units that the page shows: chosen once for all views, kept, and taken for what is typed.
+// Tests of the units that the page shows: chosen once for all views, stored, and applied to typed numbers.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import path from "node:path";

@@ -44,7 +44,7 @@ OutageTask outageTask(const CampaignRequest& request) {
   visits.holes = request.visits;
   OutageTask task;
   task.centring = centringTask(visits, kOutageVisits);
-  // The calibration and the watch are told the size of the unmodelled error, which is that of the cell by default.
+  // Calibration and watch know the size of the unmodelled error, which is that of the cell by default.
   auto& centring = task.centring.options;
   if (!request.unmodelled) centring.spread.unmodelled_sigma = centring.additional.model_error;
   centring.additional.model_error = centring.spread.unmodelled_sigma;

@@ -1,4 +1,4 @@
-"""The program's commands as functions, made from its own table: a new command is here without a line of Python."""
+"""The program's commands as functions, made from its own table: a new command needs no line of Python."""
 from __future__ import annotations
 
 import contextlib

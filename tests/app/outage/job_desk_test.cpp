@@ -203,7 +203,7 @@ TEST_F(JobDesk, AnEndThatWasPluggedIsNeitherNextNorLeftInOtherPackages) {
   ASSERT_EQ(itemsToVisit(items, again).size(), 1u);
   EXPECT_EQ(findNext(items, again)->tube, hot(9, 19));
   const JobTotals totals = totalsOf(store);
-  ASSERT_EQ(totals.plugged_in_the_meantime.size(), 1u);  // so that the totals do not wait for it in silence
+  ASSERT_EQ(totals.plugged_in_the_meantime.size(), 1u);  // otherwise the totals would wait for it without notice
   EXPECT_EQ(totals.plugged_in_the_meantime.front().package, "again");
   (void)markTube(store, {hot(9, 18), "again", "excluded", {"Tom", "plugged", ""}, std::nullopt});
   EXPECT_TRUE(totalsOf(store).plugged_in_the_meantime.empty());

@@ -16,7 +16,7 @@ using std::filesystem::perms;
 constexpr const char* kFree = "  - {name: rows, tubes: R9-11C18-22, tool: bobbin, confirm: none}\n";
 constexpr perms kNobodyWrites = perms::owner_write | perms::group_write | perms::others_write;
 
-/// What the superuser does as an ordinary user, because protection does not bind the superuser.
+/// Scope in which the superuser acts as an ordinary user, because protection does not bind the superuser.
 class AsOrdinaryUser {
  public:
   AsOrdinaryUser() : user_(::geteuid()) { EXPECT_EQ(::seteuid(user_ == 0 ? 65534 : user_), 0); }

@@ -1,4 +1,4 @@
-// The shares of legs among arms: the least end by exhaustive search, and the bound that holds for any number of legs.
+// Assignment of legs to arms: the least end by exhaustive search, and the bound that holds for any number of legs.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -65,7 +65,7 @@ TEST_F(WrongTube, NoneOf500DrillsPassesConfirmation) {
     const TubeAddress meant = items[random() % items.size()].tube, at = drill.at(meant, random);
     EXPECT_FALSE(compareRead(meant, at).is_same) << drill.name << " " << addressText(meant);
     EXPECT_FALSE(compareRead(meant, at).reason.empty());
-    if (at.generator != meant.generator) continue;  // a position says nothing of the steam generator
+    if (at.generator != meant.generator) continue;  // a position does not identify the steam generator
     const TubeEnd& hole = by_name.at(addressText(at));
     const auto found = comparePosition(meant, hole.x + noise(random), hole.y + noise(random), ends, pitch);
     EXPECT_FALSE(found.is_same) << drill.name << " " << addressText(meant);

@@ -24,7 +24,7 @@ inline ArmUncertainty stiffnessesByTenPercent() {
   return uncertainty;
 }
 
-/// What is measured at the visits of an outage.
+/// Kind of measurement made at the visits of an outage.
 struct VisitKind {
   const char* name;
   MeasurementKind kind;
