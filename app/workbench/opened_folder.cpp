@@ -57,8 +57,7 @@ fs::path OpenedFolder::fileToWrite(const std::string& name) const {
   std::error_code error;
   const auto status = fs::symlink_status(place, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
-    throw InputError::saying(name, "this name belongs to something other than a regular file, such as a folder",
-                             "choose another name");
+    throw InputError::saying(name, "this is not a regular file but, for example, a folder", "choose another name");
   return place;
 }
 

@@ -1,5 +1,5 @@
-// The hand-over of a shift: totals that balance in every row, the standing at the end of each shift, what must be known
-// first, and names that are no markup.
+// The hand-over of a shift: totals must balance in every row, the standing must be that at the end of the shift,
+// warnings must come first, and names must never become markup.
 #include "app/outage/hand_over.hpp"
 
 #include <nlohmann/json.hpp>

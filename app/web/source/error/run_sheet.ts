@@ -9,7 +9,7 @@ import {currentDiagnosis} from "./loop";
 import {readingErrors} from "./residuals";
 import {fillById, filledRows, lineOf, tableOf, type RunSheet} from "./run_sheet_table";
 
-// ---- storage
+// ---- storage of run sheets in the browser
 
 const KEPT = "tubeplan.run-sheet";
 const sheets = signal(keptObject<RunSheet>(KEPT));
