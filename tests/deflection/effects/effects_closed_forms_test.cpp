@@ -280,6 +280,10 @@ void stiffening() {
   const auto past_knee = [&](double a) { return moment(beyond)(a) - softness * knee; };
   EXPECT_NEAR(angleOf(solve(arm, at({0}, beyond))), turnUnder(past_knee), 1e-15);
   EXPECT_NEAR(angleOf(solve(arm, at({0}, beyond, Vector3d::UnitY()))), -turnUnder(past_knee), 1e-15);
+  // The same for an axis whose compliance is an effect too.
+  const Arm compliant = withEffect(boom(kRigid), "joint-compliance", "boom.z", {1 / kStiffness});
+  for (const double load : {below, beyond})
+    expectSame(withEffect(compliant, "stiffening", "boom.z", {softness, knee}), at({0.2}, load), arm, at({0.2}, load));
 }
 
 void backlash() {
