@@ -10,7 +10,7 @@
 # make coverage  lines and branches that the tests run, by folder (clang)
 # make mutants  mutants of what results hang on, and which of them no test kills (an hour or more)
 # make clean-root ROOT=FOLDER  the package in a Debian of its own: installed, planned, opened, linked (as root)
-# make bench  the same, and times everything that has a goal, beside its peer where there is one: docs/benchmarks.md
+# make bench  the same, and times everything that has a goal, and its peer if there is one: docs/benchmarks.md
 TUBES   ?= spread:60
 TOUCHES ?= auto
 SEED    ?= 1

@@ -84,11 +84,11 @@ int main(int argc, char** argv) {
   int count = 40, starts = 300;
   std::uint64_t seed = 1;
   std::string only, task_only;
-  cli.add_option("--tubes", count, "spread over the sheet");
-  cli.add_option("--starts", starts, "random ones at each tube that is refused");
-  cli.add_option("--seed", seed, "of what is drawn");
-  cli.add_option("--arm", only, "whose file has this in its name");
-  cli.add_option("--task", task_only, "whose name has this in it, beside the first");
+  cli.add_option("--tubes", count, "number of tubes, spread over the sheet");
+  cli.add_option("--starts", starts, "number of random starts at each tube that is refused");
+  cli.add_option("--seed", seed, "seed of the random numbers");
+  cli.add_option("--arm", only, "runs only arms whose file name contains this text");
+  cli.add_option("--task", task_only, "runs only the tasks whose name contains this text, in addition to the first");
   CLI11_PARSE(cli, argc, argv);
 
   bool is_good = true;

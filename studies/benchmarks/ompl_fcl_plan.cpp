@@ -108,7 +108,7 @@ nlohmann::json report(const Outcome& outcome, const Look& look) {
 int main(int argc, char** argv) {
   using namespace tubeplan;
   using namespace tubeplan::benchmarks;
-  CLI::App cli{"Tubes visited by OMPL and FCL alone, beside this planner"};
+  CLI::App cli{"Tubes visited by OMPL and FCL alone, compared with this planner"};
   std::string file = TUBEPLAN_SOURCE_DIR "/app/cells/mockup.yaml", json;
   std::vector<std::string> lists{"spread:60", "spread:500"};
   LibraryOptions options{1, 180};

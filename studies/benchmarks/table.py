@@ -79,9 +79,10 @@ class Rows:
             own, ceres = f'{case}/in-turn', f'{case}/ceres'
             yield self.time(f'{case}: Ceres', 'identification', ceres)
             yield self.time(f'{case}: as `identify` does it', 'identification', own, goal)
-            yield self.ratio(f'{case}: the same beside Ceres', 'identification', own, ceres, 1.0)
-            yield self.ratio(f'{case}: the same beside Hooke-Jeeves', 'identification', own, f'{case}/hooke-jeeves', 0.01)
-            yield self.ratio(f'{case}: Ipopt alone, beside Ceres', 'identification', f'{case}/ipopt', ceres, 1.0)
+            yield self.ratio(f'{case}: `identify` compared with Ceres', 'identification', own, ceres, 1.0)
+            yield self.ratio(f'{case}: `identify` compared with Hooke-Jeeves', 'identification', own,
+                             f'{case}/hooke-jeeves', 0.01)
+            yield self.ratio(f'{case}: Ipopt alone, compared with Ceres', 'identification', f'{case}/ipopt', ceres, 1.0)
         whole = '11 of 45 touch points/identify'
         yield self.time('11 of 45 touch points: all of `identify`, its judgement included', 'identification', whole)
 
@@ -115,11 +116,11 @@ class Rows:
 
     def sections(self):
         runs = self.raw.get('campaign_runs', 0)
-        yield 'Kinematics, beside the rigid kinematics of Orocos KDL', self.kinematics()
+        yield 'Kinematics, compared with the rigid kinematics of Orocos KDL', self.kinematics()
         yield 'Identification, the same residuals for every method', self.identification()
         yield 'Diagnosis of the whole catalogue, 150 readings', self.diagnosis()
         yield "The mock-up's sheet, 4,674 holes", self.sheet()
-        yield 'Clearance, beside the distance library (FCL)', self.clearance()
+        yield 'Clearance, compared with the distance library (FCL)', self.clearance()
         yield f'Whole commands: wall; CPU (campaigns of {runs:,} runs)', self.commands()
 
 
@@ -142,5 +143,5 @@ def table(raw):
              '[benchmarks.json](benchmarks.json).']
     for heading, rows in Rows(raw).sections():
         lines += ['', f'## {heading}', '| | figure | goal | |', '|---|---|---|---|', *map(text_of, rows)]
-    lines += ['', '## Plans, beside OMPL and FCL alone', *plans_text(raw.get('plans', []))]
+    lines += ['', '## Plans, compared with OMPL and FCL alone', *plans_text(raw.get('plans', []))]
     return '\n'.join(lines) + '\n'
