@@ -32,7 +32,7 @@ std::string overview() {
                     kExitCodes);
 }
 
-/// Returns the folder of the example cells, which is installed beside the program. A program that was built in the
+/// Returns the folder of the example cells, which is installed next to the program. A program that was built in the
 /// source tree finds them there. Throws InputError if there is none.
 std::string exampleCells() {
   const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();

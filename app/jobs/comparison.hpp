@@ -27,7 +27,7 @@ struct ComparisonOutcome {
   nlohmann::json figures;              ///< output of `tubeplan compare --json`
 };
 
-/// Refits the model to the measurements and, if some are outliers, once more without them. Throws JobStopped if a stop
+/// Refits the model to the measurements and, if some are outliers, again without them. Throws JobStopped if a stop
 /// is requested.
 [[nodiscard]] RefitOfMeasurements refitMeasurements(const CellMeasurements& input, const ComparisonRequest& request,
                                                     const WorkHooks& hooks = {});

@@ -56,7 +56,7 @@ struct WorkPackage {
   std::string tool;    ///< name of the tool
   std::string extent;  ///< extent of the examination, such as "TEH-TEC", as the user names it
   double length = 0;   ///< length of the extent [m]
-  double dwell = 0;    ///< time at each tube besides the travel of the probe [s]
+  double dwell = 0;    ///< time at each tube in addition to the travel of the probe [s]
   ConfirmationMethod confirm = ConfirmationMethod::kReadBack;
 };
 

@@ -153,7 +153,7 @@ void PairGraph::addCut(const std::vector<char>& inside) {
 
 void PairGraph::relaxPair(const Prices& prices, double most_relief, int node, const Edge& edge, Link& link) const {
   const int p0 = table_.first(node), q0 = table_.first(edge.to), q1 = table_.last(edge.to);
-  // Rows of postures that cannot give a cheaper link are passed over, where that spares more than it costs.
+  // Rows of postures that cannot give a cheaper link are skipped, if skipping saves more time than it costs.
   double least_q = q1 - q0 > kFewPostures ? kInfinity : -kInfinity;
   for (int q = q0; q1 - q0 > kFewPostures && q < q1; ++q)
     least_q = std::min(least_q, prices.of_posture[q] + prices.of_pair[edge.other_prices + (q - q0)]);

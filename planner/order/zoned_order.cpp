@@ -31,7 +31,7 @@ Route partOf(const Route& route, const std::vector<int>& visits) {
 }
 
 /// Returns the extra times of moves in the route of one zone, looked up in the whole route. The zone's start posture
-/// stands for visit `before` of the whole route, which may be the whole route's start posture.
+/// is that of visit `before` in the whole route, which may be the whole route's start posture.
 ExtraTime extraOf(const Route& route, const std::vector<int>& visits, int before, int branch_before) {
   if (!route.extra_time) return {};
   return [&whole = route.extra_time, visits, before, branch_before](int a, int branch_a, int b, int branch_b) {

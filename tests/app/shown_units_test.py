@@ -27,7 +27,8 @@ FOREIGN = [{'name': 'log.csv', 'text': 'Name;J1;J2;J3;J4;X;Y;Z\nP1;-20;150;-130;
 FOREIGN_COLUMNS = [f'{joint}_deg=log.csv:J{k}' for k, joint in enumerate(JOINTS, 1)] + \
                   [f'{axis.lower()}_in=log.csv:{axis}' for axis in 'XYZ']
 
-# What is asked at each address, in order, with bodies for a page in inches and degrees and one in millimetres and radians.
+# The requests to each address, in order, with bodies for a page in inches and degrees and for one in millimetres and
+# radians.
 SAME = object()
 ASKED = [
     ('GET', 'state', SAME), ('GET', 'sheet', SAME), ('GET', 'scene', SAME), ('GET', 'catalogue', SAME),

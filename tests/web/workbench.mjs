@@ -130,7 +130,7 @@ function addressOf(child, said, limit) {
   });
 }
 
-/** Ends a server; fails if it has already ended by itself. */
+/** Ends a server; fails if it has already ended. */
 function end(child, signal, said) {
   return new Promise((resolve, reject) => {
     if (child.exitCode !== null || child.signalCode !== null) {

@@ -24,7 +24,7 @@ namespace tubeplan::app {
 [[nodiscard]] std::string withArmParameters(const std::string& text, const YamlNode& arm, const ArmSource& source,
                                             const std::vector<std::pair<std::string, double>>& parameters);
 
-/// Returns the arm's text without the stiffnesses in `names` (dotted names), whose axes thereby become rigid.
+/// Returns the arm's text without the stiffnesses in `names` (dotted names), whose axes then are rigid.
 [[nodiscard]] std::string withoutArmParameters(const std::string& text, const YamlNode& arm,
                                                const std::vector<std::string>& names);
 

@@ -43,7 +43,7 @@ class RunningServer {
   std::thread serving_;
 };
 
-/// Job that runs until it is released. Tests of calls that are refused during a job thereby have no race.
+/// Job that runs until it is released. Tests of calls that are refused during a job then have no race.
 class HeldJob {
  public:
   explicit HeldJob(Workbench& workbench) {

@@ -1,5 +1,6 @@
 // Mistakes in measurements of a six-axis arm without masses, whose base is unknown and whose geometry is free: a
-// tracker set up again, a stuck encoder, orientations in another convention, and a lost row beside exchanged columns.
+// tracker set up again, a stuck encoder, orientations in another convention, and a lost row combined with
+// exchanged columns.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

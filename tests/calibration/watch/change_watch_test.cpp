@@ -39,7 +39,7 @@ TEST(ChangeWatch, IsQuietWhereNothingChanges) {
       EXPECT_TRUE(watch.status == WatchStatus::kQuiet || watch.status == WatchStatus::kAlarm) << watch.reason;
       alarms += watch.status == WatchStatus::kAlarm;
     }
-  EXPECT_LE(alarms, 12);  // of 125; at most 1 in 20 is allowed, and 13 have a probability of 0.01
+  EXPECT_LE(alarms, 12);  // of 125 watches; at most 1 in 20 is allowed, and 13 alarms have a probability of 0.01
 }
 
 TEST(ChangeWatch, FindsAStepOfTheBaseWithinAFewTouchesAndSaysSo) {

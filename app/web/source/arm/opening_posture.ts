@@ -20,7 +20,7 @@ function openPosture(isPicked: boolean): void {
   void showHole(middle);
 }
 
-/** Opens a view with the arm. `isPicked`: the hole above the arm becomes the picked one. */
+/** Shows the arm at a hole when a view opens. With `isPicked`, that hole also becomes the picked one. */
 export function useOpeningPosture(isPicked: boolean): void {
   useEffect(() => openPosture(isPicked), [sheet.value]);
 }

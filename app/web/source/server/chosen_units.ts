@@ -10,10 +10,10 @@ function keptUnit(kind: UnitKind): string {
   return typeof kept === "string" ? kept : "";
 }
 
-/** The chosen units; an empty one is that of the cell's file. They stay the same until the page is loaded anew. */
+/** The chosen units; an empty one is that of the cell's file. They stay the same until the page is reloaded. */
 export const chosenUnits: Readonly<Record<UnitKind, string>> = {length: keptUnit("length"), angle: keptUnit("angle")};
 
-/** Keeps a choice and loads the page anew, so that no figure in the former unit is left. */
+/** Stores a choice and reloads the page, so that no figure in the former unit is left. */
 export function chooseUnits(choice: Partial<Record<UnitKind, string>>): void {
   keep<string>(KEPT, {...chosenUnits, ...choice});
   location.reload();
