@@ -184,7 +184,7 @@ std::string discriminationText(nlohmann::json figures) {
   }
   if (!figures["next_readings"].empty())
     for (const auto& [name, value] : figures["next_readings"].front()["posture"].items())
-      heading += fmt::format("{:>11}", name);
+      heading += fmt::format(" {:>10}", name);
   figures["heading"] = heading;
   return textOf(figures, kNextMeasurementsWords);
 }

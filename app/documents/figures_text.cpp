@@ -102,8 +102,11 @@ std::string writtenValue(const json& value, const FigureFormat& format, const js
   if (value.is_number()) return writtenNumber(value.get<double>(), format, document);
   std::vector<std::string> all;
   for (const auto& [key, entry] : value.items()) {
-    all.push_back(writtenValue(entry, format, document) + (value.is_object() ? " " + key : ""));
-    if (format.in_columns) all.back() = fmt::format("{:>{}}", all.back(), format.width);
+    all.push_back(writtenValue(entry, format, document));
+    if (format.in_columns)
+      all.back() = fmt::format(" {:>{}}", all.back(), std::max(format.width, 1) - 1);
+    else if (value.is_object())
+      all.back() += " " + key;
   }
   return fmt::format("{}", fmt::join(all, format.in_columns ? "" : ", "));
 }

@@ -20,8 +20,9 @@ namespace tubeplan::app {
 /// r, significant digits, without an exponent for numbers from 1 to 1e7; a, like r for the absolute value; l, with the
 /// decimals of a length; %, a fraction as a percentage; p, a p-value; i, an interval with this number of digits; n, a
 /// user-defined name. `(ONE|SEVERAL)` is replaced by ONE after a placeholder of the number 1, otherwise by SEVERAL:
-/// "{#legs} leg(|s)". A list is written with commas or, if FORMAT begins with *, in columns of WIDTH; an object is
-/// written as "4 open, 2 plugged", and null or a number that is not finite as "none".
+/// "{#legs} leg(|s)". A list is written with commas, and an object as "4 open, 2 plugged". If FORMAT begins with *, the
+/// values of both are written in columns of WIDTH, separated by at least one space. Null and a number that
+/// is not finite are written as "none".
 struct TextLine {
   std::string_view of, words;
   std::span<const TextLine> inner = {};  ///< further lines about the same entry

@@ -194,7 +194,7 @@ std::string proposalsText(const TouchOutcome& outcome) {
   if (outcome.parameters) addPlacing(*outcome.parameters, figures["parameters"]);
   std::string heading =
       fmt::format("  {:<5} {:<10} {:<8} {:<9} {:>8}", "", "for", "", "point", outcome.cell.units.force().name);
-  for (const auto& joint : outcome.cell.arm.joints()) heading += fmt::format("{:>10}", joint.name);
+  for (const auto& joint : outcome.cell.arm.joints()) heading += fmt::format(" {:>9}", joint.name);
   figures["heading"] = heading + "   most informative about";
   return textOf(figures, kProposalWords);
 }

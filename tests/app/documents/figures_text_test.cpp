@@ -37,6 +37,7 @@ TEST(DocumentText, fillsInFigures) {
                 {"{closed:.3i}, {from:.3i}, {to:.3i}, {open:.3i}", "1 to 2, 1.5 or more, 2 or less, anything"},
                 {"{unit:>5}{unit:<5}|{count:5}|{unit:5}|", "  degdeg  |    3|deg  |"},
                 {"{states}", "4 open, 2 plugged"},
+                {"{states:*4}|{list:*2.2f}", "   4   2| 1.00 2.50"},
                 {"{rms/before} {rms/unit}", "4 mm"}};
   for (const auto& [words, text] : kCases) EXPECT_EQ(textOf(kDocument, words), text);
   EXPECT_EQ(textOf(kDocument, "{name:n}").find('\n'), std::string::npos);
