@@ -1,8 +1,8 @@
 """tutorial_test.py TUBEPLAN SOURCE DOCUMENT: the console blocks of a document of docs/ run as written and print what they
 show.
 
-Numbers may differ between machines: with all numbers treated as equal, a shown line must begin a printed line. A command
-whose block shows an error or a negative answer must end with its exit code.
+Numbers may differ between machines by one unit of their last digit or by 0.2 %: but for that, a shown line must begin a
+printed line. A command whose block shows an error or a negative answer must end with its exit code.
 """
 import os
 import pathlib
@@ -15,9 +15,23 @@ import unittest
 PROGRAM, SOURCE = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 
 
-def alike(line):
-    line = re.sub(r"(?<![\w.])[+-]?\d[\d.]*(e[+-]?\d+)?(?!\w)", "#", line)
-    return " ".join(line.removesuffix("...").split())
+NUMBER = re.compile(r"(?<![\w.])[+-]?\d+(?:\.\d+)?(?:e[+-]?\d+)?(?!\w|\.\d)")
+
+
+def parts(line):
+    """Returns the words of a line with # in place of its numbers, and the numbers as they are written."""
+    line = line.removesuffix("...").rstrip()
+    return " ".join(NUMBER.sub("#", line).split()), NUMBER.findall(line)
+
+
+def equal(shown, printed):
+    digits = len(shown.partition(".")[2]) if "e" not in shown else 12
+    return abs(float(shown) - float(printed)) <= max(1.01 * 10.0 ** -digits, 0.002 * abs(float(printed)))
+
+
+def begins(shown, printed):
+    (words, numbers), (all_words, all_numbers) = parts(shown), parts(printed)
+    return all_words.startswith(words) and all(map(equal, numbers, all_numbers))
 
 
 def commands(text):
@@ -52,9 +66,9 @@ class Document(unittest.TestCase):
                     done = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, capture_output=True, text=True,
                                           timeout=300, check=False)
                     self.assertEqual(done.returncode, code_of(command, lines), done.stdout + done.stderr)
-                    printed = [alike(line) for line in (done.stdout + done.stderr).splitlines()]
+                    printed = (done.stdout + done.stderr).splitlines()
                     for line in lines:
-                        self.assertTrue(any(one.startswith(alike(line)) for one in printed), f"{line}\nis not in\n{done.stdout}")
+                        self.assertTrue(any(begins(line, one) for one in printed), f"{line}\nis not in\n{done.stdout}")
 
 
 if __name__ == "__main__":
