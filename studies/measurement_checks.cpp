@@ -187,7 +187,9 @@ std::optional<SeededSet> hidingSet(std::uint64_t number) {
   });
 }
 
-void studyCleanSets(int count, bool is_verbose) {
+/// Looks at `count` sets without a mistake: the recorded ones and those drawn by numbers from `first` on, which, unless
+/// it is 0, are looked at alone.
+void studyCleanSets(int count, std::uint64_t first, bool is_verbose) {
   Cost cost;
   int made = 0, mistakes = 0, remarks = 0;
   const auto look = [&](const SeededSet& set) {
@@ -200,8 +202,9 @@ void studyCleanSets(int count, bool is_verbose) {
     remarks += is_remark && !is_mistake;
     if (is_mistake || is_remark || is_verbose) fmt::print("  {}: {}\n", set.name, textOf(checks));
   };
-  for (const auto& set : recordedSets()) look(set);
-  for (std::uint64_t number = 0; made < count && number < 10u * static_cast<std::uint64_t>(count); ++number)
+  if (first == 0)
+    for (const auto& set : recordedSets()) look(set);
+  for (std::uint64_t number = first; made < count && number < first + 10u * static_cast<std::uint64_t>(count); ++number)
     if (const auto set = hidingSet(number)) look(*set);
   fmt::print(
       "{} sets without a mistake: {} ({:.1f} %) suspected of one, {} more with a remark that proposes something\n",
@@ -215,7 +218,7 @@ void studyCleanSets(int count, bool is_verbose) {
 int main(int argc, char** argv) {
   CLI::App cli{"Mistakes named, and mistakes suspected where there are none"};
   int mistakes = 500, pairs = 500, clean = 300;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1, first_clean = 0;
   bool is_verbose = false;
   std::string only;
   std::vector<std::string> files;
@@ -224,6 +227,7 @@ int main(int argc, char** argv) {
   cli.add_option("--seed", seed, "of the first pair");
   cli.add_option("--files", files, "a cell and its readings, to be told of alone")->expected(2);
   cli.add_option("--clean", clean, "sets without a mistake");
+  cli.add_option("--first-clean", first_clean, "number of the first drawn set without a mistake; recorded ones with 0");
   cli.add_option("--only", only, "mistakes whose label holds this");
   cli.add_flag("--verbose", is_verbose, "what was not named first, and what clean sets are told");
   CLI11_PARSE(cli, argc, argv);
@@ -233,6 +237,6 @@ int main(int argc, char** argv) {
   }
   if (pairs > 0) tubeplan::calibration::studyPairs(pairs, seed, is_verbose, only);
   if (mistakes > 0) tubeplan::calibration::studyMistakes(mistakes, is_verbose, only);
-  if (clean > 0) tubeplan::calibration::studyCleanSets(clean, is_verbose);
+  if (clean > 0) tubeplan::calibration::studyCleanSets(clean, first_clean, is_verbose);
   return 0;
 }
