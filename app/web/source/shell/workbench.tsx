@@ -16,7 +16,7 @@ import {Notices} from "./notices";
 import {ChoiceDialog} from "./choice_dialog";
 import {ColumnsDialog} from "./columns_dialog";
 import {OpenDialog} from "./open_dialog";
-import {dialog, view, type ViewName} from "./page_state";
+import {dialog, view, VIEWS, type ViewName} from "./page_state";
 import {SaveDialog, UnsavedDialog} from "./project";
 import {Rail} from "./rail";
 import {Waiting} from "./states";
@@ -64,6 +64,7 @@ export function Workbench() {
       <Header />
       <Rail />
       <main id="view" class={`view view-${view.value}`} tabIndex={-1}>
+        <h1 class="hidden">{VIEWS.find(({name}) => name === view.value)?.words}</h1>
         <Suspense fallback={<Waiting words="Opening the view" isBusy />}>
           <CurrentView name={view.value} />
         </Suspense>
