@@ -8,7 +8,6 @@
 #include <map>
 
 #include "app/storage/text_file.hpp"
-#include "deflection/effects/effect.hpp"
 #include "tests/calibration/measurement_checks/seeded_pairs.hpp"
 
 namespace tubeplan::calibration {
@@ -148,43 +147,6 @@ std::vector<SeededSet> recordedSets() {
   for (const auto& [cell, measurement_file] : kReal)
     sets.push_back(*setOfFiles(shared / "real" / cell, shared / "real" / measurement_file));
   return sets;
-}
-
-/// Returns a randomly drawn effect at a randomly drawn place, as "effect@at"; the simulation chooses its size.
-std::string drawnEffect(const deflection::Arm& arm, SeededRandom& random) {
-  for (;;) {
-    const auto& kinds = deflection::effectKinds();
-    const auto& kind = kinds[random() % kinds.size()];
-    const auto places = deflection::placeTexts(arm, kind);
-    if (places.empty() || kind.parameters.empty()) continue;
-    const std::string at = places[random() % places.size()];
-    if (deflection::makeEffect(arm, kind.name, at).status == deflection::EffectStatus::kMade)
-      return std::string(kind.name) + "@" + at;
-  }
-}
-
-std::optional<SeededSet> hidingSet(std::uint64_t number) {
-  static constexpr std::pair<const char*, const char*> kDesigns[] = {
-      {"bench.yaml", "bench"}, {"bowl.yaml", "bowl"}, {"bowl.yaml", "bench"}, {"bowl.yaml", "touch"}};
-  SeededRandom random(number + 5000);
-  const auto& [cell, design] = kDesigns[number % 4];
-  const int sizes[] = {24, 48, 96};
-  const auto arm = shippedCell(cell).arm;
-  std::vector<std::string> hidden;
-  for (std::uint64_t k = 0; k < 1 + number % 3 / 2; ++k) hidden.push_back(drawnEffect(arm, random));
-  const double factor = drawnBetween(1, 10, random);
-  return simulatedSet(cell, design, sizes[number / 4 % 3], hidden, number, [&](app::SimulationTask& task) {
-    for (auto& effect : task.truth.arm.effects) {
-      const auto& kind = deflection::effectKinds().at(static_cast<std::size_t>(effect.kind));
-      for (std::size_t v = 0; v < effect.values.size() && v < kind.parameters.size(); ++v)
-        if (!kind.parameters[v].is_shape)
-          effect.values[v] =
-              std::clamp(kind.parameters[v].neutral + factor * (effect.values[v] - kind.parameters[v].neutral),
-                         kind.parameters[v].lower, kind.parameters[v].upper);
-    }
-    if (number % 7 == 0)  // the arm is far softer than its model and sags by inches
-      for (auto& row : task.truth.arm.rows) row.joint_stiffness /= 3;
-  });
 }
 
 /// Looks at `count` sets without a mistake: the recorded ones and those drawn by numbers from `first` on, which, unless

@@ -7,14 +7,18 @@
 // if both fits support it:
 // - The error relative to the drawing falls to a third or less. A physical effect follows its own law and is not
 //   removed by another unit, sign or order. A wrong hypothesis may remove some of the error by chance, but not two
-//   thirds of it in all rows and directions.
+//   thirds of it in all rows and directions. Numbers fitted to measurements that still disagree must remove three
+//   quarters of it.
 // - The odds of the mistake against no mistake, from the fit with priors, are above a million to one. The threshold is
 //   that high because mistakes are rare and about a hundred hypotheses are tried. An error that the priors allow (5 mm,
 //   20 mrad, softer or stiffer members) is therefore not a mistake.
 //
-// A mistake is also reported if the fitted base is far from its nominal pose (20 deg, a quarter of the reach), and
-// correcting the mistake moves the base back without increasing the error. This is only a remark, because the errors
-// alone do not justify it.
+// A mistake that begins at a measurement is only a remark if an effect of the catalogue explains the measurements as
+// well.
+//
+// A mistake is also reported if the fitted base is far from its nominal pose (20 deg, a quarter of the reach),
+// and correcting the mistake moves the base back without increasing the error. This is only a remark, because the
+// errors alone do not justify it.
 #pragma once
 
 #include <cstdint>

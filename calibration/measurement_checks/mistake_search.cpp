@@ -88,10 +88,13 @@ class MistakeSearch {
     check.assume = best.correction.mistake + "=" + best.correction.value;
     settleSigma(best, check);
     const bool is_of_error = judgement_.explainsError(best);
-    check.severity =
-        is_of_error && judgement_.isDetermined(best.correction) ? CheckSeverity::kMistake : CheckSeverity::kRemark;
-    check.sentence = best.correction.sentence + (best.correction.change_sigma ? "; the unit of sigma with it" : "") +
-                     (is_of_error ? "" : ", or the base stands far from its nominal place (" + baseText(trials_) + ")");
+    const bool is_effect = is_of_error && judgement_.isEffectAsLikely(best);
+    check.severity = is_of_error && !is_effect && judgement_.isDetermined(best.correction) ? CheckSeverity::kMistake
+                                                                                           : CheckSeverity::kRemark;
+    check.sentence =
+        best.correction.sentence + (best.correction.change_sigma ? "; the unit of sigma with it" : "") +
+        (is_of_error ? "" : ", or the base stands far from its nominal place (" + baseText(trials_) + ")") +
+        (is_effect ? "; or an effect of the arm, which explains the readings as well" : "");
     stateErrors(best, check);
     for (std::size_t k = 1; k < suspects.size(); ++k)
       if (judgement_.isAsGood(suspects[k], best))

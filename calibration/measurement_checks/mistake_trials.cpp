@@ -146,19 +146,14 @@ const FreeChoice& MistakeTrials::freeAt(TrialDepth depth) const {
   return depth == TrialDepth::kOpen ? open_ : depth == TrialDepth::kDrawn ? drawn_ : held_;
 }
 
-/// Fits the measurements with the parameters of this depth free: an unknown base, the tip as well, or all open
-/// parameters.
+/// Fits the measurements with the parameters `free`, as far as a fit of this depth needs.
 RobustFit MistakeTrials::fit(PlacedArm start, const std::vector<Measurement>& measurements, TrialDepth depth,
-                             const std::vector<std::string>& zeros) const {
+                             const FreeChoice& free) const {
   RobustFitOptions options;
-  options.free = freeAt(depth);
+  options.free = free;
   options.most_steps = depth == TrialDepth::kOpen ? 8 : 5;
   options.judges_noise = depth == TrialDepth::kOpen;
   options.stop = options_.stop;
-  for (const auto& zero : zeros) {
-    options.free.names.push_back(zero);
-    options.free.priors.named[zero] = std::numbers::pi;
-  }
   return fitRobustly(std::move(start), measurements, options);
 }
 
@@ -183,7 +178,7 @@ Trial MistakeTrials::tried(const Correction& correction, TrialDepth depth) const
   if (correction.parts_setups) return triedPerSetup(depth);
   const PlacedArm start = startOf(correction);
   const auto measurements = corrected(correction, depth);
-  return judged(fit(start, measurements, depth), start, measurements);
+  return judged(fit(start, measurements, depth, freeAt(depth)), start, measurements);
 }
 
 Trial MistakeTrials::judged(const RobustFit& fit, const PlacedArm& nominal,
@@ -214,7 +209,7 @@ Trial MistakeTrials::triedPerSetup(TrialDepth depth) const {
     if (measurements.empty()) continue;
     PlacedArm alone = checked_.start;
     alone.base_poses = {base_pose};
-    const Trial part = judged(fit(alone, measurements, depth), alone, measurements);
+    const Trial part = judged(fit(alone, measurements, depth, freeAt(depth)), alone, measurements);
     if (!part.ok) return part;
     whole.lack_of_fit += part.lack_of_fit;
     squares += part.error * part.error * static_cast<double>(measurements.size());
@@ -229,7 +224,12 @@ Trial MistakeTrials::triedPerSetup(TrialDepth depth) const {
 
 RobustFit MistakeTrials::fitZeros(const Correction& correction, PlacedArm start,
                                   const std::vector<std::string>& zeros) const {
-  return fit(std::move(start), corrected(correction, TrialDepth::kDrawn), TrialDepth::kHeld, zeros);
+  FreeChoice free = held_;
+  for (const auto& zero : zeros) {
+    free.names.push_back(zero);
+    free.priors.named[zero] = std::numbers::pi;
+  }
+  return fit(std::move(start), corrected(correction, TrialDepth::kDrawn), TrialDepth::kHeld, free);
 }
 
 Trial MistakeTrials::triedBy(PlacedArm drawing) const {
@@ -238,6 +238,16 @@ Trial MistakeTrials::triedBy(PlacedArm drawing) const {
   options.stop = options_.stop;
   const auto measurements = only(pool_.measurements, pool_.counted);
   return judged(fitRobustly(std::move(drawing), measurements, options), checked_.start, measurements);
+}
+
+Trial MistakeTrials::triedWith(const deflection::Effect& effect, TrialDepth depth) const {
+  PlacedArm start = checked_.start;
+  start.arm.effects.push_back(effect);
+  FreeChoice free = freeAt(depth);
+  for (const auto& parameter : kindOf(effect).parameters)
+    free.names.push_back(deflection::textOf(start.arm, effect) + "." + parameter.name);
+  const auto measurements = corrected({}, depth);
+  return judged(fit(std::move(start), measurements, depth, free), checked_.start, measurements);
 }
 
 int MistakeTrials::freedom(const Correction& correction, TrialDepth depth) const {

@@ -63,6 +63,8 @@ class MistakeTrials {
   [[nodiscard]] std::vector<Measurement> corrected(const Correction& correction, TrialDepth depth) const;
   /// Fits the measurements as stated to the arm of another drawing, with base and tip free.
   [[nodiscard]] Trial triedBy(PlacedArm drawing) const;
+  /// Fits the measurements as stated to the arm with one more effect, whose magnitudes are free within their priors.
+  [[nodiscard]] Trial triedWith(const deflection::Effect& effect, TrialDepth depth) const;
   /// Returns the names of all parameters that the drawing leaves open.
   [[nodiscard]] const FreeChoice& open() const { return open_; }
 
@@ -93,7 +95,7 @@ class MistakeTrials {
 
  private:
   [[nodiscard]] RobustFit fit(PlacedArm start, const std::vector<Measurement>& measurements, TrialDepth depth,
-                              const std::vector<std::string>& zeros = {}) const;
+                              const FreeChoice& free) const;
   [[nodiscard]] const FreeChoice& freeAt(TrialDepth depth) const;
   [[nodiscard]] Trial judged(const RobustFit& fit, const PlacedArm& nominal,
                              const std::vector<Measurement>& measurements) const;

@@ -9,8 +9,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kLeastFall = 3;  // smallest factor by which a mistake must reduce the error relative to the drawing
-constexpr double kOdds = 14;      // required log odds: log of a million
+constexpr double kLeastFall = 3;    // smallest factor by which a mistake must reduce the error relative to the drawing
+constexpr double kFitted = 4. / 3;  // factor by which kLeastFall grows for fitted numbers that leave an error
+constexpr double kOdds = 14;        // required log odds: log of a million
 // Factor of error reduction that a fit of the drawing's open parameters cannot plausibly achieve.
 constexpr double kDrastic = 8;
 constexpr double kAsGood = 3;  // log odds within which another mistake explains the measurements equally well
@@ -28,6 +29,21 @@ constexpr double kMostAtNoise = 2;  // largest chi-square per degree of freedom 
 /// Returns true if a correction has fitted parameters. Part of the smaller error may then be due to the fit.
 bool hasNumbers(const Correction& correction) {
   return correction.frees_base || correction.parts_setups || correction.numbers_fitted > 0;
+}
+
+/// Returns every effect of the catalogue at every place where the arm can have it, except effects with a parameter that
+/// has to be scanned.
+std::vector<deflection::Effect> magnitudesAlone(const deflection::Arm& arm) {
+  std::vector<deflection::Effect> effects;
+  for (const auto& kind : deflection::effectKinds()) {
+    const bool is_scanned = std::ranges::any_of(kind.parameters, &deflection::EffectParameter::is_shape);
+    if (kind.odds <= 0 || is_scanned || kind.at == deflection::PlaceRule::kSetup) continue;
+    for (const std::string& at : deflection::placeTexts(arm, kind)) {
+      const auto made = deflection::makeEffect(arm, kind.name, at);
+      if (made.status == deflection::EffectStatus::kMade) effects.push_back(made.effect);
+    }
+  }
+  return effects;
 }
 
 }  // namespace
@@ -129,7 +145,9 @@ bool SuspectJudgement::explainsError(const Suspect& suspect) const {
       trials_.asIs().whole_error >= kDrastic * suspect.open.whole_error * shrinks &&
       suspect.open.whole_error < kLeastFall * suspect.open.error)
     return true;
-  return gainOf(suspect) >= kOdds && fallsAnywhere(1);
+  // Numbers fitted to measurements that still do not agree may have absorbed an effect instead.
+  const bool is_left = std::min(suspect.drawn.error, suspect.open.error) > kLeftOver * trials_.reach();
+  return gainOf(suspect) >= kOdds && fallsAnywhere(is_left && hasNumbers(suspect.correction) ? kFitted : 1);
 }
 
 bool SuspectJudgement::bringsBack(const Trial& before, const Trial& after) const {
@@ -152,6 +170,23 @@ double SuspectJudgement::gainOf(const Suspect& suspect) const {
 }
 double SuspectJudgement::merit(const Suspect& suspect) const {
   return gainOf(suspect) - kOdds * static_cast<double>(suspect.parts.size() - 1);
+}
+
+bool SuspectJudgement::isEffectAsLikely(const Suspect& suspect) const {
+  constexpr std::size_t kFinalists = 4;
+  if (suspect.parts.size() > 1 || suspect.correction.against <= 0) return false;
+  std::vector<std::pair<double, deflection::Effect>> effects;  // with their errors relative to the drawing
+  for (const auto& effect : magnitudesAlone(trials_.checked().start.arm)) {
+    throwIfStopped(trials_.options().stop);
+    const Trial drawn = trials_.triedWith(effect, TrialDepth::kDrawn);
+    if (drawn.ok) effects.emplace_back(drawn.error, effect);
+  }
+  std::ranges::stable_sort(effects, {}, [](const auto& tried) { return tried.first; });
+  effects.resize(std::min(kFinalists, effects.size()));
+  return std::ranges::any_of(effects, [&](const auto& tried) {
+    const Trial open = trials_.triedWith(tried.second, TrialDepth::kOpen);
+    return open.ok && trials_.gain(open) > gainOf(suspect) - kAsGood;
+  });
 }
 
 bool SuspectJudgement::isAtNoise(const Suspect& suspect) { return suspect.open.chi2_per_freedom < kMostAtNoise; }

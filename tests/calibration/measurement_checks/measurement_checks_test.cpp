@@ -211,6 +211,16 @@ TEST(MistakesFromAMeasurement, AreNamedBesideOthers) {
   EXPECT_GE(named, made - 1) << found;
 }
 
+// A coupling of two joints looks like a wrong zero that leaves an error, and a drift of the base like a move of it.
+TEST(MeasurementChecksOf, LargeEffectsInFewMeasurementsAreNoMistake) {
+  for (const std::uint64_t number : {0, 3, 12, 15, 85, 170}) {
+    const auto set = hidingSet(number);
+    ASSERT_TRUE(set) << number;
+    const auto checks = checksOf(*set);
+    EXPECT_EQ(grossMistake(checks), nullptr) << set->name << ": " << checks.checks.front().sentence;
+  }
+}
+
 TEST(MeasurementChecksOf, AnArmThriceAsSoftAsDrawnIsNoMistake) {
   const auto set = simulatedSet("bench.yaml", "bench", 60, {}, 4, [](app::SimulationTask& task) {
     for (auto& row : task.truth.arm.rows) row.joint_stiffness /= 3;
