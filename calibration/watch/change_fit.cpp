@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace tubeplan::calibration {
 
@@ -120,8 +121,38 @@ ChangeFitter::ChangeFitter(const WatchedRows& rows, const ErrorState& before, in
   if (counts > 0) reach_ /= counts;
 }
 
-double ChangeFitter::courseAt(int k) const {
-  return course_ == ChangeCourse::kStep ? 1 : static_cast<double>(k - start_ + 1) / (last_ - start_ + 1);
+double ChangeFitter::courseAt(int k, int start) const {
+  return course_ == ChangeCourse::kStep ? 1 : static_cast<double>(k - start + 1) / (last_ - start + 1);
+}
+
+double ChangeFitter::devianceOf(int k, const VectorXd& u) const {
+  if (!rows_.isCounted(k)) return u.squaredNorm();
+  const CountedSteps& count = *rows_.counted[static_cast<std::size_t>(k)];
+  return 2 * countCost(count, count.entered, u).cost;
+}
+
+int ChangeFitter::bestStart(const std::vector<int>& columns, const ChangeFit& fit, int first, int last) const {
+  std::vector<VectorXd> unchanged, change;
+  std::vector<double> deviance;
+  for (int k = first; k <= last_; ++k) {
+    const auto own = Eigen::seqN(rows_.first(k), rows_.rowsOf(k));
+    unchanged.emplace_back(rows_.r(own) + rows_.H(own, Eigen::all) * fit.errors);
+    change.emplace_back(rows_.changes(own, columns) * fit.numbers);
+    deviance.push_back(devianceOf(k, unchanged.back()));
+  }
+  int best = start_;
+  double most = -std::numeric_limits<double>::infinity();
+  for (int start = first; start <= last; ++start) {
+    double gain = 0;
+    for (int k = start; k <= last_; ++k) {
+      const auto at = static_cast<std::size_t>(k - first);
+      gain += deviance[at] - devianceOf(k, unchanged[at] + courseAt(k, start) * change[at]);
+    }
+    if (gain <= most) continue;
+    most = gain;
+    best = start;
+  }
+  return best;
 }
 
 ChangeFitter::Problem ChangeFitter::problemOf(const std::vector<int>& columns) const {
@@ -158,21 +189,24 @@ ChangeFitter::Problem ChangeFitter::problemOf(const std::vector<int>& columns) c
 }
 
 /// Returns the start values of a fit: no change and, because counts state only distances, changes of both signs of each
-/// number that cause offsets of the counted magnitude.
+/// number and of each two numbers that cause offsets of the counted magnitude.
 std::vector<VectorXd> ChangeFitter::startsOf(const Problem& problem) const {
-  const VectorXd none = VectorXd::Zero(problem.errors + problem.numbers);
-  std::vector<VectorXd> starts{none};
+  std::vector<VectorXd> starts{VectorXd::Zero(problem.errors + problem.numbers)};
   if (problem.counts.empty()) return starts;
+  std::vector<VectorXd> alone;  // change of one number that causes offsets of the counted magnitude
   for (Index c = 0; c < problem.numbers; ++c) {
     double square = 0;
     for (const auto& count : problem.counts) square += count.A.col(problem.errors + c).squaredNorm();
     const double size = std::sqrt(square / static_cast<double>(problem.counts.size()));
-    if (!(size > 0)) continue;
-    for (const double side : {-1., 1.}) {
-      starts.push_back(none);
-      starts.back()[problem.errors + c] = side * reach_ / size;
-    }
+    if (size > 0) alone.push_back(reach_ / size * VectorXd::Unit(problem.errors + problem.numbers, problem.errors + c));
   }
+  for (std::size_t c = 0; c < alone.size(); ++c)
+    for (const double side : {-1., 1.}) {
+      starts.push_back(side * alone[c]);
+      for (std::size_t other = 0; other < c; ++other)
+        for (const double way : {-1., 1.})
+          starts.push_back((side * alone[c] + way * alone[other]) * std::numbers::sqrt2 / 2);
+    }
   return starts;
 }
 
@@ -207,6 +241,7 @@ ChangeFit ChangeFitter::resultOf(const Problem& problem, const VectorXd& y) cons
   fit.measured_chi2 = problem.measuredAt(y);
   for (int k = start_; k <= last_; ++k)
     if (!rows_.isCounted(k)) fit.measured_rows += static_cast<int>(rows_.rowsOf(k));
+  fit.errors = y.head(n);
   fit.numbers = y.tail(d);
   MatrixXd curvature = problem.N;
   VectorXd slope = VectorXd::Zero(n + d);

@@ -17,6 +17,7 @@ enum class ChangeCourse {
 
 struct ChangeFit {
   double deviance = 0;          ///< minimum of -2 log posterior density, without constants
+  Eigen::VectorXd errors;       ///< errors x of base and parameters
   Eigen::VectorXd numbers;      ///< numbers of the change [ChangeNumber::typical]; for a ramp, those at its end
   Eigen::MatrixXd information;  ///< information on the numbers, their prior included
   double measured_chi2 = 0;     ///< part of the deviance due to measured values and the errors of the base
@@ -43,11 +44,18 @@ class ChangeFitter {
   [[nodiscard]] std::optional<ChangeFit> fit(const std::vector<int>& columns, const NumberBounds& bounds = {},
                                              const Eigen::VectorXd& near = {}) const;
 
+  /// Returns the start from `first` up to `last` at which a change of the fitted numbers, with the same errors, lowers
+  /// the deviance most.
+  [[nodiscard]] int bestStart(const std::vector<int>& columns, const ChangeFit& fit, int first, int last) const;
+
   /// Returns the course's value at measurement `k`.
-  [[nodiscard]] double courseAt(int k) const;
+  [[nodiscard]] double courseAt(int k) const { return courseAt(k, start_); }
 
  private:
   struct Problem;
+  [[nodiscard]] double courseAt(int k, int start) const;
+  /// Returns the part of the deviance that is due to measurement `k`, for its residual `u`.
+  [[nodiscard]] double devianceOf(int k, const Eigen::VectorXd& u) const;
   [[nodiscard]] Problem problemOf(const std::vector<int>& columns) const;
   [[nodiscard]] std::vector<Eigen::VectorXd> startsOf(const Problem& problem) const;
   [[nodiscard]] ChangeFit resultOf(const Problem& problem, const Eigen::VectorXd& y) const;

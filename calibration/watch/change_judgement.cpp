@@ -24,6 +24,8 @@ constexpr double kSameColumn = 1 - 1e-8;  // cosine above which two columns coun
 // A candidate is tried at further starts if its gain at the first is at least this share of the largest, less
 // kNearGain.
 constexpr double kNearShare = 0.5, kNearGain = 10;
+constexpr int kEarlier = 40;    // measurements before the first start up to which better starts are sought
+constexpr int kStartSteps = 4;  // largest number of better starts for a trial
 constexpr ChangeCourse kCourses[] = {ChangeCourse::kStep, ChangeCourse::kRamp};
 
 struct Trial {
@@ -33,10 +35,10 @@ struct Trial {
   ChangeCourse course = ChangeCourse::kStep;
 };
 
-/// Best trial of each course of a candidate, and the log of its mean evidence over starts and courses.
+/// Best trial of each course of a candidate, and the log of its evidence at each start and course.
 struct Tried {
   Trial of_course[std::size(kCourses)];
-  double log_evidence = -std::numeric_limits<double>::infinity();
+  std::map<std::pair<int, ChangeCourse>, double> log_evidence;
   [[nodiscard]] const Trial& best() const {
     return of_course[0].gain >= of_course[1].gain ? of_course[0] : of_course[1];
   }
@@ -80,13 +82,21 @@ class Judge {
     for (const ChangeCourse course : kCourses) {
       if (course == ChangeCourse::kRamp && start == last_) continue;  // a ramp of one measurement is a step
       throwIfStopped(stop);
-      const ChangeFitter fitter(watched_.rows, states_[static_cast<std::size_t>(start)], start, last_, course);
-      const double unchanged = fitter.fit({})->deviance;
+      const StartFits& at = fitsAt(start, course);
       Fits fits;
       for (std::size_t c = 0; c < tried_.size(); ++c) {
         if (is_dropped_[leader_[c]]) continue;
-        if (auto fit = fitAs(c, fitter, fits)) take(c, std::move(*fit), unchanged, start, course);
+        if (auto fit = fitAs(c, at.fitter, fits)) take(c, std::move(*fit), at.unchanged, start, course);
       }
+    }
+  }
+
+  /// Moves the start of each course of each candidate, from `first` up to `last`, to where its fit at the best start so
+  /// far lowers the deviance most, as long as the fit there is better. A count contradicts a start that is off by one.
+  void refineStarts(int first, int last, const StopQuestion& stop) {
+    for (std::size_t c = 0; c < tried_.size(); ++c) {
+      if (is_dropped_[leader_[c]]) continue;
+      for (const Trial& best : tried_[c].of_course) refineCourse(c, best, first, last, stop);
     }
   }
 
@@ -117,6 +127,45 @@ class Judge {
   }
 
  private:
+  /// The fits of changes that begin at one measurement and follow one course, with the deviance without a change.
+  struct StartFits {
+    ChangeFitter fitter;
+    double unchanged;
+  };
+  const StartFits& fitsAt(int start, ChangeCourse course) {
+    const std::pair key{start, course};
+    if (const auto known = at_start_.find(key); known != at_start_.end()) return known->second;
+    ChangeFitter fitter(watched_.rows, states_[static_cast<std::size_t>(start)], start, last_, course);
+    const double unchanged = fitter.fit({})->deviance;
+    return at_start_.emplace(key, StartFits{std::move(fitter), unchanged}).first->second;
+  }
+
+  void refineCourse(std::size_t c, const Trial& best, int first, int last, const StopQuestion& stop) {
+    bool is_better = best.gain > 0;
+    for (int step = 0; step < kStartSteps && is_better; ++step) {
+      throwIfStopped(stop);
+      is_better = refineStart(c, best, first, last) || fitAgain(c, best.start, best, {});
+    }
+  }
+
+  /// Fits the candidate at a better start than that of its best trial. Returns false if there is none.
+  bool refineStart(std::size_t c, const Trial& best, int first, int last) {
+    const auto& columns = watched_.candidates.list[c].columns;
+    const int start = fitsAt(best.start, best.course).fitter.bestStart(columns, best.fit, first, last);
+    if (start == best.start || (best.course == ChangeCourse::kRamp && start == last_)) return false;
+    return fitAgain(c, start, best, best.fit.numbers);
+  }
+
+  /// Fits the candidate at a start, from `near` or from all start values. Returns true if the fit is better than
+  /// `best`.
+  bool fitAgain(std::size_t c, int start, const Trial& best, const VectorXd& near) {
+    const double before = best.gain;
+    const StartFits& at = fitsAt(start, best.course);
+    auto fit = at.fitter.fit(watched_.candidates.list[c].columns, boundsOf(watched_.candidates.list[c]), near);
+    if (fit) take(c, std::move(*fit), at.unchanged, start, best.course);
+    return best.gain > before;
+  }
+
   /// Finds the leader of each candidate: the longest of the columns that are equal up to scale, for which one fit
   /// suffices.
   void findLeaders() {
@@ -184,7 +233,8 @@ class Judge {
     const MatrixXd L = fit.information.llt().matrixL();
     trial.fit = std::move(fit);
     trial.log_evidence = trial.gain / 2 - L.diagonal().array().log().sum();
-    tried_[c].log_evidence = logSum(tried_[c].log_evidence, trial.log_evidence);
+    const auto known = tried_[c].log_evidence.try_emplace({start, course}, trial.log_evidence).first;
+    known->second = std::max(known->second, trial.log_evidence);
     Trial& best = tried_[c].of_course[static_cast<std::size_t>(course)];
     if (trial.gain > best.gain) best = std::move(trial);
   }
@@ -202,8 +252,10 @@ class Judge {
     answer.effect = of.effect;
     answer.at = of.at;
     answer.remedy = of.remedy;
-    answer.may_be_step = mayBe(tried.of_course[0]);
-    answer.may_be_ramp = mayBe(tried.of_course[1]);
+    // Counts alone do not tell the courses apart: what they say of the errors before the start is only approximate.
+    const bool tells_course = best.fit.measured_rows > 0;
+    answer.may_be_step = mayBe(tells_course ? tried.of_course[0] : tried.best());
+    answer.may_be_ramp = mayBe(tells_course ? tried.of_course[1] : tried.best());
     if (!answer.may_be_step && !answer.may_be_ramp) return;
     const Trial& trial = tried.best();
     answer.since = trial.start;
@@ -217,11 +269,12 @@ class Judge {
 
   [[nodiscard]] double probabilityOf(int candidate) const {
     double total = -std::numeric_limits<double>::infinity(), own = total;
-    for (std::size_t c = 0; c < tried_.size(); ++c) {
-      const double log = tried_[c].log_evidence + std::log(watched_.candidates.list[c].prior);
-      total = logSum(total, log);
-      if (static_cast<int>(c) == candidate) own = log;
-    }
+    for (std::size_t c = 0; c < tried_.size(); ++c)
+      for (const auto& [at, log_evidence] : tried_[c].log_evidence) {
+        const double log = log_evidence + std::log(watched_.candidates.list[c].prior);
+        total = logSum(total, log);
+        if (static_cast<int>(c) == candidate) own = logSum(own, log);
+      }
     return std::exp(own - total);
   }
 
@@ -259,6 +312,7 @@ class Judge {
   std::vector<std::size_t> leader_;  // index of each candidate's leader, whose fit it shares
   std::vector<double> scale_;        // factor from the leader's number to the candidate's number
   std::vector<bool> is_dropped_;
+  std::map<std::pair<int, ChangeCourse>, StartFits> at_start_;
 };
 
 }  // namespace
@@ -270,6 +324,8 @@ ChangeJudgement judgeChange(const RowsAndCandidates& watched, const std::vector<
     judge.tryStart(start, stop);
     if (watched.rows.hasCounts() && start == starts.front()) judge.dropFarOnes();
   }
+  if (watched.rows.hasCounts())
+    judge.refineStarts(std::max(0, starts.front() - kEarlier), static_cast<int>(states.size()) - 1, stop);
   return judge.judgement();
 }
 

@@ -9,9 +9,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Offsets from the estimated start of a change at which starts are tried if there are counts. A start that is off by
-/// one visit contradicts that visit's count.
-constexpr int kCountedStarts[] = {-24, -12, -6, -4, -3, -2, -1, 1, 2, 3, 4};
+/// Numbers of measurements before the estimated start of a change at which starts are tried if there are counts. The
+/// judgement refines them.
+constexpr int kEarlierStarts[] = {3, 6, 12, 24};
 constexpr const char* kCountsTest = "counts";
 
 class ChangeWatch {
@@ -79,10 +79,12 @@ class ChangeWatch {
   /// Returns the measurements that are tried as the first one after the change.
   [[nodiscard]] std::vector<int> startsOf(const WatchAlarm& alarm) const {
     std::vector<int> starts{alarm.since};
-    if (watched_.rows.hasCounts())
-      for (const int offset : kCountedStarts) starts.push_back(std::clamp(alarm.since + offset, 0, alarm.measurement));
-    else
+    if (watched_.rows.hasCounts()) {
+      starts.insert(starts.end(), {(alarm.since + alarm.measurement) / 2, alarm.measurement});
+      for (const int before : kEarlierStarts) starts.push_back(std::max(0, alarm.since - before));
+    } else {
       for (const int before : startsBefore(alarm.measurement)) starts.push_back(before + 1);
+    }
     std::vector<int> once;
     for (const int start : starts)
       if (std::ranges::find(once, start) == once.end()) once.push_back(start);
