@@ -71,10 +71,14 @@ std::string errorBudgetText(const ErrorBudget& budget, std::size_t set_aside, co
   const auto text = [&](double error) { return errorText(error, unit, kDigits); };
   const std::string aside =
       set_aside == 0 ? "" : fmt::format(", {} set aside as {}", set_aside, set_aside == 1 ? "an outlier" : "outliers");
-  return fmt::format(
-      "{} error {} (root mean square over {}{}): explained {}, remainder {}, noise {}; their squares add up.",
-      budget.is_held_out ? "Held-out" : "Fitted", text(budget.total), countText(budget.measurements, "reading"), aside,
-      text(budget.explained), text(budget.remainder), text(budget.noise));
+  const std::string total =
+      fmt::format("{} error {} (root mean square over {}{})", budget.is_held_out ? "Held-out" : "Fitted",
+                  text(budget.total), countText(budget.measurements, "reading"), aside);
+  if (budget.explained < 0)
+    return fmt::format("{}: the fit does not lower it, and leaves {} beyond the noise of {}.", total,
+                       text(budget.remainder), text(budget.noise));
+  return fmt::format("{}: explained {}, remainder {}, noise {}; their squares add up.", total, text(budget.explained),
+                     text(budget.remainder), text(budget.noise));
 }
 
 }  // namespace tubeplan::app
