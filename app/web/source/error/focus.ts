@@ -49,26 +49,27 @@ export const suggestedView = computed<View | null>(() => {
   );
 });
 
+/** Kinds of variables that no formula can name. */
+const OUTSIDE_FORMULAS = new Set(["position", "set-up", "point", "order"]);
+
 /**
- * Formula suggested if no known effect explains the error: an error of one joint as a function of the drawn variable.
- * The joint is the one whose equivalent error follows this variable best.
+ * Formula suggested if no known effect explains the error: an error of one joint as a function of the drawn variable, or
+ * of the first one that a formula can name. The joint is the one whose equivalent error follows this variable best.
  */
 export const suggestedFormula = computed(() => {
   const errors = readingErrors.value,
     view = suggestedView.value;
   if (!errors || !view) return "";
   const joints = jointParts(errors, parts.value);
-  if (joints.length === 0) return "";
-  const target = joints.includes(view.part) ? view.part : partFollowing(view.variable, errors, joints);
-  return `${target.key.replace("as ", "")} += ${lawOf(view.variable)}`;
+  const variable = [view.variable, ...variables.value].find(({kind}) => !OUTSIDE_FORMULAS.has(kind));
+  if (joints.length === 0 || !variable) return "";
+  const target = joints.includes(view.part) ? view.part : partFollowing(variable, errors, joints);
+  return `${target.key.replace("as ", "")} += ${lawOf(variable)}`;
 });
 
 function lawOf({key, kind}: Variable): string {
   return kind === "joint" ? `c*sin(${key}) + d*cos(${key})` : `c*${key}`;
 }
-
-/** Kinds of variables that no formula can name. */
-const OUTSIDE_FORMULAS = new Set(["position", "set-up", "point", "order"]);
 
 /**
  * Formula suggested for the remainder of an explanation: an error of the joint that follows the first variable

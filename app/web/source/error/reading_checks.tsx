@@ -31,7 +31,7 @@ export function ReadingChecks({readings}: {readings: ReadingsInfo}) {
           <li key={column}>
             <MarkIcon mark={{shape: "none", colour: "muted"}} size={16} />
             <span>
-              no column <code>{column}</code>: {sentence}
+              column <code>{column}</code> (missing, or equal in all rows): {sentence}
             </span>
           </li>
         ))}
