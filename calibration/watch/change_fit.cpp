@@ -121,8 +121,8 @@ ChangeFitter::ChangeFitter(const WatchedRows& rows, const ErrorState& before, in
   if (counts > 0) reach_ /= counts;
 }
 
-double ChangeFitter::courseAt(int k, int start) const {
-  return course_ == ChangeCourse::kStep ? 1 : static_cast<double>(k - start + 1) / (last_ - start + 1);
+double courseAt(ChangeCourse course, int k, int start, int last) {
+  return course == ChangeCourse::kStep ? 1 : static_cast<double>(k - start + 1) / (last - start + 1);
 }
 
 double ChangeFitter::devianceOf(int k, const VectorXd& u) const {
@@ -146,7 +146,7 @@ int ChangeFitter::bestStart(const std::vector<int>& columns, const ChangeFit& fi
     double gain = 0;
     for (int k = start; k <= last_; ++k) {
       const auto at = static_cast<std::size_t>(k - first);
-      gain += deviance[at] - devianceOf(k, unchanged[at] + courseAt(k, start) * change[at]);
+      gain += deviance[at] - devianceOf(k, unchanged[at] + courseAt(course_, k, start, last_) * change[at]);
     }
     if (gain <= most) continue;
     most = gain;
@@ -170,7 +170,8 @@ ChangeFitter::Problem ChangeFitter::problemOf(const std::vector<int>& columns) c
     const VectorXd u = rows_.r.segment(first, count) + H * mean_;
     MatrixXd C(count, d);
     for (Index c = 0; c < d; ++c)
-      C.col(c) = courseAt(k) * rows_.changes.col(columns[static_cast<std::size_t>(c)]).segment(first, count);
+      C.col(c) = courseAt(course_, k, start_, last_) *
+                 rows_.changes.col(columns[static_cast<std::size_t>(c)]).segment(first, count);
     if (rows_.isCounted(k)) {
       Problem::Count counted{&*rows_.counted[static_cast<std::size_t>(k)], u, {}};
       counted.A.resize(2, n + d);

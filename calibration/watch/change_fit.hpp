@@ -15,6 +15,10 @@ enum class ChangeCourse {
   kRamp,  ///< change proportional to the number of measurements since its start
 };
 
+/// Returns the part of a change that measurement `k` shows, for a change that begins at `start` and is judged up to
+/// `last`: 1 for a step, and growing to 1 for a ramp.
+[[nodiscard]] double courseAt(ChangeCourse course, int k, int start, int last);
+
 struct ChangeFit {
   double deviance = 0;          ///< minimum of -2 log posterior density, without constants
   Eigen::VectorXd errors;       ///< errors x of base and parameters
@@ -48,12 +52,8 @@ class ChangeFitter {
   /// the deviance most.
   [[nodiscard]] int bestStart(const std::vector<int>& columns, const ChangeFit& fit, int first, int last) const;
 
-  /// Returns the course's value at measurement `k`.
-  [[nodiscard]] double courseAt(int k) const { return courseAt(k, start_); }
-
  private:
   struct Problem;
-  [[nodiscard]] double courseAt(int k, int start) const;
   /// Returns the part of the deviance that is due to measurement `k`, for its residual `u`.
   [[nodiscard]] double devianceOf(int k, const Eigen::VectorXd& u) const;
   [[nodiscard]] Problem problemOf(const std::vector<int>& columns) const;

@@ -295,10 +295,8 @@ class Judge {
     const WatchedRows& rows = watched_.rows;
     double most = 0;
     for (int k = trial.start; k <= last_; ++k) {
-      const double course =
-          trial.course == ChangeCourse::kStep ? 1. : (k - trial.start + 1.) / (last_ - trial.start + 1.);
-      const VectorXd whitened =
-          rows.changes(Eigen::seqN(rows.first(k), rows.rowsOf(k)), of.columns) * trial.fit.numbers * course;
+      const VectorXd whitened = rows.changes(Eigen::seqN(rows.first(k), rows.rowsOf(k)), of.columns) *
+                                trial.fit.numbers * courseAt(trial.course, k, trial.start, last_);
       const MatrixXd& whitener = rows.whitener[static_cast<std::size_t>(k)];
       most = std::max(most, whitener.triangularView<Eigen::Lower>().solve(whitened).norm());
     }
