@@ -14,18 +14,14 @@ class CentringExperiment : public TallyExperiment<CentringTally> {
             CentringTally(task.options.settings.size(), task.holes.visited.size(), task.model.tool.steps.size())),
         trials_(task.model, task.truth, task.holes, task.options) {}
 
-  std::optional<TallyWords> run(RunRange runs, const std::function<bool()>& stop) const override {
-    CentringTally tally = empty();
-    for (std::uint64_t run = runs.first; run < runs.end; ++run) {
-      if (stop()) return std::nullopt;
-      tally.add(trials_.run(run), run);
-    }
-    return wordsOf(tally);
-  }
-
   const CentringTrials& trials() const { return trials_; }
 
  private:
+  bool count(std::uint64_t run, const std::function<bool()>&, CentringTally& tally) const override {
+    tally.add(trials_.run(run), run);
+    return true;
+  }
+
   CentringTrials trials_;
 };
 

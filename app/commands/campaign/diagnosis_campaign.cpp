@@ -73,17 +73,13 @@ class DiagnosisExperiment : public TallyExperiment<DiagnosisTally> {
   explicit DiagnosisExperiment(const DiagnosisTask& task)
       : TallyExperiment(DiagnosisTally()), trials_(task.cell, task.kinds, task.options) {}
 
-  std::optional<TallyWords> run(RunRange runs, const std::function<bool()>& stop) const override {
-    DiagnosisTally tally = empty();
-    for (std::uint64_t run = runs.first; run < runs.end; ++run) {
-      const auto trial = stop() ? std::nullopt : trials_.run(run, stop);
-      if (!trial) return std::nullopt;
-      tally.add(*trial);
-    }
-    return wordsOf(tally);
+ private:
+  bool count(std::uint64_t run, const std::function<bool()>& stop, DiagnosisTally& tally) const override {
+    const auto trial = trials_.run(run, stop);
+    if (trial) tally.add(*trial);
+    return trial.has_value();
   }
 
- private:
   DiagnosisTrials trials_;
 };
 

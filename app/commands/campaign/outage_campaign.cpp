@@ -13,19 +13,15 @@ class OutageExperiment : public TallyExperiment<OutageTally> {
       : TallyExperiment(OutageTally()),
         trials_(task.centring.model, task.centring.truth, task.centring.holes, task.options) {}
 
-  std::optional<TallyWords> run(RunRange runs, const std::function<bool()>& stop) const override {
-    OutageTally tally = empty();
-    for (std::uint64_t run = runs.first; run < runs.end; ++run) {
-      const auto trial = stop() ? std::nullopt : trials_.run(run, stop);
-      if (!trial) return std::nullopt;
-      tally.add(*trial, run);
-    }
-    return wordsOf(tally);
-  }
-
   const OutageTrials& trials() const { return trials_; }
 
  private:
+  bool count(std::uint64_t run, const std::function<bool()>& stop, OutageTally& tally) const override {
+    const auto trial = trials_.run(run, stop);
+    if (trial) tally.add(*trial, run);
+    return trial.has_value();
+  }
+
   OutageTrials trials_;
 };
 

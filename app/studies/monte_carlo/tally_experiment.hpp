@@ -1,6 +1,9 @@
-// Experiment whose runs are counted by one type of tally. An experiment derives from it and performs the runs.
+// Experiment whose runs are counted by one type of tally. An experiment derives from it and performs each run.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <optional>
 #include <utility>
 
 #include "app/studies/monte_carlo/experiment.hpp"
@@ -15,6 +18,13 @@ class TallyExperiment : public Experiment {
   /// `empty` is the tally of no runs.
   explicit TallyExperiment(Tally empty) : empty_(empty), total_(std::move(empty)) {}
 
+  [[nodiscard]] std::optional<TallyWords> run(RunRange runs, const std::function<bool()>& stop) const override {
+    Tally tally = empty_;
+    for (std::uint64_t run = runs.first; run < runs.end; ++run)
+      if (stop() || !count(run, stop, tally)) return std::nullopt;
+    return wordsOf(tally);
+  }
+
   [[nodiscard]] bool add(const TallyWords& tally) override { return total_.merge(tally); }
 
   [[nodiscard]] std::optional<TallyWords> sum(const TallyWords& a, const TallyWords& b) const override {
@@ -26,8 +36,9 @@ class TallyExperiment : public Experiment {
   [[nodiscard]] TallyWords total() const override { return wordsOf(total_); }
   [[nodiscard]] const Tally& tally() const { return total_; }
 
- protected:
-  [[nodiscard]] const Tally& empty() const { return empty_; }
+ private:
+  /// Performs a run and counts it in `tally`. Returns false if it was stopped.
+  [[nodiscard]] virtual bool count(std::uint64_t run, const std::function<bool()>& stop, Tally& tally) const = 0;
 
   [[nodiscard]] static TallyWords wordsOf(const Tally& tally) {
     TallyWords words;
@@ -35,7 +46,6 @@ class TallyExperiment : public Experiment {
     return words;
   }
 
- private:
   Tally empty_, total_;
 };
 
