@@ -125,6 +125,7 @@ void visitEffectFlexibilities(Visit&& visit, R&... rows) {
   const RowNumber about{.part = RowPart::kFlexibility};
   visitVectors(about, {}, visit, rows.effect_terms->compliance...);
   visitVectors(about, {}, visit, rows.effect_terms->softness...);
+  visitVectors(about, {}, visit, rows.effect_terms->soft_compliance...);
   visitVectors(about, {}, visit, rows.effect_terms->knee...);
   visitVectors(about, {}, visit, rows.effect_terms->gap...);
   visitVectors(about, {}, visit, rows.effect_terms->bending_compliance...);

@@ -107,7 +107,9 @@ CandidateChanges candidateChanges(const PlacedArm& placed, const std::vector<Mea
   WorkHooks hooks;
   hooks.stop = stop;
   auto causes = listCauses(conditions.placed, conditions.measurements, {}, hooks).causes;
-  std::erase_if(causes, [](const Cause& cause) { return !canChange(cause); });
+  std::erase_if(causes, [&](const Cause& cause) {
+    return !canChange(cause) || !mayActBeside(cause, conditions.placed.arm.effects);
+  });
   for (Cause& cause : causes) cause.levels = {cause.levels[cause.levels.size() / 2]};
   const Signatures signatures(conditions.placed, causes);
   CandidateChanges changes;

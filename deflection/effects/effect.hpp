@@ -77,6 +77,8 @@ struct EffectKind {
   /// Feature that the arm needs for the effect to have a location, such as "an axis with joint_stiffness in the arm
   /// file".
   const char* place_needs = "";
+  /// Name of the effect that this one adds to at the same place; a diagnosis seeks it only beside that effect.
+  const char* extends = "";
   const char* places_elsewhere = "";  ///< description of the places, if `places` does not list them
   /// Prior odds of the kind relative to others, divided among its locations; 0 means tried only on request.
   double odds = 1;

@@ -22,6 +22,7 @@
 #include "deflection/effects/link_torsion.hpp"
 #include "deflection/effects/link_twist.hpp"
 #include "deflection/effects/link_weight.hpp"
+#include "deflection/effects/lost_motion.hpp"
 #include "deflection/effects/payload_offset.hpp"
 #include "deflection/effects/scale_error.hpp"
 #include "deflection/effects/screw_coupling.hpp"
@@ -46,10 +47,11 @@ const std::vector<EffectKind>& effectKinds() {
       link_weight::kind(),        tool_weight::kind(),   payload_offset::kind(),
       gravity_tilt::kind(),       hose_pull::kind(),     contact_force::kind(),
       joint_compliance::kind(),   link_bending::kind(),  link_torsion::kind(),
-      stiffening::kind(),         backlash::kind(),      base_slip::kind(),
-      base_drift::kind(),         scale_error::kind(),   gravity_sag::kind(),
-      slide_bending::kind(),      cable_stretch::kind(), gear_wave::kind(),
-      tool_remount::kind(),       tool_turn::kind(),     user_formula::kind(),
+      stiffening::kind(),         lost_motion::kind(),   backlash::kind(),
+      base_slip::kind(),          base_drift::kind(),    scale_error::kind(),
+      gravity_sag::kind(),        slide_bending::kind(), cable_stretch::kind(),
+      gear_wave::kind(),          tool_remount::kind(),  tool_turn::kind(),
+      user_formula::kind(),
   };
   return kKinds;
 }

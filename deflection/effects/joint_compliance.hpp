@@ -6,7 +6,6 @@
 // Source: Calkins 1994, eq. 2.17.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "deflection/effects/places.hpp"
@@ -22,18 +21,8 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline bool hasPlace(const Arm& arm, int row, int axis) { return !std::isfinite(arm.rows[row].joint_stiffness[axis]); }
 
-inline constexpr const char* kName = "joint-compliance";
-
-/// Returns true if the arm has this effect at an axis of a row.
-inline bool isAt(const Arm& arm, int row, int axis) {
-  const Place place{.row = row, .axis = axis};
-  return std::ranges::any_of(arm.effects, [&](const Effect& effect) {
-    return effect.place == place && std::string_view(kindOf(effect).name) == kName;
-  });
-}
-
 inline EffectKind kind() {
-  return {.name = kName,
+  return {.name = "joint-compliance",
           .words = "a joint axis taken as rigid is compliant",
           .law = "rotation = compliance * moment about an axis taken as rigid",
           .validity = "linear",

@@ -1,7 +1,8 @@
 // A joint that is more compliant under small moments than beyond a knee moment, as a harmonic drive is in torsion.
 //
-// Law: rotation = (M + s clamp(M, -M1, M1)) / K. K is the stiffness of the axis beyond the knee: that of the arm file,
-//      or of the effect joint-compliance (elements/joint_stiffness.hpp). Below the knee it is K1 = K / (1 + s).
+// Law: rotation = (M + s clamp(M, -M1, M1)) / K, with K the axis's own stiffness, which applies on the stiff branch
+//      (elements/joint_stiffness.hpp). The soft branch has the stiffness K1 = K / (1 + s). The effect lost-motion does
+//      the same for an axis that the arm file takes as rigid.
 // Symbols: s softness [1], M1 knee moment [N m], M moment about the axis [N m].
 // Validity: two branches; elastic, the same in both directions. Where the moment always exceeds the knee, the effect is
 //      only a constant rotation.
@@ -10,7 +11,7 @@
 
 #include <cmath>
 
-#include "deflection/effects/joint_compliance.hpp"
+#include "deflection/effects/places.hpp"
 
 namespace tubeplan::deflection::stiffening {
 
@@ -22,9 +23,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   effect_terms.knee[effect.place.axis] += effect.values[1];
 }
 
-inline bool hasPlace(const Arm& arm, int row, int axis) {
-  return std::isfinite(arm.rows[row].joint_stiffness[axis]) || joint_compliance::isAt(arm, row, axis);
-}
+inline bool hasPlace(const Arm& arm, int row, int axis) { return std::isfinite(arm.rows[row].joint_stiffness[axis]); }
 
 inline EffectKind kind() {
   return {.name = "stiffening",
@@ -34,7 +33,7 @@ inline EffectKind kind() {
           .source = "Harmonic Drive catalogues: K1, K2, T1",
           .stage = EffectStage::kFlexibility,
           .at = PlaceRule::kRowAxis,
-          .place_needs = "an axis with joint_stiffness in the arm file, or with the effect joint-compliance before it",
+          .place_needs = "an axis with joint_stiffness in the arm file",
           .odds = 1,
           .odds_reason = "strain wave gears and preloaded bearings are compliant about zero",
           .varies_with = {EffectVariable::kMoment},

@@ -1,11 +1,12 @@
 // Torsional stiffness at a joint or bearing.
 //
 // Law: theta_k = M_k / K_k about each axis k = x, y, z of the row's frame (Calkins 1994, eq. 2.17, section 2.3.3).
-//      Effects extend it to theta_k = (1 / K_k + c_k) (M_k + s_k clamp(M_k, -M1_k, M1_k)): a compliance c, also of an
-//      axis with infinite K, and the soft zone of a harmonic drive below the knee M1 (Harmonic Drive, torsional
+//      Effects extend it to theta_k = M_k / K_k + c_k M_k + (s_k / K_k + d_k) clamp(M_k, -M1_k, M1_k): a compliance c,
+//      also of an axis with infinite K, and the soft zone of a gear below the knee M1 (Harmonic Drive, torsional
 //      stiffness K1, K2).
 // Symbols: M moment about the row's origin [N m], K stiffness [N m/rad], theta rotation [rad], c compliance
-//      [rad/(N m)], s softness of the zone (compliance 1 + s times as large there), M1 knee moment [N m].
+//      [rad/(N m)], s softness of the zone (stiffness K/(1+s) there), d compliance that the zone adds [rad/(N m)],
+//      M1 knee moment [N m].
 // Validity: elastic, no friction; see clearance.hpp for clearance. An infinite K is a rigid axis.
 #pragma once
 
@@ -33,8 +34,8 @@ Flexibility<S> flexibilityOf(const Row<S>& row, const Vector3<S>&) {
   for (int k = 0; k < 3; ++k) {
     if (std::isfinite(valueOf(row.joint_stiffness[k]))) result.compliance(k, k) = S(1) / row.joint_stiffness[k];
     if (!added) continue;
+    result.softness[k] = row.effect_terms->softness[k] * result.compliance(k, k) + row.effect_terms->soft_compliance[k];
     result.compliance(k, k) += row.effect_terms->compliance[k];
-    result.softness[k] = row.effect_terms->softness[k] * result.compliance(k, k);
     result.knee[k] = row.effect_terms->knee[k];
     result.has_soft_zone = true;
   }

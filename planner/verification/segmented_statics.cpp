@@ -149,10 +149,9 @@ class SegmentedArm {
     for (int axis = 0; axis < 3; ++axis) {
       if (std::isfinite(row.joint_stiffness[axis])) step.compliance(axis, axis) = 1 / row.joint_stiffness[axis];
       if (!row.effect_terms || !row.effect_terms->joint_is_compliant) continue;
-      if (std::isfinite(row.joint_stiffness[axis])) {
-        step.softness[axis] = row.effect_terms->softness[axis] / row.joint_stiffness[axis];
-        step.knee[axis] = row.effect_terms->knee[axis];
-      }
+      step.softness[axis] =
+          row.effect_terms->softness[axis] / row.joint_stiffness[axis] + row.effect_terms->soft_compliance[axis];
+      step.knee[axis] = row.effect_terms->knee[axis];
       step.compliance(axis, axis) += row.effect_terms->compliance[axis];
     }
   }

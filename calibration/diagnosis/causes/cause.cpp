@@ -232,6 +232,15 @@ bool overlap(const Cause& a, const Cause& b) {
       a.frees, [&](const std::string& name) { return std::ranges::find(b.frees, name) != b.frees.end(); });
 }
 
+bool mayActBeside(const Cause& cause, const std::vector<deflection::Effect>& effects) {
+  return std::ranges::all_of(cause.effects, [&](const auto& own) {
+    const std::string_view extended = kindOf(own).extends;
+    return extended.empty() || std::ranges::any_of(effects, [&](const auto& effect) {
+             return kindOf(effect).name == extended && effect.place == own.place;
+           });
+  });
+}
+
 bool isStep(const Cause& cause) {
   return cause.shape >= 0 &&
          kindOf(cause.effects.front()).parameters[static_cast<std::size_t>(cause.shape)].quantity == Quantity::kTime;

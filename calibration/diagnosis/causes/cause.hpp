@@ -58,6 +58,9 @@ struct Cause {
 /// Returns true if both causes contain the same effect at the same place, or free the same parameter.
 [[nodiscard]] bool overlap(const Cause& a, const Cause& b);
 
+/// Returns true unless the cause extends an effect (EffectKind::extends) that is not among `effects` at its place.
+[[nodiscard]] bool mayActBeside(const Cause& cause, const std::vector<deflection::Effect>& effects);
+
 /// Returns true if the scanned parameter of the cause is the time of a step, before which the effect is zero.
 [[nodiscard]] bool isStep(const Cause& cause);
 

@@ -106,9 +106,14 @@ bool isVisible(const DiagnosisWork& work, int cause) {
 }
 
 bool mayStandTogether(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, int cause) {
-  return std::ranges::none_of(terms, [&](const ModelTerm& term) {
-    return term.cause == cause || overlap(work.cause(term.cause), work.cause(cause));
-  });
+  const Cause& added = work.cause(cause);
+  auto present = work.basis.fitted.arm.effects;
+  for (const ModelTerm& term : terms) {
+    const Cause& other = work.cause(term.cause);
+    if (term.cause == cause || overlap(other, added)) return false;
+    present.insert(present.end(), other.effects.begin(), other.effects.end());
+  }
+  return mayActBeside(added, present);
 }
 
 bool saysManyAtOnce(const DiagnosisWork& work, const std::vector<ModelTerm>& terms) {

@@ -280,10 +280,19 @@ void stiffening() {
   const auto past_knee = [&](double a) { return moment(beyond)(a) - softness * knee; };
   EXPECT_NEAR(angleOf(solve(arm, at({0}, beyond))), turnUnder(past_knee), 1e-15);
   EXPECT_NEAR(angleOf(solve(arm, at({0}, beyond, Vector3d::UnitY()))), -turnUnder(past_knee), 1e-15);
-  // The same for an axis whose compliance is an effect too.
+}
+
+void lostMotion() {
+  // Beside a joint-compliance of the same stiffness, the soft zone must equal that of an axis with joint_stiffness.
+  const double softness = 0.6, knee = 20;
+  const Arm flexible = withEffect(boom(), "stiffening", "boom.z", {softness, knee});
   const Arm compliant = withEffect(boom(kRigid), "joint-compliance", "boom.z", {1 / kStiffness});
-  for (const double load : {below, beyond})
-    expectSame(withEffect(compliant, "stiffening", "boom.z", {softness, knee}), at({0.2}, load), arm, at({0.2}, load));
+  const Arm arm = withEffect(compliant, "lost-motion", "boom.z", {softness / kStiffness, knee});
+  for (const double load : {15., 200.})
+    for (const double aside : {-1., 1.}) {
+      const Posture posture = at({0.2}, load, aside * Vector3d::UnitY());
+      expectSame(arm, posture, flexible, posture);
+    }
 }
 
 void backlash() {
@@ -425,6 +434,7 @@ const std::map<std::string, void (*)()>& closedForms() {
                                                         {"link-bending", linkBending},
                                                         {"link-torsion", linkTorsion},
                                                         {"stiffening", stiffening},
+                                                        {"lost-motion", lostMotion},
                                                         {"backlash", backlash},
                                                         {"base-slip", baseSlip},
                                                         {"base-drift", baseDrift},

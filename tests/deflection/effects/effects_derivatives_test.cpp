@@ -52,9 +52,9 @@ bool isNearAKink(const Arm& arm, const Posture& posture) {
   const auto shape = solveFlexibleKinematics(arm, posture, kTight);
   for (const Effect& effect : arm.effects) {
     const std::string name = effectKinds()[effect.kind].name;
-    if (name != "stiffening" && name != "backlash") continue;
+    if (name != "stiffening" && name != "lost-motion" && name != "backlash") continue;
     const double moment = std::abs(shape.rows[effect.place.row].moment_L[effect.place.axis]);
-    if (std::abs(moment - (name == "stiffening" ? effect.values[1] : 0)) < 1) return true;
+    if (std::abs(moment - (name == "backlash" ? 0 : effect.values[1])) < 1) return true;
   }
   return false;
 }

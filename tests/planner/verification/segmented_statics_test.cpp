@@ -100,7 +100,8 @@ TEST(SegmentedStatics, EffectsTakePart) {
     return arm;
   };
   for (const Arm& arm : {with("joint-compliance", "forearm.x", {1e-5}), with("hose-pull", "forearm", {20, 10, -15}),
-                         with("tool-weight", "tool", {0.3}), with("joint-offset", "theta3", {0.01})})
+                         with("tool-weight", "tool", {0.3}), with("joint-offset", "theta3", {0.01}),
+                         with("stiffening", "tool.z", {0.6, 20}), with("lost-motion", "base-link.z", {1e-5, 20})})
     EXPECT_LE(worstDifference(arm, cell.X_WB, 100, 8), 2.5e-5) << deflection::textOf(arm, arm.effects.front());
   const Arm loose = with("backlash", "tool.z", {0.01});
   EXPECT_EQ(solveSegmentedStatics(loose, {VectorXd::Zero(4)}).status, SegmentedStaticsStatus::kNotCovered);
