@@ -2,7 +2,7 @@
 """messages.py ROOT [--write]: compares the error messages of the C++ sources with tests/messages.txt, where they can be
 reviewed in the form that a user reads. `--write` renews the file.
 
-Every construction of InputError, of a class derived from it, and InputError::saying is one line, as it would be
+Every construction of InputError, of a class derived from it, and InputError::problem is one line, as it would be
 printed, below the path of its file. Literals are copied, and other expressions are shown as `<expression>`. Constants
 and local variables that hold a string are replaced by the string. Both sides of a choice `a ? b : c` have separate
 lines. Functions that receive the text as an argument, such as YamlNode::fail, have a line for each call, below the path
@@ -236,7 +236,7 @@ class Sources:
 
     def constructions(self, source):
         names = '|'.join(self.classes)
-        for found in re.finditer(rf'(?<!class )(?<!::)\b({names})(::saying)?(?: [a-z_]+)?\s*[({{]', source.text):
+        for found in re.finditer(rf'(?<!class )(?<!::)\b({names})(::problem)?(?: [a-z_]+)?\s*[({{]', source.text):
             given = arguments(source.text, found.end() - 1)
             if len(given) > 1 and not all(map(PARAMETER.fullmatch, given)):
                 yield Error(given, bool(found[2]), [(source, found.start())], [])

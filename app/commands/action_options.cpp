@@ -134,10 +134,10 @@ void requireOptionsOf(const CLI::App& cli, const std::string& action, const std:
     const auto actions = actionsWith(*option, table);
     if (actions.empty() || std::ranges::find(actions, action) != actions.end()) continue;
     const std::string between = fmt::format("` or `{} ", cli.get_name());
-    throw InputError::saying(nameOf(*option),
-                             fmt::format("this is an option of `{0} {1}`, not of `{0} {2}`", cli.get_name(),
-                                         fmt::join(actions, between), action),
-                             "leave it out");
+    throw InputError::problem(nameOf(*option),
+                              fmt::format("this is an option of `{0} {1}`, not of `{0} {2}`", cli.get_name(),
+                                          fmt::join(actions, between), action),
+                              "leave it out");
   }
 }
 

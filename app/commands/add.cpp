@@ -37,7 +37,7 @@ int run(const AddOptions& options) {
   const Cell cell = readCell(options.cell);
   const Addition added = addToCell(cell, options.request);
   if (!options.measurements.empty() && added.formulas.empty())
-    throw InputError::saying(
+    throw InputError::problem(
         "--readings", "the readings are needed only to compare a formula with the catalogue, but no formula is given",
         "add --formula, or leave --readings out");
   checkWritableCell(cell, options.out, "--out");

@@ -96,18 +96,18 @@ bool isYaml(const std::string& file) { return file.ends_with(".yaml") || file.en
 
 int importCalibration(const ArmOptions& options) {
   if (options.nominal.empty())
-    throw InputError::saying("--nominal", "the option is missing",
-                             isYaml(options.file)
-                                 ? "give the arm file whose joint origins " + options.file +
-                                       " replaces; `arm import robot.urdf` makes such a file"
-                                 : "give the arm file with the model's standard Denavit-Hartenberg table, to which " +
-                                       options.file +
-                                       " adds its corrections; write that arm file with `convention: standard` and the "
-                                       "maker's limits and speeds");
+    throw InputError::problem(
+        "--nominal", "the option is missing",
+        isYaml(options.file)
+            ? "give the arm file whose joint origins " + options.file +
+                  " replaces; `arm import robot.urdf` makes such a file"
+            : "give the arm file with the model's standard Denavit-Hartenberg table, to which " + options.file +
+                  " adds its corrections; write that arm file with `convention: standard` and the "
+                  "maker's limits and speeds");
   for (const auto& [name, value] : {std::pair("--cell", options.cell), std::pair("--tip", options.tip)})
     if (!value.empty())
-      throw InputError::saying(name, "this option is for URDF files, not for the calibration of a controller",
-                               "leave it out");
+      throw InputError::problem(name, "this option is for URDF files, not for the calibration of a controller",
+                                "leave it out");
   const CalibratedText text = options.file.ends_with(".conf") ? controllersArm(options) : robotsArm(options);
   const ArmSource calibrated = readArm(parseYaml(text.arm, options.out));
   writeFileAtomically(options.out, text.arm, "--out");
@@ -173,10 +173,10 @@ int exportRows(const ArmOptions& options) {
       static_cast<deflection::RowConvention>(std::ranges::find(names, options.convention) - names.begin());
   const auto converted = deflection::convertRows(given.arm, convention);
   if (!converted.is_converted)
-    throw InputError::saying(options.file,
-                             fmt::format("the frame of row {} cannot be placed as `--convention {}` requires: {}",
-                                         inQuotes(converted.row), options.convention, converted.reason),
-                             "use --convention origin, which leaves frames where they are");
+    throw InputError::problem(options.file,
+                              fmt::format("the frame of row {} cannot be placed as `--convention {}` requires: {}",
+                                          inQuotes(converted.row), options.convention, converted.reason),
+                              "use --convention origin, which leaves frames where they are");
   std::vector<std::string> left_out;
   if (!given.arm.effects.empty()) left_out.emplace_back("the cell's effects: rows of an arm file cannot express them");
   writeFileAtomically(options.out, armYaml(converted.arm, given.units, given.tool_axis), "--out");
@@ -221,11 +221,11 @@ int show(const ArmOptions& options) {
 
 int exportArm(const ArmOptions& options) {
   if (!options.into.empty() && !options.convention.empty())
-    throw InputError::saying("--into", "this option cannot be combined with --convention",
-                             "use --into for a URDF file, or --convention for an arm file");
+    throw InputError::problem("--into", "this option cannot be combined with --convention",
+                              "use --into for a URDF file, or --convention for an arm file");
   if (options.is_kinematics && !(options.into.empty() && options.convention.empty()))
-    throw InputError::saying("--kinematics", "this option cannot be combined with --into or --convention",
-                             "use --kinematics only to write the kinematics YAML file for ROS");
+    throw InputError::problem("--kinematics", "this option cannot be combined with --into or --convention",
+                              "use --kinematics only to write the kinematics YAML file for ROS");
   if (options.is_kinematics) return exportKinematics(options);
   if (!options.into.empty()) return exportIntoUrdf(options);
   return options.convention.empty() ? exportUrdf(options) : exportRows(options);
@@ -249,8 +249,8 @@ int run(const ArmOptions& options, const CLI::App& cli) {
   requireOptionsOf(cli, options.action, armActions());
   if (options.action == "show") return show(options);
   if (options.out.empty())
-    throw InputError::saying("--out", "the option is missing",
-                             fmt::format("name the file that `arm {}` writes", options.action));
+    throw InputError::problem("--out", "the option is missing",
+                              fmt::format("name the file that `arm {}` writes", options.action));
   if (options.action == "export") return exportArm(options);
   const bool is_calibration = !options.nominal.empty() || options.file.ends_with(".conf") || isYaml(options.file);
   return is_calibration ? importCalibration(options) : importRobot(options);

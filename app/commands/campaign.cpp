@@ -42,8 +42,8 @@ class CampaignDesk {
       : options_(options), campaign_(campaign), runs_(static_cast<std::uint64_t>(options.runs)) {
     checkFigures(options.figures);
     if (options.resume && options.out.empty())
-      throw InputError::saying("--resume", "the folder to continue in is missing",
-                               "add --out with the folder of the stopped campaign");
+      throw InputError::problem("--resume", "the folder to continue in is missing",
+                                "add --out with the folder of the stopped campaign");
     RunSet done;
     noteStopSignals();  // installed before the first folder is created, so that a stop removes the folder
     if (!options.out.empty()) {
@@ -148,9 +148,9 @@ int runRanked(const CampaignOptions& options, Ranks& ranks) {
     // mpirun stops all ranks at the first nonzero exit code, so only the rank that reports the error may return one.
     if (ranks.rank() > 0) return kDone;
     if (wrong) throw *wrong;
-    throw InputError::saying("campaign",
-                             "one of the machines has different options or files, or could not read its files",
-                             "copy the same program and files to every machine, and give the same options");
+    throw InputError::problem("campaign",
+                              "one of the machines has different options or files, or could not read its files",
+                              "copy the same program and files to every machine, and give the same options");
   }
   if (desk) return desk->run(workersOf(options), &ranks);
   noteStopSignals();  // signals must not end this rank, because the first rank decides when to stop
@@ -161,9 +161,9 @@ int runRanked(const CampaignOptions& options, Ranks& ranks) {
 int run(const CampaignOptions& options) {
   if (!areRanksLaunched()) return runAlone(options);
   if (!isBuiltForRanks())
-    throw InputError::saying("campaign",
-                             "several processes were started together, but this program was built without MPI",
-                             "start one process with --jobs, or build the program where CMake finds MPI");
+    throw InputError::problem("campaign",
+                              "several processes were started together, but this program was built without MPI",
+                              "start one process with --jobs, or build the program where CMake finds MPI");
   Ranks ranks;
   return runRanked(options, ranks);
 }

@@ -38,8 +38,8 @@ std::string exampleCells() {
   const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
   for (const char* cells : {"share/tubeplan/cells", "app/cells"})
     if (std::filesystem::is_directory(folder / cells)) return (folder / cells).string();
-  throw InputError::saying("--cells", "the example cells are not installed with this program",
-                           "install the whole package, or take them from the source tree: app/cells");
+  throw InputError::problem("--cells", "the example cells are not installed with this program",
+                            "install the whole package, or take them from the source tree: app/cells");
 }
 
 // Replaces `help CMD ACTION` by `CMD ACTION --help`. Returns true if the overview of all commands is requested: by
@@ -57,8 +57,8 @@ void refuseUnknownCommand(const std::string& word) {
   for (const Command& command : commands()) names.emplace_back(command.name);
   if (std::find(names.begin(), names.end(), word) != names.end()) return;
   if (word.starts_with("-"))
-    throw InputError::saying(nameInLine(word), "the command is missing before this option",
-                             "begin with a command; `tubeplan help` lists the commands");
+    throw InputError::problem(nameInLine(word), "the command is missing before this option",
+                              "begin with a command; `tubeplan help` lists the commands");
   throw InputError("COMMAND", inQuotes(word), alternatives(names), suggestionOr(word, names, "see `tubeplan help`"));
 }
 

@@ -72,8 +72,8 @@ InputError unknownOption(const CLI::App& command, const std::string& name) {
   Words names;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& long_name : option->get_lnames()) names.push_back("--" + long_name);
-  return InputError::saying(nameInLine(name), "there is no such option",
-                            name.starts_with("--") ? suggestionOr(name, names, helpOf(command)) : helpOf(command));
+  return InputError::problem(nameInLine(name), "there is no such option",
+                             name.starts_with("--") ? suggestionOr(name, names, helpOf(command)) : helpOf(command));
 }
 
 /// Returns the option at which the parser stopped, while checking its values or (`converting`) while converting them;
@@ -94,7 +94,7 @@ std::optional<InputError> missingWords(CLI::App& command) {
   for (const CLI::Option* option : command.get_options())
     if (option->get_required() && option->count() == 0) names.push_back(option->get_name());
   if (names.empty()) return std::nullopt;
-  return InputError::saying(
+  return InputError::problem(
       command.get_name(), enumeration(names) + (names.size() == 1 ? " is missing" : " are missing"), usageOf(command));
 }
 
@@ -153,23 +153,23 @@ std::optional<InputError> wrongCount(CLI::App& command, const Words& words) {
   if (!option) return std::nullopt;
   const std::string kind = kindOfValue(*option);
   if (!kind.empty()) return InputError(option->get_name(), "no value", kind);
-  return InputError::saying(option->get_name(), "the value is missing", helpOf(command));
+  return InputError::problem(option->get_name(), "the value is missing", helpOf(command));
 }
 
 std::optional<InputError> optionWithout(CLI::App& command) {
   for (const CLI::Option* option : command.get_options())
     for (const CLI::Option* needed : option->get_needs())
       if (option->count() > 0 && needed->count() == 0)
-        return InputError::saying(option->get_name(), "the option also needs " + needed->get_name(),
-                                  fmt::format("add {}, or leave {} out", needed->get_name(), option->get_name()));
+        return InputError::problem(option->get_name(), "the option also needs " + needed->get_name(),
+                                   fmt::format("add {}, or leave {} out", needed->get_name(), option->get_name()));
   return std::nullopt;
 }
 
 std::optional<InputError> superfluousWords(CLI::App& command) {
   for (const std::string& word : wordsLeft(command))
     if (word != "--")
-      return InputError::saying(command.get_name(), "too many arguments, starting at " + inQuotes(word),
-                                usageOf(command));
+      return InputError::problem(command.get_name(), "too many arguments, starting at " + inQuotes(word),
+                                 usageOf(command));
   return std::nullopt;
 }
 
@@ -198,7 +198,7 @@ InputError commandLineError(const CLI::ParseError& error, CLI::App& command, con
   if (const auto unknown = findUnknownOption(wordsLeft(command))) return unknownOption(command, *unknown);
   const auto kind = static_cast<CLI::ExitCodes>(error.get_exit_code());
   if (auto mistake = mistakeOf(kind, command, words)) return *std::move(mistake);
-  return InputError::saying(command.get_name(), error.what(), helpOf(command));
+  return InputError::problem(command.get_name(), error.what(), helpOf(command));
 }
 
 }  // namespace tubeplan::app

@@ -42,7 +42,7 @@ std::vector<std::string> figureFormats() {
 
 void checkFigures(const FiguresTarget& target) {
   if (target.json == "-" && target.format != "text" && target.format != "json")
-    throw InputError::saying(
+    throw InputError::problem(
         "--format", fmt::format("{} and the JSON of `--json -` cannot both go to standard output", target.format),
         "give --json a file, or leave one of them out");
   if (!target.json.empty() && target.json != "-") checkWritableFile(target.json, "--json");

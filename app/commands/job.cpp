@@ -24,8 +24,8 @@ void keepFile(const JobOptions& options) {
                                      {"--csv", options.csv},
                                      {"--json", options.figures.json}})
     if (!path.empty() && std::filesystem::equivalent(path, options.file, none))
-      throw InputError::saying(option, fmt::format("this command reads {}, which would be overwritten", options.file),
-                               "choose another name");
+      throw InputError::problem(option, fmt::format("this command reads {}, which would be overwritten", options.file),
+                                "choose another name");
 }
 
 int run(const JobOptions& options, const CLI::App& cli) {

@@ -27,7 +27,7 @@ namespace {
 /// Returns the tube of the command line. Throws InputError if it is missing.
 TubeAddress tubeOf(const JobOptions& options) {
   if (options.tube.empty())
-    throw InputError::saying("TUBE", "the tube is missing", "name it in full, such as A/hot/R12C40");
+    throw InputError::problem("TUBE", "the tube is missing", "name it in full, such as A/hot/R12C40");
   return parseAddress(options.tube, "TUBE");
 }
 
@@ -46,8 +46,8 @@ int showStatus(const JobOptions& options, JobStore& store) {
 
 int create(const JobOptions& options) {
   if (options.out.empty())
-    throw InputError::saying("--out", "the option is missing",
-                             "name the file that keeps the record, such as spring.job");
+    throw InputError::problem("--out", "the option is missing",
+                              "name the file that keeps the record, such as spring.job");
   for (const std::string& note : JobStore::create(readJobFile(options.file), options.out)) remark("note: {}\n", note);
   JobStore store(options.out);
   return showStatus(options, store);
@@ -70,7 +70,7 @@ int confirm(const JobOptions& options) {
   JobStore store(options.file);
   ConfirmationRequest request{tubeOf(options), options.part.package, options.read_back, std::nullopt, options.entry};
   if (options.read_back.empty() == options.position.empty())
-    throw InputError::saying(
+    throw InputError::problem(
         "--read-back, --position",
         options.position.empty() ? "one of these options is needed" : "both options are given",
         "give the tube that another person reads, or the position of the tool from an independent measurement");
@@ -93,7 +93,7 @@ int showEvent(const JobOptions& options, std::int64_t event, const std::string& 
 
 int mark(const JobOptions& options) {
   if (options.mark.empty())
-    throw InputError::saying("--as", "the option is missing", "write --as done, or another mark");
+    throw InputError::problem("--as", "the option is missing", "write --as done, or another mark");
   JobStore store(options.file);
   const TubeAddress tube = tubeOf(options);
   const auto event = markTube(store, {tube, options.part.package, options.mark, options.entry,
@@ -119,8 +119,8 @@ int exportPackage(const JobOptions& options) {
   JobStore store(options.file, Database::Mode::kRead);
   const JobPart part = partOf(options, store.job());
   if (part.package.empty() || part.generator.empty() || !part.leg || options.csv.empty())
-    throw InputError::saying("--package, --sg, --leg, --csv", "all four options are needed",
-                             "a work list has the tubes of one package on one leg");
+    throw InputError::problem("--package, --sg, --leg, --csv", "all four options are needed",
+                              "a work list has the tubes of one package on one leg");
   writeFileAtomically(options.csv, packageCsv(store, part.package, part.generator, *part.leg), "--csv");
   say("wrote {}\n", options.csv);
   return kDone;
@@ -134,7 +134,7 @@ nlohmann::json jobPlanReport(const nlohmann::json& figures) {
 
 int plan(const JobOptions& options) {
   if (options.out.empty())
-    throw InputError::saying("--out", "the option is missing", "name the folder for the plans of the packages");
+    throw InputError::problem("--out", "the option is missing", "name the folder for the plans of the packages");
   const auto page = std::filesystem::path(options.out) / "schedule.html";
   checkWritableFile(page, "--out");
   noteStopSignals();
@@ -166,7 +166,7 @@ int plan(const JobOptions& options) {
 
 int report(const JobOptions& options) {
   if (options.out.empty())
-    throw InputError::saying("--out", "the option is missing", "name the page to write, such as handover.html");
+    throw InputError::problem("--out", "the option is missing", "name the page to write, such as handover.html");
   checkWritableFile(options.out, "--out");
   if (!options.pdf.empty()) {
     checkWritableFile(options.pdf, "--pdf");

@@ -75,8 +75,8 @@ void requireOtherNames(const PlanOptions& options) {
     std::error_code none;
     const bool is_output = std::ranges::find(kPlanFiles, file.filename().string()) != std::end(kPlanFiles);
     if (is_output && std::filesystem::equivalent(file, written, none))
-      throw InputError::saying("--out", "this command reads " + written.string() + ", which would be overwritten",
-                               "choose another folder");
+      throw InputError::problem("--out", "this command reads " + written.string() + ", which would be overwritten",
+                                "choose another folder");
   }
 }
 

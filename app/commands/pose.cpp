@@ -94,8 +94,8 @@ int run(const PoseOptions& options) {
   checkFigures(options.figures);
   const auto shape = deflection::solveFlexibleKinematics(cell.arm, posture);
   if (shape.status == deflection::KinematicsStatus::kUndefined)
-    throw InputError::saying("--joints", shape.reason,
-                             "choose a posture at which every formula of the cell has a value");
+    throw InputError::problem("--joints", shape.reason,
+                              "choose a posture at which every formula of the cell has a value");
   if (shape.status != deflection::KinematicsStatus::kConverged) {
     remark("{}\n", shape.reason);
     return kNegativeAnswer;

@@ -38,7 +38,7 @@ std::map<UnitKind, const Unit*> unitsOf(const std::vector<std::string>& words) {
     const Unit* unit = findUnitWord(word);
     if (!unit) throw InputError("--units", inQuotes(word), "a unit such as mm, deg or N");
     if (!units.emplace(unit->kind, unit).second)
-      throw InputError::saying(
+      throw InputError::problem(
           "--units", fmt::format("{} and {} are units of the same quantity", units[unit->kind]->name, unit->name),
           "give one unit for each quantity");
   }
@@ -74,7 +74,7 @@ int run(const MeasurementsOptions& options) {
     return kDone;
   }
   if (options.files.empty())
-    throw InputError::saying("readings", "FILES are missing", "name the tables to read, or give --template");
+    throw InputError::problem("readings", "FILES are missing", "name the tables to read, or give --template");
   ForeignRequest request{
       {}, {options.columns, unitsOf(options.units), options.orientation, options.points, options.dates}, options.kind};
   for (const auto& file : options.files) request.tables.push_back(parseForeignTable(readTextFile(file), file));

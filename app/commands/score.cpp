@@ -174,7 +174,7 @@ int run(const ScoreOptions& options) {
   const Cell true_cell = readCell(options.truth);
   const auto model = workcellOf(cell, "score positioning"), truth = workcellOf(true_cell, "score against it");
   if (model.sheet.fingerprint() != truth.sheet.fingerprint())
-    throw InputError::saying(
+    throw InputError::problem(
         options.truth,
         fmt::format("this tube sheet (fingerprint {}) differs from that of the cell (fingerprint {})",
                     truth.sheet.fingerprint(), model.sheet.fingerprint()),

@@ -116,7 +116,7 @@ int run(const SensitivityOptions& options) {
     const auto estimate =
         estimateOf(cell, made.measurements, {cell.identify, !cell.base_known}, cell.path + " (identify)");
     if (!estimate.note.empty())
-      throw InputError::saying(options.measurements, estimate.note, "give readings that determine the parameters");
+      throw InputError::problem(options.measurements, estimate.note, "give readings that determine the parameters");
     cell = cellAsEstimated(cell, estimate);
     report.sigmas = posteriorSigmas(estimate, cell.arm);
   }

@@ -37,14 +37,14 @@ constexpr auto kGlanceAtArm = std::chrono::milliseconds(50);  // interval betwee
 void requireToken(const AccessRules& access) {
   if (access.token.empty() && isLoopback(access.host)) return;
   if (access.token.empty())
-    throw InputError::saying("--host",
-                             "others on the network could reach " + inQuotes(access.host) + " without a token",
-                             "add --token TEXT, which is then required for access");
+    throw InputError::problem("--host",
+                              "others on the network could reach " + inQuotes(access.host) + " without a token",
+                              "add --token TEXT, which is then required for access");
   const bool is_plain = std::all_of(access.token.begin(), access.token.end(),
                                     [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
   if (!is_plain || access.token.size() < kShortestToken)
-    throw InputError::saying("--token", "the token is too short or contains an invalid character",
-                             fmt::format("use at least {} characters from letters, digits, - and _", kShortestToken));
+    throw InputError::problem("--token", "the token is too short or contains an invalid character",
+                              fmt::format("use at least {} characters from letters, digits, - and _", kShortestToken));
 }
 
 int run(const ServeOptions& options) {

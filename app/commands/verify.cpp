@@ -143,10 +143,10 @@ int run(const VerifyOptions& options) {
   checkFigures(options.figures);
   planner::Workcell work = checkedWorkcell(cell, planned, files);
   if (files.padding_sigmas > 0 && work.base_covariance.isZero(0))
-    throw InputError::saying(options.folder + "/plan.json padding",
-                             "the plan has a padding for the uncertainty of the base, but the cell.yaml next to "
-                             "plan.json has no covariance of the base",
-                             "plan again");
+    throw InputError::problem(options.folder + "/plan.json padding",
+                              "the plan has a padding for the uncertainty of the base, but the cell.yaml next to "
+                              "plan.json has no covariance of the base",
+                              "plan again");
   if (files.padding_sigmas > 0) work.row_deviations = rowDeviations(work, jointUncertaintyOf(planned, work, nullptr));
   planner::PlanCheckOptions checks;
   checks.padding = files.padding_sigmas;

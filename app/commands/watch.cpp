@@ -42,8 +42,8 @@ struct WatchRequest {
 /// Throws InputError unless the cell's base was calibrated, because the watch compares with that calibration.
 void requirePlaced(const Cell& cell) {
   if (!isPlaced(standingOf(cell)))
-    throw InputError::saying(cell.path, "its base has not been calibrated, so there is nothing to watch",
-                             "calibrate first: `tubeplan calibrate`, or `identify` with touches");
+    throw InputError::problem(cell.path, "its base has not been calibrated, so there is nothing to watch",
+                              "calibrate first: `tubeplan calibrate`, or `identify` with touches");
 }
 
 /// Throws InputError for readings that state times which do not ascend, because a change is searched in their order.
@@ -53,8 +53,8 @@ void requireOrder(const std::vector<Measurement>& measurements, const std::strin
     if (!measurement.conditions.states(deflection::Condition::kTime)) continue;
     const double time = measurement.conditions[deflection::Condition::kTime];
     if (time < latest)
-      throw InputError::saying(fmt::format("{}:{} (time)", file, measurement.line),
-                               "the reading is earlier than the one above it", "sort the readings by time");
+      throw InputError::problem(fmt::format("{}:{} (time)", file, measurement.line),
+                                "the reading is earlier than the one above it", "sort the readings by time");
     latest = time;
   }
 }
@@ -241,9 +241,9 @@ int run(const WatchRequest& request) {
   requireOrder(input.measurements, input.file);
   if (const int given = static_cast<int>(input.measurements.size());
       request.options.planned != 0 && request.options.planned < given)
-    throw InputError::saying("--planned",
-                             fmt::format("{} readings are planned, but {} are given", request.options.planned, given),
-                             "state how many are planned in all, or leave the option out");
+    throw InputError::problem("--planned",
+                              fmt::format("{} readings are planned, but {} are given", request.options.planned, given),
+                              "state how many are planned in all, or leave the option out");
   checkFigures(request.figures);
   const planner::Workcell work = workcellOf(input.cell, "watch its visits");
   const auto uncertainty = jointUncertaintyOf(input.cell, work, nullptr);
@@ -255,7 +255,7 @@ int run(const WatchRequest& request) {
                                                  input.measurements, options);
   if (watch.status == calibration::WatchStatus::kStopped) return kStoppedExitCode;
   if (watch.status == calibration::WatchStatus::kNotComputed)
-    throw InputError::saying(input.file, watch.reason, "watch touches of holes, positions, offsets or steps");
+    throw InputError::problem(input.file, watch.reason, "watch touches of holes, positions, offsets or steps");
   nlohmann::json figures = figuresOf(watch, input, options.false_alarms);
   addChecks(input.checks, input.cell.units, figures);
   showFigures(request.figures, figures, checksText(input.checks, input.cell.units) + textOf(figures, kWatchWords));

@@ -40,13 +40,13 @@ fs::path findBrowser() {
 fs::path requiredBrowser() {
   const fs::path browser = findBrowser();
   if (const char* own = std::getenv("TUBEPLAN_CHROMIUM"); own && *own != '\0' && browser.empty())
-    throw InputError::saying(
+    throw InputError::problem(
         "--pdf", fmt::format("'{}' of $TUBEPLAN_CHROMIUM is not a program that can be run", own),
         "set the variable to the path of Chromium, or leave out --pdf and print the page from any browser");
   if (browser.empty())
-    throw InputError::saying("--pdf", "Chromium is not installed",
-                             "install the package chromium, set $TUBEPLAN_CHROMIUM to the path of Chromium, or leave "
-                             "out --pdf and print the page from any browser");
+    throw InputError::problem("--pdf", "Chromium is not installed",
+                              "install the package chromium, set $TUBEPLAN_CHROMIUM to the path of Chromium, or leave "
+                              "out --pdf and print the page from any browser");
   return browser;
 }
 
@@ -93,8 +93,8 @@ void printPage(const fs::path& page, const fs::path& pdf) {
   words.push_back("file://" + fs::absolute(page).string());
   const pid_t process = start(words);
   if (process <= 0 || !finishes(process) || !fs::exists(pdf))
-    throw InputError::saying("--pdf", browser.string() + " did not produce a PDF within a minute",
-                             "leave out --pdf and print the page from any browser");
+    throw InputError::problem("--pdf", browser.string() + " did not produce a PDF within a minute",
+                              "leave out --pdf and print the page from any browser");
 }
 
 }  // namespace tubeplan::app

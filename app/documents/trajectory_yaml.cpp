@@ -29,9 +29,9 @@ std::string timeOf(double seconds) {
 void requireAccelerations(const deflection::Arm& arm) {
   for (const auto& joint : arm.joints())
     if (!std::isfinite(joint.max_acceleration))
-      throw InputError::saying(kTrajectoryFile,
-                               "joint " + inQuotes(joint.name) + " has no max_acceleration, so its speed would jump",
-                               "state max_acceleration in the arm file, or leave out the trajectory");
+      throw InputError::problem(kTrajectoryFile,
+                                "joint " + inQuotes(joint.name) + " has no max_acceleration, so its speed would jump",
+                                "state max_acceleration in the arm file, or leave out the trajectory");
 }
 
 std::string trajectoryYaml(const PlanOutcome& outcome) {

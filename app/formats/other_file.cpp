@@ -70,7 +70,7 @@ std::string_view headOf(std::string_view text) {
 void requireTable(const std::string& file, std::string_view text) {
   for (const OtherFile& kind : kOtherFiles)
     if (fits(kind, headOf(text)))
-      throw InputError::saying(file, std::string("the file is no table, but ") + kind.is, kind.advice);
+      throw InputError::problem(file, std::string("the file is no table, but ") + kind.is, kind.advice);
 }
 
 }  // namespace tubeplan::app

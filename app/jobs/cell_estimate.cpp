@@ -24,7 +24,7 @@ void refuseName(const std::string& where, const calibration::FreeProblem& proble
   std::string advice = problem.advice;
   if (problem.is_unknown)
     if (auto near = suggestion(problem.name, calibration::freeableNames(arm)); !near.empty()) advice = std::move(near);
-  throw InputError::saying(where, problem.what, advice);
+  throw InputError::problem(where, problem.what, advice);
 }
 
 Cell cellAsEstimated(Cell cell, const calibration::Estimate& estimate) {

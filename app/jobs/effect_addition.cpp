@@ -25,8 +25,8 @@ constexpr const char* kFormulaAt = "formula@";
 
 void addOrRefuse(Addition& addition, const Effect& effect) {
   if (!addEffect(effect, freedNames(addition.cell.arm, effect), addition.cell, addition))
-    throw InputError::saying(kWhere, "the cell already has " + deflection::textOf(addition.cell.arm, effect),
-                             "name another effect or place");
+    throw InputError::problem(kWhere, "the cell already has " + deflection::textOf(addition.cell.arm, effect),
+                              "name another effect or place");
 }
 
 /// Frees the parameters of a cause such as "free@latch-link.beam.Iz" or "free@geometry"; `name` follows the "@".
@@ -44,8 +44,8 @@ void freeNumbers(Addition& addition, const std::string& name) {
 void addAtAllJoints(Addition& addition, const std::string& effect) {
   const auto effects = calibration::effectsAtAllJoints(addition.cell.arm, effect);
   if (effects.empty())
-    throw InputError::saying(kWhere, "there is no effect " + inQuotes(effect) + " that acts at each joint",
-                             "`tubeplan effects CELL` lists the places of each effect");
+    throw InputError::problem(kWhere, "there is no effect " + inQuotes(effect) + " that acts at each joint",
+                              "`tubeplan effects CELL` lists the places of each effect");
   for (const Effect& one : effects) addOrRefuse(addition, one);
 }
 
@@ -70,16 +70,16 @@ void removeOrRefuse(Cell& cell, const std::string& cause) {
         std::erase_if(cell.arm.effects, [&](const Effect& own) { return deflection::textOf(cell.arm, own) == cause; });
   const std::size_t names = std::erase_if(cell.identify, is_gone);
   if (effects + (is_name ? names : 0) == 0)
-    throw InputError::saying(kWhere, "the model has no " + inQuotes(cause),
-                             "name an effect or a free number of the model");
+    throw InputError::problem(kWhere, "the model has no " + inQuotes(cause),
+                              "name an effect or a free number of the model");
 }
 
 }  // namespace
 
 Addition addToCell(const Cell& cell, const AdditionRequest& request) {
   if (request.causes.empty() && request.formula.empty())
-    throw InputError::saying(kWhere, "no effect to add is named",
-                             "name one, such as backlash@tool.z, or give --formula 'theta3 += c*sin(3*theta1)'");
+    throw InputError::problem(kWhere, "no effect to add is named",
+                              "name one, such as backlash@tool.z, or give --formula 'theta3 += c*sin(3*theta1)'");
   Addition addition{{}, cell};
   std::string target;
   for (const auto& cause : request.causes) {
@@ -96,7 +96,7 @@ Addition addToCell(const Cell& cell, const AdditionRequest& request) {
 
 Cell withoutCauses(const Cell& cell, const std::vector<std::string>& causes) {
   if (causes.empty())
-    throw InputError::saying(kWhere, "no cause to remove is named", "name EFFECT@AT or free@NAME of the model");
+    throw InputError::problem(kWhere, "no cause to remove is named", "name EFFECT@AT or free@NAME of the model");
   Cell without = cell;
   for (const auto& cause : causes) removeOrRefuse(without, cause);
   return without;

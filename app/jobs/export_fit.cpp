@@ -44,8 +44,8 @@ std::vector<std::string> freedWithoutEffects(const Cell& cell, const deflection:
 }
 
 [[noreturn]] void refuse(const CellMeasurements& input, const std::string& reason) {
-  throw InputError::saying(input.file, "the arm cannot be fitted again: " + reason,
-                           "see `tubeplan identify` for these measurements, or export without --measurements");
+  throw InputError::problem(input.file, "the arm cannot be fitted again: " + reason,
+                            "see `tubeplan identify` for these measurements, or export without --measurements");
 }
 
 /// Returns the error of the cell's whole model, and removes its outliers from `input.measurements`.
@@ -66,7 +66,7 @@ bool statesAll(const deflection::Arm& arm, ArmFileContent content) {
 
 ExportFit fitForExport(const CellMeasurements& given, ArmFileContent content, const WorkHooks& hooks) {
   if (const auto mistake = mistakeText(given.checks, given.cell.units); !mistake.empty())
-    throw InputError::saying(given.file, mistake, "correct the measurements, or name the correction with --assume");
+    throw InputError::problem(given.file, mistake, "correct the measurements, or name the correction with --assume");
   CellMeasurements input = given;
   if (input.cell.base_covariance) input.cell.base_known = false;  // the base was found, and is found again with the arm
   ExportFit result;

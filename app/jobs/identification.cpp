@@ -47,9 +47,9 @@ IdentificationOptions identificationOptions(const IdentificationRequest& request
   for (const auto& method : calibration::leastSquaresMethods())
     if (method.name == request.method) result.solver.method = method.method;
   if (result.free.names.empty() && request.stages.empty() && cell.base_known)
-    throw InputError::saying(cell.path, "no parameter is free",
-                             "free one with a list `identify`, or --free NAME; `tubeplan identify --help` lists the "
-                             "numbers that can be freed");
+    throw InputError::problem(cell.path, "no parameter is free",
+                              "free one with a list `identify`, or --free NAME; `tubeplan identify --help` lists the "
+                              "numbers that can be freed");
   return result;
 }
 
@@ -60,8 +60,8 @@ void requireAccepted(const Identification& result, const IdentificationRequest& 
   const Cell& cell = input.cell;
   if (result.measurement_problem) throw refusalOf(result.measurement_problem, result.reason, input);
   if (result.problems.empty())
-    throw InputError::saying(cell.path, result.reason,
-                             "`tubeplan identify --help` lists the numbers that can be freed");
+    throw InputError::problem(cell.path, result.reason,
+                              "`tubeplan identify --help` lists the numbers that can be freed");
   refuseName(request.free.empty() ? cell.path + " (identify)" : "--free", result.problems.front(), cell.arm);
 }
 
@@ -87,8 +87,8 @@ Identification identifyByRequest(const IdentificationRequest& request, const Cel
   options.uncertainty = cell.uncertainty;
   if (request.stages.empty()) return calibration::identify(start, measurements, options);
   if (!request.free.empty())
-    throw InputError::saying("--free", "this option cannot be combined with --stage",
-                             "name the numbers freed in each stage: --stage NAME,NAME");
+    throw InputError::problem("--free", "this option cannot be combined with --stage",
+                              "name the numbers freed in each stage: --stage NAME,NAME");
   std::vector<calibration::IdentificationStage> stages;
   for (const auto& text : request.stages) stages.push_back(stageOf(text));
   auto results = calibration::identifyInStages(start, measurements, stages, options);

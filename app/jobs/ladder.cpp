@@ -34,7 +34,7 @@ std::optional<Cell> sheetCell(const LadderRequest& request, const std::vector<La
 
 void requireOneSheet(const Cell& cell, const tubesheets::Sheet& sheet) {
   if (cell.sheet && cell.sheet->fingerprint() != sheet.fingerprint())
-    throw InputError::saying(
+    throw InputError::problem(
         cell.path,
         fmt::format("this tube sheet (fingerprint {}) differs from that of the step table (fingerprint {})",
                     cell.sheet->fingerprint(), sheet.fingerprint()),

@@ -33,15 +33,15 @@ planner::TravelKind travelOf(const PlanRequest& request) {
   const auto kind = planner::findTravelKind(request.travel);
   if (!kind) throw InputError("--travel", inQuotes(request.travel), "joints or line");
   if (*kind == planner::TravelKind::kLine && request.compensation != planner::nameOf(planner::Compensation::kViaPoint))
-    throw InputError::saying("--travel line",
-                             "this travel needs the compensation via-point, not " + request.compensation,
-                             "only via points solved on the flexible model keep the tip on a straight line");
+    throw InputError::problem("--travel line",
+                              "this travel needs the compensation via-point, not " + request.compensation,
+                              "only via points solved on the flexible model keep the tip on a straight line");
   return *kind;
 }
 
 void requireSameSheet(const planner::Workcell& cell, const planner::Workcell& truth, const std::string& file) {
   if (cell.sheet.fingerprint() != truth.sheet.fingerprint())
-    throw InputError::saying(
+    throw InputError::problem(
         file,
         fmt::format("this tube sheet (fingerprint {}) differs from that of the cell (fingerprint {})",
                     truth.sheet.fingerprint(), cell.sheet.fingerprint()),
@@ -50,8 +50,8 @@ void requireSameSheet(const planner::Workcell& cell, const planner::Workcell& tr
 
 std::vector<calibration::Measurement> touchesFor(const PlanRequest& request, const PlanOutcome& outcome) {
   if (request.touches == "auto" && !outcome.truth)
-    throw InputError::saying("--touches auto", "simulated touches need a true arm, but none is given",
-                             "give its cell with --truth CELL, or give a file of touches");
+    throw InputError::problem("--touches auto", "simulated touches need a true arm, but none is given",
+                              "give its cell with --truth CELL, or give a file of touches");
   if (request.touches == "auto") return touchesByTrueArm(outcome.nominal, outcome.cell, *outcome.truth, request.seed);
   const auto measurements = readMeasurements(request.touches, outcome.cell.arm, &outcome.nominal.sheet);
   requireDefinedFormulas(measurements, outcome.cell, request.touches);
@@ -109,8 +109,8 @@ void checkPadding(const PlanRequest& request, const PlanOutcome& outcome) {
     throw InputError("--padding", fmt::format("{}", request.padding),
                      "0 to 10, in standard deviations of the base pose");
   if (request.padding > 0 && outcome.model.base_covariance.isZero(0))
-    throw InputError::saying("--padding", "the base pose has no covariance, because it was not calibrated",
-                             "give --touches, or a cell that `calibrate` wrote");
+    throw InputError::problem("--padding", "the base pose has no covariance, because it was not calibrated",
+                              "give --touches, or a cell that `calibrate` wrote");
 }
 
 void addTruth(const std::string& file, PlanOutcome& outcome) {
@@ -141,9 +141,9 @@ void requireZonesOfTheList(const ConditionsRequest& conditions_request, const pl
   for (std::size_t k = 0; k < conditions.zones.size(); ++k) {
     const auto isSelected = [&](int tube) { return std::binary_search(tubes.begin(), tubes.end(), tube); };
     if (std::none_of(conditions.zones[k].begin(), conditions.zones[k].end(), isSelected))
-      throw InputError::saying("--first",
-                               inQuotes(conditions_request.first[k]) + " is not among the tubes to be visited",
-                               "choose tubes that are to be visited");
+      throw InputError::problem("--first",
+                                inQuotes(conditions_request.first[k]) + " is not among the tubes to be visited",
+                                "choose tubes that are to be visited");
   }
 }
 
@@ -173,7 +173,7 @@ void startAtTube(const PlanRequest& request, const PlanCheckpoint* checkpoint, P
   if (!tube) return;
   outcome.conditions.start = checkpoint ? checkpoint->postureAt(*tube) : std::nullopt;
   if (outcome.conditions.start) return;
-  throw InputError::saying(
+  throw InputError::problem(
       "--start",
       fmt::format("no earlier plan visits {}, so the arm's posture there is not known", request.conditions.start),
       "write the arm's joint readings, --start=A,B,..., or give the folder of the plan that visits it");
@@ -182,10 +182,10 @@ void startAtTube(const PlanRequest& request, const PlanCheckpoint* checkpoint, P
 /// Throws InputError if the arm starts in a posture that an earlier plan found for another model.
 void requireSameModel(const PlanRequest& request, const PlanCheckpoint& checkpoint, const PlanOutcome& outcome) {
   if (checkpoint.modelDifferences().empty() || !startTubeOf(request.conditions, outcome.nominal.sheet)) return;
-  throw InputError::saying("--start",
-                           fmt::format("the earlier plan visits {}, but with {}", request.conditions.start,
-                                       fmt::join(checkpoint.modelDifferences(), ", ")),
-                           "write the arm's joint readings, --start=A,B,...");
+  throw InputError::problem("--start",
+                            fmt::format("the earlier plan visits {}, but with {}", request.conditions.start,
+                                        fmt::join(checkpoint.modelDifferences(), ", ")),
+                            "write the arm's joint readings, --start=A,B,...");
 }
 
 void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::PlanHooks hooks,
@@ -246,8 +246,8 @@ PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::Plan
   PlanOutcome outcome = begun(cell, request);
   auto selection = tubesheets::selectTubes(outcome.nominal.sheet, request.tubes);
   if (selection.status != tubesheets::SelectionStatus::kSelected)
-    throw InputError::saying("tubes", inQuotes(request.tubes) + " cannot be planned: " + selection.reason,
-                             "name tubes of this sheet");
+    throw InputError::problem("tubes", inQuotes(request.tubes) + " cannot be planned: " + selection.reason,
+                              "name tubes of this sheet");
   for (const auto& [tube, dwell] : request.dwell_times)
     if (std::ranges::find(selection.tube_indices, tube) != selection.tube_indices.end()) selection.dwell[tube] = dwell;
   addConditions(request, selection, outcome);

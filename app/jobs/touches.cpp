@@ -107,9 +107,9 @@ TouchRequest completed(TouchRequest request, const Cell& cell) {
   if (request.kind.empty()) request.kind = cell.sheet ? "touch" : "position";
   if (request.goal.empty()) request.goal = !cell.sheet ? "parameters" : frees ? "both" : "base";
   if (request.goal != "base" && !frees && cell.base_known)
-    throw InputError::saying(cell.path, "no parameter is free",
-                             "free one with a list `identify`, or --free NAME; `tubeplan touches --help` lists the "
-                             "numbers that can be freed");
+    throw InputError::problem(cell.path, "no parameter is free",
+                              "free one with a list `identify`, or --free NAME; `tubeplan touches --help` lists the "
+                              "numbers that can be freed");
   if (request.goal != "parameters") (void)requireSheet(cell, "choose holes to touch for the base");
   if (!request.tubes.empty()) (void)requireSheet(cell, "choose --tubes");
   requireWorkList(request.columns, {request.tubes});

@@ -85,7 +85,7 @@ void Database::Closer::operator()(sqlite3* database) const { sqlite3_close(datab
 Database::Database(const std::string& path, Mode mode) : path_(path), is_read_(mode == Mode::kRead) {
   std::error_code none;
   if (mode == Mode::kOpen && !std::filesystem::exists(path, none))
-    throw InputError::saying(path, "no such file", "make it by `tubeplan job create JOB.yaml --out " + path + "`");
+    throw InputError::problem(path, "no such file", "make it by `tubeplan job create JOB.yaml --out " + path + "`");
   const int create = mode == Mode::kCreate ? SQLITE_OPEN_CREATE : 0;
   int code = open(path, SQLITE_OPEN_READWRITE | create);
   if (mode == Mode::kRead && isProtected(code)) {
@@ -95,8 +95,8 @@ Database::Database(const std::string& path, Mode mode) : path_(path), is_read_(m
     code =
         has_log ? open(path, SQLITE_OPEN_READONLY) : open(unchangingName(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
     if (has_log && isProtected(code))
-      throw InputError::saying(path, "changes are stored in " + path + "-wal, but this folder is write-protected",
-                               "copy both files to a folder that you may write to");
+      throw InputError::problem(path, "changes are stored in " + path + "-wal, but this folder is write-protected",
+                                "copy both files to a folder that you may write to");
   }
   if (code != SQLITE_OK) fail(code);
 }
@@ -115,18 +115,18 @@ int Database::open(const std::string& name, int flags) {
 void Database::fail(int code) const {
   const int kind = code & 0xff;
   if (kind == SQLITE_BUSY || kind == SQLITE_LOCKED)
-    throw InputError::saying(path_, "another program keeps this file locked", "try again when it has finished");
+    throw InputError::problem(path_, "another program keeps this file locked", "try again when it has finished");
   if (kind == SQLITE_NOTADB || kind == SQLITE_CORRUPT)
-    throw InputError::saying(path_, "this file is not the record of a job, or it is damaged",
-                             "name a file that `tubeplan job create` made");
+    throw InputError::problem(path_, "this file is not the record of a job, or it is damaged",
+                              "name a file that `tubeplan job create` made");
   if (isProtected(code))
-    throw InputError::saying(path_, fmt::format("this file cannot be {}", is_read_ ? "read" : "opened for writing"),
-                             "check its folder and permissions");
+    throw InputError::problem(path_, fmt::format("this file cannot be {}", is_read_ ? "read" : "opened for writing"),
+                              "check its folder and permissions");
   if (kind == SQLITE_FULL || kind == SQLITE_IOERR)
-    throw InputError::saying(path_, "this file cannot be written", "check the space left on the disk");
+    throw InputError::problem(path_, "this file cannot be written", "check the space left on the disk");
   const std::string said = sqlite3_errmsg(database_.get());
   if (said.starts_with("no such "))
-    throw InputError::saying(path_, "the record is damaged: " + said, "restore it from a copy");
+    throw InputError::problem(path_, "the record is damaged: " + said, "restore it from a copy");
   throw std::logic_error(path_ + ": " + said);
 }
 

@@ -17,8 +17,8 @@ using Zones = std::map<TubeAddress, std::string>;
 void requireShift(const std::string& name, const std::vector<JobShift>& shifts) {
   if (name.empty()) return;
   if (shifts.empty())
-    throw InputError::saying("--shift", "the job file names no shifts",
-                             "leave the option out to report on a whole day");
+    throw InputError::problem("--shift", "the job file names no shifts",
+                              "leave the option out to report on a whole day");
   (void)entryNamed(shifts, name, "--shift");
 }
 

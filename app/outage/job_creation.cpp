@@ -48,10 +48,10 @@ Sheet sheetOf(const JobLeg& leg) {
   const Cell cell = readCellOf(leg);
   const Sheet& sheet = requireSheet(cell, "plan an outage");
   if (sheet.leg != leg.leg)
-    throw InputError::saying(leg.cell,
-                             fmt::format("its sheet is of the {} leg, but the job names it for the {} leg",
-                                         tubesheets::legName(sheet.leg), tubesheets::legName(leg.leg)),
-                             "exchange the cells of the legs, or write `mirrored` for the other leg");
+    throw InputError::problem(leg.cell,
+                              fmt::format("its sheet is of the {} leg, but the job names it for the {} leg",
+                                          tubesheets::legName(sheet.leg), tubesheets::legName(leg.leg)),
+                              "exchange the cells of the legs, or write `mirrored` for the other leg");
   return sheet;
 }
 
@@ -60,7 +60,7 @@ void requireStates(const std::string& path, const tubesheets::WorkList& list, co
   if (list.problem) refuseText(path, *list.problem);
   for (const auto& item : list.items)
     if (!item.steam_generator.empty() && item.steam_generator != generator)
-      throw InputError::saying(
+      throw InputError::problem(
           fmt::format("{}:{}", path, item.line),
           fmt::format("{} is of steam generator {}, but the job names the table for {}",
                       tubesheets::tubeName(item.row, item.column), item.steam_generator, generator),
@@ -68,8 +68,8 @@ void requireStates(const std::string& path, const tubesheets::WorkList& list, co
   std::vector<std::string> states;
   for (const auto state : tubesheets::tubeStates()) states.emplace_back(tubesheets::tubeStateName(state));
   if (std::ranges::none_of(list.items, [](const auto& item) { return item.state.has_value(); }))
-    throw InputError::saying(path, "the table has no state of any tube",
-                             "write each tube's state in a column named `state`: " + alternatives(states));
+    throw InputError::problem(path, "the table has no state of any tube",
+                              "write each tube's state in a column named `state`: " + alternatives(states));
 }
 
 /// Sets the states of tubes that a table states. Throws InputError for a tube that the sheet does not have.
@@ -77,9 +77,9 @@ void applyStates(const tubesheets::WorkList& list, const std::string& path, Shee
   for (const auto& item : list.items) {
     const auto tube = sheet.indexOf(item.row, item.column);
     if (!tube)
-      throw InputError::saying(fmt::format("{}:{}", path, item.line),
-                               tubesheets::tubeName(item.row, item.column) + " is not on the sheet",
-                               "correct the tube's row and column, or name the states of this steam generator");
+      throw InputError::problem(fmt::format("{}:{}", path, item.line),
+                                tubesheets::tubeName(item.row, item.column) + " is not on the sheet",
+                                "correct the tube's row and column, or name the states of this steam generator");
     if (item.state) sheet.tubes[static_cast<std::size_t>(*tube)].state = *item.state;
   }
 }
@@ -93,7 +93,7 @@ void requireSameTubes(const ReadLeg& one, const ReadLeg& other) {
   };
   for (const auto& [has, lacks] : {std::pair(&one, &other), std::pair(&other, &one)})
     if (const auto* tube = lacking(lacks->sheet, has->sheet))
-      throw InputError::saying(
+      throw InputError::problem(
           fmt::format("steam generator {}", one.generator),
           fmt::format("the {} leg has {}, but the {} leg does not", tubesheets::legName(has->leg.leg),
                       tubesheets::tubeName(tube->row, tube->column), tubesheets::legName(lacks->leg.leg)),
@@ -135,11 +135,12 @@ void requireNoneReopened(const tubesheets::WorkList& list, const ReadLeg& leg, c
     if (!tube || !item.state) continue;
     const auto on_sheet = leg.sheet.tubes[static_cast<std::size_t>(*tube)].state;
     if (tubesheets::takesNoTool(on_sheet) && !tubesheets::takesNoTool(*item.state))
-      throw InputError::saying(fmt::format("{}:{}", path, item.line),
-                               fmt::format("{} is {} according to the list, but {} before the job",
-                                           tubesheets::tubeName(item.row, item.column),
-                                           tubesheets::tubeStateName(*item.state), tubesheets::tubeStateName(on_sheet)),
-                               "correct the list, or the states of the steam generator");
+      throw InputError::problem(
+          fmt::format("{}:{}", path, item.line),
+          fmt::format("{} is {} according to the list, but {} before the job",
+                      tubesheets::tubeName(item.row, item.column), tubesheets::tubeStateName(*item.state),
+                      tubesheets::tubeStateName(on_sheet)),
+          "correct the list, or the states of the steam generator");
   }
 }
 
@@ -176,7 +177,7 @@ std::vector<PackageOnLeg> selectPackage(const WorkPackage& package, std::int64_t
         {key, &leg, readTubes(package.tubes, leg.sheet, {}, fmt::format("{} (package {})", job.path, package.name))});
   }
   if (selected.empty())
-    throw InputError::saying(
+    throw InputError::problem(
         fmt::format("{} (package {})", job.path, package.name),
         "no leg of the job belongs to this package" + placeOf(list),
         fmt::format(
@@ -246,7 +247,7 @@ std::vector<std::string> JobStore::create(const JobFile& job, const std::string&
   claimOutput(path, "--out");
   std::error_code none;
   if (std::filesystem::exists(path, none))
-    throw InputError::saying(path, "the file already exists, and its record must not be lost", "choose another name");
+    throw InputError::problem(path, "the file already exists, and its record must not be lost", "choose another name");
   const std::string scratch = path + ".new";
   const auto removeScratch = [&] {
     for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(scratch + suffix, none);

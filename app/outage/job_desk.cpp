@@ -24,20 +24,21 @@ void requireFitting(const JobItem& item, const Mark& mark, const MarkRequest& re
   const std::string where = addressText(item.tube);
   const ItemStanding standing = item.standing();
   if (request.after && *request.after != item.last_event)
-    throw InputError::saying(
+    throw InputError::problem(
         where,
         fmt::format("its state has changed since event {} (its last event is {})", *request.after, item.last_event),
         "look at `tubeplan job log`, then mark it again without --after");
   if (mark.needs_reason && request.entry.reason.empty())
-    throw InputError::saying("--reason", fmt::format("the mark '{}' needs a reason", mark.name), "write --reason TEXT");
+    throw InputError::problem("--reason", fmt::format("the mark '{}' needs a reason", mark.name),
+                              "write --reason TEXT");
   if (standing == ItemStanding::kExcluded && mark.standing != ItemStanding::kOpen)
-    throw InputError::saying(where,
-                             fmt::format("it is excluded from the package {}{}", item.package,
-                                         item.excluded.empty() ? "" : " (" + item.excluded + ")"),
-                             "mark it open first, with the reason why");
+    throw InputError::problem(where,
+                              fmt::format("it is excluded from the package {}{}", item.package,
+                                          item.excluded.empty() ? "" : " (" + item.excluded + ")"),
+                              "mark it open first, with the reason why");
   if (standing == ItemStanding::kDone && request.entry.reason.empty())
-    throw InputError::saying(where, fmt::format("it is already marked {}", item.mark->name),
-                             "give --reason if it is to be marked again, or undo that mark");
+    throw InputError::problem(where, fmt::format("it is already marked {}", item.mark->name),
+                              "give --reason if it is to be marked again, or undo that mark");
 }
 
 std::string textOf(const std::vector<JobItem>& items) {
@@ -89,13 +90,13 @@ JobItem requireItem(JobStore& store, const TubeAddress& tube, const std::string&
   std::vector<JobItem> items = store.itemsOf(tube);
   if (!package.empty()) std::erase_if(items, [&](const JobItem& item) { return item.package != package; });
   if (items.empty())
-    throw InputError::saying(
+    throw InputError::problem(
         addressText(tube),
         package.empty() ? "no package of the job has this tube" : "the package " + package + " does not have this tube",
         "check its steam generator, leg, row and column");
   if (items.size() > 1)
-    throw InputError::saying(addressText(tube), "the tube is in the packages " + textOf(items),
-                             "name one of them with --package");
+    throw InputError::problem(addressText(tube), "the tube is in the packages " + textOf(items),
+                              "name one of them with --package");
   return items.front();
 }
 
@@ -109,7 +110,7 @@ std::int64_t markTube(JobStore& store, const MarkRequest& request) {
                                                                           store.eventsOf(item.id), request.entry.who)
                                                 : "";
     if (!missing.empty())
-      throw InputError::saying(addressText(item.tube), missing, "confirm it first: `tubeplan job confirm`");
+      throw InputError::problem(addressText(item.tube), missing, "confirm it first: `tubeplan job confirm`");
     event = store.addMark(item, mark, request.entry);
   });
   return event;
@@ -135,8 +136,8 @@ IdentityFinding confirmTube(JobStore& store, const ConfirmationRequest& request)
     const auto method = request.read.empty() ? ConfirmationMethod::kPosition : ConfirmationMethod::kReadBack;
     const WorkPackage& package = store.job().packageOf(item.package);
     if (const std::string wrong = findWrongMethod(package, confirmationName(method)); finding.is_same && !wrong.empty())
-      throw InputError::saying(addressText(item.tube), wrong,
-                               fmt::format("confirm it by {}", confirmationName(package.confirm)));
+      throw InputError::problem(addressText(item.tube), wrong,
+                                fmt::format("confirm it by {}", confirmationName(package.confirm)));
     const std::string value = finding.is_same ? "same" : finding.found.empty() ? "no hole" : finding.found;
     store.addConfirmation(item, method, value, request.entry);
   });
@@ -145,22 +146,22 @@ IdentityFinding confirmTube(JobStore& store, const ConfirmationRequest& request)
 
 std::int64_t undoMark(JobStore& store, std::int64_t event, const EventEntry& entry) {
   if (event == 0)
-    throw InputError::saying("--event", "the event is missing", "`tubeplan job log` lists them with their numbers");
-  if (entry.reason.empty()) throw InputError::saying("--reason", "an undo needs a reason", "write --reason TEXT");
+    throw InputError::problem("--event", "the event is missing", "`tubeplan job log` lists them with their numbers");
+  if (entry.reason.empty()) throw InputError::problem("--reason", "an undo needs a reason", "write --reason TEXT");
   std::int64_t undo = 0;
   store.transact([&] {
     const auto events = store.events();
     const auto found = std::ranges::find(events, event, &JobEvent::id);
     const std::string where = fmt::format("event {}", event);
     if (found == events.end())
-      throw InputError::saying(where, "there is no such event", "`tubeplan job log` lists them");
-    if (found->kind != "mark") throw InputError::saying(where, "this event is not a mark", "undo a mark");
+      throw InputError::problem(where, "there is no such event", "`tubeplan job log` lists them");
+    if (found->kind != "mark") throw InputError::problem(where, "this event is not a mark", "undo a mark");
     if (found->is_undone)
-      throw InputError::saying(where, "this event has already been undone", "there is nothing to do");
+      throw InputError::problem(where, "this event has already been undone", "there is nothing to do");
     for (const JobEvent& later : events)
       if (later.id > event && later.kind == "mark" && !later.is_undone && later.item == found->item)
-        throw InputError::saying(where, fmt::format("the tube has a later mark, event {}", later.id),
-                                 "undo that one first");
+        throw InputError::problem(where, fmt::format("the tube has a later mark, event {}", later.id),
+                                  "undo that one first");
     undo = store.addUndo(*found, entry);
   });
   return undo;

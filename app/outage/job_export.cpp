@@ -69,9 +69,9 @@ std::string packageCsv(JobStore& store, const std::string& package, const std::s
     fields.emplace(std::pair(item.tube.row, item.tube.column), of);
   }
   if (fields.empty())
-    throw InputError::saying(fmt::format("package {}", package),
-                             fmt::format("it has no tubes on {}/{}", generator, tubesheets::legName(leg)),
-                             "`tubeplan job status` lists the legs of every package");
+    throw InputError::problem(fmt::format("package {}", package),
+                              fmt::format("it has no tubes on {}/{}", generator, tubesheets::legName(leg)),
+                              "`tubeplan job status` lists the legs of every package");
   const std::string list = store.listOf(package, generator, leg);
   return list.empty() ? own : withFields(list, fields);
 }

@@ -44,7 +44,8 @@ template <class Entry>
 void requireNewName(const YamlNode& node, const std::vector<Entry>& entries) {
   const auto has_name = [&](const Entry& entry) { return entry.name == entries.back().name; };
   if (std::ranges::count_if(entries, has_name) > 1)
-    node.failSaying(fmt::format("the name '{}' is given twice", entries.back().name), "give each entry its own name");
+    node.failWithProblem(fmt::format("the name '{}' is given twice", entries.back().name),
+                         "give each entry its own name");
 }
 
 /// Reads a name that must be one of `names`.
@@ -72,7 +73,7 @@ std::vector<JobLeg> readLegs(const YamlNode& node, const std::string& folder) {
     const auto other = std::ranges::find_if(legs, [](const JobLeg& one) { return !one.is_mirrored; });
     if (leg.leg == Leg::kFull || other == legs.end() || other->leg == Leg::kFull)
       node.at(tubesheets::legName(leg.leg))
-          .failSaying("there is no other leg with a cell to mirror", "give a cell to one of `hot` and `cold`");
+          .failWithProblem("there is no other leg with a cell to mirror", "give a cell to one of `hot` and `cold`");
     leg.cell = other->cell;
   }
   return legs;
@@ -168,9 +169,9 @@ std::vector<LegName> readExclusiveLegs(const YamlNode& node, const std::vector<S
     const auto found = std::ranges::find(names, readNameOf(item, names));
     group.push_back(legs[static_cast<std::size_t>(found - names.begin())]);
     if (std::ranges::count(group, group.back()) > 1)
-      item.failSaying(fmt::format("the leg {} is named twice", item.text()), "name each leg of a group once");
+      item.failWithProblem(fmt::format("the leg {} is named twice", item.text()), "name each leg of a group once");
   }
-  if (group.size() < 2) node.failSaying("the group has only one leg", "name two legs or more");
+  if (group.size() < 2) node.failWithProblem("the group has only one leg", "name two legs or more");
   return group;
 }
 
@@ -249,7 +250,7 @@ Cell readCellOf(const JobLeg& leg) {
 JobFile readJobFile(const std::string& path) {
   JobFile job = parseJobFile(readTextFile(path), path);
   if (const std::string overlap = overlapText(job.shifts); !overlap.empty())
-    throw InputError::saying(path + ": shifts", overlap, "let each shift end when the next begins");
+    throw InputError::problem(path + ": shifts", overlap, "let each shift end when the next begins");
   return job;
 }
 

@@ -19,8 +19,8 @@ using planner::SegmentKind, planner::VisitPlanStatus;
 Cell cellOfLeg(const JobSheet& sheet) {
   Cell cell = readCellOf(sheet.leg);
   if (requireSheet(cell, "plan an outage").fingerprint() != sheet.fingerprint)
-    throw InputError::saying(sheet.leg.cell, "its tube sheet is no longer the one that the job was made with",
-                             "restore the cell's sheet, or make another job");
+    throw InputError::problem(sheet.leg.cell, "its tube sheet is no longer the one that the job was made with",
+                              "restore the cell's sheet, or make another job");
   return cell;
 }
 
@@ -150,8 +150,8 @@ double LegPlan::total() const {
 JobPlan planJob(JobStore& store, const JobPlanRequest& request, const planner::PlanHooks& hooks,
                 const KeepPackagePlan& keep) {
   if (!request.start.empty() && (request.part.generator.empty() || !request.part.leg))
-    throw InputError::saying("--start", "the arm can start under one leg only, but several are planned",
-                             "name the leg with --sg and --leg");
+    throw InputError::problem("--start", "the arm can start under one leg only, but several are planned",
+                              "name the leg with --sg and --leg");
   JobPlan plan;
   const std::vector<JobItem> items = store.items();
   for (const JobSheet& sheet : store.sheets()) {

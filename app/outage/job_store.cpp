@@ -64,8 +64,8 @@ std::string valueOf(Database& database, const std::string& key) {
   const auto tables = database.query("SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'job'");
   const auto rows = tables.empty() ? tables : database.query("SELECT value FROM job WHERE key = ?1", {key});
   if (rows.empty())
-    throw InputError::saying(database.path(), "this file is not the record of a job",
-                             "name a file that `tubeplan job create` made");
+    throw InputError::problem(database.path(), "this file is not the record of a job",
+                              "name a file that `tubeplan job create` made");
   return rows.front().text(0);
 }
 

@@ -28,8 +28,8 @@ std::string lettersOf(const std::string& name) {
 std::string lineOf(const std::string& text, const char* option) {
   const std::string line(tubesheets::trimBlanks(text));
   if (std::ranges::any_of(line, [](unsigned char c) { return std::iscntrl(c) != 0; }))
-    throw InputError::saying(option, "the text has a tabulator, a line break or another control character",
-                             "write one line of plain text");
+    throw InputError::problem(option, "the text has a tabulator, a line break or another control character",
+                              "write one line of plain text");
   return line;
 }
 
@@ -58,11 +58,11 @@ EventEntry checkedEntry(const EventEntry& entry) {
   if (!entry.at.empty() && !isTime(entry.at))
     throw InputError("--at", inQuotes(entry.at), "a time in UTC, such as 2025-04-02T06:15:30Z");
   if (entry.at > timeText(std::chrono::system_clock::now() + kClocksDiffer))
-    throw InputError::saying("--at", fmt::format("{} has not come yet: it is {}", entry.at, presentTime()),
-                             "write when it happened, in UTC, or leave it out for now");
+    throw InputError::problem("--at", fmt::format("{} has not come yet: it is {}", entry.at, presentTime()),
+                              "write when it happened, in UTC, or leave it out for now");
   const EventEntry checked{lineOf(entry.who, "--by"), lineOf(entry.reason, "--reason"), entry.at};
   if (lettersOf(checked.who).empty())
-    throw InputError::saying("--by", "the name of the person is missing", "write --by NAME");
+    throw InputError::problem("--by", "the name of the person is missing", "write --by NAME");
   return checked;
 }
 

@@ -61,7 +61,7 @@ Rows CellArrays::limits() const {
 
 void CellArrays::requireNoSideJoints(const char* what) const {
   if (!deflection::sideJoints(cell_.arm).empty())
-    throw InputError::saying(
+    throw InputError::problem(
         cell_.path, std::string("the arm has side chains with joints of their own, which ") + what + " does not take",
         "use pose(joints=..., side_joints=...) for each posture");
 }

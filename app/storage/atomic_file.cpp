@@ -128,11 +128,11 @@ OutputFolder::OutputFolder(const fs::path& path, const std::string& option)
   if (!path_.has_filename()) path_ = path_.parent_path();  // removes a trailing slash
   std::error_code error;
   if (fs::exists(path_, error) && !fs::is_directory(path_))
-    throw InputError::saying(option, fmt::format("'{}' is a file, not a folder", path_.string()),
-                             "give a folder, which may be new");
+    throw InputError::problem(option, fmt::format("'{}' is a file, not a folder", path_.string()),
+                              "give a folder, which may be new");
   made_.make(path_, option);
   if (lock_.tryTake(path_, O_RDONLY | O_DIRECTORY) == FileLock::Outcome::kHeldByAnother)
-    throw InputError::saying(
+    throw InputError::problem(
         option, fmt::format("another run of tubeplan{} is writing to '{}'", holderOf(path_), path_.string()),
         "wait until it has finished, or choose another folder");
   removeLeftovers(path_, kScratch);
@@ -155,7 +155,7 @@ void OutputFolder::requireOwn(const std::vector<std::string>& marks, const std::
   };
   if (std::ranges::any_of(marks, isThere)) return;
   if (const auto other = std::ranges::find_if(names, isThere); other != names.end())
-    throw InputError::saying(
+    throw InputError::problem(
         option_,
         (path_ / *other).string() + " was not written by an earlier run of this command and would be overwritten",
         "choose an empty folder, or the folder of an earlier run");

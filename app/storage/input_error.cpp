@@ -34,13 +34,13 @@ InputError::InputError(std::string where, std::string found, std::string expecte
       expected_(part(std::move(expected))),
       advice_(part(std::move(advice))) {}
 
-InputError InputError::saying(std::string where, std::string what, std::string advice) {
+InputError InputError::problem(std::string where, std::string what, std::string advice) {
   return {std::move(where), std::move(what), "", std::move(advice)};
 }
 
 InputError inputErrorOf(const std::filesystem::filesystem_error& error) {
-  return InputError::saying(error.path1().string(), error.code().message(),
-                            "check the name, the folder and the permissions");
+  return InputError::problem(error.path1().string(), error.code().message(),
+                             "check the name, the folder and the permissions");
 }
 
 std::string inQuotes(std::string_view text) { return "'" + nameInLine(text) + "'"; }

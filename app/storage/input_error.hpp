@@ -19,12 +19,12 @@ class InputError : public std::runtime_error {
 
   /// Returns the error for a problem other than a wrong value. `what` is a sentence without its full stop, such as "no
   /// such file". `advice` states a remedy, such as "check the name and the folder", and may be empty.
-  [[nodiscard]] static InputError saying(std::string where, std::string what, std::string advice = "");
+  [[nodiscard]] static InputError problem(std::string where, std::string what, std::string advice = "");
 
   [[nodiscard]] const std::string& where() const { return where_; }
-  /// Returns the wrong value, or the sentence passed to saying().
+  /// Returns the wrong value, or the sentence passed to problem().
   [[nodiscard]] const std::string& found() const { return found_; }
-  /// Returns the expected value; empty for an error made by saying().
+  /// Returns the expected value; empty for an error made by problem().
   [[nodiscard]] const std::string& expected() const { return expected_; }
   [[nodiscard]] const std::string& advice() const { return advice_; }
 

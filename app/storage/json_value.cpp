@@ -53,7 +53,7 @@ void JsonValue::refuse(const std::string& expected) const {
 JsonValue JsonValue::at(const std::string& key) const {
   if (!value_.is_object()) refuse("an object with the key " + key);
   const auto found = value_.find(key);
-  if (found == value_.end()) throw InputError::saying(place(), "the key " + inQuotes(key) + " is missing", advice_);
+  if (found == value_.end()) throw InputError::problem(place(), "the key " + inQuotes(key) + " is missing", advice_);
   return {*found, document_, path_ + (path_.empty() ? "" : ".") + key, advice_};
 }
 

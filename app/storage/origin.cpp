@@ -58,12 +58,12 @@ void InputRecord::note(const std::string& path, std::string_view bytes) {
 void InputRecord::claim(const fs::path& path, const std::string& option) {
   const auto isIt = [&](const std::string& file) { return isSameFile(file, path); };
   if (std::any_of(paths_.begin(), paths_.end(), isIt) && std::none_of(replaceable_.begin(), replaceable_.end(), isIt))
-    throw InputError::saying(option, fmt::format("this command reads '{}', which would be overwritten", path.string()),
-                             "choose another name");
+    throw InputError::problem(option, fmt::format("this command reads '{}', which would be overwritten", path.string()),
+                              "choose another name");
   for (const auto& [other, by] : outputs_)
     if (by != option && isSameFile(other, path))
-      throw InputError::saying(option, fmt::format("{} also writes '{}'", by, path.string()),
-                               "choose another name for one of them");
+      throw InputError::problem(option, fmt::format("{} also writes '{}'", by, path.string()),
+                                "choose another name for one of them");
   outputs_.emplace_back(path, option);
 }
 

@@ -73,8 +73,8 @@ std::error_code keepAside(const fs::path& place, const fs::path& aside) {
 }  // namespace
 
 void failToWrite(const std::string& option, const fs::path& path, const std::string& why) {
-  throw InputError::saying(option, fmt::format("'{}' cannot be written ({})", path.string(), why),
-                           "choose another place, or check its permissions and the free space");
+  throw InputError::problem(option, fmt::format("'{}' cannot be written ({})", path.string(), why),
+                            "choose another place, or check its permissions and the free space");
 }
 
 std::error_code writeToDisk(const fs::path& path, const std::string& content) {

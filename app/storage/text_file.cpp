@@ -35,12 +35,12 @@ std::string bytesOfText(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found)
-    throw MissingFile(InputError::saying(path, "no such file", "check the name and the folder"));
+    throw MissingFile(InputError::problem(path, "no such file", "check the name and the folder"));
   if (std::filesystem::is_directory(status)) throw InputError(path, "a folder", "a file", "name a file in this folder");
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
-    throw InputError::saying(path, fmt::format("the file cannot be read ({})", std::strerror(errno)),
-                             "check the file's permissions");
+    throw InputError::problem(path, fmt::format("the file cannot be read ({})", std::strerror(errno)),
+                              "check the file's permissions");
   std::string text = readAtMost(stream, kLargestFile);
   if (text.size() > kLargestFile)
     throw InputError(path, "more than 64 MB", "a file of at most 64 MB", "check that this is the intended file");
@@ -51,7 +51,7 @@ std::string bytesOfText(const std::string& path) {
 
 void checkText(const std::string& path, std::string_view text) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
-    throw InputError::saying(path, "the file is empty", "check that it was written");
+    throw InputError::problem(path, "the file is empty", "check that it was written");
   if (const auto at = findNonText(text)) {
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*at), '\n');
     throw InputError(

@@ -66,9 +66,9 @@ Eigen::VectorXd postureUnder(const Cell& cell, int hole) {
        planner::compensate(work, planner::holeCentre(work.sheet.tubes[static_cast<std::size_t>(hole)]), options))
     if (branch.status == deflection::BranchStatus::kConverged) return branch.q;
   const auto& tube = work.sheet.tubes[static_cast<std::size_t>(hole)];
-  throw InputError::saying("request (hole)",
-                           "the arm does not reach hole " + tubesheets::tubeName(tube.row, tube.column),
-                           "choose another hole");
+  throw InputError::problem("request (hole)",
+                            "the arm does not reach hole " + tubesheets::tubeName(tube.row, tube.column),
+                            "choose another hole");
 }
 
 /// Returns a simulated touch: a measurement of the true arm, or of the opened cell's arm if no true arm is known.
@@ -81,7 +81,7 @@ calibration::Measurement simulatedTouch(const Session& now, const calibration::T
   options.seed = static_cast<std::uint64_t>(now.next_touch);
   const auto simulation = calibration::simulateTouches(truth.arm, truth.X_WB, {plan}, options);
   if (simulation.status != calibration::TouchSimulationStatus::kDone)
-    throw InputError::saying("request (hole)", simulation.reason, "choose another hole");
+    throw InputError::problem("request (hole)", simulation.reason, "choose another hole");
   return simulation.touches.front();
 }
 
@@ -91,8 +91,8 @@ Answer addTouch(Workbench& workbench, const Request& request) {
   const Cell& cell = currentModel(now).cell;
   if (now.touches.size() >= kMostTouches)
     return refusal(409,
-                   InputError::saying("touches", fmt::format("the list is full, with {} touches", now.touches.size()),
-                                      "remove a touch from the list first"));
+                   InputError::problem("touches", fmt::format("the list is full, with {} touches", now.touches.size()),
+                                       "remove a touch from the list first"));
   TouchMade made;
   made.tube = requiredHoleOf(body, cell);
   made.is_simulated = booleanOf(body, "simulate", !body.contains("joints"));
@@ -148,7 +148,7 @@ std::vector<calibration::Measurement> touchesToUse(const Session& session, const
   std::vector<calibration::Measurement> made;
   for (const auto& touch : session.touches) made.push_back(touch.touch);
   if (made.empty())
-    throw InputError::saying("touches", "no hole has been touched yet", "touch at least three holes first");
+    throw InputError::problem("touches", "no hole has been touched yet", "touch at least three holes first");
   return touchesOf(parseMeasurementText(touchesCsv(made, cell), "touches.csv", cell), cell, "touches.csv");
 }
 

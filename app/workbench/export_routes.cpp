@@ -29,15 +29,15 @@ namespace {
 
 const PlanOutcome& planOf(const Session& session) {
   if (!session.plan)
-    throw InputError::saying("export", "there is no plan yet", "plan tube visits first (POST /api/plan)");
+    throw InputError::problem("export", "there is no plan yet", "plan tube visits first (POST /api/plan)");
   return *session.plan;
 }
 
 nlohmann::json figuresOf(const Session& session, const std::string& name) {
   const auto result = findResult(session, name);
   if (!result)
-    throw InputError::saying("export", "there is no result of '" + name + "' yet",
-                             "compute it first (POST /api/" + name + ")");
+    throw InputError::problem("export", "there is no result of '" + name + "' yet",
+                              "compute it first (POST /api/" + name + ")");
   return result->document;
 }
 
@@ -59,8 +59,8 @@ std::string exportedCell(const Session& s) { return exportedFiles(s).front().tex
 std::string exportedArm(const Session& s) {
   const auto files = exportedFiles(s);
   if (files.size() < 2)
-    throw InputError::saying("export", "the cell has no arm file of its own",
-                             "export cell.yaml, which contains the arm");
+    throw InputError::problem("export", "the cell has no arm file of its own",
+                              "export cell.yaml, which contains the arm");
   return files.back().text;
 }
 /// Returns the arm as a rigid robot in URDF; comments beneath the first line list what URDF cannot express.
@@ -100,8 +100,8 @@ std::string exportedRunSheet(const Session& s) {
   const auto figures = figuresOf(s, "diagnose");
   const auto sheet = figures.find("run_sheet");
   if (sheet == figures.end())
-    throw InputError::saying("export", "the diagnosis proposes no readings",
-                             "only a diagnosis without a conclusive verdict has a run sheet");
+    throw InputError::problem("export", "the diagnosis proposes no readings",
+                              "only a diagnosis without a conclusive verdict has a run sheet");
   return sheet->get<std::string>();
 }
 std::string exportedPlan(const Session& s) { return planFileText(s.plan_request, planOf(s)); }
@@ -153,8 +153,8 @@ Answer download(Workbench& workbench, const Request& request) {
   const auto found = std::find_if(std::begin(kExports), std::end(kExports),
                                   [&](const Export& e) { return e.name == request.words[1]; });
   if (found == std::end(kExports))
-    return refusal(404, InputError::saying(inQuotes(request.words[1]), "there is no export with this name",
-                                           "docs/workbench_api.md lists the exports"));
+    return refusal(404, InputError::problem(inQuotes(request.words[1]), "there is no export with this name",
+                                            "docs/workbench_api.md lists the exports"));
   try {
     return downloadOf(std::string(found->name), std::string(found->content_type), found->text(workbench.session()));
   } catch (const InputError& error) {
@@ -174,8 +174,8 @@ Answer saveCell(Workbench& workbench, const Request& request) {
   for (const auto& file : files) {
     const auto checked = workbench.folder().fileToWrite(file.path.filename().string());
     if (std::filesystem::exists(checked) && !booleanOf(body, "overwrite", false))
-      return refusal(409, InputError::saying(checked.filename().string(), "this file already exists",
-                                             "choose another name, or confirm that it is to be replaced"));
+      return refusal(409, InputError::problem(checked.filename().string(), "this file already exists",
+                                              "choose another name, or confirm that it is to be replaced"));
     written.push_back(checked.filename().string());
   }
   writeFilesTogether(files, "file");

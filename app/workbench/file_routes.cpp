@@ -34,13 +34,13 @@ Answer files(Workbench& workbench, const Request&) {
 /// Replaces the session by one for another cell or project. Refuses to discard unsaved work without confirmation.
 Answer openInstead(Workbench& workbench, const nlohmann::json& body, const std::filesystem::path& path) {
   if (isUnsaved(workbench.session()) && !booleanOf(body, "discard", false))
-    return refusal(409, InputError::saying("cell", "the work is not saved as a project",
-                                           "save the work first, or confirm that it is to be discarded"));
+    return refusal(409, InputError::problem("cell", "the work is not saved as a project",
+                                            "save the work first, or confirm that it is to be discarded"));
   Session opened = openCell(path.string(), "");
   opened.saved_revision = opened.revision;
   if (!workbench.replace(std::move(opened)))
-    return refusal(409, InputError::saying("cell", "another cell cannot be opened while a job is running",
-                                           "wait until the job finishes, or stop it"));
+    return refusal(409, InputError::problem("cell", "another cell cannot be opened while a job is running",
+                                            "wait until the job finishes, or stop it"));
   return answerOf(stateJson(workbench));
 }
 
@@ -56,9 +56,9 @@ Answer openProject(Workbench& workbench, const Request& request) {
   const std::string recent = textOf(body, "recent");
   if (recent.empty()) return openInstead(workbench, body, workbench.folder().fileToRead(textOf(body, "file")));
   if (keeper.folder().empty())
-    throw InputError::saying("recent",
-                             "the session " + inQuotes(recent) + " is not saved: the server has no state folder",
-                             "open a file of the opened folder");
+    throw InputError::problem("recent",
+                              "the session " + inQuotes(recent) + " is not saved: the server has no state folder",
+                              "open a file of the opened folder");
   return openInstead(workbench, body, OpenedFolder(keeper.folder()).fileToRead(recent));
 }
 
@@ -68,8 +68,8 @@ Answer saveProject(Workbench& workbench, const Request& request) {
   if (!name.ends_with(kProjectExtension)) name += kProjectExtension;
   const auto place = workbench.folder().fileToWrite(name);
   if (std::filesystem::exists(place) && !booleanOf(body, "overwrite", false))
-    return refusal(409, InputError::saying(name, "this file already exists",
-                                           "choose another name, or confirm that it is to be replaced"));
+    return refusal(409, InputError::problem(name, "this file already exists",
+                                            "choose another name, or confirm that it is to be replaced"));
   const Session saved = workbench.session();
   writeFileAtomically(place, projectText(saved), "file");
   workbench.change([&](Session& session) {

@@ -22,7 +22,7 @@ Answer sheet(Workbench& workbench, const Request&) {
   const Cell& cell = currentModel(session).cell;
   if (!cell.sheet)
     return refusal(
-        404, InputError::saying(cell.path, "the cell has no key 'tubesheet'", "add the key, or open another cell"));
+        404, InputError::problem(cell.path, "the cell has no key 'tubesheet'", "add the key, or open another cell"));
   return answerOf(sheetDrawing(cell, *cell.sheet));
 }
 

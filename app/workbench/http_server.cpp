@@ -46,12 +46,12 @@ void put(const Answer& answer, httplib::Response& response) {
 Answer refused(int status, const httplib::Request& request) {
   switch (status) {
     case 401:
-      return refusal(401, InputError::saying("Authorization", "the token is missing or wrong",
-                                             "open the address that the program printed"));
+      return refusal(401, InputError::problem("Authorization", "the token is missing or wrong",
+                                              "open the address that the program printed"));
     case 403:
       return refusal(403,
-                     InputError::saying("Host, Origin", "the request comes from another site, or names another host",
-                                        "open the address that the program printed"));
+                     InputError::problem("Host, Origin", "the request comes from another site, or names another host",
+                                         "open the address that the program printed"));
     case 413:
       return refusal(413, InputError("request body", "more than 8 MiB", "at most 8 MiB"));
     case 414:
@@ -61,12 +61,12 @@ Answer refused(int status, const httplib::Request& request) {
       return refusal(415, InputError("Content-Type", inQuotes(request.get_header_value("Content-Type")),
                                      "application/json or text/csv"));
     case 404:
-      return refusal(404, InputError::saying(inQuotes(request.path), "there is no such page",
-                                             "open the address that the program printed"));
+      return refusal(404, InputError::problem(inQuotes(request.path), "there is no such page",
+                                              "open the address that the program printed"));
     default:
       return refusal(
-          status, InputError::saying("request", fmt::format("the request cannot be answered (HTTP status {})", status),
-                                     "send a complete HTTP/1.1 request; docs/workbench_api.md lists the addresses"));
+          status, InputError::problem("request", fmt::format("the request cannot be answered (HTTP status {})", status),
+                                      "send a complete HTTP/1.1 request; docs/workbench_api.md lists the addresses"));
   }
 }
 
@@ -153,7 +153,7 @@ class HttpServer::Implementation : public httplib::Server {
     const bool is_bound = access_rules_.port == 0 ? (access_rules_.port = bind_to_any_port(host)) > 0
                                                   : bind_to_port(host, access_rules_.port);
     if (!is_bound)
-      throw InputError::saying(
+      throw InputError::problem(
           "--port", fmt::format("the server cannot listen on port {} of {}", access_rules_.port, access_rules_.host),
           "give a free port of this machine; --port 0 chooses any free port");
     // The library's backlog of five is too small: clients that it refuses retry only after a second or more.
@@ -242,8 +242,8 @@ class HttpServer::Implementation : public httplib::Server {
     Events& events = workbench_.events();
     if (request.method != "GET") return put(refused(405, request), response);
     if (!events.tryEnter())
-      return put(refusal(503, InputError::saying("/api/events", "too many pages of this workbench are open",
-                                                 "close one of them")),
+      return put(refusal(503, InputError::problem("/api/events", "too many pages of this workbench are open",
+                                                  "close one of them")),
                  response);
     response.set_header("Cache-Control", "no-store");
     auto seen = std::make_shared<Events::Seen>();

@@ -8,7 +8,7 @@ namespace tubeplan::app {
 Answer beginJob(Workbench& workbench, const std::string& kind, const std::string& label, JobWork work) {
   const auto begun = workbench.jobs().begin(kind, label, std::move(work));
   if (!begun.refused.empty())
-    return refusal(409, InputError::saying("jobs", begun.refused, "wait until a job finishes, or stop one"));
+    return refusal(409, InputError::problem("jobs", begun.refused, "wait until a job finishes, or stop one"));
   workbench.events().stateChanged();
   return answerOf(begun.job, 202);
 }
@@ -39,7 +39,7 @@ planner::PlanHooks planHooksOf(JobContext& context) {
 }
 
 InputError withoutMeasurements() {
-  return InputError::saying("measurements", "no readings are loaded", "open a table of readings, or simulate some");
+  return InputError::problem("measurements", "no readings are loaded", "open a table of readings, or simulate some");
 }
 
 CellMeasurements inputOf(const Session& session) {
@@ -63,7 +63,7 @@ void finishJob(Workbench& workbench, const Session& began, JobInput input, const
   });
   if (has_other_measurements) throw JobStopped{};
   if (!is_same)
-    throw InputError::saying("models", "the models have changed since the job started", "start the job again");
+    throw InputError::problem("models", "the models have changed since the job started", "start the job again");
 }
 
 Cell rereadCell(const Cell& cell, const std::string& text) {

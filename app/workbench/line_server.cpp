@@ -110,9 +110,9 @@ class LineServer::Implementation {
       acceptor_.bind(here);
       acceptor_.listen();
     } catch (const boost::system::system_error& failure) {
-      throw InputError::saying("--lines",
-                               fmt::format("the server cannot listen on port {}: {}", port, failure.code().message()),
-                               "give a free port");
+      throw InputError::problem("--lines",
+                                fmt::format("the server cannot listen on port {}: {}", port, failure.code().message()),
+                                "give a free port");
     }
     accept();
     thread_ = std::thread([this] { context_.run(); });

@@ -88,7 +88,7 @@ json showEncoders(Workbench& workbench, const Eigen::VectorXd& q, double load, c
   const auto shape =
       deflection::solveFlexibleKinematics(cell.arm, {q, load, deflection::gravityInBase(cell.arm, cell.X_WB)});
   if (shape.status != deflection::KinematicsStatus::kConverged)
-    throw InputError::saying("joints", shape.reason, "choose another posture or a smaller load");
+    throw InputError::problem("joints", shape.reason, "choose another posture or a smaller load");
   const json news = {{"joints", jointsInUnits(q, cell)},
                      {"load", cell.units.toFile(load, dimension::kForce)},
                      {"source", source},

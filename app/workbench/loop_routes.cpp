@@ -102,10 +102,10 @@ Answer compare(Workbench& workbench, const Request& request) {
 
 void requireFitted(const IdentificationOutcome& outcome, const CellMeasurements& input) {
   if (outcome.fit.status == calibration::IdentificationStatus::kNotRun)
-    throw InputError::saying(input.file, outcome.fit.reason, "correct the readings, or confirm that they are right");
+    throw InputError::problem(input.file, outcome.fit.reason, "correct the readings, or confirm that they are right");
   if (outcome.fit.status != calibration::IdentificationStatus::kDone)
-    throw InputError::saying(input.file, "the fit did not converge: " + outcome.fit.reason,
-                             "fit fewer numbers, or add readings that determine them");
+    throw InputError::problem(input.file, "the fit did not converge: " + outcome.fit.reason,
+                              "fit fewer numbers, or add readings that determine them");
 }
 
 /// Job that fits the current model and puts the fitted model on the stack under `name`.
@@ -199,11 +199,11 @@ Answer improve(Workbench& workbench, const Request& request) {
         const CellMeasurements input = inputOf(began);
         const auto outcome = improveModel(input, improvement_request, hooksOf(context));
         if (!outcome.isUsable())
-          throw InputError::saying(input.file,
-                                   "no verdict is possible on these readings: " +
-                                       (outcome.steps.empty() ? outcome.models.front().fit.reason
-                                                              : reasonText(outcome.steps.back(), input.cell.units)),
-                                   "correct the readings, or add more");
+          throw InputError::problem(input.file,
+                                    "no verdict is possible on these readings: " +
+                                        (outcome.steps.empty() ? outcome.models.front().fit.reason
+                                                               : reasonText(outcome.steps.back(), input.cell.units)),
+                                    "correct the readings, or add more");
         std::vector<NamedCell> improved;  // one model for each step, so that each step can be undone
         for (const auto& model : outcome.models)
           improved.push_back(
@@ -257,7 +257,7 @@ Answer simulate(Workbench& workbench, const Request& request) {
                               [&] { return context.stopRequested(); }});
     if (campaign.status == calibration::CampaignStatus::kStopped) throw JobStopped{};
     if (campaign.status != calibration::CampaignStatus::kDone)
-      throw InputError::saying("design", campaign.reason, "choose another design or seed, or fewer readings");
+      throw InputError::problem("design", campaign.reason, "choose another design or seed, or fewer readings");
     const auto set = measurementsOf(
         campaign, cell, fmt::format("simulated-{}-{}.csv", simulation_request.design, simulation_request.seed));
     finishJob(workbench, began, JobInput::kModelAndMeasurements, [&](Session& session) {

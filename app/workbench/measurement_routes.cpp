@@ -30,8 +30,8 @@ constexpr std::size_t kMostLoaded = Arrivals::kMost;
 Answer noMeasurements() { return refusal(404, withoutMeasurements()); }
 
 Answer jobRuns() {
-  return refusal(409, InputError::saying("readings", "they cannot be changed while a job is running",
-                                         "wait until it finishes, or stop it"));
+  return refusal(409, InputError::problem("readings", "they cannot be changed while a job is running",
+                                          "wait until it finishes, or stop it"));
 }
 
 Answer measurements(Workbench& workbench, const Request&) {
@@ -94,7 +94,7 @@ Answer assume(Workbench& workbench, const Request& request) {
   if (!session.measurements) return noMeasurements();
   if (!session.measurements->source)
     return refusal(
-        409, InputError::saying("readings", "the file of the readings is no longer available", "open the file again"));
+        409, InputError::problem("readings", "the file of the readings is no longer available", "open the file again"));
   MeasurementSource source = *session.measurements->source;
   if (names.empty()) source.assumed.clear();
   source.assumed.insert(source.assumed.end(), names.begin(), names.end());
@@ -128,7 +128,7 @@ std::vector<ForeignTable> foreignTablesOf(const nlohmann::json& body) {
     tables.push_back(parseForeignTable(text, name));
   }
   if (tables.empty())
-    throw InputError::saying("request (tables)", "the list is empty", "send at least one table, as text");
+    throw InputError::problem("request (tables)", "the list is empty", "send at least one table, as text");
   return tables;
 }
 
@@ -181,7 +181,7 @@ MeasurementSet withSetAside(MeasurementSet set, const std::vector<std::string>& 
       set.set_aside.erase(id);
   }
   if (set.set_aside.size() >= set.measurements.size())
-    throw InputError::saying("ids", "all readings would be set aside", "leave some in use");
+    throw InputError::problem("ids", "all readings would be set aside", "leave some in use");
   return set;
 }
 
@@ -194,7 +194,7 @@ MeasurementSet withHeldOut(MeasurementSet set, const std::vector<std::string>& i
     if (chosen.contains(measurement.id)) measurement.is_held_out = held_out;
     fitted += !measurement.is_held_out && !set.set_aside.contains(measurement.id) ? 1 : 0;
   }
-  if (fitted == 0) throw InputError::saying("ids", "no reading would be left to fit", "hold out fewer");
+  if (fitted == 0) throw InputError::problem("ids", "no reading would be left to fit", "hold out fewer");
   return set;
 }
 
@@ -231,7 +231,7 @@ Answer part(Workbench& workbench, const Request&) {
   const Session session = workbench.session();
   if (!session.measurements) return noMeasurements();
   if (joinedCount(*session.measurements) == 0)
-    return refusal(409, InputError::saying("readings", "there are no added readings to remove", "add readings first"));
+    return refusal(409, InputError::problem("readings", "there are no added readings to remove", "add readings first"));
   take(workbench, partedSet(*session.measurements, currentModel(session).cell));
   return answerOf(stateJson(workbench));
 }

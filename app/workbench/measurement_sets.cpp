@@ -104,8 +104,8 @@ std::size_t Arrivals::take(std::vector<calibration::Measurement> measurements, c
     if (!ids.contains(measurement.id))
       fresh.push_back(std::move(measurement));
     else if (!passes_known)
-      throw InputError::saying("id", "there is a reading " + inQuotes(measurement.id) + " already",
-                               "give every reading an id of its own");
+      throw InputError::problem("id", "there is a reading " + inQuotes(measurement.id) + " already",
+                                "give every reading an id of its own");
   }
   if (ids.size() + fresh.size() > kMost)
     throw InputError("readings", fmt::format("{} readings", ids.size() + fresh.size()),

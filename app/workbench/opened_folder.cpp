@@ -30,10 +30,10 @@ OpenedFolder::OpenedFolder(const fs::path& folder) {
   path_ = fs::canonical(folder, error);
   const std::string quoted = inQuotes(folder.string());
   if (error)
-    throw InputError::saying("--folder", fmt::format("{} cannot be opened: {}", quoted, error.message()),
-                             "check the name");
+    throw InputError::problem("--folder", fmt::format("{} cannot be opened: {}", quoted, error.message()),
+                              "check the name");
   if (!fs::is_directory(path_, error))
-    throw InputError::saying("--folder", quoted + " is not a folder", "give the folder with the files");
+    throw InputError::problem("--folder", quoted + " is not a folder", "give the folder with the files");
 }
 
 fs::path OpenedFolder::fileToRead(const std::string& name) const {
@@ -41,13 +41,13 @@ fs::path OpenedFolder::fileToRead(const std::string& name) const {
   std::error_code error;
   const fs::path place = fs::canonical(path_ / name, error);
   if (error)
-    throw InputError::saying(name, "there is no such file in the opened folder",
-                             "choose another (GET /api/files lists them)");
+    throw InputError::problem(name, "there is no such file in the opened folder",
+                              "choose another (GET /api/files lists them)");
   if (place.parent_path() != path_)
-    throw InputError::saying(name, "this symbolic link points outside the opened folder",
-                             "copy the file into the folder");
+    throw InputError::problem(name, "this symbolic link points outside the opened folder",
+                              "copy the file into the folder");
   if (!fs::is_regular_file(place, error))
-    throw InputError::saying(name, "this is not a regular file", "choose a file of the opened folder");
+    throw InputError::problem(name, "this is not a regular file", "choose a file of the opened folder");
   return place;
 }
 
@@ -57,7 +57,7 @@ fs::path OpenedFolder::fileToWrite(const std::string& name) const {
   std::error_code error;
   const auto status = fs::symlink_status(place, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
-    throw InputError::saying(name, "this is not a regular file but, for example, a folder", "choose another name");
+    throw InputError::problem(name, "this is not a regular file but, for example, a folder", "choose another name");
   return place;
 }
 

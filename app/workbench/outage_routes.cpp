@@ -24,7 +24,7 @@ constexpr const char* kJobExtension = ".job";  // extension of records in the op
 /// Opens the record of a name in the opened folder. Throws InputError if there is none.
 JobStore storeNamed(Workbench& workbench, const std::string& name, Database::Mode mode = Database::Mode::kOpen) {
   if (name.empty())
-    throw InputError::saying("file", "the name of the job's record is missing", "GET /api/outage lists the records");
+    throw InputError::problem("file", "the name of the job's record is missing", "GET /api/outage lists the records");
   return JobStore(workbench.folder().fileToRead(name).string(), mode);
 }
 

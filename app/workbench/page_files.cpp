@@ -48,7 +48,7 @@ PageFiles::PageFiles(const std::string& folder) {
   std::error_code error;
   folder_ = fs::canonical(folder, error);
   if (error || !fs::is_directory(folder_))
-    throw InputError::saying("--page", inQuotes(folder) + " is not a folder", "give a folder with index.html");
+    throw InputError::problem("--page", inQuotes(folder) + " is not a folder", "give a folder with index.html");
 }
 
 std::optional<std::string> PageFiles::contentOf(const std::string& name) const {

@@ -112,9 +112,9 @@ Answer inverse(Workbench& workbench, const Request& request) {
 /// Throws InputError for the name of a file, because a request may select tubes only by their names.
 void requireNoFile(const std::string& tubes) {
   if (tubes.ends_with(".csv"))
-    throw InputError::saying("request (first)",
-                             inQuotes(tubes) + " is the name of a file, but a request cannot name files",
-                             "select the tubes by name, such as R10C20 or outer:2");
+    throw InputError::problem("request (first)",
+                              inQuotes(tubes) + " is the name of a file, but a request cannot name files",
+                              "select the tubes by name, such as R10C20 or outer:2");
 }
 
 Answer plan(Workbench& workbench, const Request& request) {
@@ -210,7 +210,7 @@ Answer listColumns(Workbench& workbench, const Request& request) {
   return answerOf(tubeColumnsJson(text, name, cell.arm));
 }
 
-Answer noPlan() { return refusal(404, InputError::saying("plan", "there is no plan yet", "plan tube visits first")); }
+Answer noPlan() { return refusal(404, InputError::problem("plan", "there is no plan yet", "plan tube visits first")); }
 
 Answer path(Workbench& workbench, const Request&) {
   const Session now = workbench.session();
@@ -246,7 +246,7 @@ void requirePlanned(const PlanOutcome& outcome) {
   if (outcome.plan.status == planner::VisitPlanStatus::kStopped) throw JobStopped{};
   if (outcome.plan.status == planner::VisitPlanStatus::kPlanned) return;
   const std::string first = outcome.plan.unreachable.empty() ? "" : ": " + outcome.plan.unreachable.front().reason;
-  throw InputError::saying("tubes", outcome.plan.reason + first, "choose tubes that the arm can visit");
+  throw InputError::problem("tubes", outcome.plan.reason + first, "choose tubes that the arm can visit");
 }
 
 std::span<const Route> planRoutes() { return kPlanRoutes; }

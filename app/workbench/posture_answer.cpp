@@ -111,7 +111,7 @@ json answerPosture(const Model& model, const RequestedPosture& question) {
   const deflection::Posture posture{question.q, question.load, deflection::gravityInBase(cell.arm, cell.X_WB)};
   const auto shape = deflection::solveFlexibleKinematics(cell.arm, posture);
   if (shape.status != deflection::KinematicsStatus::kConverged)
-    throw InputError::saying("joints", shape.reason, "choose another posture or a smaller load");
+    throw InputError::problem("joints", shape.reason, "choose another posture or a smaller load");
   planner::Workcell posed = model.posed;
   posed.load = question.load;
   const auto bent = planner::bodyFrames(posed, question.q, nullptr);

@@ -72,8 +72,8 @@ std::vector<double> residuals(const Session& session, const tubesheets::Sheet& s
   if (session.measurements) measurements = session.measurements->measurements;
   for (const auto& made : session.touches) measurements.push_back(made.touch);
   if (measurements.empty())
-    throw InputError::saying("measurements", "no readings are loaded and no hole has been touched",
-                             "touch some holes first");
+    throw InputError::problem("measurements", "no readings are loaded and no hole has been touched",
+                              "touch some holes first");
   for (const auto& measurement : measurements) {
     const auto name = tubesheets::parseTubeName(measurement.point);
     const auto hole = name ? sheet.indexOf(name->row, name->column) : std::nullopt;

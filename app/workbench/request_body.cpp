@@ -92,7 +92,7 @@ std::vector<double> numbersOf(const json& object, const std::string& key) {
 
 const json& requiredOf(const json& object, const std::string& key, const std::string& expected) {
   const json* value = find(object, key);
-  if (!value) throw InputError::saying("request (" + key + ")", "the key is missing", "give " + expected);
+  if (!value) throw InputError::problem("request (" + key + ")", "the key is missing", "give " + expected);
   return *value;
 }
 
@@ -120,7 +120,7 @@ int requiredHoleOf(const json& body, const Cell& cell) {
 std::vector<int> selectedTubes(const std::string& text, const tubesheets::Sheet& sheet) {
   const auto selection = tubesheets::selectTubes(sheet, text);
   if (selection.status != tubesheets::SelectionStatus::kSelected)
-    throw InputError::saying(
+    throw InputError::problem(
         "tubes", fmt::format("{} does not select tubes of this sheet: {}", inQuotes(text), selection.reason),
         "use a selection such as all, R10C20, R1-10C5-9, outer:2, every:10, spread:60 or -plugged");
   return selection.tube_indices;

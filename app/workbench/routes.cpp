@@ -63,23 +63,23 @@ Answer answer(Workbench& workbench, const Request& request) {
     const Route* route = findRoute(request, known_path);
     if (route) return answerBy(*route, workbench, request);
     if (known_path)
-      return refusal(405, InputError::saying(pathOf(request), "this address does not accept " + request.method,
-                                             "docs/workbench_api.md lists the methods of every address"));
-    return refusal(404, InputError::saying(pathOf(request), "the workbench has no such address",
-                                           "docs/workbench_api.md lists the valid addresses"));
+      return refusal(405, InputError::problem(pathOf(request), "this address does not accept " + request.method,
+                                              "docs/workbench_api.md lists the methods of every address"));
+    return refusal(404, InputError::problem(pathOf(request), "the workbench has no such address",
+                                            "docs/workbench_api.md lists the valid addresses"));
   } catch (const NotJson& error) {
     return refusal(400, error);
   } catch (const InputError& error) {
     return refusal(422, error);
   } catch (const nlohmann::json::exception&) {
-    return refusal(400, InputError::saying("request body", "a value is not of the kind that this address expects",
-                                           "docs/workbench_api.md describes the values that it expects"));
+    return refusal(400, InputError::problem("request body", "a value is not of the kind that this address expects",
+                                            "docs/workbench_api.md describes the values that it expects"));
   } catch (const std::filesystem::filesystem_error& error) {
     return refusal(422, inputErrorOf(error));
   } catch (const std::exception& error) {
     fmt::print(stderr, "tubeplan: {} {}: internal error: {}\n", request.method, pathOf(request), error.what());
-    return refusal(500, InputError::saying(pathOf(request), "the program has failed (an internal error)",
-                                           "the terminal in which it runs shows the reason"));
+    return refusal(500, InputError::problem(pathOf(request), "the program has failed (an internal error)",
+                                            "the terminal in which it runs shows the reason"));
   }
 }
 

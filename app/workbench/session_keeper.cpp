@@ -58,9 +58,9 @@ SessionKeeper::SessionKeeper(fs::path folder) : folder_(std::move(folder)) {
   fs::create_directories(folder_, error);
   const fs::path made = fs::canonical(folder_, error);
   if (error)
-    throw InputError::saying("--state",
-                             fmt::format("the folder '{}' cannot be created: {}", folder_.string(), error.message()),
-                             "choose a folder with write permission");
+    throw InputError::problem("--state",
+                              fmt::format("the folder '{}' cannot be created: {}", folder_.string(), error.message()),
+                              "choose a folder with write permission");
   folder_ = made;
 }
 

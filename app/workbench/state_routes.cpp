@@ -29,7 +29,7 @@ Answer result(Workbench& workbench, const Request& request) {
   const auto found = requestedResult(workbench.session(), request);
   if (!found)
     return refusal(404,
-                   InputError::saying(inQuotes(request.words[1]), "there is no such result yet", "compute it first"));
+                   InputError::problem(inQuotes(request.words[1]), "there is no such result yet", "compute it first"));
   nlohmann::json document = found->document;
   document["model"] = found->model;
   document["revision"] = found->revision;
@@ -37,12 +37,12 @@ Answer result(Workbench& workbench, const Request& request) {
 }
 
 Answer undo(Workbench& workbench, const Request&) {
-  if (!workbench.change(stepBack)) return refusal(409, InputError::saying("models", "there is nothing to undo"));
+  if (!workbench.change(stepBack)) return refusal(409, InputError::problem("models", "there is nothing to undo"));
   return answerOf(stateJson(workbench));
 }
 
 Answer redo(Workbench& workbench, const Request&) {
-  if (!workbench.change(stepForward)) return refusal(409, InputError::saying("models", "there is nothing to redo"));
+  if (!workbench.change(stepForward)) return refusal(409, InputError::problem("models", "there is nothing to redo"));
   return answerOf(stateJson(workbench));
 }
 
@@ -55,8 +55,8 @@ Answer rename(Workbench& workbench, const Request& request) {
   if (label.find_first_not_of(' ') == std::string::npos || label.size() > kLongest)
     throw InputError("request (label)", inQuotes(label), fmt::format("a name of 1 to {} characters", kLongest));
   if (workbench.jobs().isBusy())
-    return refusal(409, InputError::saying("models", "a model cannot be renamed while a job is running",
-                                           "wait until it finishes, or stop it"));
+    return refusal(409, InputError::problem("models", "a model cannot be renamed while a job is running",
+                                            "wait until it finishes, or stop it"));
   const auto give = [&](Session& session) {
     const auto at = findModel(session, id);
     if (!at) return false;

@@ -130,7 +130,7 @@ void requireOptionsOf(const CLI::App& cli, const std::string& kind) {
     if (std::ranges::find(kinds, kind) != kinds.end()) continue;
     for (const auto* option : cli.get_options([&](const auto* one) { return one->get_group() == groupOf(kinds); }))
       if (option->count() > 0)
-        throw InputError::saying(
+        throw InputError::problem(
             option->get_name(),
             fmt::format("this option is for campaigns of kind {}, not of kind {}", fmt::join(kinds, " or "), kind),
             fmt::format("add --kind {}, or leave it out", kinds.front()));

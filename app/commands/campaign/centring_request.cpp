@@ -49,7 +49,7 @@ template <class T>
 void refuseTwice(const std::string& option, std::vector<T> values) {
   std::sort(values.begin(), values.end());
   if (const auto twice = std::adjacent_find(values.begin(), values.end()); twice != values.end())
-    throw InputError::saying(option, fmt::format("{} is given twice", *twice), "give each value once");
+    throw InputError::problem(option, fmt::format("{} is given twice", *twice), "give each value once");
 }
 
 TruthSpread spreadOf(const CampaignRequest& request, const Units& units) {
@@ -92,7 +92,7 @@ std::vector<CentringSetting> settingsOf(const CampaignRequest& request, const Ce
         settings.push_back({touches, entryNamed(touchRules(), choice, "--choice").rule, sigma});
   }
   if (settings.size() > kMostSettings)
-    throw InputError::saying(
+    throw InputError::problem(
         "--touches, --choice, --touch-sigma",
         fmt::format("these options give {} combinations, at most {} are allowed", settings.size(), kMostSettings),
         "give fewer values");
@@ -141,7 +141,7 @@ CentringTask centringTask(const CampaignRequest& request, const VisitedHoles& vi
   const std::string truth = request.truth.empty() ? request.cell : request.truth;
   task.truth = workcellOf(readCell(truth), "score against it");
   if (task.model.sheet.fingerprint() != task.truth.sheet.fingerprint())
-    throw InputError::saying(
+    throw InputError::problem(
         truth,
         fmt::format("this tube sheet (fingerprint {}) differs from that of the cell (fingerprint {})",
                     task.truth.sheet.fingerprint(), task.model.sheet.fingerprint()),

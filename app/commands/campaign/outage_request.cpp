@@ -15,8 +15,8 @@ constexpr VisitedHoles kOutageVisits{300, "--visits", 20, 2000};
 
 void requireOneSetting(const CampaignRequest& request) {
   if (request.touches.size() != 1 || request.choices.size() != 1 || request.touch_sigmas.size() > 1)
-    throw InputError::saying("--touches, --choice, --touch-sigma", "a campaign of outages has one setting",
-                             "give one value for each, and start a campaign for every setting");
+    throw InputError::problem("--touches, --choice, --touch-sigma", "a campaign of outages has one setting",
+                              "give one value for each, and start a campaign for every setting");
 }
 
 /// Returns the rows of the table of changes that may be hidden in this arm. Throws InputError for an unknown change.

@@ -33,7 +33,7 @@ std::vector<deflection::FollowedJoint> readFollowed(const YamlNode& follows, con
       return candidate.joint.type == JointType::kRevolute && candidate.joint.name == follows.keys[k];
     });
     if (row == arm.rows.end())
-      follows.items[k].failSaying(
+      follows.items[k].failWithProblem(
           inQuotes(follows.keys[k]) + " is not a revolute joint with an encoder reading of its own",
           "write JOINT: RATIO, such as {theta1: -1}");
     followed.push_back({static_cast<int>(row - arm.rows.begin()), follows.items[k].number()});
@@ -51,7 +51,8 @@ deflection::SideChain<double> readSideChain(const YamlNode& node, const Units& u
   for (const YamlNode& row : node.at("links").list()) {
     chain.rows.push_back(readRow(row, units));
     if (const YamlNode* joint = row.find("joint"); joint && joint->find("follows"))
-      joint->at("follows").failSaying("a joint of a side chain cannot follow others", "give it a reading of its own");
+      joint->at("follows").failWithProblem("a joint of a side chain cannot follow others",
+                                           "give it a reading of its own");
   }
   if (chain.rows.empty()) node.at("links").fail("one or more links");
   return chain;
@@ -72,7 +73,7 @@ void requireOriginsFirst(const YamlNode& links) {
   bool is_after_dh = false;
   for (const YamlNode& row : links.list()) {
     if (is_after_dh && row.find("origin"))
-      row.at("origin").failSaying(
+      row.at("origin").failWithProblem(
           "a row with `origin` follows a row with `dh`, which `convention: standard` does not allow",
           "write this row with `dh`, or convert all rows with `tubeplan arm export --convention`");
     is_after_dh = is_after_dh || row.find("dh");
@@ -102,8 +103,8 @@ void takeRows(const YamlNode& links, RowConvention convention, const Units& unit
     if (!axis) continue;
     auto* dh = is_standard && k == 0 ? deflection::dhOf(rows[k]) : nullptr;
     if (!dh)
-      axis->failSaying("`axis` is only for a first link with `dh` under `convention: standard`",
-                       "remove it: the axis of any other link follows from its other numbers");
+      axis->failWithProblem("`axis` is only for a first link with `dh` under `convention: standard`",
+                            "remove it: the axis of any other link follows from its other numbers");
     readAxis(*axis, units, *dh);
   }
 }

@@ -102,7 +102,7 @@ ControllerCalibration parseControllerCalibration(std::string_view text, const st
   for (const DeltaList& list : deltaLists()) {
     const auto entry = entries.find(list.key);
     if (entry == entries.end())
-      throw InputError::saying(
+      throw InputError::problem(
           path,
           fmt::format("there is no {} in [mounting], where delta_theta, delta_a, delta_d and delta_alpha are expected",
                       list.key),
@@ -122,7 +122,7 @@ std::string withControllerCalibration(const YamlFile& nominal, const ControllerC
   const ArmSource source = readArm(nominal.root);
   const auto& rows = source.arm.rows;
   if (!deflection::isStandard(rows))
-    throw InputError::saying(
+    throw InputError::problem(
         nominal.path,
         "the rows do not use the standard Denavit-Hartenberg convention, to which the controller's corrections apply",
         "write the maker's standard Denavit-Hartenberg table: `convention: standard`, with `dh` for each link");
@@ -135,7 +135,7 @@ std::string withControllerCalibration(const YamlFile& nominal, const ControllerC
   for (std::size_t joint = 0; joint < active.size(); ++joint) {
     const auto row = static_cast<std::size_t>(active[joint]);
     if (rows[row].joint.type != deflection::JointType::kRevolute || !rows[row].placed_by)
-      throw InputError::saying(
+      throw InputError::problem(
           nominal.path,
           fmt::format("the row {} does not have both `dh` and a revolute joint", inQuotes(rows[row].name)),
           "write every row with both");

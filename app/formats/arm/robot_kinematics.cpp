@@ -48,7 +48,7 @@ LinkOrigin halfTurned(const LinkOrigin& origin) {
 const LinkOrigin& originIn(const std::string& file, const deflection::Row<double>& row) {
   const auto* origin = std::get_if<LinkOrigin>(&row.placement);
   if (!origin)
-    throw InputError::saying(
+    throw InputError::problem(
         file, fmt::format("the row {} has `dh`, not `origin` as in the robot's URDF", inQuotes(row.name)),
         "use the arm that `arm import robot.urdf` makes, or convert this one with `arm export --convention origin`");
   return *origin;
@@ -59,7 +59,7 @@ const LinkOrigin& originIn(const std::string& file, const deflection::Row<double
 const LinkOrigin& nominalOrigin(const YamlFile& nominal, const deflection::Row<double>& row) {
   const LinkOrigin& origin = originIn(nominal.path, row);
   if (row.joint.type != deflection::JointType::kRevolute || row.joint.offset != 0 || origin.beta != 0)
-    throw InputError::saying(
+    throw InputError::problem(
         nominal.path,
         fmt::format("the row {} {}", inQuotes(row.name),
                     row.joint.type != deflection::JointType::kRevolute
@@ -95,7 +95,7 @@ void refuseOtherModel(const YamlFile& nominal, const std::string& row, const Lin
   constexpr double kFarthest = 0.05, kMostTurned = 10 * std::numbers::pi / 180;
   const double moved = (from.position - to.position).norm(), turned = angleBetween(from, to);
   if (moved <= kFarthest && turned <= kMostTurned) return;
-  throw InputError::saying(
+  throw InputError::problem(
       nominal.path,
       fmt::format(
           "the row {} would move by {:.1f} mm and {:.2f} deg, more than 50 mm or 10 deg: this is not the nominal "
@@ -167,7 +167,7 @@ RobotKinematics robotKinematicsOf(const deflection::Arm& arm, const std::string&
     else if (row.joint.type == deflection::JointType::kRevolute && row.joint.follows.empty())
       kinematics.origins[joints++] = origin;
     else
-      throw InputError::saying(
+      throw InputError::problem(
           file, fmt::format("the joint {} slides or follows others", inQuotes(row.joint.name)),
           "export an arm file with --convention instead: a kinematics file holds independent revolute joints only");
   }

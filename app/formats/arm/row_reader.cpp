@@ -86,9 +86,10 @@ deflection::Origin<double> readOrigin(const YamlNode& node, const Units& units) 
 void readPlacement(const YamlNode& node, const Units& units, ArmRow& row) {
   const YamlNode* dh = node.find("dh");
   const YamlNode* origin = node.find("origin");
-  if (dh && origin) node.failSaying("the row has both `dh` and `origin`", "remove one of them");
+  if (dh && origin) node.failWithProblem("the row has both `dh` and `origin`", "remove one of them");
   if (!dh && !origin)
-    node.failSaying("the row has neither `dh` nor `origin`", "add dh: {alpha, a, d, theta} or origin: {position, rpy}");
+    node.failWithProblem("the row has neither `dh` nor `origin`",
+                         "add dh: {alpha, a, d, theta} or origin: {position, rpy}");
   if (dh)
     readDh(*dh, units, row);
   else
@@ -101,13 +102,14 @@ void checkBeamKeys(const YamlNode& node) {
   const bool bends = node.find("Ix") || node.find("Iy") || node.find("Iz");
   const bool twists = node.find("J");
   if (bends != (node.find("E") != nullptr))
-    node.failSaying(bends ? "the beam has Ix, Iy or Iz but no E" : "the beam has E but no Ix, Iy or Iz",
-                    "a beam that bends needs both");
+    node.failWithProblem(bends ? "the beam has Ix, Iy or Iz but no E" : "the beam has E but no Ix, Iy or Iz",
+                         "a beam that bends needs both");
   if (twists != (node.find("G") != nullptr))
-    node.failSaying(twists ? "the beam has J but no G" : "the beam has G but no J", "a beam that twists needs both");
+    node.failWithProblem(twists ? "the beam has J but no G" : "the beam has G but no J",
+                         "a beam that twists needs both");
   if (!bends && !twists)
-    node.failSaying("the beam neither bends nor twists",
-                    "write E with Ix, Iy or Iz, or G with J, or leave out `beam` if the link is rigid");
+    node.failWithProblem("the beam neither bends nor twists",
+                         "write E with Ix, Iy or Iz, or G with J, or leave out `beam` if the link is rigid");
 }
 
 void readBeam(const YamlNode& node, const Units& units, ArmRow& row) {

@@ -56,7 +56,8 @@ Eigen::AlignedBox3d readRegion(const YamlNode& node, const Units& units) {
   const Eigen::Vector3d from = readVector(node.at("from"), units, dimension::kLength);
   const Eigen::Vector3d to = readVector(node.at("to"), units, dimension::kLength);
   if ((from.array() >= to.array()).any())
-    node.at("to").failSaying("the corner `to` is not above `from` in all three coordinates", "correct the corners");
+    node.at("to").failWithProblem("the corner `to` is not above `from` in all three coordinates",
+                                  "correct the corners");
   return {from, to};
 }
 
@@ -70,7 +71,7 @@ std::vector<int> readRowList(const YamlNode& node, const deflection::Arm& arm) {
   for (const YamlNode& item : node.list()) {
     rows.push_back(rowOfArmNamed(item, arm));
     if (std::count(rows.begin(), rows.end(), rows.back()) > 1)
-      item.failSaying("the row " + item.text() + " is listed twice", "list each row only once");
+      item.failWithProblem("the row " + item.text() + " is listed twice", "list each row only once");
   }
   if (rows.empty()) node.fail("one or more rows of the arm", "leave out the key for readings of the tool");
   return rows;
@@ -82,27 +83,27 @@ void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
   for (const char* key : {"points", "postures_per_point"})
     if (const YamlNode* node = root.find(key);
         node && !kind.is_touch && !(kind.settle && std::string_view(key) == "postures_per_point"))
-      node->failSaying(fmt::format("`{}` is for readings of kind touch, not {}", key, kind.name), "remove it");
+      node->failWithProblem(fmt::format("`{}` is for readings of kind touch, not {}", key, kind.name), "remove it");
   const auto check = [&](const char* key, bool calibration::MeasurementKindRow::*has, const std::string& what) {
     std::string kinds;
     for (const auto& row : calibration::measurementKinds())
       if (row.*has) kinds += (kinds.empty() ? "" : " or ") + std::string(row.name);
     const YamlNode* node = root.find(key);
     if (node && !(kind.*has))
-      node->failSaying(fmt::format("{} is for readings of kind {}, not {}", what, kinds, kind.name), "remove it");
+      node->failWithProblem(fmt::format("{} is for readings of kind {}, not {}", what, kinds, kind.name), "remove it");
     if (!node && kind.*has && !kind.is_from_origin)
-      root.at("kind").failSaying(fmt::format("readings of kind {} need {}", kind.name, what),
-                                 fmt::format("add {}: [x, y, z]", key));
+      root.at("kind").failWithProblem(fmt::format("readings of kind {} need {}", kind.name, what),
+                                      fmt::format("add {}: [x, y, z]", key));
   };
   if (const YamlNode* rows = root.find("rows"); rows && !kind.may_be_of_row)
-    rows->failSaying(fmt::format("`rows` is for readings of kind {}, not {}",
-                                 alternatives(calibration::kindNamesOfRows()), kind.name),
-                     "remove it");
+    rows->failWithProblem(fmt::format("`rows` is for readings of kind {}, not {}",
+                                      alternatives(calibration::kindNamesOfRows()), kind.name),
+                          "remove it");
   check("anchor", &calibration::MeasurementKindRow::has_anchor, "an anchor");
   check("direction", &calibration::MeasurementKindRow::has_direction, "a direction");
   if (const YamlNode* node = root.find("turn_sigma"); node && kind.turn_rows == 0)
-    node->failSaying(fmt::format("`turn_sigma` is for readings of angles, but kind {} measures none", kind.name),
-                     "remove it");
+    node->failWithProblem(fmt::format("`turn_sigma` is for readings of angles, but kind {} measures none", kind.name),
+                          "remove it");
 }
 
 constexpr int kPosturesOfSurface = 12;
@@ -129,22 +130,22 @@ CampaignDesign designOfKind(const YamlNode& root, bool has_sheet) {
 void readNoiseOfAxes(const YamlNode& node, const Units& units, CampaignDesign& design) {
   design.sigma_W = readVector(node, units, dimension::kLength);
   if (!(design.sigma_W->minCoeff() > 0))
-    node.failSaying("a sigma of x, y or z is not above zero", "write three lengths above zero");
+    node.failWithProblem("a sigma of x, y or z is not above zero", "write three lengths above zero");
   if (!kindOf(design.kind).has_coordinates)
-    node.failSaying(
+    node.failWithProblem(
         fmt::format("`sigmas` is for readings of x, y, z, but kind {} measures none", kindOf(design.kind).name),
         "write one `sigma` instead");
   design.sigma = calibration::meanSigma(*design.sigma_W);
 }
 
 void readCorrelationList(const YamlNode& node, CampaignDesign& design) {
-  if (!design.sigma_W) node.failSaying("`correlations` need the `sigmas` of x, y and z", "add sigmas: [x, y, z]");
+  if (!design.sigma_W) node.failWithProblem("`correlations` need the `sigmas` of x, y and z", "add sigmas: [x, y, z]");
   if (node.list().size() != 3) node.fail("three correlations: of x and y, of x and z, of y and z");
   Eigen::Vector3d numbers;
   for (std::size_t k = 0; k < 3; ++k) numbers[static_cast<Eigen::Index>(k)] = node.list()[k].number();
   if (!calibration::isPossibleCorrelation(numbers))
-    node.failSaying("the correlations do not form a positive definite matrix",
-                    "check their order and signs, and that each is between -1 and 1");
+    node.failWithProblem("the correlations do not form a positive definite matrix",
+                         "check their order and signs, and that each is between -1 and 1");
   design.correlation_W = numbers;
 }
 

@@ -59,13 +59,13 @@ constexpr const char* kOtherName = "choose another name, because that file would
 
 void requireCellOrNothing(const fs::path& cell, const std::string& option) {
   if (isFilled(cell) && !isCellFile(cell))
-    throw InputError::saying(option, fmt::format("'{}' already exists and is not a cell", cell.string()), kOtherName);
+    throw InputError::problem(option, fmt::format("'{}' already exists and is not a cell", cell.string()), kOtherName);
 }
 
 void requireOwnArmOrNothing(const fs::path& cell, const std::string& option) {
   const fs::path arm = armPathFor(cell);
   if (isFilled(arm) && beginningOf(cell).find(arm.filename().string()) == std::string::npos)
-    throw InputError::saying(
+    throw InputError::problem(
         option,
         fmt::format("the arm would be written as '{}', which already exists and is not the arm of '{}'", arm.string(),
                     cell.string()),

@@ -34,10 +34,10 @@ Matrix6d readCovariance(const YamlNode& node, const Units& units) {
   const Eigen::VectorXd sigma = covariance.diagonal().cwiseMax(1e-300).cwiseSqrt();
   const Matrix6d correlation = sigma.cwiseInverse().asDiagonal() * covariance * sigma.cwiseInverse().asDiagonal();
   if (!correlation.isApprox(correlation.transpose(), 1e-6))
-    node.failSaying("the covariance is not symmetric", "write a symmetric matrix, as six lists of six numbers");
+    node.failWithProblem("the covariance is not symmetric", "write a symmetric matrix, as six lists of six numbers");
   if (correlation.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() < -1e-6)
-    node.failSaying("the matrix has a negative variance, so it is not a covariance matrix",
-                    "check its values and their order");
+    node.failWithProblem("the matrix has a negative variance, so it is not a covariance matrix",
+                         "check its values and their order");
   return covariance;
 }
 
@@ -114,7 +114,7 @@ void readSetups(const YamlNode& node, deflection::Arm& arm) {
     deflection::RigidMounting mounting{node.keys[k], {}};
     for (const YamlNode& item : setup.at("rigid").list()) {
       const auto row = deflection::findRow(arm, item.text());
-      if (!row) item.failSaying("the arm has no row " + inQuotes(item.text()), adviceOnRow(item.text(), arm));
+      if (!row) item.failWithProblem("the arm has no row " + inQuotes(item.text()), adviceOnRow(item.text(), arm));
       mounting.rows.push_back(*row);
     }
     arm.mountings.push_back(std::move(mounting));
@@ -129,7 +129,7 @@ void readIdentify(const YamlNode& node, Cell& cell) {
       item.fail("the unknown parameter '" + name + "'", "the path of a number in the arm file, or geometry",
                 suggestion(name, known));
     if (std::find(cell.identify.begin(), cell.identify.end(), name) != cell.identify.end())
-      item.failSaying(inQuotes(name) + " is listed twice", "list each name only once");
+      item.failWithProblem(inQuotes(name) + " is listed twice", "list each name only once");
     cell.identify.push_back(name);
   }
 }
@@ -139,10 +139,11 @@ void readIdentify(const YamlNode& node, Cell& cell) {
 void requireSamePair(const YamlNode& pair, const ArmSource& arm, const Cell& cell) {
   if (pair.text() == arm.pair) return;
   const std::string found = arm.pair.empty() ? "none" : "'" + arm.pair + "'";
-  pair.failSaying(fmt::format("'{}' is not the arm file that was written with this cell: the cell has the pair '{}', "
-                              "but the arm has {}",
-                              cell.arm_path, pair.text(), found),
-                  "write both again, or remove the key `pair` if another arm is meant");
+  pair.failWithProblem(
+      fmt::format("'{}' is not the arm file that was written with this cell: the cell has the pair '{}', "
+                  "but the arm has {}",
+                  cell.arm_path, pair.text(), found),
+      "write both again, or remove the key `pair` if another arm is meant");
 }
 
 // Reads the arm from the cell itself, from `text` if it is given, or from the arm's own file.
@@ -156,8 +157,8 @@ ArmSource readCellArm(const YamlNode& node, const std::optional<std::string>& te
     return readArm(cell.arm_source.root);
   }
   if (std::error_code error; !std::filesystem::exists(cell.arm_path, error))
-    node.failSaying("there is no file '" + cell.arm_path + "'",
-                    "check the name of the arm file, which is relative to this cell's folder");
+    node.failWithProblem("there is no file '" + cell.arm_path + "'",
+                         "check the name of the arm file, which is relative to this cell's folder");
   cell.arm_source = readYamlFile(cell.arm_path);
   return readArm(cell.arm_source.root);
 }
@@ -202,7 +203,7 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   const auto folder = std::filesystem::path(path).parent_path();
   if (const YamlNode* sheet = root.find("tubesheet")) cell.sheet = readSheet(*sheet, cell.units, folder);
   if (const YamlNode* tool = root.find("calibration_tool")) {
-    if (!cell.sheet) tool->failSaying("the cell has a calibration tool but no tube sheet", "add `tubesheet`");
+    if (!cell.sheet) tool->failWithProblem("the cell has a calibration tool but no tube sheet", "add `tubesheet`");
     cell.tool = readSteppedTool(*tool, cell.units, cell.sheet->hole_diameter);
   }
   if (const YamlNode* park = root.find("park")) readPark(*park, cell);
@@ -230,21 +231,21 @@ Cell parseCell(const std::string& text, const std::string& path, const std::opti
 
 const tubesheets::Sheet& requireSheet(const Cell& cell, const std::string& purpose) {
   if (!cell.sheet)
-    throw InputError::saying(cell.path, "there is no key 'tubesheet', which is needed to " + purpose,
-                             "add the key, as in app/cells/mockup.yaml");
+    throw InputError::problem(cell.path, "there is no key 'tubesheet', which is needed to " + purpose,
+                              "add the key, as in app/cells/mockup.yaml");
   return *cell.sheet;
 }
 
 const tubesheets::SteppedTool& requireTool(const Cell& cell, const std::string& purpose) {
   if (!cell.tool)
-    throw InputError::saying(cell.path, "there is no key 'calibration_tool', which is needed to " + purpose,
-                             "add the key, as in app/cells/mockup.yaml");
+    throw InputError::problem(cell.path, "there is no key 'calibration_tool', which is needed to " + purpose,
+                              "add the key, as in app/cells/mockup.yaml");
   return *cell.tool;
 }
 
 void requireToolAxis(const Cell& cell, const std::string& purpose) {
   if (!cell.tool_axis_stated)
-    throw InputError::saying(
+    throw InputError::problem(
         cell.path, "the insertion direction of the tool is not stated, but is needed to " + purpose,
         "add tool: {axis: [x, y, z]} to the arm file, or a scene in which a capsule of the tool may touch the tube "
         "sheet");

@@ -190,9 +190,9 @@ void requireReproduced(const CellFiles& files, const calibration::Identification
   const double rms = calibration::judge(rereadBasePoses(files, result.fitted), used).rms;
   if (std::abs(rms - result.after.rms) <= kAlike * result.after.rms + kLeast) return;
   if (!std::isfinite(rms))
-    throw InputError::saying(files.cell.path.string(),
-                             "the fitted arm is too compliant for its deflected shape to converge at every reading",
-                             "nothing was written; check the readings");
+    throw InputError::problem(files.cell.path.string(),
+                              "the fitted arm is too compliant for its deflected shape to converge at every reading",
+                              "nothing was written; check the readings");
   const auto length = [&](double metres) {
     return fmt::format("{:.6g} {}", metres / units.factor(dimension::kLength), units.length().name);
   };

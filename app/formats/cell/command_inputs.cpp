@@ -72,9 +72,9 @@ std::size_t placeOfChosen(const std::string& theirs, const std::vector<std::stri
     if (theirs == columns[c] || theirs == file + ":" + columns[c]) found.push_back(c);
   if (found.size() == 1) return found.front();
   if (found.empty())
-    throw InputError::saying("--column", file + " has no column " + inQuotes(theirs), suggestion(theirs, columns));
-  throw InputError::saying("--column", fmt::format("{} has {} columns {}", file, found.size(), inQuotes(theirs)),
-                           "give each column a name of its own");
+    throw InputError::problem("--column", file + " has no column " + inQuotes(theirs), suggestion(theirs, columns));
+  throw InputError::problem("--column", fmt::format("{} has {} columns {}", file, found.size(), inQuotes(theirs)),
+                            "give each column a name of its own");
 }
 
 /// Returns the table of a work list, `text`, with only the columns that `columns` assign, such as "row=Reihe" or
@@ -105,8 +105,8 @@ std::vector<std::string> columnsOfList(std::vector<std::string> columns, const s
 tubesheets::Selection selectedOrRefused(tubesheets::Selection selection, const std::string& request,
                                         const std::string& option) {
   if (selection.status == tubesheets::SelectionStatus::kSelected) return selection;
-  throw InputError::saying(option, fmt::format("{} cannot be used: {}", inQuotes(request), selection.reason),
-                           "`tubeplan map CELL --csv holes.csv` lists the tubes of this sheet");
+  throw InputError::problem(option, fmt::format("{} cannot be used: {}", inQuotes(request), selection.reason),
+                            "`tubeplan map CELL --csv holes.csv` lists the tubes of this sheet");
 }
 
 }  // namespace
@@ -159,8 +159,8 @@ tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sh
 
 void requireWorkList(const std::vector<std::string>& columns, const std::vector<std::string>& requests) {
   if (!columns.empty() && std::ranges::none_of(requests, namesCsvFile))
-    throw InputError::saying("--column", inQuotes(columns.front()) + " is given without a work list",
-                             "give the list with --tubes LIST.csv, or leave out --column");
+    throw InputError::problem("--column", inQuotes(columns.front()) + " is given without a work list",
+                              "give the list with --tubes LIST.csv, or leave out --column");
 }
 
 std::vector<std::string> listNotes(const tubesheets::Selection& selection) {

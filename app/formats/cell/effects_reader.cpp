@@ -43,7 +43,7 @@ void requireFormula(const deflection::MadeFormula& made, const deflection::Arm& 
   for (const auto& named : deflection::formulaSymbols(arm, formulaUnitsOf(units))) symbols.push_back(named.name);
   for (const auto& name : made.free)
     if (const auto meant = misspeltSymbol(name, symbols); !meant.empty())
-      throw InputError::saying(
+      throw InputError::problem(
           where, fmt::format("the name {} is neither a symbol nor a parameter with an initial value", inQuotes(name)),
           meant + " If the name is a parameter, give it an initial value: '; " + name.substr(0, 60) + "=0'");
   if (made.status == deflection::FormulaStatus::kMade) return;
@@ -171,8 +171,8 @@ std::vector<Effect> readEffects(const YamlNode& node, const deflection::Arm& arm
       return deflection::textOf(arm, other) == deflection::textOf(arm, effect);
     });
     if (is_twice)
-      item.failSaying(deflection::textOf(arm, effect) + " is listed twice",
-                      "list each effect only once for each place");
+      item.failWithProblem(deflection::textOf(arm, effect) + " is listed twice",
+                           "list each effect only once for each place");
     effects.push_back(std::move(effect));
   }
   return effects;
@@ -231,10 +231,10 @@ std::string formulaUnitsText(const deflection::Arm& arm, const Effect& formula, 
 InputError placeError(const std::string& where, const deflection::MadeEffect& made, const std::string& name,
                       const std::string& at) {
   if (made.known.empty())
-    return InputError::saying(where,
-                              fmt::format("the effect {} cannot be placed at {}: {}", name, inQuotes(at), made.reason));
+    return InputError::problem(
+        where, fmt::format("the effect {} cannot be placed at {}: {}", name, inQuotes(at), made.reason));
   const std::string near = suggestion(at, made.known);
-  return InputError::saying(
+  return InputError::problem(
       where, fmt::format("this arm has no place {} for the effect {}", inQuotes(at), name),
       fmt::format("choose one of {}{}{}", fmt::join(made.known, ", "), near.empty() ? "" : "; ", near));
 }

@@ -69,7 +69,8 @@ class Mirror {
       const YamlNode* value = shape.find(field.name);
       if (!value) continue;
       if (field.quantity == ShapeQuantity::kMesh)
-        value->failSaying("the other leg needs the mirror image of this mesh, which needs a separate file", kOwnCell);
+        value->failWithProblem("the other leg needs the mirror image of this mesh, which needs a separate file",
+                               kOwnCell);
       if (field.quantity == ShapeQuantity::kPosition || field.quantity == ShapeQuantity::kDirection)
         change(value, mirroredVector);
       if (field.quantity == ShapeQuantity::kAngle) change(value, mirroredAngles);
@@ -84,8 +85,9 @@ class Mirror {
 std::string_view otherLeg(const Cell& cell) {
   const tubesheets::Sheet& sheet = requireSheet(cell, "mirror it for the other leg");
   const YamlNode& leg = cell.source.root.at("tubesheet").at("leg");
-  if (sheet.leg == tubesheets::Leg::kFull) leg.failSaying("a full sheet has no other leg", "list only the leg `full`");
-  if (sheet.map) leg.failSaying("the other leg needs a hole map of its own", kOwnCell);
+  if (sheet.leg == tubesheets::Leg::kFull)
+    leg.failWithProblem("a full sheet has no other leg", "list only the leg `full`");
+  if (sheet.map) leg.failWithProblem("the other leg needs a hole map of its own", kOwnCell);
   return tubesheets::legName(sheet.leg == tubesheets::Leg::kHot ? tubesheets::Leg::kCold : tubesheets::Leg::kHot);
 }
 

@@ -66,7 +66,7 @@ NamedShape findShape(const YamlNode& node, const std::string& prefix, const std:
   for (const std::string& word : words) {
     const YamlNode* item = node.find(word);
     if (!item) continue;
-    if (chosen) item->failSaying("the entry has a second shape, " + word, "move it to an entry of its own");
+    if (chosen) item->failWithProblem("the entry has a second shape, " + word, "move it to an entry of its own");
     chosen = item;
     key = prefix + word;
   }
@@ -106,7 +106,7 @@ void checkSize(const YamlNode& node, const planner::TriangleMesh& mesh, const Sc
     return fmt::format("{:.4g} {}", measurement.units.toFile(length, dimension::kLength),
                        measurement.units.length().name);
   };
-  node.failSaying(
+  node.failWithProblem(
       fmt::format("the mesh would be {} across, while the arm reaches {}: the mesh may be in another unit of length",
                   text(size), text(measurement.reach)),
       fmt::format("state its unit (unit: mm), or write unit: {} if the size is right",
@@ -120,8 +120,8 @@ std::optional<planner::TriangleMesh> readMesh(const NamedShape& shape, SceneMeas
   const YamlNode& node = shape.fields->at(field->name);
   const std::string path = (measurement.folder / node.text()).lexically_normal().string();
   if (std::error_code error; !std::filesystem::exists(path, error))
-    node.failSaying("there is no file '" + path + "'",
-                    "check the name of the mesh (.stl, .obj, .ply), which is relative to this cell's folder");
+    node.failWithProblem("there is no file '" + path + "'",
+                         "check the name of the mesh (.stl, .obj, .ply), which is relative to this cell's folder");
   MeshFile file = readMeshFile(path);
   const Unit* unit = nullptr;
   for (const auto& other : shape.row->fields)
@@ -149,7 +149,7 @@ planner::ShapePointer makeShape(const NamedShape& shape, SceneMeasurement& measu
   }
   const auto mesh = readMesh(shape, measurement);
   planner::MadeShape made = planner::makeShape(*shape.row, numbers, mesh ? &*mesh : nullptr);
-  if (!made.shape) shape.fields->failSaying(made.problem);
+  if (!made.shape) shape.fields->failWithProblem(made.problem);
   if (mesh) measurement.meshes.back().shape = std::dynamic_pointer_cast<const planner::MeshShape>(made.shape);
   return made.shape;
 }
@@ -178,8 +178,8 @@ std::vector<std::string> bodyShapes() {
 planner::Body readBody(const YamlNode& node, SceneMeasurement& measurement) {
   const NamedShape shape = findShape(node, "", {"name", "allow"});
   if (!shape.row->may_be_body)
-    shape.fields->failSaying("a link cannot have this shape, because the body of a link must be convex",
-                             "write one of these: " + alternatives(bodyShapes()));
+    shape.fields->failWithProblem("a link cannot have this shape, because the body of a link must be convex",
+                                  "write one of these: " + alternatives(bodyShapes()));
   planner::Body body;
   body.shape = makeShape(shape, measurement);
   body.allow = readAllow(node);

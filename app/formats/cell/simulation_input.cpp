@@ -100,10 +100,10 @@ std::vector<calibration::CampaignPoint> openHoles(const Cell& cell) {
 
 BaseError baseErrorOf(const SimulationRequest& request, const Cell& cell, const CampaignDesign& design) {
   if (cell.base_known && !request.base_error.empty())
-    throw InputError::saying("--base-error", "the base of the cell is known, so it has no error",
-                             "write base: {..., known: false} in " + cell.path);
+    throw InputError::problem("--base-error", "the base of the cell is known, so it has no error",
+                              "write base: {..., known: false} in " + cell.path);
   if (cell.base_known && design.setups > 1)
-    throw InputError::saying(
+    throw InputError::problem(
         cell.path,
         fmt::format("the base is known, but each of the {} set-ups has a base pose of its own", design.setups),
         "write base: {..., known: false}");
@@ -134,8 +134,8 @@ calibration::CampaignTruth makeTruth(const SimulationRequest& request, const Cel
   calibration::TruthOptions truth;
   truth.parameters = identifiedParameters(cell);
   if (request.spread > 0 && truth.parameters.empty())
-    throw InputError::saying(cell.path, "there are no parameters under `identify`, which --spread needs",
-                             "list the parameters there");
+    throw InputError::problem(cell.path, "there are no parameters under `identify`, which --spread needs",
+                              "list the parameters there");
   truth.spread = request.spread;
   truth.base_shift_sigma = base.shift;
   truth.base_turn_sigma = base.turn;
@@ -172,7 +172,7 @@ SimulationTask prepareSimulation(const Cell& cell, const SimulationRequest& requ
   task.measurements = countMeasurements(request, file);
   task.design = file.design;
   if (const auto problem = calibration::findDesignProblem(task.design, task.measurements); !problem.empty())
-    throw InputError::saying("--design " + request.design, problem, "see `tubeplan simulate --help`");
+    throw InputError::problem("--design " + request.design, problem, "see `tubeplan simulate --help`");
   requireHoles(cell, task.design);
   if (kindOf(task.design.kind).counts_steps) (void)requireTool(cell, "count its steps");
   task.base = baseErrorOf(request, cell, task.design);

@@ -57,7 +57,7 @@ MatrixXd readCorrelation(const YamlNode& node, std::size_t numbers) {
   }
   if (correlation.cwiseAbs().maxCoeff() > 1 + kRounding ||
       correlation.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() < -kRounding * static_cast<double>(count))
-    node.failSaying("these correlations contradict each other", "write the correlations of a covariance matrix");
+    node.failWithProblem("these correlations contradict each other", "write the correlations of a covariance matrix");
   return correlation;
 }
 

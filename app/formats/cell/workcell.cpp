@@ -14,18 +14,18 @@ void refuseWhatIsNotPlannedFor(const Cell& cell, const std::string& purpose) {
   requireToolAxis(cell, purpose);
   for (const auto& row : cell.arm.rows) {
     if (!row.joint.follows.empty())
-      throw InputError::saying(
+      throw InputError::problem(
           cell.path,
           fmt::format("the joint {} follows others, but to {} each joint needs an encoder reading of its own",
                       row.joint.name, purpose),
           "give that joint one: motions of coupled joints are not planned");
     if (!std::isfinite(deflection::slideLength(row.joint)))
-      throw InputError::saying(
+      throw InputError::problem(
           cell.path, fmt::format("the slide {} has no limits, which are needed to {}", row.joint.name, purpose),
           "add limits: [LOWEST, HIGHEST] to its joint");
   }
   if (!cell.arm.side_chains.empty())
-    throw InputError::saying(
+    throw InputError::problem(
         cell.path,
         fmt::format("the arm has a side chain at {}, but to {} it must have none",
                     cell.arm.rows[static_cast<std::size_t>(cell.arm.side_chains.front().row)].name, purpose),
@@ -50,7 +50,7 @@ planner::Workcell workcellOf(const Cell& cell, const std::string& purpose) {
 void requireSpeeds(const Cell& cell) {
   for (const auto& joint : cell.arm.joints())
     if (!std::isfinite(joint.max_speed) && !std::isfinite(joint.max_acceleration))
-      throw InputError::saying(
+      throw InputError::problem(
           cell.path,
           fmt::format("joint {} has neither max_speed nor max_acceleration, which determine the times of a plan",
                       inQuotes(joint.name)),

@@ -19,8 +19,8 @@ std::string questionChecksum(const PlanKey& question) { return fingerprintOf(jso
 }  // namespace
 
 void refuseDamaged(const CheckpointFormat& format, const std::filesystem::path& path, const std::string& what) {
-  throw InputError::saying(path.string(), fmt::format("{}, so the file is damaged or is not {}", what, format.file),
-                           format.remedy);
+  throw InputError::problem(path.string(), fmt::format("{}, so the file is damaged or is not {}", what, format.file),
+                            format.remedy);
 }
 
 CheckpointFile readCheckpoint(const CheckpointFormat& format, const std::filesystem::path& path) {
@@ -71,7 +71,7 @@ void putAside(const std::filesystem::path& path, const std::vector<std::string>&
   while (std::filesystem::exists(aside, error));
   std::filesystem::rename(path, aside, error);
   if (error)
-    throw InputError::saying(
+    throw InputError::problem(
         "--out", fmt::format("{} cannot be set aside: renaming the file failed ({})", path.string(), error.message()),
         "choose a folder with write permission");
   say(fmt::format("started again: {} is of {}; it is renamed to {}", path.string(), fmt::join(differences, ", "),

@@ -60,8 +60,8 @@ PlanCheckpoint::PlanCheckpoint(fs::path folder, bool must_resume, const std::str
   if (from.empty()) return;
   const fs::path path = fs::path(from) / kCacheFile;
   if (!isThere(path))
-    throw InputError::saying("--from", fmt::format("there is no {} in {}", kCacheFile, inQuotes(from)),
-                             "give the folder of a completed plan, or plan without --from");
+    throw InputError::problem("--from", fmt::format("there is no {} in {}", kCacheFile, inQuotes(from)),
+                              "give the folder of a completed plan, or plan without --from");
   const CheckpointFile file = readCheckpoint(kPlanFormat, path);
   from_fingerprint_ = file.checksum;
   from_question_ = file.question;
@@ -84,9 +84,9 @@ void PlanCheckpoint::begin(const PlanKey& question, const std::vector<int>& tube
   question_ = question;
   if (savesProgress() && takeStopped(question)) return;
   if (must_resume_ && !takeDone(question))
-    throw InputError::saying("--resume",
-                             fmt::format("there is no stopped plan ({}) in '{}'", kProgressFile, folder_.string()),
-                             "give the folder of the stopped plan, or omit --resume to start again");
+    throw InputError::problem("--resume",
+                              fmt::format("there is no stopped plan ({}) in '{}'", kProgressFile, folder_.string()),
+                              "give the folder of the stopped plan, or omit --resume to start again");
   if (!must_resume_ && !from_.empty()) takeFrom(question, tubes);
 }
 
@@ -101,7 +101,7 @@ bool PlanCheckpoint::takeStopped(const PlanKey& question) {
     return true;
   }
   if (must_resume_)
-    throw InputError::saying(
+    throw InputError::problem(
         "--resume", fmt::format("the plan in {} was stopped with {}", path.string(), fmt::join(differences, ", ")),
         "repeat the options of the stopped run, or omit --resume to start again");
   putAside(path, differences);
@@ -120,7 +120,7 @@ bool PlanCheckpoint::takeDone(const PlanKey& question) {
 
 void PlanCheckpoint::takeFrom(const PlanKey& question, const std::vector<int>& tubes) {
   if (partOf(from_question_, "sheet") != partOf(question, "sheet"))
-    throw InputError::saying(
+    throw InputError::problem(
         "--from",
         fmt::format("the tube sheet of that plan (fingerprint {}) differs from that of the cell (fingerprint {})",
                     partOf(from_question_, "sheet"), partOf(question, "sheet")),

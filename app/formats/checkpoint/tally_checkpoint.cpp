@@ -58,9 +58,9 @@ std::optional<TallySoFar> TallyCheckpoint::begin(const PlanKey& question, std::u
   std::error_code error;
   if (!fs::exists(path(), error)) {
     if (must_resume_)
-      throw InputError::saying("--resume",
-                               fmt::format("there is no campaign ({}) in '{}'", kTallyFile, folder_.string()),
-                               "give the folder of the campaign, or omit --resume to start again");
+      throw InputError::problem("--resume",
+                                fmt::format("there is no campaign ({}) in '{}'", kTallyFile, folder_.string()),
+                                "give the folder of the campaign, or omit --resume to start again");
     return std::nullopt;
   }
   const CheckpointFile file = readCheckpoint(kTallyFormat, path());
@@ -74,7 +74,7 @@ std::optional<TallySoFar> TallyCheckpoint::begin(const PlanKey& question, std::u
     return tally;
   }
   if (must_resume_)
-    throw InputError::saying(
+    throw InputError::problem(
         "--resume", fmt::format("the campaign in {} was run with {}", path().string(), fmt::join(differences, ", ")),
         "repeat the options of that campaign, with at least as many runs, or omit --resume to start again");
   putAside(path(), differences);

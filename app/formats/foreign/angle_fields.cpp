@@ -67,13 +67,13 @@ void requireOneForm(const ForeignTable& table, std::size_t column, bool is_state
   const std::string &heading = table.columns[column], &text = first->fields[column];
   for (const auto& row : table.rows)
     if (isOfAnotherForm(row.fields[column], form))
-      throw InputError::saying(fmt::format("{}:{} (column {})", table.file, row.line, inQuotes(heading)),
-                               fmt::format("the angle {} is written in a different form from {} in line {}",
-                                           inQuotes(row.fields[column]), inQuotes(text), first->line),
-                               "write all angles of the column in the same form");
+      throw InputError::problem(fmt::format("{}:{} (column {})", table.file, row.line, inQuotes(heading)),
+                                fmt::format("the angle {} is written in a different form from {} in line {}",
+                                            inQuotes(row.fields[column]), inQuotes(text), first->line),
+                                "write all angles of the column in the same form");
   if (!form || !isBare(*form) || is_stated) return;
   const double value = parseSexagesimal(text)->value;
-  throw InputError::saying(
+  throw InputError::problem(
       fmt::format("the column {} of {}", inQuotes(heading), table.file),
       fmt::format("{} may be hours, minutes and seconds ({:.6g} deg) or degrees, minutes and seconds ({:.6g} deg)",
                   inQuotes(text), value * kDegreesPerHour, value),
@@ -93,7 +93,7 @@ void refuseDoubtfulDegrees(const ForeignTable& table, std::size_t column, const 
   if (!mayBeHours(table, column)) return;
   const auto [least, most] = *rangeOfHourAngle(table, column);
   const std::string theirs = inQuotes(table.columns[column]);
-  throw InputError::saying(
+  throw InputError::problem(
       fmt::format("the column {} of {}", theirs, table.file),
       fmt::format("its numbers, {0:.6g} to {1:.6g}, may be hours ({2:.6g} to {3:.6g} deg) or degrees", least, most,
                   least * kDegreesPerHour, most * kDegreesPerHour),

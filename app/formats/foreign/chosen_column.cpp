@@ -44,8 +44,8 @@ std::pair<std::size_t, const Unit*> targetOf(const std::string& name, const std:
     const std::string_view word = std::string_view(name).substr(target.quantity.size() + 1);
     if (const Unit* unit = unitOfKind(findUnitWord(word), *target.unit)) return {k, unit};
   }
-  throw InputError::saying("--column", "a measurement table has no column " + inQuotes(name),
-                           suggestionOr(name, known, "`tubeplan readings CELL --template` prints an empty one"));
+  throw InputError::problem("--column", "a measurement table has no column " + inQuotes(name),
+                            suggestionOr(name, known, "`tubeplan readings CELL --template` prints an empty one"));
 }
 
 struct FoundColumn {
@@ -69,8 +69,8 @@ FoundColumn columnOf(const std::string& theirs, const std::vector<ForeignTable>&
   if (found.empty())
     throw InputError("--column", "the unknown column " + inQuotes(theirs), alternatives(known),
                      suggestion(theirs, known));
-  throw InputError::saying("--column", fmt::format("{} columns have the name {}", found.size(), inQuotes(theirs)),
-                           fmt::format("write {}:{}", tables[found.front().table].file, theirs));
+  throw InputError::problem("--column", fmt::format("{} columns have the name {}", found.size(), inQuotes(theirs)),
+                            fmt::format("write {}:{}", tables[found.front().table].file, theirs));
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ ChosenColumn parseChosenColumn(const std::string& chosen, const std::vector<Fore
   const auto [target, unit] = targetOf(chosen.substr(0, equals), targets);
   const auto [table, column, factor] = columnOf(chosen.substr(equals + 1), tables);
   if (factor != 1 && (!targets[target].is_number || targets[target].form))
-    throw InputError::saying(
+    throw InputError::problem(
         "--column", fmt::format("the column of {} cannot have a factor", inQuotes(chosen)),
         "give the column without a factor; only joints, coordinates and other single numbers can have a factor");
   return {target, table, column, unit, factor};

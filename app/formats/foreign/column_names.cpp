@@ -218,7 +218,7 @@ const Unit* unitOf(const ForeignTable& table, const ForeignHeading& heading, Uni
   const auto requested = usual.find(kind);
   if (above == table.units.end()) return requested == usual.end() ? nullptr : requested->second;
   if (requested != usual.end() && requested->second->name != above->second.unit->name)
-    throw InputError::saying(
+    throw InputError::problem(
         table.file,
         fmt::format("the line {} states the unit {}, but --units says {}", inQuotes(above->second.line),
                     above->second.unit->name, requested->second->name),

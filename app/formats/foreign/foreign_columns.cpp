@@ -57,9 +57,9 @@ class ColumnTaker {
   void takeChosen(const std::string& chosen) {
     const ChosenColumn column = parseChosenColumn(chosen, tables_, targets_);
     if (isTaken(column.target) || std::ranges::find(parts_, column.target, &ChosenColumn::target) != parts_.end())
-      throw InputError::saying("--column",
-                               fmt::format("{} is assigned twice", inQuotes(targets_[column.target].quantity)),
-                               "assign it once");
+      throw InputError::problem("--column",
+                                fmt::format("{} is assigned twice", inQuotes(targets_[column.target].quantity)),
+                                "assign it once");
     if (!targets_[column.target].form)
       return add(column.target, column.table, column.column, column.unit, column.factor);
     free_[column.table][column.column] = false;
@@ -77,10 +77,10 @@ class ColumnTaker {
           return targets_[chosen.target].form == &form && targets_[chosen.target].part == part;
         });
         if (found == parts_.end() || found->table != columns.table)
-          throw InputError::saying("--column",
-                                   fmt::format("{} needs {} numbers from one table, but its {} is missing", form.name,
-                                               form.numbers.size(), form.numbers[part].name),
-                                   fmt::format("add --column {}.{}=COLUMN", form.name, form.numbers[part].name));
+          throw InputError::problem("--column",
+                                    fmt::format("{} needs {} numbers from one table, but its {} is missing", form.name,
+                                                form.numbers.size(), form.numbers[part].name),
+                                    fmt::format("add --column {}.{}=COLUMN", form.name, form.numbers[part].name));
         columns.columns.push_back(found->column);
         columns.units.push_back(found->unit);
       }
@@ -122,9 +122,9 @@ class ColumnTaker {
     const auto& form = *std::ranges::find(writtenForms(), name, &WrittenForm::name);
     std::vector<std::string> numbers;
     for (const auto& number : form.numbers) numbers.push_back(fmt::format("--column {}.{}=COLUMN", name, number.name));
-    throw InputError::saying(fmt::format("{} {}", columnsOf(form.stated).option, name),
-                             fmt::format("no columns have the headings of this form ({})", form.words),
-                             fmt::format("say which columns they are: {}", fmt::join(numbers, " ")));
+    throw InputError::problem(fmt::format("{} {}", columnsOf(form.stated).option, name),
+                              fmt::format("no columns have the headings of this form ({})", form.words),
+                              fmt::format("say which columns they are: {}", fmt::join(numbers, " ")));
   }
 
   void addForm(FormColumns columns, bool are_chosen = false) {
@@ -149,9 +149,9 @@ class ColumnTaker {
     for (std::size_t part = 0; part < stated.columns.size(); ++part) {
       const std::size_t target = indexOf(stated.columns[part]);
       if (isTaken(target))
-        throw InputError::saying("--column",
-                                 fmt::format("{} cannot be combined with {}", stated.columns[part], shared->form->name),
-                                 "give one of them");
+        throw InputError::problem(
+            "--column", fmt::format("{} cannot be combined with {}", stated.columns[part], shared->form->name),
+            "give one of them");
       taken_.push_back({fmt::format("{}_{}", stated.columns[part], ownUnitOf(unit).unit->name), target, shared->table,
                         shared->columns.front(), 1, shared, part});
     }
@@ -166,7 +166,7 @@ class ColumnTaker {
     if (found.size() > 1 && targets_[k].is_number) {
       std::vector<std::string> names;
       for (const auto& [t, c] : found) names.push_back(nameOf(t, c));
-      throw InputError::saying(
+      throw InputError::problem(
           "the columns", fmt::format("{} could each be {}", fmt::join(names, " and "), targets_[k].quantity),
           fmt::format("say which: --column {}={}:{}", targets_[k].quantity, tables_[found[0].first].file,
                       tables_[found[0].first].columns[found[0].second]));
@@ -202,12 +202,12 @@ class ColumnTaker {
       return unit;
     const std::string& theirs = tables_[table].columns[column];
     if (heading.is_count)
-      throw InputError::saying(
+      throw InputError::problem(
           "the column " + nameOf(table, column),
           "its numbers are pulses, whose size as an angle or length is not stated",
           fmt::format("write --column '{}_{}={}*0.0001', with the size and sign of a pulse as the factor", quantity,
                       exampleOf(kind), theirs));
-    throw InputError::saying(
+    throw InputError::problem(
         "the column " + nameOf(table, column),
         fmt::format("the unit of {} is not stated: {}", quantity, alternatives(unitNames(kind))),
         fmt::format("write --units {0}, or --column {1}_{0}={2}", exampleOf(kind), quantity, theirs));
@@ -225,7 +225,7 @@ class ColumnTaker {
     }
     if (joint.unit != UnitKind::kAngle || most < kMostTurns) return;
     const std::string& theirs = tables_[table].columns[column];
-    throw InputError::saying(
+    throw InputError::problem(
         "the column " + nameOf(table, column),
         fmt::format("its whole numbers would be up to {:.0f} turns as angles, so they may be pulses", most),
         fmt::format("write --column '{0}_{1}={2}*0.0001' with the size and sign of a pulse as the factor, or "
@@ -256,8 +256,8 @@ class ColumnTaker {
       if (isNumbered(target))
         columns.push_back(fmt::format("--column '{}={}'", target.quantity,
                                       tables_[patterns.front().table].columns[patterns.front().columns[k++]]));
-    throw InputError::saying("the columns", fmt::format("{} could each be the joints", fmt::join(sets, " and ")),
-                             fmt::format("say which, such as {}", fmt::join(columns, " ")));
+    throw InputError::problem("the columns", fmt::format("{} could each be the joints", fmt::join(sets, " and ")),
+                              fmt::format("say which, such as {}", fmt::join(columns, " ")));
   }
 
   [[noreturn]] void missingJoint(std::size_t k) const {
@@ -268,10 +268,10 @@ class ColumnTaker {
       for (std::size_t c = 0; c < free_[t].size(); ++c)
         if (free_[t][c]) left.push_back(tables_[t].columns[c]);
     const std::string& name = targets_[k].quantity;
-    throw InputError::saying("the columns",
-                             fmt::format("none is recognised as the joint {}{}", name,
-                                         left.empty() ? "" : fmt::format(", which may be {}", alternatives(left))),
-                             fmt::format("say which: --column {}=COLUMN", name));
+    throw InputError::problem("the columns",
+                              fmt::format("none is recognised as the joint {}{}", name,
+                                          left.empty() ? "" : fmt::format(", which may be {}", alternatives(left))),
+                              fmt::format("say which: --column {}=COLUMN", name));
   }
 
   const std::vector<ForeignTable>& tables_;

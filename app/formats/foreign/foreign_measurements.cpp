@@ -80,8 +80,8 @@ class ForeignReader {
   void refuseUnused() const {
     for (std::size_t t = 0; t < request_.tables.size(); ++t)
       if (!isUsed(t))
-        throw InputError::saying(table(t).file, "no column is recognised as joints, coordinates or points",
-                                 "say which columns they are (--column x_mm=COLUMN), or leave the file out");
+        throw InputError::problem(table(t).file, "no column is recognised as joints, coordinates or points",
+                                  "say which columns they are (--column x_mm=COLUMN), or leave the file out");
   }
 
   /// Matches the rows of all tables with the rows of the table that contains the joints.
@@ -152,7 +152,7 @@ class ForeignReader {
     const StatedColumns& turn = columnsOf(Stated::kTurn);
     if (request_.kind.empty() || !neededForms({request_.kind}, {}).contains(Stated::kTurn)) return;
     if (std::ranges::any_of(turn.columns, [&](const char* name) { return isTaken(name); })) return;
-    throw InputError::saying(
+    throw InputError::problem(
         "the columns",
         fmt::format("none states the orientation of readings of kind {}, either as {} or as the numbers of {}",
                     request_.kind, fmt::join(turn.columns, ", "), alternatives(formNames(Stated::kTurn))),
@@ -192,11 +192,11 @@ class ForeignReader {
     if (turn && turn->form) return has_place ? "pose" : "orientation";
     if (has_place) return "position";
     if (!isTaken("point"))
-      throw InputError::saying(
+      throw InputError::problem(
           "the columns", "none is recognised as coordinates x, y, z or as the points that were touched",
           "say which columns they are (--column x_mm=COLUMN), or which kind the readings are (--kind)");
     if (!unknown_numbers_.empty() && !areHoles())
-      throw InputError::saying(
+      throw InputError::problem(
           "the columns",
           fmt::format("none is recognised as coordinates x, y, z, and the numbers in {} have no known meaning",
                       fmt::join(unknown_numbers_, ", ")),
@@ -342,7 +342,7 @@ class ForeignReader {
     const auto orders = dateOrders(fields);
     if (orders.size() < 2) return orders.empty() ? DateOrder::kMonthFirst : orders.front();
     const auto first = std::ranges::find_if(fields, isClockTime);
-    throw InputError::saying(
+    throw InputError::problem(
         fmt::format("the column {} of {}", inQuotes(table(column.table).columns[column.column]),
                     table(column.table).file),
         fmt::format("the day may be the first number or the second, as in {}: neither is greater than 12 in any row",

@@ -46,7 +46,7 @@ std::map<UnitKind, StatedUnit> statedUnits(const std::vector<std::string>& lines
     for (const Unit* unit : unitsIn(tubesheets::behindUnits(line))) {
       const auto [known, is_new] = stated.try_emplace(unit->kind, StatedUnit{unit, line});
       if (!is_new && known->second.unit->name != unit->name)
-        throw InputError::saying(
+        throw InputError::problem(
             file,
             fmt::format("the lines {} and {} state different units", inQuotes(known->second.line), inQuotes(line)),
             "remove the line that is wrong");

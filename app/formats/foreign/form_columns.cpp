@@ -197,7 +197,7 @@ std::optional<FormColumns> onlyForm(const std::vector<FormColumns>& found, const
                                        columns.form->name, columns.form->words));
     options.push_back(fmt::format("{} {}", stated.option, columns.form->name));
   }
-  throw InputError::saying(
+  throw InputError::problem(
       "the columns " + namesOf(left.front(), tables),
       fmt::format("their numbers may state {} as {}", stated.word, fmt::join(measurements, ", or as ")),
       fmt::format("say which: {}", fmt::join(options, " or ")));

@@ -40,8 +40,8 @@ class RowJoiner {
     }
     const std::size_t kept = out_.rows[out_.lead].size();
     if (kept == 0)
-      throw InputError::saying(lead().file, "no row has a name that also occurs in the other tables",
-                               "give the points the same names in all tables");
+      throw InputError::problem(lead().file, "no row has a name that also occurs in the other tables",
+                                "give the points the same names in all tables");
     if (const std::size_t lost = lead().rows.size() - kept; lost > 0)
       out_.left_out.push_back(
           fmt::format("{} of {} whose names another table does not have", countText(lost, "row"), lead().file));
@@ -71,7 +71,7 @@ class RowJoiner {
                           [&](const auto& row) { return tubesheets::parseNumber(row.fields[column]).has_value(); });
     };
     if (areNames(lead(), ours) && areNames(table(t), theirs))
-      throw InputError::saying(
+      throw InputError::problem(
           table(t).file, fmt::format("none of the names in this table occurs in {}", lead().file),
           "give the points the same names in both tables, or remove the names to match rows by their order");
   }
@@ -81,9 +81,9 @@ class RowJoiner {
     for (std::size_t k = 0; k < table(t).rows.size(); ++k) {
       const auto& row = table(t).rows[k];
       if (!index.emplace(pointName(row.fields[theirs]), k).second)
-        throw InputError::saying(fmt::format("{}:{}", table(t).file, row.line),
-                                 fmt::format("the name {} occurs twice", inQuotes(row.fields[theirs])),
-                                 "give the points different names, or remove the names to match rows by their order");
+        throw InputError::problem(fmt::format("{}:{}", table(t).file, row.line),
+                                  fmt::format("the name {} occurs twice", inQuotes(row.fields[theirs])),
+                                  "give the points different names, or remove the names to match rows by their order");
     }
     Partners partners;
     std::set<std::size_t> used;
@@ -104,7 +104,7 @@ class RowJoiner {
   Partners partnersByOrder(std::size_t t) {
     const std::size_t ours = lead().rows.size(), theirs = table(t).rows.size();
     if (ours != theirs)
-      throw InputError::saying(
+      throw InputError::problem(
           table(t).file,
           fmt::format("none of the {} rows has a name that occurs in {}, which has {} rows", theirs, lead().file, ours),
           "give the points the same names in both tables, or give both tables the same number of rows");

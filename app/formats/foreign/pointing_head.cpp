@@ -38,8 +38,8 @@ void takeOptions(const std::string& file, const PointingLine& line, PointingHead
     if (word == "EQUAT" || word == "ALTAZ") {
       const bool is_altaz = word == "ALTAZ";
       if (head.is_altaz.value_or(is_altaz) != is_altaz)
-        throw InputError::saying(lineOf(file, line), "both ALTAZ and EQUAT are stated",
-                                 "keep only the one that is the mount of the readings");
+        throw InputError::problem(lineOf(file, line), "both ALTAZ and EQUAT are stated",
+                                  "keep only the one that is the mount of the readings");
       head.is_altaz = is_altaz;
     } else if (word == "NODA") {
       head.is_without_diurnal = true;

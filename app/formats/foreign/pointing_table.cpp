@@ -30,8 +30,8 @@ class PointingParser {
   ForeignTable read() {
     head_ = readPointingHead(lines_, file_);
     if (head_.rows_from >= lines_.size())
-      throw InputError::saying(file_, "there are no observations",
-                               "add lines of 4 or 14 numbers below the record of the latitude");
+      throw InputError::problem(file_, "there are no observations",
+                                "add lines of 4 or 14 numbers below the record of the latitude");
     width_ = lines_[head_.rows_from].fields.size();
     checkKind(lines_[head_.rows_from]);
     for (std::size_t row = head_.rows_from; row < lines_.size(); ++row) addObservation(lines_[row]);
@@ -52,8 +52,8 @@ class PointingParser {
                        "sidereal time), followed by up to 3 auxiliary readings");
     is_stars_ = isOf(kStarNumbers);
     if (!is_stars_ && !head_.is_altaz.value_or(false))
-      throw InputError::saying(lineOf(file_, line), "the observation has 4 angles, but no option says ALTAZ",
-                               "write the mount (`: ALTAZ`) above the latitude, or give stars (14 numbers)");
+      throw InputError::problem(lineOf(file_, line), "the observation has 4 angles, but no option says ALTAZ",
+                                "write the mount (`: ALTAZ`) above the latitude, or give stars (14 numbers)");
     refuseSidereal(line);
   }
 
@@ -115,9 +115,9 @@ class PointingParser {
 
   void addRow(const PointingLine& line, const SkyDirection& seen, double first, double second) {
     if (seen.altitude < 0)
-      throw InputError::saying(lineOf(file_, line),
-                               fmt::format("the direction is {:.2f} deg below the horizon", -seen.altitude),
-                               "check the latitude's sign, the sidereal time and the order of the numbers");
+      throw InputError::problem(lineOf(file_, line),
+                                fmt::format("the direction is {:.2f} deg below the horizon", -seen.altitude),
+                                "check the latitude's sign, the sidereal time and the order of the numbers");
     const auto text = [](double degrees) { return fmt::format("{:.7f}", degrees); };
     table_.rows.push_back(
         {line.number, {"direction", text(seen.azimuth), text(seen.altitude), text(first), text(second)}});

@@ -40,7 +40,7 @@ void take(const std::string& assumption, bool is_sigma_settled, MeasurementTable
   if (is_sigma_settled && !kind->settles_sigma) correction->change_sigma = nullptr;
   correction->apply(table.measurements);
   if (table.measurements.empty())
-    throw InputError::saying("--assume", inQuotes(assumption) + " leaves no readings", "leave out fewer readings");
+    throw InputError::problem("--assume", inQuotes(assumption) + " leaves no readings", "leave out fewer readings");
   if (correction->frees_base) cell.base_known = false;
 }
 

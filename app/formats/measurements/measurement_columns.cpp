@@ -39,8 +39,8 @@ class Header {
       const std::string name = quantity + "_" + unit;
       const auto index = take(name);
       if (index && found)
-        failSaying(fmt::format("the header has both columns {} and {}", inQuotes(found->name), inQuotes(name)),
-                   "remove one of them");
+        failWithProblem(fmt::format("the header has both columns {} and {}", inQuotes(found->name), inQuotes(name)),
+                        "remove one of them");
       if (index) found = NumberColumn{*index, findUnit(kind, unit), name};
     }
     if (!found) refuseOtherUnit(quantity, kind);
@@ -68,8 +68,8 @@ class Header {
       const std::string& name = table_.columns[i];
       if (taken_.contains(i)) continue;
       const std::string advice = suggestion(name, known_);
-      failSaying("a measurement table has no column " + inQuotes(name),
-                 advice.empty() ? "remove or rename it" : advice);
+      failWithProblem("a measurement table has no column " + inQuotes(name),
+                      advice.empty() ? "remove or rename it" : advice);
     }
   }
 
@@ -77,8 +77,8 @@ class Header {
     throw InputError(fmt::format("{}:{}", file_, table_.header_line), found, expected, advice);
   }
 
-  [[noreturn]] void failSaying(const std::string& what, const std::string& advice) const {
-    throw InputError::saying(fmt::format("{}:{}", file_, table_.header_line), what, advice);
+  [[noreturn]] void failWithProblem(const std::string& what, const std::string& advice) const {
+    throw InputError::problem(fmt::format("{}:{}", file_, table_.header_line), what, advice);
   }
 
  private:
@@ -87,9 +87,9 @@ class Header {
     for (std::size_t i = 0; i < table_.columns.size(); ++i)
       if (!taken_.contains(i)) left.push_back(table_.columns[i]);
     const std::string near = suggestion(name, left);
-    failSaying("there is no column " + inQuotes(name),
-               near.empty() ? std::string("add it to the header, or ") + kReadForeign
-                            : "did you mean the column " + near.substr(near.find('\'')) + " If so, rename it");
+    failWithProblem("there is no column " + inQuotes(name),
+                    near.empty() ? std::string("add it to the header, or ") + kReadForeign
+                                 : "did you mean the column " + near.substr(near.find('\'')) + " If so, rename it");
   }
 
   void refuseOtherUnit(const std::string& quantity, UnitKind kind) const {

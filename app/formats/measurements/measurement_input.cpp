@@ -69,9 +69,9 @@ void settleCounts(std::vector<Measurement>& measurements, const Cell& cell, cons
   const auto first = std::find_if(measurements.begin(), measurements.end(), counts);
   if (first == measurements.end()) return;
   if (!cell.tool)
-    throw InputError::saying(fmt::format("{}:{}", file, first->line),
-                             "the reading counts steps, but the cell has no calibration tool",
-                             "add `calibration_tool` with its steps and tolerances to " + cell.path);
+    throw InputError::problem(fmt::format("{}:{}", file, first->line),
+                              "the reading counts steps, but the cell has no calibration tool",
+                              "add `calibration_tool` with its steps and tolerances to " + cell.path);
   settleSteps(measurements, cell, file, takes_none);
 }
 
@@ -81,7 +81,7 @@ void stateTurnSigma(Measurement& measurement, const std::string& file, const Cel
   const auto& kind = kindOf(measurement);
   if (kind.turn_rows == 0) return;
   if (!std::isfinite(measurement.turn_sigma))
-    throw InputError::saying(
+    throw InputError::problem(
         fmt::format("{}:{}", file, measurement.line),
         fmt::format("the reading of kind {} has no turn_sigma, which states the noise of its angles", kind.name),
         fmt::format("add a column turn_sigma_{}", cell.units.angle().name));
@@ -104,9 +104,9 @@ void stateSigma(std::vector<Measurement>& measurements, const Cell& cell, const 
     else if (isTouch(measurement) && cell.tool)
       measurement.sigma = touchSigmaOf(*cell.tool);
     else
-      throw InputError::saying(fmt::format("{}:{}", file, measurement.line),
-                               "the reading has no sigma, which states its noise",
-                               fmt::format("add a column sigma_{} or --sigma", cell.units.length().name));
+      throw InputError::problem(fmt::format("{}:{}", file, measurement.line),
+                                "the reading has no sigma, which states its noise",
+                                fmt::format("add a column sigma_{} or --sigma", cell.units.length().name));
   }
 }
 
@@ -115,9 +115,9 @@ void requireDefinedFormulas(const std::vector<Measurement>& measurements, const 
     const auto posture = calibration::postureOf(measurement, cell.arm, cell.X_WB);
     const auto undefined = deflection::findUndefinedFormula(cell.arm, posture);
     if (!undefined.empty())
-      throw InputError::saying(fmt::format("{}:{} (reading {})", file, measurement.line, measurement.id),
-                               "the formula " + undefined,
-                               "change the formula in " + cell.path + ", so that its value is finite at every reading");
+      throw InputError::problem(
+          fmt::format("{}:{} (reading {})", file, measurement.line, measurement.id), "the formula " + undefined,
+          "change the formula in " + cell.path + ", so that its value is finite at every reading");
   }
 }
 
@@ -206,9 +206,9 @@ MeasurementTable tableOfAll(const MeasurementFiles& files, const Cell& cell, con
     MeasurementTable table = tableOf(readTextFile(file), file, cell, options, all.measurements);
     for (const auto& measurement : table.measurements)
       if (!ids.insert(measurement.id).second)
-        throw InputError::saying(fmt::format("{}:{} (id)", file, measurement.line),
-                                 "an earlier reading already has the id " + inQuotes(measurement.id),
-                                 "give each reading an id of its own across all files");
+        throw InputError::problem(fmt::format("{}:{} (id)", file, measurement.line),
+                                  "an earlier reading already has the id " + inQuotes(measurement.id),
+                                  "give each reading an id of its own across all files");
     if (!all.measurements.empty())
       table.measurements.insert(table.measurements.begin(), all.measurements.begin(), all.measurements.end());
     all = std::move(table);
@@ -264,7 +264,7 @@ InputError inputErrorOf(const calibration::MeasurementProblem& problem, const st
       problem.measurement < 0
           ? file
           : fmt::format("{}:{}", file, measurements.at(static_cast<std::size_t>(problem.measurement)).line);
-  return InputError::saying(where, problem.what, problem.advice);
+  return InputError::problem(where, problem.what, problem.advice);
 }
 
 std::vector<std::string> fitWarnings(const Identification& result, const std::vector<Measurement>& measurements) {
@@ -282,9 +282,9 @@ InputError refusalOf(const std::optional<calibration::MeasurementProblem>& probl
                      const CellMeasurements& input) {
   if (problem) return inputErrorOf(*problem, input.measurements, input.file);
   if (input.cell.base_known && freeNumbersOf(input.cell).names.empty())
-    return InputError::saying(input.cell.path, "there is no free parameter",
-                              "write base: {known: false} to find the base, or add a list `identify`");
-  return InputError::saying(input.file, reason, "check that the readings determine the free parameters");
+    return InputError::problem(input.cell.path, "there is no free parameter",
+                               "write base: {known: false} to find the base, or add a list `identify`");
+  return InputError::problem(input.file, reason, "check that the readings determine the free parameters");
 }
 
 }  // namespace tubeplan::app

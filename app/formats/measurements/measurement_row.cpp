@@ -93,7 +93,7 @@ std::optional<int> readRowOfArm(const RowReader& row, const MeasurementColumns& 
   const std::string name = row.textOr(columns.row);
   if (name.empty()) return std::nullopt;
   if (!kind.may_be_of_row)
-    row.failSaying(
+    row.failWithProblem(
         *columns.row,
         fmt::format("a reading of kind {} cannot be of row {}: only readings of kind {} can name a row of the arm",
                     kind.name, inQuotes(name), fmt::join(calibration::kindNamesOfRows(), ", ")),
@@ -218,12 +218,12 @@ void RowReader::fail(std::size_t column, const std::string& found, const std::st
   throw InputError(fmt::format("{}:{} (column {})", file_, row_.line, table_.columns[column]), found, expected, advice);
 }
 
-void RowReader::failSaying(std::size_t column, const std::string& what, const std::string& advice) const {
-  throw InputError::saying(fmt::format("{}:{} (column {})", file_, row_.line, table_.columns[column]), what, advice);
+void RowReader::failWithProblem(std::size_t column, const std::string& what, const std::string& advice) const {
+  throw InputError::problem(fmt::format("{}:{} (column {})", file_, row_.line, table_.columns[column]), what, advice);
 }
 
 void RowReader::failRow(const std::string& what, const std::string& advice) const {
-  throw InputError::saying(fmt::format("{}:{}", file_, row_.line), what, advice);
+  throw InputError::problem(fmt::format("{}:{}", file_, row_.line), what, advice);
 }
 
 Measurement readMeasurement(const RowReader& row, const MeasurementColumns& columns, const deflection::Arm& arm,
@@ -272,8 +272,8 @@ std::shared_ptr<const Measurement> readReference(const RowReader& row, const Mea
              "the id of another reading");
   const Measurement& other = *found->second;
   if (other.setup != m.setup)
-    row.failSaying(*columns.from, fmt::format("the reading {} is of another set-up", inQuotes(id)),
-                   "name a reading of the same set-up");
+    row.failWithProblem(*columns.from, fmt::format("the reading {} is of another set-up", inQuotes(id)),
+                        "name a reading of the same set-up");
   auto reference = std::make_shared<Measurement>(other);
   reference->reference = nullptr;
   return reference;

@@ -31,8 +31,8 @@ class RowReader {
   [[noreturn]] void fail(std::size_t column, const std::string& found, const std::string& expected,
                          const std::string& advice = "") const;
 
-  /// Throw InputError::saying(), located at a column of the row or, for failRow(), at the whole row.
-  [[noreturn]] void failSaying(std::size_t column, const std::string& what, const std::string& advice = "") const;
+  /// Throw InputError::problem(), located at a column of the row or, for failRow(), at the whole row.
+  [[noreturn]] void failWithProblem(std::size_t column, const std::string& what, const std::string& advice = "") const;
   [[noreturn]] void failRow(const std::string& what, const std::string& advice = "") const;
 
   [[nodiscard]] int line() const { return row_.line; }

@@ -112,7 +112,7 @@ void requireFilledIn(const tubesheets::CsvTable& table, const MeasurementColumns
   const std::string what = fmt::format("{}", fmt::join(wanted, ", "));
   const auto values = calibration::valueColumnsOf(*kind);
   const bool is_some = !values.has_place && values.least < static_cast<int>(values.numbers.size());
-  throw InputError::saying(
+  throw InputError::problem(
       fmt::format("{}:{}", file, blank.front()->line),
       blank.size() == 1 ? fmt::format("the reading of kind {} does not state {}", kind->name, valuesOf(*kind))
                         : fmt::format("{} readings are not filled in: {}", blank.size(), fmt::join(named, ", ")),
@@ -132,7 +132,7 @@ void shareGivenNumbers(std::vector<Measurement>& measurements, const std::string
     if (!touchesSurface(measurement) || std::isnan(measurement.own[0])) continue;
     const auto [first, is_new] = stated.emplace(placeOf(measurement), &measurement);
     if (!is_new && measurement.own[0] != first->second->own[0])
-      throw InputError::saying(
+      throw InputError::problem(
           fmt::format("{}:{}", file, measurement.line),
           fmt::format("the {} of the {} differs from that in line {}", kindOf(measurement).columns.front().name,
                       placeOf(measurement), first->second->line),
@@ -198,7 +198,7 @@ MeasurementTable parseMeasurementTable(const std::string& text, const std::strin
   if (table.problem) refuseText(file, *table.problem);
   const MeasurementColumns columns = findColumns(table, file, arm);
   if (table.rows.empty())
-    throw InputError::saying(file, "there are no readings below the header", "write a row for each reading");
+    throw InputError::problem(file, "there are no readings below the header", "write a row for each reading");
   requireFilledIn(table, columns, file);
   MeasurementTable read;
   read.units = unitsOf(columns);
@@ -211,9 +211,9 @@ MeasurementTable parseMeasurementTable(const std::string& text, const std::strin
     out.push_back(readMeasurement(reader, columns, arm, sheet));
     const auto [first, is_new] = index.emplace(out.back().id, out.size() - 1);
     if (!is_new)
-      reader.failSaying(columns.id,
-                        fmt::format("line {} already has the id {}", out[first->second].line, inQuotes(out.back().id)),
-                        "give each reading an id of its own");
+      reader.failWithProblem(
+          columns.id, fmt::format("line {} already has the id {}", out[first->second].line, inQuotes(out.back().id)),
+          "give each reading an id of its own");
   }
   shareGivenNumbers(out, file);
   std::map<std::string, const Measurement*> known;

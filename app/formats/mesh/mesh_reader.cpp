@@ -49,17 +49,17 @@ std::string bytesOf(const std::string& path) {
   const auto status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found)
     throw MissingFile(
-        InputError::saying(path, "no such file", "check the name, which is relative to the cell's folder"));
+        InputError::problem(path, "no such file", "check the name, which is relative to the cell's folder"));
   if (!fs::is_regular_file(status))
-    throw InputError::saying(path, "this is not a regular file", "give the file of a mesh");
+    throw InputError::problem(path, "this is not a regular file", "give the file of a mesh");
   if (fs::file_size(path, error) > kLargestMesh)
     throw InputError(path, "more than 256 MB", "a mesh of at most 256 MB", "export a coarser mesh");
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
-    throw InputError::saying(path, fmt::format("the file cannot be read ({})", std::strerror(errno)),
-                             "check its permissions");
+    throw InputError::problem(path, fmt::format("the file cannot be read ({})", std::strerror(errno)),
+                              "check its permissions");
   std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (bytes.empty()) throw InputError::saying(path, "the file is empty", "check that it was written");
+  if (bytes.empty()) throw InputError::problem(path, "the file is empty", "check that it was written");
   return bytes;
 }
 
@@ -97,12 +97,12 @@ planner::TriangleMesh trianglesOf(PolygonMesh&& polygons, const std::string& pat
     const std::span corners(polygons.corners.data() + begin, polygons.corners.data() + polygons.end[face]);
     begin = polygons.end[face];
     if (std::ranges::any_of(corners, [&](int k) { return k >= std::ssize(mesh.vertices); }))
-      throw InputError::saying(
+      throw InputError::problem(
           path, fmt::format("a corner of face {} is not one of the {} vertices", face + 1, mesh.vertices.size()),
           "export the part again");
     const auto triangles = trianglesOf(mesh.vertices, corners);
     if (triangles.empty())
-      throw InputError::saying(
+      throw InputError::problem(
           path, fmt::format("a face of {} corners cannot be divided into triangles unambiguously", corners.size()),
           "export the part as triangles");
     mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
@@ -118,7 +118,7 @@ MeshFile readMeshFile(const std::string& path) {
   noteInput(path, bytes);
   MeshFile file{trianglesOf(kind.parse(bytes, path), path), fingerprintOf(bytes)};
   if (const std::string problem = planner::findMeshProblem(file.mesh); !problem.empty())
-    throw InputError::saying(path, problem, "export the part again, as triangles of finite size");
+    throw InputError::problem(path, problem, "export the part again, as triangles of finite size");
   return file;
 }
 

@@ -33,7 +33,7 @@ PolygonMesh parseObj(const std::string& bytes, const std::string& name) {
     } else if (word == "f") {
       readFace(words, mesh);
     } else if (word == "surf") {
-      words.failSaying("free-form surfaces (surf) are not supported, only faces");
+      words.failWithProblem("free-form surfaces (surf) are not supported, only faces");
     }
   }
   return mesh;

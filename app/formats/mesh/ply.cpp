@@ -109,7 +109,7 @@ PlyHeader readHeader(TextWords& words) {
     } else if (word == "element") {
       header.elements.push_back(readElement(words));
     } else if (word == "property") {
-      if (header.elements.empty()) words.failSaying("the property occurs before any element");
+      if (header.elements.empty()) words.failWithProblem("the property occurs before any element");
       header.elements.back().properties.push_back(readProperty(words));
     } else if (word != "comment" && word != "obj_info") {
       words.fail(word, "element, property, comment or end_header");
@@ -147,8 +147,8 @@ class PlyNumbers {
 
   double nextBytes(const NumberType& type) {
     if (bytes_.size() - at_ < type.size)
-      throw InputError::saying(name_, "the file ends before the last of the elements that its header announces",
-                               "export the part again");
+      throw InputError::problem(name_, "the file ends before the last of the elements that its header announces",
+                                "export the part again");
     char number[8];
     std::memcpy(number, bytes_.data() + at_, type.size);
     if ((encoding_ == PlyEncoding::kBigEndian) != (std::endian::native == std::endian::big))
@@ -184,7 +184,7 @@ bool areCorners(const PlyProperty& property) {
 
 void requireOnce(const PlyElement& element, const std::string& name, std::string_view what, auto is_it) {
   if (const auto times = std::ranges::count_if(element.properties, is_it); times != 1)
-    throw InputError::saying(
+    throw InputError::problem(
         name, fmt::format("the element {} has the property {} {} times, not once", element.name, what, times),
         "export the part again");
 }
@@ -212,8 +212,8 @@ void readFaces(const PlyElement& element, PlyNumbers& numbers, const std::string
         mesh.corners.push_back(numbers.nextIndex(*property.value));
     }
     if (!mesh.endFace())
-      throw InputError::saying(name, fmt::format("face {} has fewer than three corners", k + 1),
-                               "export the part again");
+      throw InputError::problem(name, fmt::format("face {} has fewer than three corners", k + 1),
+                                "export the part again");
   }
 }
 

@@ -37,7 +37,7 @@ bool isText(const std::string& bytes) {
 PolygonMesh parseBinary(const std::string& bytes, const std::string& name) {
   const std::size_t count = bytes.size() < kHeader ? 0 : triangleCount(bytes);
   if (bytes.size() < kHeader || (bytes.size() - kHeader) / kTriangle < count)
-    throw InputError::saying(
+    throw InputError::problem(
         name,
         fmt::format("this is neither an ASCII STL file (starting with 'solid') nor a complete binary one: it has {} "
                     "bytes, but {} triangles need {} bytes",
@@ -65,7 +65,7 @@ void readVertex(TextWords& words, PolygonMesh& mesh) {
 
 void endTriangle(const TextWords& words, PolygonMesh& mesh) {
   const bool is_whole = mesh.endFace() && mesh.corners.size() == 3 * mesh.end.size();
-  if (!is_whole) words.failSaying("this endfacet does not follow three vertices");
+  if (!is_whole) words.failWithProblem("this endfacet does not follow three vertices");
 }
 
 /// Parses a text file. The name of a solid extends to the end of its line. Each solid must have an `endsolid`, because
@@ -84,13 +84,13 @@ PolygonMesh parseText(const std::string& bytes, const std::string& name) {
       endTriangle(words, mesh);
     } else if (word == "facet") {
       if (lowerCase(words.nextInLine()) != "normal")
-        words.failSaying("this facet is not followed by 'normal' and three numbers");
+        words.failWithProblem("this facet is not followed by 'normal' and three numbers");
       for (int k = 0; k < 3; ++k) (void)words.nextInLine();
     } else if (word != "outer" && word != "loop" && word != "endloop") {
       words.fail(word, "facet, outer loop, vertex, endloop, endfacet or endsolid");
     }
   }
-  if (is_open || mesh.corners.size() != 3 * mesh.end.size()) words.failSaying("the file ends before endsolid");
+  if (is_open || mesh.corners.size() != 3 * mesh.end.size()) words.failWithProblem("the file ends before endsolid");
   return mesh;
 }
 

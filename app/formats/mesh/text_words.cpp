@@ -74,7 +74,9 @@ void TextWords::fail(std::string_view found, const std::string& expected) const 
   throw InputError(where(), found.empty() ? end : inQuotes(found), expected, kExportAgain);
 }
 
-void TextWords::failSaying(const std::string& what) const { throw InputError::saying(where(), what, kExportAgain); }
+void TextWords::failWithProblem(const std::string& what) const {
+  throw InputError::problem(where(), what, kExportAgain);
+}
 
 std::string TextWords::where() const { return fmt::format("{}:{}", name_, line_); }
 

@@ -27,8 +27,8 @@ class TextWords {
 
   /// Throws InputError at the current line; an empty `found` means the end of the line or of the file.
   [[noreturn]] void fail(std::string_view found, const std::string& expected) const;
-  /// Throws InputError::saying() at the current line.
-  [[noreturn]] void failSaying(const std::string& what) const;
+  /// Throws InputError::problem() at the current line.
+  [[noreturn]] void failWithProblem(const std::string& what) const;
 
  private:
   [[nodiscard]] std::string where() const;

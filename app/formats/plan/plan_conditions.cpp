@@ -17,8 +17,8 @@ std::optional<Eigen::VectorXd> postureOf(const std::string& text, const std::str
   if (text.empty()) return std::nullopt;
   if (text != "park") return parseJoints(text, cell.arm, cell.units, option);
   if (!cell.park)
-    throw InputError::saying(cell.path, "there is no key 'park', the park posture that " + option + " asks for",
-                             "add park: [...], one reading for each joint, or write the readings after " + option);
+    throw InputError::problem(cell.path, "there is no key 'park', the park posture that " + option + " asks for",
+                              "add park: [...], one reading for each joint, or write the readings after " + option);
   return cell.park;
 }
 
@@ -35,8 +35,8 @@ std::optional<int> startTubeOf(const ConditionsRequest& request, const tubesheet
   const auto name = tubesheets::parseTubeName(request.start);
   if (!name) return std::nullopt;
   if (const auto tube = sheet.indexOf(name->row, name->column)) return tube;
-  throw InputError::saying("--start", fmt::format("{} is not on this sheet", inQuotes(request.start)),
-                           "name the tube at which the arm is, or write its joint readings, --start=A,B,...");
+  throw InputError::problem("--start", fmt::format("{} is not on this sheet", inQuotes(request.start)),
+                            "name the tube at which the arm is, or write its joint readings, --start=A,B,...");
 }
 
 planner::VisitConditions conditionsOf(const ConditionsRequest& request, const Cell& cell,

@@ -107,7 +107,7 @@ tubesheets::Sheet readMappedSheet(const YamlNode& node, const Units& units, cons
   auto map = std::make_shared<tubesheets::HoleMap>(tubesheets::parseHoleMap(readTextFile(path)));
   if (map->problem) refuseText(path, *map->problem);
   if (map->leg && *map->leg != description.leg)
-    node.at("leg").failSaying(
+    node.at("leg").failWithProblem(
         fmt::format("the leg is {}, but the map is of the {} leg", legName(description.leg), legName(*map->leg)),
         "check which map belongs to this cell");
   tubesheets::Sheet sheet = tubesheets::makeSheet(description, map->tubes);

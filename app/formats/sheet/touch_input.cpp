@@ -23,9 +23,9 @@ using calibration::Measurement;
 double sigmaOf(const Measurement& measurement, const Cell& cell, const std::string& file) {
   if (std::isfinite(measurement.sigma)) return measurement.sigma;
   if (cell.tool) return touchSigmaOf(*cell.tool);
-  throw InputError::saying(fmt::format("{}:{}", file, measurement.line),
-                           "the touch has no sigma, which states its centring noise",
-                           "add a column sigma_" + std::string(cell.units.length().name));
+  throw InputError::problem(fmt::format("{}:{}", file, measurement.line),
+                            "the touch has no sigma, which states its centring noise",
+                            "add a column sigma_" + std::string(cell.units.length().name));
 }
 
 /// Throws InputError if a touch states the name of one hole and the position of another.
@@ -33,9 +33,9 @@ void requireNamedHole(const Measurement& measurement, const Cell& cell, const st
   const auto name = tubesheets::parseTubeName(measurement.point);
   const auto* tube = name && cell.sheet ? cell.sheet->find(name->row, name->column) : nullptr;
   if (!tube || (*measurement.p_W - planner::holeCentre(*tube)).norm() < cell.sheet->pitch / 4) return;
-  throw InputError::saying(fmt::format("{}:{}", file, measurement.line),
-                           "the coordinates are not those of hole " + measurement.point + " on the sheet",
-                           "correct the name or the coordinates");
+  throw InputError::problem(fmt::format("{}:{}", file, measurement.line),
+                            "the coordinates are not those of hole " + measurement.point + " on the sheet",
+                            "correct the name or the coordinates");
 }
 
 void requireOneSetup(const std::vector<Measurement>& measurements, const std::string& file, const std::string& setup) {
@@ -45,11 +45,11 @@ void requireOneSetup(const std::vector<Measurement>& measurements, const std::st
   if (!setup.empty() && !setups.contains(setup)) {
     std::vector<std::string> known;
     for (const auto& name : setups) known.push_back(inQuotes(name));
-    throw InputError::saying("--setup", file + " has no touch of the set-up " + inQuotes(setup),
-                             known.empty() ? "" : fmt::format("its set-ups are {}", fmt::join(known, ", ")));
+    throw InputError::problem("--setup", file + " has no touch of the set-up " + inQuotes(setup),
+                              known.empty() ? "" : fmt::format("its set-ups are {}", fmt::join(known, ", ")));
   }
   if (setup.empty() && setups.size() > 1)
-    throw InputError::saying(
+    throw InputError::problem(
         file, fmt::format("the touches come from {} set-ups, each with its own base pose", setups.size()),
         "choose one set-up with --setup");
 }
@@ -85,14 +85,14 @@ std::vector<Measurement> touchesOf(const std::vector<Measurement>& measurements,
     touches.back().sigma = sigmaOf(measurement, cell, file);
   }
   if (touches.empty())
-    throw InputError::saying(file, "no reading is a touch of a known hole",
-                             "add rows of kind touch with a hole's name (R10C20) or x, y, z");
+    throw InputError::problem(file, "no reading is a touch of a known hole",
+                              "add rows of kind touch with a hole's name (R10C20) or x, y, z");
   return touches;
 }
 
 std::vector<calibration::TouchPlan> requireTouches(BestTouches touches) {
   if (!touches.reason.empty())
-    throw InputError::saying("--touches auto", touches.reason, "check base, scene and joint limits of the cell");
+    throw InputError::problem("--touches auto", touches.reason, "check base, scene and joint limits of the cell");
   return std::move(touches.plans);
 }
 
@@ -107,13 +107,13 @@ std::vector<Measurement> touchesByTrueArm(const planner::Workcell& model, const 
   options.seed = seed;
   auto simulation = calibration::simulateTouches(truth.arm, truth.X_WB, plans, options);
   if (simulation.status != calibration::TouchSimulationStatus::kDone)
-    throw InputError::saying("--touches auto", simulation.reason, "give touches in a file");
+    throw InputError::problem("--touches auto", simulation.reason, "give touches in a file");
   return std::move(simulation.touches);
 }
 
 void requireEnoughTouches(const std::vector<Measurement>& touches, const std::string& file) {
   if (const auto problem = calibration::findTouchProblem(touches); !problem.empty())
-    throw InputError::saying(file, problem, "touch three or more different holes, well spread");
+    throw InputError::problem(file, problem, "touch three or more different holes, well spread");
 }
 
 std::string touchesCsv(const std::vector<Measurement>& touches, const Cell& cell) {

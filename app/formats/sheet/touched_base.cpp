@@ -39,8 +39,8 @@ void readTouched(const YamlNode& node, Cell& cell) {
   for (const auto& touch : cell.placed_by->touches)
     if (!touchesKnownPoint(touch))
       node.at("readings")
-          .failSaying(fmt::format("reading {} is not a touch of a known place", inQuotes(touch.id)),
-                      "list only touches that placed the base");
+          .failWithProblem(fmt::format("reading {} is not a touch of a known place", inQuotes(touch.id)),
+                           "list only touches that placed the base");
   const YamlNode *names = node.find("numbers"), *values = node.find("values");
   if (!names && !values) return;
   const auto& list = node.at("numbers").list();

@@ -44,11 +44,11 @@ std::vector<std::string> namesOfKind(const XMLElement& robot, const char* kind, 
   for (const XMLElement* one : childrenOf(robot, kind)) {
     const std::string name = attributeOf(one, "name");
     if (name.empty())
-      throw InputError::saying(fmt::format("{}:{}", file, one->GetLineNum()), fmt::format("the {} has no name", kind),
-                               fmt::format("write <{} name=\"...\">", kind));
+      throw InputError::problem(fmt::format("{}:{}", file, one->GetLineNum()), fmt::format("the {} has no name", kind),
+                                fmt::format("write <{} name=\"...\">", kind));
     if (!seen.insert(name).second)
-      throw InputError::saying(placeOf(*one, file), fmt::format("there is a second {} {}", kind, inQuotes(name)),
-                               "give each a name of its own");
+      throw InputError::problem(placeOf(*one, file), fmt::format("there is a second {} {}", kind, inQuotes(name)),
+                                "give each a name of its own");
     names.push_back(name);
   }
   return names;
@@ -62,8 +62,8 @@ void checkJointWords(const XMLElement& joint, const std::string& file) {
                      alternatives(kTypes), suggestion(type, kTypes));
   for (const char* end : {"parent", "child"})
     if (attributeOf(joint.FirstChildElement(end), "link").empty())
-      throw InputError::saying(placeOf(joint, file), fmt::format("the joint has no {} link", end),
-                               fmt::format("write <{} link=\"...\"/>", end));
+      throw InputError::problem(placeOf(joint, file), fmt::format("the joint has no {} link", end),
+                                fmt::format("write <{} link=\"...\"/>", end));
 }
 
 [[noreturn]] void refuseAsXacro(const XMLElement& element, const char* found, const std::string& file) {
@@ -82,11 +82,11 @@ void refuseXacro(const XMLElement& element, const std::string& file) {
 void checkRobot(const XMLElement& robot, const std::string& file) {
   const std::string where = fmt::format("{}:{}", file, robot.GetLineNum());
   if (attributeOf(&robot, "name").empty())
-    throw InputError::saying(where, "the robot has no name", "write <robot name=\"...\">");
+    throw InputError::problem(where, "the robot has no name", "write <robot name=\"...\">");
   if (const char* version = robot.Attribute("version"); version && std::string_view(version) != "1.0")
     throw InputError(where, "URDF version " + inQuotes(version), "1.0", "convert the file to URDF 1.0");
   if (!robot.FirstChildElement("link"))
-    throw InputError::saying(file, "the robot has no links", "check that the file describes links and joints");
+    throw InputError::problem(file, "the robot has no links", "check that the file describes links and joints");
 }
 
 /// Throws InputError unless the links form a tree: one root, and exactly one joint to a parent for every other link.
@@ -97,11 +97,11 @@ void checkTree(XMLElement& robot, const std::vector<std::string>& links, const s
     const std::string name = attributeOf(joint, "name"), child = linkNamedBy(*joint, "child");
     for (const auto& link : {linkNamedBy(*joint, "parent"), child})
       if (!known.contains(link))
-        throw InputError::saying(placeOf(*joint, file),
-                                 fmt::format("the robot has no link {}, which this joint names", inQuotes(link)),
-                                 suggestion(link, links));
+        throw InputError::problem(placeOf(*joint, file),
+                                  fmt::format("the robot has no link {}, which this joint names", inQuotes(link)),
+                                  suggestion(link, links));
     if (const auto [first, is_new] = carrier.emplace(child, name); !is_new)
-      throw InputError::saying(
+      throw InputError::problem(
           placeOf(*joint, file),
           fmt::format("the link {} is also the child of the joint {}", inQuotes(child), inQuotes(first->second)),
           "make each link the child of one joint: closed chains are not supported");
@@ -110,10 +110,10 @@ void checkTree(XMLElement& robot, const std::vector<std::string>& links, const s
   for (const auto& link : links)
     if (!carrier.contains(link)) roots.push_back(link);
   if (roots.empty())
-    throw InputError::saying(file, "the links form a closed loop: each is the child of a joint",
-                             "arrange the links as a tree with one root");
+    throw InputError::problem(file, "the links form a closed loop: each is the child of a joint",
+                              "arrange the links as a tree with one root");
   if (roots.size() > 1)
-    throw InputError::saying(
+    throw InputError::problem(
         file, fmt::format("{} links are not the child of any joint: {}", roots.size(), fmt::join(roots, ", ")),
         "only the root may have no parent joint");
 }
@@ -122,11 +122,11 @@ void checkTree(XMLElement& robot, const std::vector<std::string>& links, const s
 
 XMLElement& readUrdfDocument(const std::string& text, const std::string& file, tinyxml2::XMLDocument& document) {
   if (document.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS)
-    throw InputError::saying(fmt::format("{}:{}", file, std::max(1, document.ErrorLineNum())),
-                             text.find("<robot") == std::string::npos
-                                 ? "the file is not XML, the format of a URDF robot"
-                                 : "the XML of the robot breaks off here, or its tags do not match",
-                             "check the file up to this line");
+    throw InputError::problem(fmt::format("{}:{}", file, std::max(1, document.ErrorLineNum())),
+                              text.find("<robot") == std::string::npos
+                                  ? "the file is not XML, the format of a URDF robot"
+                                  : "the XML of the robot breaks off here, or its tags do not match",
+                              "check the file up to this line");
   XMLElement* robot = document.FirstChildElement("robot");
   const XMLElement* root = document.FirstChildElement();
   if (!robot)

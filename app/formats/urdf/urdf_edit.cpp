@@ -84,8 +84,8 @@ void requireSameRows(const Arm& in_file, const Arm& arm, const std::string& file
     if (isSameRow(in_file.rows[k], arm.rows[k])) continue;
     const std::string where = fmt::format("{} (row {})", file, k + 1), found = inWords(in_file.rows[k]);
     if (found == inWords(arm.rows[k]))
-      throw InputError::saying(where, found + " does not move as in the arm: its type or the joints it follows differ",
-                               advice);
+      throw InputError::problem(where, found + " does not move as in the arm: its type or the joints it follows differ",
+                                advice);
     throw InputError(where, found, inWords(arm.rows[k]), advice);
   }
   if (in_file.rows.size() != arm.rows.size())
@@ -232,9 +232,9 @@ class UrdfEditor {
   }
 
   [[noreturn]] void refuse(const std::string& joint) const {
-    throw InputError::saying(fmt::format("{} (joint {})", file_, nameInLine(joint)),
-                             "the XML of this joint cannot be changed in place",
-                             "write it as plain elements and attributes, or export without --into");
+    throw InputError::problem(fmt::format("{} (joint {})", file_, nameInLine(joint)),
+                              "the XML of this joint cannot be changed in place",
+                              "write it as plain elements and attributes, or export without --into");
   }
 
   /// Reads the new text and throws InputError unless every frame has the pose of the arm's frame.

@@ -33,8 +33,8 @@ std::string attributeOf(const XMLElement* element, const char* name) {
 std::string requiredText(const XMLElement* element, const char* attribute, const std::string& where) {
   std::string text = attributeOf(element, attribute);
   if (text.empty())
-    throw InputError::saying(where, fmt::format("the element {} has no {}", element->Name(), attribute),
-                             fmt::format("write <{} {}=\"...\"/>", element->Name(), attribute));
+    throw InputError::problem(where, fmt::format("the element {} has no {}", element->Name(), attribute),
+                              fmt::format("write <{} {}=\"...\"/>", element->Name(), attribute));
   return text;
 }
 

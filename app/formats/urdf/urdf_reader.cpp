@@ -44,8 +44,8 @@ class ChainReader {
     last_moving_ = links_.size();
     while (last_moving_ > 0 && !isMoving(*links_[last_moving_ - 1]->joint)) --last_moving_;
     if (last_moving_ == 0)
-      throw TipError(InputError::saying(file_, "there is no moving joint between the root and " + inQuotes(tip.name),
-                                        "select another link with --tip"));
+      throw TipError(InputError::problem(file_, "there is no moving joint between the root and " + inQuotes(tip.name),
+                                         "select another link with --tip"));
   }
 
   UrdfArm read() {
@@ -154,12 +154,12 @@ class ChainReader {
                found.offset + found.ratio * mimic.offset};
       if (leader == links_.end())
         throw TipError(
-            InputError::saying(at(from),
-                               fmt::format("the joint mimics {}, which is not in the chain from the base to the tip",
-                                           inQuotes(mimic.joint)),
-                               "choose a tip whose chain contains both joints, or remove the mimic"));
+            InputError::problem(at(from),
+                                fmt::format("the joint mimics {}, which is not in the chain from the base to the tip",
+                                            inQuotes(mimic.joint)),
+                                "choose a tip whose chain contains both joints, or remove the mimic"));
       if (found.leader >= last_moving_ || steps > links_.size())
-        throw InputError::saying(
+        throw InputError::problem(
             at(from),
             fmt::format("the joint mimics {}, which is not a moving joint with a reading of its own",
                         inQuotes(mimic.joint)),
@@ -176,9 +176,9 @@ class ChainReader {
     auto& joint = out_.arm.rows[k].joint;
     const Following following = followingOf(from);
     if (joint.type != JointType::kRevolute || !isTurning(*links_[following.leader]->joint))
-      throw InputError::saying(at(from),
-                               fmt::format("the joint mimics {}, but only turning joints can follow one another",
-                                           inQuotes(from.mimic->joint)));
+      throw InputError::problem(at(from),
+                                fmt::format("the joint mimics {}, but only turning joints can follow one another",
+                                            inQuotes(from.mimic->joint)));
     joint = {.name = joint.name, .type = JointType::kPassive, .offset = following.offset};
     joint.follows = {{static_cast<int>(following.leader), following.ratio}};
   }

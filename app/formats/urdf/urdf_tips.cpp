@@ -45,8 +45,8 @@ UrdfChain chainTo(const UrdfTree& tree, const Link& tip, const std::string& file
   UrdfChain chain;
   for (const Link* link = &tip; link->joint; link = link->parent) {
     if (chain.size() == tree.links.size())
-      throw InputError::saying(file, "the links on the way to " + inQuotes(tip.name) + " form a closed loop",
-                               "arrange the links as a tree with one root");
+      throw InputError::problem(file, "the links on the way to " + inQuotes(tip.name) + " form a closed loop",
+                                "arrange the links as a tree with one root");
     chain.push_back(link);
   }
   std::ranges::reverse(chain);
@@ -61,8 +61,8 @@ const Link& findTip(const UrdfTree& tree, const std::string& name, const std::st
   for (const auto& [link_name, link] : tree.links) names.push_back(link_name);
   if (!name.empty()) {
     if (const auto link = tree.links.find(name); link != tree.links.end()) return link->second;
-    throw TipError(InputError::saying(file, "the robot has no link " + inQuotes(name),
-                                      suggestionOr(name, names, "select another link with --tip")));
+    throw TipError(InputError::problem(file, "the robot has no link " + inQuotes(name),
+                                       suggestionOr(name, names, "select another link with --tip")));
   }
   UrdfChain deepest;
   for (const auto& [link_name, link] : tree.links) {
@@ -74,9 +74,9 @@ const Link& findTip(const UrdfTree& tree, const std::string& name, const std::st
   if (deepest.size() == 1) return *deepest.front();
   std::vector<std::string> tips;
   for (const auto& link : deepest) tips.push_back(link->name);
-  throw TipError(InputError::saying(file,
-                                    fmt::format("{} links are each at the end of an equally long chain", tips.size()),
-                                    "select one with --tip: " + alternatives(tips)));
+  throw TipError(InputError::problem(file,
+                                     fmt::format("{} links are each at the end of an equally long chain", tips.size()),
+                                     "select one with --tip: " + alternatives(tips)));
 }
 
 InputChoice tipChoice(const UrdfTree& tree, const std::function<bool(const Link&)>& can_end) {

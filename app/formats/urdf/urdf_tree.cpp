@@ -146,10 +146,10 @@ class TreeReader {
       joint.mimic = {requiredText(mimic, "joint", where), numbers.number("mimic", "multiplier", "a number", 1),
                      numbers.number("mimic", "offset", "a number in rad or m", 0)};
     if (!limit && (joint.type == "revolute" || joint.type == "prismatic"))
-      throw InputError::saying(where, "the " + joint.type + " joint has no <limit>",
-                               joint.type == "revolute"
-                                   ? "add its limits; a joint that turns without end is of type continuous"
-                                   : "add its limits");
+      throw InputError::problem(where, "the " + joint.type + " joint has no <limit>",
+                                joint.type == "revolute"
+                                    ? "add its limits; a joint that turns without end is of type continuous"
+                                    : "add its limits");
     return joint;
   }
 

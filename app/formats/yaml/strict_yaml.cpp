@@ -33,12 +33,12 @@ class TreeBuilder : public YAML::EventHandler {
     refuseAnchor(mark, anchor);
     refuseTag(mark, "");
     YamlNode node = makeNode(mark, YamlNode::Kind::kNull);
-    if (expectsKey()) node.failSaying("there is no key before the colon", "write a key before the colon");
+    if (expectsKey()) node.failWithProblem("there is no key before the colon", "write a key before the colon");
     finish(std::move(node));
   }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-    makeNode(mark, YamlNode::Kind::kNull).failSaying("aliases (*) are not supported", "write the value itself");
+    makeNode(mark, YamlNode::Kind::kNull).failWithProblem("aliases (*) are not supported", "write the value itself");
   }
 
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -98,9 +98,9 @@ class TreeBuilder : public YAML::EventHandler {
     const auto first = std::find(map.keys.begin(), map.keys.end(), key);
     if (first != map.keys.end())
       makeNode(mark, YamlNode::Kind::kNull)
-          .failSaying(fmt::format("the key {} occurs a second time, after line {}", inQuotes(key),
-                                  map.items[static_cast<std::size_t>(first - map.keys.begin())].line),
-                      "remove one of them");
+          .failWithProblem(fmt::format("the key {} occurs a second time, after line {}", inQuotes(key),
+                                       map.items[static_cast<std::size_t>(first - map.keys.begin())].line),
+                           "remove one of them");
     map.keys.push_back(key);
     key_begin_ = static_cast<std::size_t>(mark.pos);
   }
@@ -110,7 +110,7 @@ class TreeBuilder : public YAML::EventHandler {
     refuseAnchor(mark, anchor);
     refuseTag(mark, tag);
     YamlNode node = makeNode(mark, kind);
-    if (expectsKey()) node.failSaying("a list or map cannot be a key", "write a word as the key");
+    if (expectsKey()) node.failWithProblem("a list or map cannot be a key", "write a word as the key");
     node.is_flow = style == YAML::EmitterStyle::Flow;
     open_.push_back(std::move(node));
   }
@@ -130,7 +130,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   void refuseAnchor(const YAML::Mark& mark, YAML::anchor_t anchor) const {
     if (anchor != 0)
-      makeNode(mark, YamlNode::Kind::kNull).failSaying("anchors (&) are not supported", "write the value alone");
+      makeNode(mark, YamlNode::Kind::kNull).failWithProblem("anchors (&) are not supported", "write the value alone");
   }
 
   // Throws InputError for a quote that is never closed; yaml-cpp would close the quote at the end of the file.
@@ -138,7 +138,7 @@ class TreeBuilder : public YAML::EventHandler {
     const auto at = static_cast<std::size_t>(mark.pos);
     const bool is_quote = text_[at] == '"' || text_[at] == '\'';  // otherwise a block scalar (| or >)
     if (is_quote && pastQuoted(text_, at) == std::string::npos)
-      makeNode(mark, YamlNode::Kind::kNull).failSaying("the quote is not closed", "write quotes in pairs");
+      makeNode(mark, YamlNode::Kind::kNull).failWithProblem("the quote is not closed", "write quotes in pairs");
   }
 
   // Throws InputError for a tag in the text. yaml-cpp reports the tag "?" for plain values, "!" for quoted values, and
@@ -148,7 +148,7 @@ class TreeBuilder : public YAML::EventHandler {
     const bool is_written = at < text_.size() && text_[at] == '!';
     if (is_written || (!tag.empty() && tag != "?" && tag != "!"))
       makeNode(mark, YamlNode::Kind::kNull)
-          .failSaying("tags such as " + inQuotes(tag) + " are not supported", "write the value alone");
+          .failWithProblem("tags such as " + inQuotes(tag) + " are not supported", "write the value alone");
   }
 
   const std::string& text_;
@@ -183,15 +183,15 @@ YamlNode parseYaml(const std::string& text, const std::string& file) {
     std::istringstream stream(text);
     YAML::Parser parser(stream);
     if (!parser.HandleNextDocument(builder))
-      throw InputError::saying(file, "the file contains only comments", "write keys and values");
+      throw InputError::problem(file, "the file contains only comments", "write keys and values");
     TreeBuilder second(text, file);
     if (parser.HandleNextDocument(second))
-      throw InputError::saying(file, "the file has a second document (---)",
-                               "split the file into files of one document each");
+      throw InputError::problem(file, "the file has a second document (---)",
+                                "split the file into files of one document each");
   } catch (const YAML::Exception& error) {
-    throw InputError::saying(fmt::format("{}:{}:{}", file, error.mark.line + 1, error.mark.column + 1),
-                             "the text is not YAML (" + error.msg + ")",
-                             "check brackets, colons and indentation up to this place");
+    throw InputError::problem(fmt::format("{}:{}:{}", file, error.mark.line + 1, error.mark.column + 1),
+                              "the text is not YAML (" + error.msg + ")",
+                              "check brackets, colons and indentation up to this place");
   }
   YamlNode root = builder.takeRoot();
   if (root.kind != YamlNode::Kind::kMap) root.fail("a map of keys and values");

@@ -53,7 +53,7 @@ const YamlNode* YamlNode::find(std::string_view key) const {
 const YamlNode& YamlNode::at(std::string_view key) const {
   if (kind != Kind::kMap) fail("a map with the key " + inQuotes(key));
   if (const YamlNode* node = find(key)) return *node;
-  failSaying("there is no key " + inQuotes(key), "add it");
+  failWithProblem("there is no key " + inQuotes(key), "add it");
 }
 
 void YamlNode::expectKeys(const std::vector<std::string>& required, const std::vector<std::string>& optional) const {
@@ -130,8 +130,8 @@ void YamlNode::fail(const std::string& found, const std::string& expected, const
   throw InputError(where(), found, expected, advice);
 }
 
-void YamlNode::failSaying(const std::string& what, const std::string& advice) const {
-  throw InputError::saying(where(), what, advice);
+void YamlNode::failWithProblem(const std::string& what, const std::string& advice) const {
+  throw InputError::problem(where(), what, advice);
 }
 
 }  // namespace tubeplan::app

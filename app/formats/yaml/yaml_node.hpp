@@ -60,8 +60,8 @@ struct YamlNode {
   [[noreturn]] void fail(const std::string& expected, const std::string& advice = "") const;
   [[noreturn]] void fail(const std::string& found, const std::string& expected, const std::string& advice) const;
 
-  /// Throws InputError::saying() at the location of this value.
-  [[noreturn]] void failSaying(const std::string& what, const std::string& advice = "") const;
+  /// Throws InputError::problem() at the location of this value.
+  [[noreturn]] void failWithProblem(const std::string& what, const std::string& advice = "") const;
 };
 
 }  // namespace tubeplan::app
