@@ -18,14 +18,14 @@ CalledBy::~CalledBy() { caller_of_thread = before_; }
 
 CommandCaller* CalledBy::current() { return caller_of_thread; }
 
-void putWords(std::string_view text) {
+void writeOutput(std::string_view text) {
   if (caller_of_thread)
-    caller_of_thread->words += text;
+    caller_of_thread->output += text;
   else
     fmt::print("{}", text);
 }
 
-void putRemark(std::string_view text) {
+void writeRemark(std::string_view text) {
   if (caller_of_thread)
     caller_of_thread->remarks += text;
   else

@@ -15,7 +15,7 @@ namespace tubeplan::app {
 /// Printed text and results of a command that another program calls, and the hooks of its work.
 struct CommandCaller {
   calibration::WorkHooks hooks;
-  std::string words;       ///< text that the command prints on standard output
+  std::string output;      ///< text that the command prints on standard output
   std::string remarks;     ///< text that the command prints on standard error
   nlohmann::json figures;  ///< results, as --json writes them; null if the command has none
 };
@@ -35,22 +35,22 @@ class CalledBy {
   CommandCaller* before_;
 };
 
-/// Writes text to the terminal's standard output or, for another caller, to `words`.
-void putWords(std::string_view text);
+/// Writes text to the terminal's standard output or, for another caller, to `output`.
+void writeOutput(std::string_view text);
 
 /// Writes text to the terminal's standard error or, for another caller, to `remarks`.
-void putRemark(std::string_view text);
+void writeRemark(std::string_view text);
 
 /// Formats text as fmt::print() does and gives it to the caller.
 template <class... Args>
-void say(fmt::format_string<Args...> format, Args&&... args) {
-  putWords(fmt::format(format, std::forward<Args>(args)...));
+void output(fmt::format_string<Args...> format, Args&&... args) {
+  writeOutput(fmt::format(format, std::forward<Args>(args)...));
 }
 
 /// Formats a remark as fmt::print() does and gives it to the caller.
 template <class... Args>
 void remark(fmt::format_string<Args...> format, Args&&... args) {
-  putRemark(fmt::format(format, std::forward<Args>(args)...));
+  writeRemark(fmt::format(format, std::forward<Args>(args)...));
 }
 
 /// Returns the condition on which work of the calling thread's command stops: a signal to the program, or the caller's

@@ -47,10 +47,10 @@ int run(const AddOptions& options) {
                                   : overlapAt({added.cell, options.measurements,
                                                readMeasurements(options.measurements, added.cell, options.sigma)});
   writeFileAtomically(options.out, text, "--out");
-  say("added {} and freed {}\n", fmt::join(added.names, ", "),
-      added.freed.empty() ? "nothing" : fmt::format("{}", fmt::join(added.freed, ", ")));
-  for (const auto& formula : added.formulas) say("{}\n", formulaUnitsText(added.cell.arm, formula, cell.units));
-  say("{}wrote {}\nnext: tubeplan identify {} MEASUREMENTS --out fitted.yaml\n", overlap, options.out, options.out);
+  output("added {} and freed {}\n", fmt::join(added.names, ", "),
+         added.freed.empty() ? "nothing" : fmt::format("{}", fmt::join(added.freed, ", ")));
+  for (const auto& formula : added.formulas) output("{}\n", formulaUnitsText(added.cell.arm, formula, cell.units));
+  output("{}wrote {}\nnext: tubeplan identify {} MEASUREMENTS --out fitted.yaml\n", overlap, options.out, options.out);
   return kDone;
 }
 

@@ -112,7 +112,7 @@ int importCalibration(const ArmOptions& options) {
   const ArmSource calibrated = readArm(parseYaml(text.arm, options.out));
   writeFileAtomically(options.out, text.arm, "--out");
   remarkEach("remark", text.remarks);
-  say("{}", armText(calibrated.arm, calibrated.units));
+  output("{}", armText(calibrated.arm, calibrated.units));
   return kDone;
 }
 
@@ -126,7 +126,7 @@ int importRobot(const ArmOptions& options) {
   writeFilesTogether(files, "--out");
   remarkEach("left out", read.left_out);
   remarkEach("remark", read.remarks);
-  say("{}  the tool is the link {}\n", armText(read.arm, urdfUnits()), nameInLine(read.tip));
+  output("{}  the tool is the link {}\n", armText(read.arm, urdfUnits()), nameInLine(read.tip));
   return kDone;
 }
 
@@ -137,7 +137,8 @@ std::string inLengths(double metres, const Units& units) {
 /// Prints the parts of the cell's model that the file does not contain, and the errors with and without them.
 void remarkOnFit(const ExportFit& fit, const Units& units) {
   remarkEach("left out", fit.left_out);
-  say("rms error of the cell's model: {} ({} measurements); of the exported model: {}; of the exported model fitted "
+  output(
+      "rms error of the cell's model: {} ({} measurements); of the exported model: {}; of the exported model fitted "
       "again: {} ({} at held-out measurements)\n",
       inLengths(fit.of_model.rms, units), fit.measurements, inLengths(fit.as_fitted.rms, units),
       inLengths(fit.again.rms, units), inLengths(fit.heldout.rms, units));
@@ -150,7 +151,7 @@ ShownArm armToExport(const ArmOptions& options, ArmFileContent content) {
     ShownArm given = readAnyArm(options.file, options.tip);
     auto [arm, written] = deflection::writeConstantEffects(given.arm);
     if (!written.empty())
-      say("effects written as parameters of joints, links and tool: {}\n", fmt::join(written, ", "));
+      output("effects written as parameters of joints, links and tool: {}\n", fmt::join(written, ", "));
     if (!arm.effects.empty())
       remarkEach("remark",
                  {"the numbers were fitted together with effects that are left out here, so the file alone may "
@@ -191,8 +192,8 @@ int exportIntoUrdf(const ArmOptions& options) {
   const UrdfEdit edit = withArmInUrdf(readTextBytes(options.into), options.into, options.tip, arm);
   writeFileAtomically(options.out, edit.text, "--out");
   remarkEach("left out", edit.left_out);
-  for (const auto& what : edit.changed) say("changed: {}\n", what);
-  if (edit.changed.empty()) say("nothing changed: the copy is equal to {}\n", nameInLine(options.into));
+  for (const auto& what : edit.changed) output("changed: {}\n", what);
+  if (edit.changed.empty()) output("nothing changed: the copy is equal to {}\n", nameInLine(options.into));
   return kDone;
 }
 

@@ -47,7 +47,7 @@ int run(const CalibrateOptions& options) {
   addChecks(checks, cell.units, json);
   showFigures(options.figures, json, checksText(checks, cell.units) + calibrationText(result, cell));
   if (printsText(options.figures) && is_written)
-    say("wrote {}{}\n", options.out, calibration::isFitRefused(result) ? ", with touches that do not fit" : "");
+    output("wrote {}{}\n", options.out, calibration::isFitRefused(result) ? ", with touches that do not fit" : "");
   return answerOver(checks, result.status == CalibrationStatus::kDone && !calibration::isFitRefused(result));
 }
 

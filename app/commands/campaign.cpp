@@ -97,8 +97,8 @@ class CampaignDesk {
     }
     writeFigures(options_.figures, figures);
     if (!printsText(options_.figures)) return;
-    say("{}", campaign_.text(figures));
-    if (folder_) say("wrote {}\n", (folder_->path() / "campaign.json").string());
+    output("{}", campaign_.text(figures));
+    if (folder_) output("wrote {}\n", (folder_->path() / "campaign.json").string());
   }
 
   const CampaignOptions& options_;

@@ -66,15 +66,15 @@ void refuseUnknownCommand(const std::string& word) {
 
 int runCommandLine(std::vector<std::string> words) {
   if (isOverviewRequested(words)) {
-    say("{}", overview());
+    output("{}", overview());
     return kDone;
   }
   if (words.front() == "--version") {
-    say("tubeplan {}\n", kVersion);
+    output("tubeplan {}\n", kVersion);
     return kDone;
   }
   if (words.front() == "--cells") {
-    say("{}\n", exampleCells());
+    output("{}\n", exampleCells());
     return kDone;
   }
   const std::string name = words.front();
@@ -91,7 +91,7 @@ int runCommandLine(std::vector<std::string> words) {
     std::vector<std::string> reversed(words.rbegin(), words.rend());  // CLI11 expects the arguments in reverse order
     cli.parse(reversed);
   } catch (const CLI::CallForHelp&) {
-    say("{}", cli.get_subcommand(name)->help("tubeplan"));
+    output("{}", cli.get_subcommand(name)->help("tubeplan"));
     return kDone;
   } catch (const CLI::ParseError& error) {
     throw commandLineError(error, *cli.get_subcommand(name), words);

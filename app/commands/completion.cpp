@@ -14,7 +14,7 @@ Run configureCompletion(CLI::App& cli) {
   const auto shell = std::make_shared<std::string>();
   cli.add_option("SHELL", *shell, "bash, zsh or fish")->required();
   return [shell] {
-    say("{}", completionScript(*shell));
+    output("{}", completionScript(*shell));
     return static_cast<int>(kDone);
   };
 }

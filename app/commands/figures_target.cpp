@@ -60,12 +60,12 @@ void writeFigures(const FiguresTarget& target, const nlohmann::json& figures) {
   stateOrigin(stated);
   if (auto* caller = CalledBy::current()) caller->figures = stated;
   if (!target.json.empty() && target.json != "-") writeFileAtomically(target.json, jsonText(stated), "--json");
-  if (!printsText(target)) say("{}", formatOf(target).write(stated));
+  if (!printsText(target)) output("{}", formatOf(target).write(stated));
 }
 
 void showFigures(const FiguresTarget& target, const nlohmann::json& figures, const std::string& text) {
   writeFigures(target, figures);
-  if (printsText(target)) say("{}", text);
+  if (printsText(target)) output("{}", text);
 }
 
 }  // namespace tubeplan::app

@@ -48,8 +48,8 @@ void printIteration(std::FILE* out, const calibration::LeastSquaresIteration& no
 
 /// Prints the reason why there is no result, in the same form as `diagnose`.
 void printWithheld(const IdentifyOptions& options, const IdentificationOutcome& outcome) {
-  say("{}\n{}\n{}{}", nameOf(calibration::Verdict::kInconclusive), noVerdictSentence(outcome.fit.reason),
-      options.out.empty() ? "" : "nothing was written\n", warningsText(outcome.warnings));
+  output("{}\n{}\n{}{}", nameOf(calibration::Verdict::kInconclusive), noVerdictSentence(outcome.fit.reason),
+         options.out.empty() ? "" : "nothing was written\n", warningsText(outcome.warnings));
 }
 
 int run(const IdentifyOptions& options) {
@@ -58,15 +58,15 @@ int run(const IdentifyOptions& options) {
   checkFigures(options.figures);
   if (!options.out.empty()) checkWritableCellAndArm(cell, options.out, "--out");
   IdentificationRequest request = options.request;
-  if (printsText(options.figures)) say("{}", checksText(checks, cell.units));
+  if (printsText(options.figures)) output("{}", checksText(checks, cell.units));
   if (options.verbose)
     request.observe = [out = printsText(options.figures) ? stdout : stderr](const auto& now) {
       printIteration(out, now);
     };
   if (printsText(options.figures))
     request.stage_done = [&](int stage, const calibration::Identification& fit) {
-      say("stage {}\n{}", stage + 1,
-          identificationText(identificationJson(fit, input.measurements, 0, input.cell.units)));
+      output("stage {}\n{}", stage + 1,
+             identificationText(identificationJson(fit, input.measurements, 0, input.cell.units)));
     };
   const auto outcome = identifyModel(input, request, terminalWorkHooks());
   if (!options.out.empty() && outcome.fit.status == IdentificationStatus::kDone)
@@ -75,10 +75,10 @@ int run(const IdentifyOptions& options) {
   if (printsText(options.figures) && outcome.fit.status == IdentificationStatus::kNotRun) {
     printWithheld(options, outcome);
   } else if (printsText(options.figures)) {
-    say("{}{}{}{}{}", identificationText(outcome.figures),
-        cell.sheet ? predictedCentringText(outcome.figures["predicted_centring_error"]) : "",
-        overlapText(outcome.overlaps), warningsText(outcome.warnings),
-        warningsText(warningTexts(outcome.of_effects, cell.units)));
+    output("{}{}{}{}{}", identificationText(outcome.figures),
+           cell.sheet ? predictedCentringText(outcome.figures["predicted_centring_error"]) : "",
+           overlapText(outcome.overlaps), warningsText(outcome.warnings),
+           warningsText(warningTexts(outcome.of_effects, cell.units)));
   }
   return answerOver(checks, outcome.fit.status == IdentificationStatus::kDone && !outcome.is_base_refused);
 }

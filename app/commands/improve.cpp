@@ -54,8 +54,8 @@ class Keeper {
     else
       first_ = files;
     if (printsText(options_.figures))
-      say("{}{}: held-out error {}\n", model.name, withoutText(model.set_aside.size()),
-          errorText(model.fit.heldout.rms, errorUnitOf(model.fit.after.are_angles, input_.cell.units)));
+      output("{}{}: held-out error {}\n", model.name, withoutText(model.set_aside.size()),
+             errorText(model.fit.heldout.rms, errorUnitOf(model.fit.after.are_angles, input_.cell.units)));
     std::fflush(stdout);
   }
 

@@ -122,7 +122,7 @@ int exportPackage(const JobOptions& options) {
     throw InputError::problem("--package, --sg, --leg, --csv", "all four options are needed",
                               "a work list has the tubes of one package on one leg");
   writeFileAtomically(options.csv, packageCsv(store, part.package, part.generator, *part.leg), "--csv");
-  say("wrote {}\n", options.csv);
+  output("wrote {}\n", options.csv);
   return kDone;
 }
 

@@ -11,7 +11,7 @@ namespace tubeplan::app {
 
 Run configureMan(CLI::App&) {
   return [] {
-    say("{}", manualPage());
+    output("{}", manualPage());
     return static_cast<int>(kDone);
   };
 }

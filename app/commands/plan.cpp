@@ -107,9 +107,9 @@ int run(const PlanOptions& options) {
   writePlan(options.request, outcome, folder);
   if (wantsFigures(options.figures)) writeFigures(options.figures, planFileJson(options.request, outcome));
   if (printsText(options.figures))
-    say("{}{}wrote {}\n", planText(options.request, outcome),
-        options.from.empty() ? "" : keptText(options.from, outcome),
-        (folder.path() / "{plan.json,path.csv,cell.yaml,report.html,worklist.csv}").string());
+    output("{}{}wrote {}\n", planText(options.request, outcome),
+           options.from.empty() ? "" : keptText(options.from, outcome),
+           (folder.path() / "{plan.json,path.csv,cell.yaml,report.html,worklist.csv}").string());
   if (options.open) openInBrowser(std::filesystem::absolute(folder.path() / "report.html").string());
   return kDone;
 }

@@ -47,7 +47,7 @@ std::map<UnitKind, const Unit*> unitsOf(const std::vector<std::string>& words) {
 
 void write(const MeasurementsOptions& options, const std::string& text) {
   if (options.out.empty())
-    say("{}", text);
+    output("{}", text);
   else
     writeFileAtomically(options.out, text, "--out");
 }

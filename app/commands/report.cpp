@@ -58,9 +58,9 @@ int run(const ReportOptions& options) {
   if (options.open) openInBrowser(std::filesystem::absolute(out).string());
   writeFigures(options.figures, report);
   if (!printsText(options.figures)) return kDone;
-  say("wrote {}\n", out);
+  output("wrote {}\n", out);
   for (const auto& more : {options.pdf, options.files})
-    if (!more.empty()) say("wrote {}\n", more);
+    if (!more.empty()) output("wrote {}\n", more);
   return kDone;
 }
 

@@ -52,11 +52,11 @@ int run(const ServeOptions& options) {
   Workbench workbench(options.workbench);
   HttpServer server(workbench, options.access, options.page);
   noteStopSignals();
-  say("{}\n", server.address());
+  output("{}\n", server.address());
   std::optional<LineServer> lines;
   if (options.lines) {
     lines.emplace(workbench, *options.lines);
-    say("postures as lines: 127.0.0.1 port {}\n", lines->port());
+    output("postures as lines: 127.0.0.1 port {}\n", lines->port());
   }
   std::fflush(stdout);
   if (options.open) openInBrowser(server.address());

@@ -50,11 +50,11 @@ int run(const SimulateOptions& options) {
   folder.write("truth.yaml", truthYaml({cell, task.design, task.truth, campaign, request.seed, request.spread,
                                         task.base.shift, task.base.turn}));
   folder.commit();
-  say("{}: {} of kind {}, {} held out\nwrote {}\n", task.design.name,
-      countText(campaign.measurements.size(), "reading"), calibration::kindOf(task.design.kind).name,
-      std::count_if(campaign.measurements.begin(), campaign.measurements.end(),
-                    [](const auto& m) { return m.is_held_out; }),
-      (folder.path() / "{measurements.csv,truth.yaml}").string());
+  output("{}: {} of kind {}, {} held out\nwrote {}\n", task.design.name,
+         countText(campaign.measurements.size(), "reading"), calibration::kindOf(task.design.kind).name,
+         std::count_if(campaign.measurements.begin(), campaign.measurements.end(),
+                       [](const auto& m) { return m.is_held_out; }),
+         (folder.path() / "{measurements.csv,truth.yaml}").string());
   return kDone;
 }
 

@@ -12,7 +12,7 @@ namespace tubeplan::app {
 namespace {
 
 constexpr std::size_t kMostNamed = 3;
-constexpr double kWorthSaying = 0.2;  // smallest fraction for which the text names an effect
+constexpr double kLeastNamedShare = 0.2;  // smallest fraction for which the text names an effect
 
 }  // namespace
 
@@ -35,7 +35,7 @@ std::string overlapText(const std::vector<calibration::FormulaOverlap>& overlaps
                     overlap.formula, 100 * overlap.absorbed);
     for (std::size_t k = 0; k < std::min(kMostNamed, overlap.shares.size()); ++k) {
       const auto& share = overlap.shares[k];
-      if (share.share >= kWorthSaying)
+      if (share.share >= kLeastNamedShare)
         text += fmt::format("  {:.0f} % of the rest is {}\n", 100 * share.share,
                             calibration::causeTitle(share.effect, share.at));
     }

@@ -92,7 +92,7 @@ py::tuple callCommand(const std::vector<std::string>& words, const std::string& 
   if (python.error()) raise(*python.error(), caller.remarks);
   py::object figures = py::none();
   if (!caller.figures.is_null()) figures = py::str(caller.figures.dump());
-  return py::make_tuple(code, caller.words, caller.remarks, figures);
+  return py::make_tuple(code, caller.output, caller.remarks, figures);
 }
 
 int callForTerminal(const std::vector<std::string>& words) {

@@ -74,10 +74,10 @@ void putAside(const std::filesystem::path& path, const std::vector<std::string>&
     throw InputError::problem(
         "--out", fmt::format("{} cannot be set aside: renaming the file failed ({})", path.string(), error.message()),
         "choose a folder with write permission");
-  say(fmt::format("started again: {} is of {}; it is renamed to {}", path.string(), fmt::join(differences, ", "),
-                  aside.filename().string()));
+  printRemark(fmt::format("started again: {} is of {}; it is renamed to {}", path.string(),
+                          fmt::join(differences, ", "), aside.filename().string()));
 }
 
-void say(const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); }
+void printRemark(const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); }
 
 }  // namespace tubeplan::app

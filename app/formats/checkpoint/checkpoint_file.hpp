@@ -51,6 +51,6 @@ void readPayload(const CheckpointFormat& format, const std::filesystem::path& pa
 void putAside(const std::filesystem::path& path, const std::vector<std::string>& differences);
 
 /// Prints a sentence about earlier results, and whether they are used, on standard error.
-void say(const std::string& sentence);
+void printRemark(const std::string& sentence);
 
 }  // namespace tubeplan::app

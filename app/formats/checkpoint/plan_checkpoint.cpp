@@ -97,7 +97,7 @@ bool PlanCheckpoint::takeStopped(const PlanKey& question) {
   const auto differences = findDifferences(file.question, question);
   if (differences.empty()) {
     cache_ = cacheOf(file, path);
-    say(fmt::format("continuing from {}: {} are done", path.string(), summary()));
+    printRemark(fmt::format("continuing from {}: {} are done", path.string(), summary()));
     return true;
   }
   if (must_resume_)
@@ -114,7 +114,7 @@ bool PlanCheckpoint::takeDone(const PlanKey& question) {
   const CheckpointFile file = readCheckpoint(kPlanFormat, path);
   if (!findDifferences(file.question, question).empty()) return false;
   cache_ = cacheOf(file, path);
-  say(fmt::format("the plan in {} is complete and is written again", folder_.string()));
+  printRemark(fmt::format("the plan in {} is complete and is written again", folder_.string()));
   return true;
 }
 
@@ -128,8 +128,8 @@ void PlanCheckpoint::takeFrom(const PlanKey& question, const std::vector<int>& t
   const fs::path path = fs::path(from_) / kCacheFile;
   model_differences_ = findModelDifferences(from_question_, question);
   if (!model_differences_.empty()) {
-    say(fmt::format("of {} only the order is reused ({}); postures and motions are planned and verified again", from_,
-                    fmt::join(model_differences_, ", ")));
+    printRemark(fmt::format("of {} only the order is reused ({}); postures and motions are planned and verified again",
+                            from_, fmt::join(model_differences_, ", ")));
     readEntries(path, [&] { cache_.visiting_order = from_text_.visitingOrder(); });
     return;
   }

@@ -70,7 +70,7 @@ std::optional<TallySoFar> TallyCheckpoint::begin(const PlanKey& question, std::u
   if (!ranges.empty() && ranges.back().end > runs)
     differences.push_back(fmt::format("more runs (up to {}, now {})", ranges.back().end, runs));
   if (differences.empty()) {
-    say(fmt::format("continuing from {}: {} of {} runs are done", path().string(), tally.done.size(), runs));
+    printRemark(fmt::format("continuing from {}: {} of {} runs are done", path().string(), tally.done.size(), runs));
     return tally;
   }
   if (must_resume_)

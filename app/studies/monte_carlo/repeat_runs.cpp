@@ -116,7 +116,7 @@ class RankServer {
 
   void run(int workers_count) {
     work(workers_count);
-    say(kLeft, {});
+    sendOwn(kLeft, {});
     while (!has_left_) {
       receive(nullptr);
       std::this_thread::sleep_for(kPause);
@@ -126,13 +126,13 @@ class RankServer {
  private:
   void work(int workers_count) {
     RunWorkers workers(experiment_, workers_count);
-    say(kWant, {static_cast<std::uint64_t>(workers.wanted())});
+    sendOwn(kWant, {static_cast<std::uint64_t>(workers.wanted())});
     while (!is_over_) {
       receive(&workers);
       const auto result = workers.take(kPause);
       if (result && !is_over_) {
-        say(kTally, wordsOfDone({{result->runs}, result->tally}));
-        say(kWant, {1});
+        sendOwn(kTally, wordsOfDone({{result->runs}, result->tally}));
+        sendOwn(kWant, {1});
       }
       passOn();
     }
@@ -159,7 +159,7 @@ class RankServer {
   }
 
   /// Sends a message of this rank's own workers to the receiver, or to the leader that this rank is.
-  void say(int subject, const TallyWords& words) {
+  void sendOwn(int subject, const TallyWords& words) {
     const RankMessage message{ranks_.rank(), receiver_, subject, words};
     if (!leader_) return deliver(message, nullptr);
     for (const auto& next : leader_->take(message)) deliver(next, nullptr);

@@ -63,7 +63,7 @@ class SimulatedRanks {
       members.push_back(rank);
       leaders_[rank] = std::make_unique<GroupLeader>(experiment_, rank, members);
     }
-    for (int rank = 1; rank < groups.ranks; ++rank) sayOwn(rank, kWant, {2});
+    for (int rank = 1; rank < groups.ranks; ++rank) sendOwn(rank, kWant, {2});
   }
 
   void run() {
@@ -84,7 +84,7 @@ class SimulatedRanks {
   void send(const RankMessage& message) { under_way_[{message.from, message.to}].push_back(message); }
 
   /// Sends a message of a rank's own workers; a leader takes it itself.
-  void sayOwn(int rank, int subject, const TallyWords& words) {
+  void sendOwn(int rank, int subject, const TallyWords& words) {
     const RankMessage message{rank, groups_.receiverOf(rank), subject, words};
     if (!leaders_.contains(rank)) return send(message);
     for (const auto& next : leaders_[rank]->take(message)) handOn(next);
@@ -140,10 +140,10 @@ class SimulatedRanks {
 
   /// Workers of a rank: they finish chunks at once, or leave.
   void takeOwn(const RankMessage& message) {
-    if (message.subject == kEnd) return sayOwn(message.to, kLeft, {});
+    if (message.subject == kEnd) return sendOwn(message.to, kLeft, {});
     for (const RunRange& chunk : chunksIn(message.words, 0, message.words.size())) {
-      sayOwn(message.to, kTally, wordsOfDone({{chunk}, *experiment_.run(chunk, [] { return false; })}));
-      sayOwn(message.to, kWant, {1});
+      sendOwn(message.to, kTally, wordsOfDone({{chunk}, *experiment_.run(chunk, [] { return false; })}));
+      sendOwn(message.to, kWant, {1});
     }
   }
 
