@@ -133,15 +133,16 @@ struct Cut {
   S share;
 };
 
-/// Adds the point masses at the fraction `share` of the member's length; `here` is that point in the row's axes.
+/// Adds the point masses at the fraction `share` of the member's length; `position` is the position of this point in
+/// the row's axes.
 template <class S>
 void addLumps(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const Vector3<double>& member,
-              double share, const Vector3<S>& here) {
+              double share, const Vector3<S>& position) {
   for (std::size_t k = 0; k < row.weight.lumps.size(); ++k) {
     if (shareOf(values, static_cast<int>(k), member) != share) continue;
     ChainLink<S> link{ChainLinkType::kLump, index};
     link.weight = row.weight.lumps[k].weight;
-    link.lever = row.weight.lumps[k].at - here;
+    link.lever = row.weight.lumps[k].at - position;
     chain.links.push_back(link);
   }
 }

@@ -104,7 +104,7 @@ void DirectChanges::addElement(std::size_t e, const ChainLink<Dual>& link, const
   const Flexibility<Dual> flexibility = element.kind->flexibilityOfDual(row, link.p);
   for (int axis = 0; axis < 3; ++axis)
     if (element.has_gap[axis])
-      addProduct(Eigen::Matrix<double, 6, 1>(answer.rotation.col(axis) * answer.rests[axis].by_gap),
+      addProduct(Eigen::Matrix<double, 6, 1>(answer.rotation.col(axis) * answer.gap_positions[axis].by_gap),
                  changesOf(row.effect_terms->gap[axis]), tip);
   if (!changes(flexibility.compliance) && !changes(flexibility.softness) && !changes(flexibility.knee) &&
       !changes(flexibility.member))

@@ -52,7 +52,7 @@ Loading<double> Equilibrium::loadingOf(std::size_t e) const {
   return loading;
 }
 
-clearance::Rest Equilibrium::restOf(std::size_t e, int axis, double moment) const {
+clearance::GapPosition Equilibrium::gapPositionOf(std::size_t e, int axis, double moment) const {
   double moment_per_angle = 0, forces = 0;
   for (std::size_t d = 0; d < loads.size(); ++d) {
     if (loads[d].is_couple) continue;
@@ -101,7 +101,7 @@ double Equilibrium::bend(std::size_t e, bool with_gaps) {
   element.deflection = element.kind->deflect(element.flexibility, loading);
   if (with_gaps)
     for (int axis = 0; axis < 3; ++axis)
-      if (element.has_gap[axis]) element.gap[axis] = restOf(e, axis, loading.moment[axis]).angle;
+      if (element.has_gap[axis]) element.gap[axis] = gapPositionOf(e, axis, loading.moment[axis]).angle;
   element.deflection.rotation += element.gap;
   element.turn = rotationFromVector<double>(element.deflection.rotation);
   return (element.deflection.displacement - before.displacement).lpNorm<1>() +

@@ -77,7 +77,7 @@ class Equilibrium {
   [[nodiscard]] Loading<double> loadingOf(std::size_t element) const;
 
   /// Returns the position that an element takes in its gap about an axis, under a moment about that axis [N m].
-  [[nodiscard]] clearance::Rest restOf(std::size_t element, int axis, double moment) const;
+  [[nodiscard]] clearance::GapPosition gapPositionOf(std::size_t element, int axis, double moment) const;
 
  private:
   /// Loads in one direction beyond an element: their magnitude, their first moment about the element's far end in far

@@ -81,9 +81,9 @@ auto* originOf(R& row) {
 template <class Visit, class... V>
 void visitVectors(const RowNumber& about, const std::array<const char*, 3>& names, Visit&& visit, V&... vectors) {
   for (int k = 0; k < 3; ++k) {
-    RowNumber one = about;
-    one.name = names[static_cast<std::size_t>(k)];
-    visit(one, vectors[k]...);
+    RowNumber component = about;
+    component.name = names[static_cast<std::size_t>(k)];
+    visit(component, vectors[k]...);
   }
 }
 

@@ -80,10 +80,10 @@ void TipSensitivity::answerOf(const PreparedArm& arm, std::size_t k, std::size_t
   Matrix3d own = Matrix3d::Identity() - out.rotation_by_moment * out.moment_by_rotation;
   out.is_compliant.setOnes();
   for (int axis = 0; axis < 3; ++axis) {
-    elements_[e].rests[axis] = {};
+    elements_[e].gap_positions[axis] = {};
     if (!element.has_gap[axis]) continue;
-    elements_[e].rests[axis] = shape.restOf(e, axis, load.moment[axis]);
-    if (elements_[e].rests[axis].by_angle == 0) continue;
+    elements_[e].gap_positions[axis] = shape.gapPositionOf(e, axis, load.moment[axis]);
+    if (elements_[e].gap_positions[axis].by_angle == 0) continue;
     // The joint hangs freely in its gap about this axis. The condition of zero moment replaces the element's law.
     out.is_compliant[axis] = 0;
     out.rotation_by_moment.row(axis) = Eigen::RowVector3d::Unit(axis);

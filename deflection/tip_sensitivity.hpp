@@ -25,7 +25,7 @@ using TipRows = Eigen::Matrix<double, 6, 3>;
 /// weight along the element, in base axes.
 struct ElementSensitivity {
   TipRows displacement, rotation, weight;
-  std::array<clearance::Rest, 3> rests;  ///< position in the gap about each axis
+  std::array<clearance::GapPosition, 3> gap_positions;  ///< position in the gap about each axis
 };
 
 /// Sensitivities of one arm, computed for one shape after another.

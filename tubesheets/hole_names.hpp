@@ -9,9 +9,9 @@
 namespace tubeplan::tubesheets {
 
 struct MisnamedHole {
-  int tube = -1;        ///< index of the hole in Sheet::tubes
-  double x = 0, y = 0;  ///< position expected from the other holes of the same row [m]
-  int there = -1;       ///< index in Sheet::tubes of the hole at the expected position; -1 if there is none
+  int tube = -1;              ///< index of the hole in Sheet::tubes
+  double x = 0, y = 0;        ///< position expected from the other holes of the same row [m]
+  int tube_at_position = -1;  ///< index in Sheet::tubes of the hole at the expected position; -1 if there is none
 };
 
 /// Finds the holes that are at least half a pitch away from the position implied by their column number and the other

@@ -144,7 +144,7 @@ int runRanked(const CampaignOptions& options, Ranks& ranks) {
   if (campaign)
     for (const auto& [name, value] : campaign->question) question += name + ": " + value + "\n";
   const bool is_same = ranks.fromFirst(question) == question;
-  if (!ranks.holdsEverywhere(is_same && !wrong)) {
+  if (!ranks.isTrueOnAllRanks(is_same && !wrong)) {
     // mpirun stops all ranks at the first nonzero exit code, so only the rank that reports the error may return one.
     if (ranks.rank() > 0) return kDone;
     if (wrong) throw *wrong;

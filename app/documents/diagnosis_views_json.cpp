@@ -54,7 +54,7 @@ json addedJson(const AddedVariable& added, const Explanation& explanation, const
   const auto& effect = explanation.effects.at(static_cast<std::size_t>(added.effect));
   json points = json::array();
   for (const auto& point : added.points)
-    points.push_back({listed.at(point.measurement), brief(point.signature), brief(point.left)});
+    points.push_back({listed.at(point.measurement), brief(point.signature), brief(point.residual)});
   return {{"explanation", added.explanation},
           {"effect", effect.effect},
           {"at", effect.at},

@@ -71,7 +71,7 @@ json testJson(const PatternTest& test, const Units& units) {
                 {"components", componentsOf(test.frame)},
                 {"chi2_fall", finiteJson(test.fall)},
                 {"degrees_of_freedom", test.numbers},
-                {"remaining_degrees_of_freedom", test.rest},
+                {"remaining_degrees_of_freedom", test.remaining_freedom},
                 {"F", finiteJson(test.F)},
                 {"p_value_alone", finiteJson(test.p_value)},
                 {"p_value", finiteJson(test.p_corrected)},

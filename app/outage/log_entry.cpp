@@ -66,6 +66,6 @@ EventEntry checkedEntry(const EventEntry& entry) {
   return checked;
 }
 
-bool isSamePerson(const std::string& one, const std::string& other) { return lettersOf(one) == lettersOf(other); }
+bool isSamePerson(const std::string& first, const std::string& second) { return lettersOf(first) == lettersOf(second); }
 
 }  // namespace tubeplan::app

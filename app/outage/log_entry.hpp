@@ -19,6 +19,6 @@ struct EventEntry {
 [[nodiscard]] EventEntry checkedEntry(const EventEntry& entry);
 
 /// Returns true if two names denote the same person: equal letters and digits, ignoring case.
-[[nodiscard]] bool isSamePerson(const std::string& one, const std::string& other);
+[[nodiscard]] bool isSamePerson(const std::string& first, const std::string& second);
 
 }  // namespace tubeplan::app

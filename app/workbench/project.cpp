@@ -227,10 +227,10 @@ json projectSummary(const fs::path& file) {
   return summary;
 }
 
-bool hasSameInputs(const Session& one, const Session& other) {
-  const Cell &a = one.models.front()->cell, &b = other.models.front()->cell;
+bool hasSameInputs(const Session& first, const Session& second) {
+  const Cell &a = first.models.front()->cell, &b = second.models.front()->cell;
   return cellTextAt(a, a.path) == cellTextAt(b, b.path) && a.arm_source.text == b.arm_source.text &&
-         allMeasurementsText(one) == allMeasurementsText(other);
+         allMeasurementsText(first) == allMeasurementsText(second);
 }
 
 bool hasWork(const Session& session) {

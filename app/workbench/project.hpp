@@ -24,7 +24,7 @@ inline constexpr const char* kProjectExtension = ".tubeplan";
 [[nodiscard]] nlohmann::json projectSummary(const std::filesystem::path& file);
 
 /// Returns true if two sessions have the same text of the first cell and the same measurements.
-[[nodiscard]] bool hasSameInputs(const Session& one, const Session& other);
+[[nodiscard]] bool hasSameInputs(const Session& first, const Session& second);
 
 /// Returns true if the session contains more than its inputs: added models, touches, or measurements set aside or read
 /// under assumptions.

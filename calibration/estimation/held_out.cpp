@@ -218,15 +218,16 @@ std::vector<Index> rowsOutside(int fold, const std::vector<int>& folds, const st
   return rows;
 }
 
-/// Returns the Gauss-Newton step from the solution of the fit `whole` to the solution of a fit to the given rows alone;
-/// empty if the step is too long or leaves the bounds.
-std::optional<VectorXd> stepTo(const std::vector<Index>& rows, const Fit& whole, const std::vector<Unknown>& unknowns) {
-  const VectorXd& x = whole.solution.x;
-  const MatrixXd jacobian = whole.residual.jacobian(rows, Eigen::all);
-  const VectorXd gradient =
-      jacobian.transpose() * whole.residual.r(rows) + priorSlopes(unknowns).cwiseProduct(priorResiduals(unknowns, x));
+/// Returns the Gauss-Newton step from the solution of `full_fit` to the solution of a fit to the given rows
+/// alone; empty if the step is too long or leaves the bounds.
+std::optional<VectorXd> stepTo(const std::vector<Index>& rows, const Fit& full_fit,
+                               const std::vector<Unknown>& unknowns) {
+  const VectorXd& x = full_fit.solution.x;
+  const MatrixXd jacobian = full_fit.residual.jacobian(rows, Eigen::all);
+  const VectorXd gradient = jacobian.transpose() * full_fit.residual.r(rows) +
+                            priorSlopes(unknowns).cwiseProduct(priorResiduals(unknowns, x));
   const VectorXd step = -(posteriorCovariance(jacobian, unknowns) * gradient);
-  const VectorXd sigma = whole.covariance.diagonal().cwiseSqrt();
+  const VectorXd sigma = full_fit.covariance.diagonal().cwiseSqrt();
   if (!step.allFinite() || (step.cwiseAbs().array() > kFarthestFold * sigma.array()).any()) return {};
   for (Index k = 0; k < x.size(); ++k) {
     const Unknown& unknown = unknowns[static_cast<std::size_t>(k)];
@@ -236,13 +237,13 @@ std::optional<VectorXd> stepTo(const std::vector<Index>& rows, const Fit& whole,
 }
 
 /// Updates the errors of the measurements in a fold, to first order, for the step to the fit without this fold.
-void moveErrors(int fold, const std::vector<int>& folds, const Fit& whole, const VectorXd& step, VectorXd& error) {
-  const MeasurementWeights& weights = whole.weights;
+void moveErrors(int fold, const std::vector<int>& folds, const Fit& full_fit, const VectorXd& step, VectorXd& error) {
+  const MeasurementWeights& weights = full_fit.weights;
   for (std::size_t k = 0; k < folds.size(); ++k) {
     if (folds[k] != fold) continue;
     const MatrixXd& whitener = weights.whitener[k];
     const Index row = weights.first_row[k], rows = whitener.rows();
-    const VectorXd moved = whole.residual.jacobian.middleRows(row, rows) * step;
+    const VectorXd moved = full_fit.residual.jacobian.middleRows(row, rows) * step;
     error.segment(row, rows) += whitener.triangularView<Eigen::Lower>().solve(moved);
   }
 }
@@ -250,34 +251,34 @@ void moveErrors(int fold, const std::vector<int>& folds, const Fit& whole, const
 /// Cross-validates without evaluating the model again. Not valid for touches of unknown points, because each fold would
 /// estimate the points' positions from its own measurements.
 std::optional<ErrorSize> crossValidateToFirstOrder(const std::vector<Unknown>& unknowns,
-                                                   const std::vector<Measurement>& measurements, const Fit& whole,
+                                                   const std::vector<Measurement>& measurements, const Fit& full_fit,
                                                    const std::vector<int>& folds, const WorkHooks& hooks) {
   const int count = folds.empty() ? 0 : *std::ranges::max_element(folds) + 1;
-  VectorXd error = whole.residual.error;
+  VectorXd error = full_fit.residual.error;
   for (int fold = 0; fold < count; ++fold) {
     reportProgress(hooks, "readings kept out", static_cast<std::size_t>(fold), static_cast<std::size_t>(count));
-    const auto rows = rowsOutside(fold, folds, measurements, whole.weights);
+    const auto rows = rowsOutside(fold, folds, measurements, full_fit.weights);
     if (rows.empty()) return std::nullopt;
-    const auto step = stepTo(rows, whole, unknowns);
+    const auto step = stepTo(rows, full_fit, unknowns);
     if (!step) return std::nullopt;
-    moveErrors(fold, folds, whole, *step, error);
+    moveErrors(fold, folds, full_fit, *step, error);
   }
-  return errorSize(measurements, whole.weights, error);
+  return errorSize(measurements, full_fit.weights, error);
 }
 
 }  // namespace
 
 std::optional<ErrorSize> crossValidateBySteps(const PlacedArm& start, const std::vector<Unknown>& unknowns,
-                                              const std::vector<Measurement>& measurements, const Fit& whole,
+                                              const std::vector<Measurement>& measurements, const Fit& full_fit,
                                               const std::vector<int>& folds, const WorkHooks& hooks) {
   const bool is_judged_whole = std::ranges::all_of(folds, [](int fold) { return fold >= 0; });
-  if (!whole.weights.shared.empty()) return std::nullopt;  // whitening shared noise mixes rows of different folds
-  if (whole.weights.points.empty() && whole.residual.error.size() == whole.weights.rows && is_judged_whole)
-    return crossValidateToFirstOrder(unknowns, measurements, whole, folds, hooks);
+  if (!full_fit.weights.shared.empty()) return std::nullopt;  // whitening shared noise mixes rows of different folds
+  if (full_fit.weights.points.empty() && full_fit.residual.error.size() == full_fit.weights.rows && is_judged_whole)
+    return crossValidateToFirstOrder(unknowns, measurements, full_fit, folds, hooks);
   int fold = 0;
   const auto stepped = [&](const std::vector<Measurement>&) -> std::optional<PlacedArm> {
-    const auto step = stepTo(rowsOutside(fold++, folds, measurements, whole.weights), whole, unknowns);
-    return step ? std::optional(applied(start, unknowns, whole.solution.x + *step)) : std::nullopt;
+    const auto step = stepTo(rowsOutside(fold++, folds, measurements, full_fit.weights), full_fit, unknowns);
+    return step ? std::optional(applied(start, unknowns, full_fit.solution.x + *step)) : std::nullopt;
   };
   const ErrorSize size = judgeFolds(measurements, folds, stepped, hooks);
   return size.measurements > 0 ? std::optional(size) : std::nullopt;

@@ -50,16 +50,16 @@ using FitToMeasurements = std::function<std::optional<PlacedArm>(const std::vect
                                       const std::vector<int>& folds, const FitOptions& options,
                                       const WorkHooks& hooks = {});
 
-/// Cross-validates like crossValidate(), but approximates each fold's fit by one Gauss-Newton step from `whole`, the
+/// Cross-validates like crossValidate(), but approximates each fold's fit by one Gauss-Newton step from `full_fit`, the
 /// fit to all measurements. No robust loss is applied. Empty if measurements share noise, or if a fold's step exceeds
 /// kFarthestFold or leaves the bounds.
 [[nodiscard]] std::optional<ErrorSize> crossValidateBySteps(const PlacedArm& start,
                                                             const std::vector<Unknown>& unknowns,
                                                             const std::vector<Measurement>& measurements,
-                                                            const Fit& whole, const std::vector<int>& folds,
+                                                            const Fit& full_fit, const std::vector<int>& folds,
                                                             const WorkHooks& hooks = {});
 
-/// Largest step that a parameter may take, in its standard deviations in the fit `whole`.
+/// Largest step that a parameter may take, in its standard deviations in the fit to all measurements.
 inline constexpr double kFarthestFold = 4;
 
 }  // namespace tubeplan::calibration

@@ -60,14 +60,15 @@ std::function<void(std::vector<Measurement>&)> changeOf(std::set<std::string> id
   };
 }
 
-std::optional<Correction> fromMeasurement(const CheckedMeasurements& checked, Correction whole, const std::string& id) {
+std::optional<Correction> fromMeasurement(const CheckedMeasurements& checked, Correction correction,
+                                          const std::string& id) {
   auto ids = idsFrom(checked.measurements, id);
   if (ids.empty()) return std::nullopt;
-  whole.value += "@" + id;
-  whole.sentence = "from reading " + id + " on " + whole.sentence;
-  whole.change = changeOf(std::move(ids), std::move(whole.change));
-  whole.is_of_part = true;
-  return whole;
+  correction.value += "@" + id;
+  correction.sentence = "from reading " + id + " on " + correction.sentence;
+  correction.change = changeOf(std::move(ids), std::move(correction.change));
+  correction.is_of_part = true;
+  return correction;
 }
 
 }  // namespace tubeplan::calibration

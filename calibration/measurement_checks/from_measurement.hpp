@@ -42,9 +42,9 @@ struct Run {
 [[nodiscard]] std::function<void(std::vector<Measurement>&)> changeOf(
     std::set<std::string> ids, std::function<void(std::vector<Measurement>&)> change);
 
-/// Returns a copy of the correction `whole` that applies only to measurement `id` and all later ones; nullopt if there
-/// is no such measurement.
-[[nodiscard]] std::optional<Correction> fromMeasurement(const CheckedMeasurements& checked, Correction whole,
+/// Returns a copy of `correction` that applies only to measurement `id` and all later ones; nullopt if there is no
+/// such measurement.
+[[nodiscard]] std::optional<Correction> fromMeasurement(const CheckedMeasurements& checked, Correction correction,
                                                         const std::string& id);
 
 }  // namespace tubeplan::calibration

@@ -65,8 +65,8 @@ inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Mea
   const auto anglesOf = [](const Eigen::Vector3d& d) {
     return Eigen::Vector2d(std::atan2(d.y(), d.x()), std::atan2(d.z(), d.head<2>().norm()));
   };
-  const Eigen::Vector2d there = anglesOf(tool.R_WT.col(0));
-  const Eigen::Matrix3d R_WM = frameOf(there[0], there[1]);
+  const Eigen::Vector2d angles = anglesOf(tool.R_WT.col(0));
+  const Eigen::Matrix3d R_WM = frameOf(angles[0], angles[1]);
   const Eigen::Vector3d off(noise[0] / kTurnLever, noise[1] / kTurnLever, 1);
   measurement.own.head<2>() = anglesOf(R_WM * off);
 }

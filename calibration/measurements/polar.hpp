@@ -25,9 +25,9 @@ inline Eigen::Vector3d numbersOf(const Eigen::Vector3d& way) {
 }
 /// Returns the predicted values. The horizontal angle is relative to the measured one, wrapped to half a turn.
 inline MeasuredValue value(const Measurement& measurement, const ToolPose& tool) {
-  const Eigen::Vector3d there = numbersOf(wayTo(measurement, tool));
-  const double off = std::remainder(there[1] - measurement.own[1], 2 * EIGEN_PI);
-  return Eigen::Vector3d(there[0], kTurnLever * off, kTurnLever * there[2]);
+  const Eigen::Vector3d predicted = numbersOf(wayTo(measurement, tool));
+  const double off = std::remainder(predicted[1] - measurement.own[1], 2 * EIGEN_PI);
+  return Eigen::Vector3d(predicted[0], kTurnLever * off, kTurnLever * predicted[2]);
 }
 inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool) {
   const Eigen::Vector3d way = wayTo(measurement, tool);
@@ -43,8 +43,9 @@ inline MeasuredValue measured(const Measurement& measurement) {
   return Eigen::Vector3d(measurement.own[0], 0, kTurnLever * measurement.own[2]);
 }
 inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& measurement) {
-  const Eigen::Vector3d there = numbersOf(wayTo(measurement, tool));
-  measurement.own = {scale * there[0] + noise[0], there[1] + noise[1] / kTurnLever, there[2] + noise[2] / kTurnLever};
+  const Eigen::Vector3d predicted = numbersOf(wayTo(measurement, tool));
+  measurement.own = {scale * predicted[0] + noise[0], predicted[1] + noise[1] / kTurnLever,
+                     predicted[2] + noise[2] / kTurnLever};
 }
 
 inline Eigen::Vector3d place(const Measurement& measurement) {

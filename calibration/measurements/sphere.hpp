@@ -83,11 +83,11 @@ inline Surface nearestSphere(Surface surface, const Eigen::Matrix3Xd& points_W, 
       Surface next = surface;
       next.p_W += step.head<3>();
       if (numbers > 3) next.radius += step[3];
-      Distances there = distancesFrom(next, points_W, numbers);
-      if (!(there.error.squaredNorm() < at.error.squaredNorm())) continue;
+      Distances candidate = distancesFrom(next, points_W, numbers);
+      if (!(candidate.error.squaredNorm() < at.error.squaredNorm())) continue;
       is_nearer = true;
       surface = next;
-      at = std::move(there);
+      at = std::move(candidate);
     }
     if (!is_nearer || step.norm() < kStill) break;
   }

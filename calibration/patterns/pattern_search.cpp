@@ -131,9 +131,9 @@ void describeTrend(const Variable& variable, const Eigen::Matrix3Xd& errors, Pat
   }
 }
 
-double tailOfF(double F, int numbers, int rest) {
+double tailOfF(double F, int numbers, int remaining_freedom) {
   if (!std::isfinite(F)) return 0;
-  return fisherTail(F, numbers, rest);
+  return fisherTail(F, numbers, remaining_freedom);
 }
 
 /// A variable whose effect is to be tested in the axes of one frame.
@@ -230,13 +230,14 @@ PatternTest testVariable(const SearchedScene& search, const Question& question, 
   const bool is_dense = static_cast<Index>(variable.groups.size()) <= kFewGroups;
   const Followed followed = is_dense ? followFunctions(search, question, fitted_columns, r)
                                      : followGroups(search, variable, fitted_columns, r);
-  test.rest = search.freedom - static_cast<int>(fitted_columns.cols() - search.absorbed.cols()) - followed.numbers;
-  if (followed.numbers <= 0 || test.rest < 1) return test;
+  test.remaining_freedom =
+      search.freedom - static_cast<int>(fitted_columns.cols() - search.absorbed.cols()) - followed.numbers;
+  if (followed.numbers <= 0 || test.remaining_freedom < 1) return test;
   test.numbers = followed.numbers;
   test.fall = followed.part.squaredNorm();
   test.share = test.fall / std::max(1e-300, search.r.squaredNorm());
-  test.F = test.fall / test.numbers / std::max(1e-300, (r.squaredNorm() - test.fall) / test.rest);
-  test.p_value = tailOfF(test.F, test.numbers, test.rest);
+  test.F = test.fall / test.numbers / std::max(1e-300, (r.squaredNorm() - test.fall) / test.remaining_freedom);
+  test.p_value = tailOfF(test.F, test.numbers, test.remaining_freedom);
   describeTrend(variable, -followedErrors(search, question.frame, followed.part), test);
   return test;
 }

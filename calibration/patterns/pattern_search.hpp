@@ -31,9 +31,9 @@ struct PatternTest {
   std::string variable;  ///< name of the variable
   deflection::ValueUnit unit;
   PatternFrame frame = PatternFrame::kWorld;
-  double fall = 0;  ///< reduction of chi-square by the pattern
-  int numbers = 0;  ///< number of columns that were not absorbed
-  int rest = 0;     ///< remaining degrees of freedom
+  double fall = 0;            ///< reduction of chi-square by the pattern
+  int numbers = 0;            ///< number of columns that were not absorbed
+  int remaining_freedom = 0;  ///< remaining degrees of freedom
   double F = std::numeric_limits<double>::quiet_NaN();
   double p_value = 1;      ///< p-value of this test alone, without correction
   double p_corrected = 1;  ///< p-value after Holm's correction over all tests

@@ -39,9 +39,9 @@ PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, con
                        ToolPose tool, const std::optional<Surface>& surface, Measurement& measurement) {
   const MeasurementKindRow& kind = kindOf(measurement);
   if (const auto from = departureOf(measurement); from && !kind.is_from_measurement) {
-    const auto rest = toolIn(arm, site, measurementAt(*from));
-    if (!rest) return PostureRefusal::kNotConverged;
-    tool.p_W -= rest->p_W;
+    const auto departure_tool = toolIn(arm, site, measurementAt(*from));
+    if (!departure_tool) return PostureRefusal::kNotConverged;
+    tool.p_W -= departure_tool->p_W;
   }
   if (measurement.row) {
     const auto frame = frameAt(arm, site.X_WB, measurement, kShapeExactly);
@@ -86,13 +86,13 @@ CampaignStation::CampaignStation(const deflection::Arm& arm, const CampaignDesig
       source_(arm, options.seed),
       reach_(deflection::reachOf(arm)),
       fresh_holes_(options.holes),
-      here_(source_.anywhere()) {}
+      last_q_(source_.anywhere()) {}
 
 StationMeasurements CampaignStation::read(const CampaignSite& site, int number,
                                           const std::vector<MeasurementConditions>& conditions) {
   StationMeasurements taken;
   taken.name = (kindOf(design_.kind).is_touch ? "H" : "P") + std::to_string(number);
-  VectorXd here = here_, q = here_;
+  VectorXd q_before = last_q_, q = last_q_;
   for (std::size_t k = 0; k < conditions.size(); ++k) {
     if (k % static_cast<std::size_t>(measurementsPerPosture(design_)) == 0) taken.refusal = begin(site, taken, q);
     if (taken.refusal != PostureRefusal::kNone) return taken;
@@ -100,14 +100,14 @@ StationMeasurements CampaignStation::read(const CampaignSite& site, int number,
     measurement.point = taken.name;
     measurement.q = q;
     Vector3d tip_W;
-    taken.refusal = take(site, conditions[k], taken, here, measurement, tip_W);
+    taken.refusal = take(site, conditions[k], taken, q_before, measurement, tip_W);
     if (taken.refusal != PostureRefusal::kNone) return taken;
-    here = q = measurement.q;
+    q_before = q = measurement.q;
     measurement.q += conditions[k].encoder_noise;
     taken.tips_W.push_back(tip_W);
     taken.measurements.push_back(std::move(measurement));
   }
-  here_ = here;
+  last_q_ = q_before;
   std::erase_if(fresh_holes_, [&](const auto& hole) { return hole.name == taken.name; });
   if (fresh_holes_.empty()) renewHoles();
   return taken;
@@ -171,11 +171,11 @@ PostureRefusal CampaignStation::beginAtHole(const CampaignSite& site, StationMea
 }
 
 PostureRefusal CampaignStation::take(const CampaignSite& site, const MeasurementConditions& conditions,
-                                     const StationMeasurements& taken, const VectorXd& here, Measurement& measurement,
-                                     Vector3d& tip_W) const {
-  measurement.approach_directions = conditions.approach_directions(here, measurement.q);
+                                     const StationMeasurements& taken, const VectorXd& q_before,
+                                     Measurement& measurement, Vector3d& tip_W) const {
+  measurement.approach_directions = conditions.approach_directions(q_before, measurement.q);
   if (const auto goal_W = goalOf(site, taken, measurement, conditions.coordinate_noise)) {
-    const auto refusal = bringTip(site, conditions, *goal_W, here, measurement);
+    const auto refusal = bringTip(site, conditions, *goal_W, q_before, measurement);
     if (refusal != PostureRefusal::kNone) return refusal;
   }
   const TipTrial trial = check(site, measurement);
@@ -188,14 +188,15 @@ PostureRefusal CampaignStation::take(const CampaignSite& site, const Measurement
 /// Brings the tip to a goal. Effects may depend on the joints' directions of arrival, which depend on the joint values
 /// at the goal. Both are therefore found by iteration.
 PostureRefusal CampaignStation::bringTip(const CampaignSite& site, const MeasurementConditions& conditions,
-                                         const Vector3d& goal_W, const VectorXd& here, Measurement& measurement) const {
+                                         const Vector3d& goal_W, const VectorXd& q_before,
+                                         Measurement& measurement) const {
   constexpr int kMostPasses = 4;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     const auto placed = placeTip(arm_, postureOf(measurement, arm_, site.X_WB), site.X_WB.inverse() * goal_W);
     if (placed.status == TipPlacementStatus::kStretched) return PostureRefusal::kStretched;
     if (placed.status != TipPlacementStatus::kPlaced) return PostureRefusal::kOutOfReach;
     measurement.q = placed.q;
-    const auto approach_directions = conditions.approach_directions(here, measurement.q);
+    const auto approach_directions = conditions.approach_directions(q_before, measurement.q);
     if (approach_directions == measurement.approach_directions) return PostureRefusal::kNone;
     measurement.approach_directions = approach_directions;
   }

@@ -55,13 +55,13 @@ class CampaignStation {
   [[nodiscard]] PostureRefusal beginAtSurface(const CampaignSite& site, StationMeasurements& taken, Eigen::VectorXd& q);
   [[nodiscard]] PostureRefusal beginAtHole(const CampaignSite& site, StationMeasurements& taken, Eigen::VectorXd& q);
 
-  /// Moves the arm from the joint values `here` to the measurement's target and takes the measurement there, without
-  /// encoder noise.
+  /// Moves the arm from the joint values `q_before` to the measurement's target and takes the measurement there,
+  /// without encoder noise.
   [[nodiscard]] PostureRefusal take(const CampaignSite& site, const MeasurementConditions& conditions,
-                                    const StationMeasurements& taken, const Eigen::VectorXd& here,
+                                    const StationMeasurements& taken, const Eigen::VectorXd& q_before,
                                     Measurement& measurement, Eigen::Vector3d& tip_W) const;
   [[nodiscard]] PostureRefusal bringTip(const CampaignSite& site, const MeasurementConditions& conditions,
-                                        const Eigen::Vector3d& goal_W, const Eigen::VectorXd& here,
+                                        const Eigen::Vector3d& goal_W, const Eigen::VectorXd& q_before,
                                         Measurement& measurement) const;
   [[nodiscard]] std::optional<Eigen::Vector3d> goalOf(const CampaignSite& site, const StationMeasurements& taken,
                                                       const Measurement& measurement,
@@ -75,7 +75,7 @@ class CampaignStation {
   PostureSource source_;
   double reach_, plane_height_ = 0;
   std::vector<CampaignPoint> fresh_holes_;  ///< holes that have not been measured yet
-  Eigen::VectorXd here_;                    ///< joint values of the last posture, without noise
+  Eigen::VectorXd last_q_;                  ///< joint values of the last posture, without noise
 };
 
 }  // namespace tubeplan::calibration

@@ -81,27 +81,27 @@ std::optional<ExpressionProblem> findForeign(const std::string& text) {
 ExpressionProblem problemOf(const mu::ParserError& error, const std::string& text) {
   ExpressionProblem problem;
   problem.position = std::min(static_cast<std::size_t>(std::max(0, error.GetPos())), text.size());
-  problem.rest = " where an expression such as c*sin(3*theta1) is expected";
+  problem.suffix = " where an expression such as c*sin(3*theta1) is expected";
   const std::string token = error.GetToken();
   switch (error.GetCode()) {
     case mu::ecUNEXPECTED_EOF:
     case mu::ecEMPTY_EXPRESSION:
       problem.what = "the formula ends";
-      problem.rest = " where an expression should follow";
+      problem.suffix = " where an expression should follow";
       break;
     case mu::ecMISSING_PARENS:
       problem.what = "the formula ends";
-      problem.rest = " where a ')' is missing";
+      problem.suffix = " where a ')' is missing";
       break;
     case mu::ecTOO_FEW_PARAMS:
     case mu::ecTOO_MANY_PARAMS:
       problem.what = "'" + token + "' has too " +
                      std::string(error.GetCode() == mu::ecTOO_FEW_PARAMS ? "few" : "many") + " arguments";
-      problem.rest = "";
+      problem.suffix = "";
       break;
     default:
       problem.what = token.empty() ? "the formula cannot be read" : "'" + token.substr(0, 40) + "' stands";
-      if (token.empty()) problem.rest = ": write an expression such as c*sin(3*theta1)";
+      if (token.empty()) problem.suffix = ": write an expression such as c*sin(3*theta1)";
   }
   return problem;
 }

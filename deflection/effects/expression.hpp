@@ -12,10 +12,10 @@
 
 namespace tubeplan::deflection {
 
-/// Error found while parsing an expression. The error message consists of `what`, " at character N" and `rest`.
+/// Error found while parsing an expression. The error message consists of `what`, " at character N" and `suffix`.
 struct ExpressionProblem {
   std::string what;                ///< beginning of the message, such as "the formula ends"
-  std::string rest;                ///< end of the message, such as " where an expression should follow"; may be empty
+  std::string suffix;              ///< end of the message, such as " where an expression should follow"; may be empty
   std::size_t position = 0;        ///< 0-based index of the character in the string
   std::string word;                ///< the unknown name; empty for other errors
   std::vector<std::string> known;  ///< valid names, if a name is unknown

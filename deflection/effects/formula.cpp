@@ -217,7 +217,7 @@ std::optional<MadeFormula> understand(const Arm& arm, const Parts& parts, const 
   formula.expression = Expression::parse(parts.expression, problem);
   if (formula.expression) return bindNames(arm, units, formula);
   MadeFormula wrong = refused(FormulaStatus::kBadExpression,
-                              problem.what + atCharacter(parts.expression_at + problem.position) + problem.rest);
+                              problem.what + atCharacter(parts.expression_at + problem.position) + problem.suffix);
   wrong.word = problem.word;
   wrong.known = problem.known;
   return wrong;

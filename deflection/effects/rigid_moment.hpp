@@ -25,12 +25,12 @@ std::vector<Vector3<S>> rigidMoments(const ArmOf<S>& arm, const PostureOf<S>& po
     arm_with_side_chains = arm;
     attachSideChains<S>(arm, posture, arm_with_side_chains);
   }
-  const ArmOf<S>& whole = arm.side_chains.empty() ? arm : arm_with_side_chains;
+  const ArmOf<S>& full_arm = arm.side_chains.empty() ? arm : arm_with_side_chains;
   Chain<S> chain;
   if constexpr (std::is_same_v<S, double>)
-    chain = assembleChain<double>(whole, whole, posture.q);
+    chain = assembleChain<double>(full_arm, full_arm, posture.q);
   else
-    chain = assembleChain<S>(whole, castArm<double>(whole), posture.q);
+    chain = assembleChain<S>(full_arm, castArm<double>(full_arm), posture.q);
   const std::size_t count = chain.links.size();
   std::vector<Vector3<S>> gravity(count);  // direction of gravity in the near axes of each link
   Vector3<S> along = posture.gravity_B;

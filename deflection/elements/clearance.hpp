@@ -25,14 +25,14 @@ struct Restoring {
 };
 
 /// Position of a joint in its gap after a pass, and the derivatives of that position.
-struct Rest {
+struct GapPosition {
   double angle;          ///< position in the gap [rad]
   double by_gap = 0;     ///< derivative with respect to the gap [rad/rad]
   double by_angle = 0;   ///< derivative with respect to the angle before the pass; 1 while the joint hangs freely
   double by_moment = 0;  ///< derivative with respect to the moment [rad/(N m)]
 };
 
-inline Rest converge(double gap, double before, double moment, const Restoring& restoring) {
+inline GapPosition converge(double gap, double before, double moment, const Restoring& restoring) {
   const double half = gap / 2, side = (moment > 0) - (moment < 0), floor = 1e-6 * restoring.scale;
   // The derivative with respect to the gap does not vanish at zero: the joint moves by half of any opening.
   if (half <= 0) return {side * half, side / 2};
@@ -40,10 +40,10 @@ inline Rest converge(double gap, double before, double moment, const Restoring& 
   if (!hangs && std::abs(moment) <= 1e-9 * restoring.scale) return {before};
   const double kappa = std::max(
       {restoring.clearances * std::abs(restoring.moment_per_angle), floor, std::numeric_limits<double>::min()});
-  const double rest = before + moment / kappa;
-  if (rest > half) return {half, 0.5};
-  if (rest < -half) return {-half, -0.5};
-  return hangs ? Rest{rest, 0, 1, 1 / kappa} : Rest{rest};
+  const double angle = before + moment / kappa;
+  if (angle > half) return {half, 0.5};
+  if (angle < -half) return {-half, -0.5};
+  return hangs ? GapPosition{angle, 0, 1, 1 / kappa} : GapPosition{angle};
 }
 
 }  // namespace tubeplan::deflection::clearance

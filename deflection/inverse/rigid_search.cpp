@@ -91,8 +91,9 @@ std::vector<int> heldJoints(const std::vector<MatrixXd>& slopes, Index rows) {
 
 }  // namespace
 
-RigidSearch::RigidSearch(const Arm& arm, const AxesAtZero& axes, Hold hold) : axes_(axes), reach_(reachOf(arm)) {
-  chooseForm(arm, hold);
+RigidSearch::RigidSearch(const Arm& arm, const AxesAtZero& axes, Constraint constraint)
+    : axes_(axes), reach_(reachOf(arm)) {
+  chooseForm(arm, constraint);
   if (form_ == Form::kLine) lines_ = closureChain<kLineSize>(axes_, reach_);
   if (form_ == Form::kPlace) places_ = closureChain<kPlaceSize>(axes_, reach_);
   addSlices(arm);
@@ -117,10 +118,10 @@ void RigidSearch::addSlices(const Arm& arm) {
   }
 }
 
-void RigidSearch::chooseForm(const Arm& arm, Hold hold) {
+void RigidSearch::chooseForm(const Arm& arm, Constraint constraint) {
   const Index n = arm.jointCount();
   assert(n >= 3);
-  if (hold == Hold::kPlaceAndAxis && n >= 4) {
+  if (constraint == Constraint::kPlaceAndAxis && n >= 4) {
     for (int k = 1; k + 3 < n; ++k) held_.push_back(k);
     AxesAtZero four = axes_;
     for (std::size_t k = held_.size(); k-- > 0;)
@@ -137,7 +138,7 @@ void RigidSearch::chooseForm(const Arm& arm, Hold hold) {
   const bool turns_the_tool = n >= 5 && std::ranges::any_of(slopes, [](const MatrixXd& slope) {
                                 return leastSingularValue(slope) > kTurnsTheTool;
                               });
-  form_ = hold == Hold::kPlaceAndAxis && turns_the_tool ? Form::kLine : Form::kPlace;
+  form_ = constraint == Constraint::kPlaceAndAxis && turns_the_tool ? Form::kLine : Form::kPlace;
   held_ = heldJoints(slopes, form_ == Form::kLine ? 5 : 3);
 }
 

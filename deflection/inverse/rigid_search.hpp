@@ -16,10 +16,11 @@ namespace tubeplan::deflection {
 
 class RigidSearch {
  public:
-  enum class Hold { kPlaceAndAxis, kPlace };
+  enum class Constraint { kPlaceAndAxis, kPlace };
   /// Prepares the search for an arm of three joints or more; `arm` provides the joint limits. If the arm cannot turn
-  /// its tool in two directions with the tip in place, or if `hold` is kPlace, the search ignores the tool's direction.
-  RigidSearch(const Arm& arm, const AxesAtZero& axes, Hold hold = Hold::kPlaceAndAxis);
+  /// its tool in two directions with the tip in place, or if `constraint` is kPlace, the search ignores the tool's
+  /// direction.
+  RigidSearch(const Arm& arm, const AxesAtZero& axes, Constraint constraint = Constraint::kPlaceAndAxis);
 
   /// Adds readings near all postures with the tip at the goal position and, if areUpright(), the tool along the goal
   /// axis. The order is the same for every goal. Adds nothing if there is no such posture.
@@ -46,7 +47,7 @@ class RigidSearch {
     std::variant<AxesAtZero, WristBranches, PlaceLoop, LineLoop> chain;
     std::vector<double> rolls;  ///< rotations of the tool about its axis, for arms with a wrist [rad]
   };
-  void chooseForm(const Arm& arm, Hold hold);
+  void chooseForm(const Arm& arm, Constraint constraint);
   [[nodiscard]] Slice sliceAt(const Eigen::VectorXd& readings, std::vector<double> rolls = {}) const;
   [[nodiscard]] Eigen::VectorXd withoutHeld(const Eigen::VectorXd& q) const;
   void addSlices(const Arm& arm);

@@ -91,7 +91,7 @@ std::vector<StartPostures::Candidate> StartPostures::search(const ToolGoal& goal
   // If no posture has the tool along the goal axis, postures that only reach the goal position may still have an
   // allowed tilt.
   starts.clear();
-  if (!places_) places_.emplace(arm_, axes_, RigidSearch::Hold::kPlace);
+  if (!places_) places_.emplace(arm_, axes_, RigidSearch::Constraint::kPlace);
   places_->addPostures(goal, starts);
   (void)leadAll(goal, starts, found);
   return found;

@@ -109,21 +109,21 @@ inline SineCosine sineCosine(Real x) {
   const Bits quadrant = bitsOf(shifted);
   const Real a = x - k * 1.57079632673412561417e+00, b = k * 6.07710050630396597660e-11;
   const Real r = a - b;
-  const Real rest = ((a - r) - b) - k * 2.02226624879595063154e-21;  // r + rest: reduced angle
+  const Real r_low = ((a - r) - b) - k * 2.02226624879595063154e-21;  // r + r_low: reduced angle
   const Real y = r, z = y * y;
   const Real ps =
       8.33333333332248946124e-03 +
       z * (-1.98412698298579493134e-04 +
            z * (2.75573137070700676789e-06 + z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)));
   const Real v = z * y;
-  const Real sine = y - ((z * (0.5 * rest - v * ps) - rest) + v * 1.66666666666666324348e-01);
+  const Real sine = y - ((z * (0.5 * r_low - v * ps) - r_low) + v * 1.66666666666666324348e-01);
   const Real pc = z * (4.16666666666666019037e-02 +
                        z * (-1.38888888888741095749e-03 +
                             z * (2.48015872894767294178e-05 +
                                  z * (-2.75573143513906633035e-07 +
                                       z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11)))));
   const Real half = 0.5 * z, w = 1. - half;
-  const Real cosine = w + (((1. - w) - half) + (z * pc - y * rest));
+  const Real cosine = w + (((1. - w) - half) + (z * pc - y * r_low));
   const Bits odd = isZero(quadrant & 1), s_plus = isZero(quadrant & 2), c_plus = isZero((quadrant + 1) & 2);
   Real s = select(odd, sine, cosine), c = select(odd, cosine, sine);
   s = select(s_plus, s, -s);

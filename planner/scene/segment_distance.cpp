@@ -25,10 +25,10 @@ double levelPlace(const SlopeAt& slope_at) {
   if (end.slope <= 0) return 1;
   double low = 0, high = 1, s = start.slope / (start.slope - end.slope);
   for (int step = 0; step < kMostSteps; ++step) {
-    const Slope here = slope_at(s);
-    if (here.slope == 0) return s;
-    (here.slope < 0 ? low : high) = s;
-    double next = s - here.slope / here.curvature;
+    const Slope current = slope_at(s);
+    if (current.slope == 0) return s;
+    (current.slope < 0 ? low : high) = s;
+    double next = s - current.slope / current.curvature;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (std::abs(next - s) <= kFinestStep) return next;
     s = next;

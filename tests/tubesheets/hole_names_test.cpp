@@ -42,8 +42,8 @@ TEST_P(HoleNames, TwoThatAreExchangedAreNamedWithOneAnother) {
   const auto found = findMisnamedHoles(sheet_);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].tube, static_cast<int>(k));
-  EXPECT_EQ(found[0].there, static_cast<int>(k + 1));
-  EXPECT_EQ(found[1].there, static_cast<int>(k));
+  EXPECT_EQ(found[0].tube_at_position, static_cast<int>(k + 1));
+  EXPECT_EQ(found[1].tube_at_position, static_cast<int>(k));
 }
 
 TEST_P(HoleNames, TwoOfNeighbouringRowsThatAreExchangedAreNamed) {

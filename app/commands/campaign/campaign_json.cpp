@@ -13,10 +13,10 @@ json probabilityJson(const Probability& probability) {
           {"high", finiteJson(probability.high)}};
 }
 
-json shareJson(std::uint64_t part, std::uint64_t whole) {
-  json share = probabilityJson(wilsonInterval(static_cast<double>(part), static_cast<double>(whole)));
+json shareJson(std::uint64_t part, std::uint64_t total) {
+  json share = probabilityJson(wilsonInterval(static_cast<double>(part), static_cast<double>(total)));
   share["count"] = part;
-  share["of"] = whole;
+  share["of"] = total;
   return share;
 }
 

@@ -15,7 +15,7 @@ namespace tubeplan::app {
 [[nodiscard]] nlohmann::json probabilityJson(const Probability& probability);
 
 /// Returns {count, of, value, low, high}: a share of independent runs with Wilson's interval.
-[[nodiscard]] nlohmann::json shareJson(std::uint64_t part, std::uint64_t whole);
+[[nodiscard]] nlohmann::json shareJson(std::uint64_t part, std::uint64_t total);
 
 /// Returns the standard deviations of what is drawn about the arm `truth`.
 [[nodiscard]] nlohmann::json drawnJson(const TruthSpread& spread, const deflection::Arm& truth, const Units& units);

@@ -128,11 +128,13 @@ namespace {
 void warnOfMisnamedHoles(const tubesheets::Sheet& sheet, std::vector<std::string>& warnings) {
   for (const auto& hole : tubesheets::findMisnamedHoles(sheet)) {
     const auto& tube = sheet.tubes[static_cast<std::size_t>(hole.tube)];
-    const auto* there = hole.there < 0 ? nullptr : &sheet.tubes[static_cast<std::size_t>(hole.there)];
-    warnings.push_back(
-        fmt::format("hole map: {} is not at the position that its row gives for column {}{}: check its name",
-                    tubesheets::tubeName(tube.row, tube.column), tube.column,
-                    there ? fmt::format(", {} is", tubesheets::tubeName(there->row, there->column)) : ""));
+    const auto* tube_at_position =
+        hole.tube_at_position < 0 ? nullptr : &sheet.tubes[static_cast<std::size_t>(hole.tube_at_position)];
+    warnings.push_back(fmt::format(
+        "hole map: {} is not at the position that its row gives for column {}{}: check its name",
+        tubesheets::tubeName(tube.row, tube.column), tube.column,
+        tube_at_position ? fmt::format(", {} is", tubesheets::tubeName(tube_at_position->row, tube_at_position->column))
+                         : ""));
   }
 }
 

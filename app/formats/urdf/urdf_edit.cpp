@@ -139,10 +139,10 @@ class UrdfEditor {
     const UrdfJointTags& tags = tagsOf(joint.name);
     const Vector3d p = X_PC.translation(), rpy = anglesNear(X_PC.linear(), joint.rpy);
     if (!tags.origin) {
-      const std::string_view behind = restBehind(tags.joint.whole);
-      changes_.insertBehind(tags.joint.whole, fmt::format("{}<origin xyz=\"{}\" rpy=\"{}\"/>",
-                                                          behind.substr(0, behind.find_first_not_of(" \t\r\n")),
-                                                          decimalsOf(p), decimalsOf(rpy)));
+      const std::string_view behind = restBehind(tags.joint.text);
+      changes_.insertBehind(tags.joint.text, fmt::format("{}<origin xyz=\"{}\" rpy=\"{}\"/>",
+                                                         behind.substr(0, behind.find_first_not_of(" \t\r\n")),
+                                                         decimalsOf(p), decimalsOf(rpy)));
     } else {
       if (is_moved) setNumbers(*tags.origin, "xyz", joint.X_PC.translation(), p);
       if (is_turned) setNumbers(*tags.origin, "rpy", joint.rpy, rpy);

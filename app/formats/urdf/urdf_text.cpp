@@ -48,7 +48,7 @@ std::optional<XmlTag> tagAt(std::string_view text, std::size_t begin) {
   tag.closes = tag.closes || text[end] == '/';
   end = text.find('>', end);
   if (end == std::string_view::npos) return {};
-  tag.whole = text.substr(begin, end + 1 - begin);
+  tag.text = text.substr(begin, end + 1 - begin);
   return tag;
 }
 
@@ -87,10 +87,10 @@ class JointTagWalk {
 
   void noteIn(UrdfTags& tags) {
     for (auto tag = nextXmlTag(text_, 0); tag && tags.robot_end.empty();) {
-      const auto next = static_cast<std::size_t>(tag->whole.data() + tag->whole.size() - text_.data());
+      const auto next = static_cast<std::size_t>(tag->text.data() + tag->text.size() - text_.data());
       if (tag->opens) note(*tag, tags);
       if (tag->opens && !tag->closes) within_.push_back(tag->name);
-      if (!tag->opens && within_ == std::vector<std::string_view>{"robot"}) tags.robot_end = tag->whole;
+      if (!tag->opens && within_ == std::vector<std::string_view>{"robot"}) tags.robot_end = tag->text;
       if (!tag->opens && !within_.empty()) within_.pop_back();
       tag = nextXmlTag(text_, next);
     }

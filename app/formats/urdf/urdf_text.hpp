@@ -17,9 +17,9 @@ struct XmlAttribute {
   std::string_view name, value;
 };
 
-/// Tag in XML text; `whole` includes < and >.
+/// Tag in XML text; `text` includes < and >.
 struct XmlTag {
-  std::string_view whole, name;
+  std::string_view text, name;
   std::vector<XmlAttribute> attributes;
   bool opens = false;   ///< true for a tag that opens an element: `<a>` and `<a/>`
   bool closes = false;  ///< true for a tag that closes an element: `</a>` and `<a/>`

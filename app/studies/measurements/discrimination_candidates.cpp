@@ -236,7 +236,7 @@ std::vector<MeasurementCandidate> bareCandidates(const CellModel& cell, const ca
   PostureQuestion has_room;
   if (work.scene.bodies.empty())
     has_room = [room = MeasuredRoom(fitted, measurements)](const VectorXd& q, double load) {
-      return room.holds(q, load);
+      return room.contains(q, load);
     };
   auto postures = clearPostures(work, custom.loads, options.postures / 2, options.seed, has_room);
   const auto outer = clearPostures(work, custom.loads, options.postures - static_cast<int>(postures.size()),

@@ -87,7 +87,7 @@ MeasuredRoom::MeasuredRoom(const calibration::PlacedArm& fitted, const std::vect
   }
 }
 
-bool MeasuredRoom::holds(const Eigen::VectorXd& q, double load) const {
+bool MeasuredRoom::contains(const Eigen::VectorXd& q, double load) const {
   const auto& X_WB = fitted_.base_poses.back().X_WB;
   const auto links = linksAt(fitted_.arm, X_WB, {q, load, deflection::gravityInBase(fitted_.arm, X_WB)});
   if (links.empty() || lowestOf(links) < lowest_ - kSlack) return false;

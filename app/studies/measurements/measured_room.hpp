@@ -20,7 +20,7 @@ class MeasuredRoom {
 
   /// Returns true if the posture `q` [rad, m] under a load [N] is inside the room, with the arm on the base of its last
   /// set-up.
-  [[nodiscard]] bool holds(const Eigen::VectorXd& q, double load) const;
+  [[nodiscard]] bool contains(const Eigen::VectorXd& q, double load) const;
 
  private:
   calibration::PlacedArm fitted_;

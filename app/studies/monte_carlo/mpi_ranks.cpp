@@ -22,15 +22,15 @@ Ranks::~Ranks() { MPI_Finalize(); }
 std::string Ranks::fromFirst(const std::string& text) {
   std::uint64_t length = text.size();
   MPI_Bcast(&length, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
-  std::string said = rank_ == 0 ? text : std::string(length, '\0');
-  MPI_Bcast(said.data(), static_cast<int>(length), MPI_CHAR, 0, MPI_COMM_WORLD);
-  return said;
+  std::string received = rank_ == 0 ? text : std::string(length, '\0');
+  MPI_Bcast(received.data(), static_cast<int>(length), MPI_CHAR, 0, MPI_COMM_WORLD);
+  return received;
 }
 
-bool Ranks::holdsEverywhere(bool here) {
-  int one = here, all = 0;
-  MPI_Allreduce(&one, &all, 1, MPI_INT, MPI_LAND, MPI_COMM_WORLD);
-  return all != 0;
+bool Ranks::isTrueOnAllRanks(bool value) {
+  int local = value, on_all = 0;
+  MPI_Allreduce(&local, &on_all, 1, MPI_INT, MPI_LAND, MPI_COMM_WORLD);
+  return on_all != 0;
 }
 
 void Ranks::send(int to, int subject, const TallyWords& words) {

@@ -11,7 +11,7 @@ Ranks::~Ranks() = default;
 
 std::string Ranks::fromFirst(const std::string& text) { return text; }
 
-bool Ranks::holdsEverywhere(bool here) { return here; }
+bool Ranks::isTrueOnAllRanks(bool value) { return value; }
 
 void Ranks::send(int, int, const TallyWords&) {}
 

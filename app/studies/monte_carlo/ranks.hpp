@@ -33,8 +33,8 @@ class Ranks {
   /// Returns the first rank's text on every rank; all ranks must call this function.
   [[nodiscard]] std::string fromFirst(const std::string& text);
 
-  /// Returns true on every rank if `here` is true on all ranks; all ranks must call this function.
-  [[nodiscard]] bool holdsEverywhere(bool here);
+  /// Returns true on every rank if `value` is true on all ranks; all ranks must call this function.
+  [[nodiscard]] bool isTrueOnAllRanks(bool value);
 
   struct Message {
     int from = -1;

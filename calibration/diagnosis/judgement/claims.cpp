@@ -19,12 +19,12 @@ double lossByFit(const DiagnosisWork& work) {
 
 }  // namespace
 
-void mixIn(const Claim& one, Claim& to) {
-  const double both = to.probability + one.probability;
+void mergeClaim(const Claim& from, Claim& to) {
+  const double both = to.probability + from.probability;
   if (!(both > 0)) return;
-  const auto mixed = [&](double a, double b) { return (to.probability * a + one.probability * b) / both; };
-  to.remainder_probability = mixed(to.remainder_probability, one.remainder_probability);
-  to.scatter_probability = mixed(to.scatter_probability, one.scatter_probability);
+  const auto mixed = [&](double a, double b) { return (to.probability * a + from.probability * b) / both; };
+  to.remainder_probability = mixed(to.remainder_probability, from.remainder_probability);
+  to.scatter_probability = mixed(to.scatter_probability, from.scatter_probability);
   to.probability = both;
 }
 

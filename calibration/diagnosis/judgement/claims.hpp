@@ -16,9 +16,9 @@ struct Claim {
   const CompetingModel* model = nullptr;
 };
 
-/// Merges claim `one` into claim `to`: adds the probabilities, and averages the conditional probabilities with these
+/// Merges claim `from` into claim `to`: adds the probabilities, and averages the conditional probabilities with these
 /// weights.
-void mixIn(const Claim& one, Claim& to);
+void mergeClaim(const Claim& from, Claim& to);
 
 /// Returns all claims of the models, with probabilities that sum to one. Models without a fit are penalised by the
 /// median loss of evidence of the fitted models.

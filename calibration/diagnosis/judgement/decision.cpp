@@ -28,7 +28,7 @@ std::vector<ModelClass> withoutUnsureAdditions(const Posterior& posterior) {
     Claim further = one;
     further.remainder_probability = 1;
     further.scatter_probability = 0;
-    mixIn(further, *part);
+    mergeClaim(further, *part);
   }
   std::ranges::stable_sort(kept, std::greater{}, &ModelClass::probability);
   return kept;

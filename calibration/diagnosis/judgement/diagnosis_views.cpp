@@ -83,7 +83,7 @@ bool isKept(std::size_t k, double share) {
 }
 
 std::vector<AddedVariablePoint> addedPointsOf(const FittedBasis& basis, const std::vector<int>& given,
-                                              const VectorXd& signature, const VectorXd& left, int most_points) {
+                                              const VectorXd& signature, const VectorXd& residual, int most_points) {
   // The number of kept measurements is approximate, so aim one percent below the limit.
   const bool is_thinned = signature.size() > most_points;
   const double share = is_thinned ? 0.99 * most_points / static_cast<double>(signature.size()) : 1;
@@ -92,7 +92,7 @@ std::vector<AddedVariablePoint> addedPointsOf(const FittedBasis& basis, const st
     if (!isKept(k, share)) continue;
     const Index first = basis.weights.first_row[k];
     for (Index row = first; row < first + rowsOf(basis.measurements[k]); ++row)
-      points.push_back({given[k], signature[row], left[row]});
+      points.push_back({given[k], signature[row], residual[row]});
   }
   return points;
 }
@@ -110,14 +110,14 @@ void addVariables(const FittedBasis& basis, const Explanation& explanation, int 
       columns.rightCols<1>() = signatures[other];
     }
     const VectorXd signature = partOutsideSpan(columns, signatures[e]);
-    const VectorXd left = partOutsideSpan(columns, -basis.residual.r);
+    const VectorXd residual = partOutsideSpan(columns, -basis.residual.r);
     AddedVariable variable;
     variable.explanation = index;
     variable.effect = static_cast<int>(e);
     variable.length = signature.norm();
     variable.kept_fraction = variable.length / std::max(1e-300, signatures[e].norm());
-    if (variable.length > 0) variable.slope = signature.dot(left) / signature.squaredNorm();
-    variable.points = addedPointsOf(basis, given, signature, left, most_points);
+    if (variable.length > 0) variable.slope = signature.dot(residual) / signature.squaredNorm();
+    variable.points = addedPointsOf(basis, given, signature, residual, most_points);
     added.push_back(std::move(variable));
   }
 }

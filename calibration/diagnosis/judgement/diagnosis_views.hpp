@@ -30,14 +30,14 @@ struct MeasurementView {
 struct AddedVariablePoint {
   int measurement = -1;
   double signature = 0;  ///< change due to the effect at its fitted size
-  double left = 0;       ///< residual of the model without the effect
+  double residual = 0;   ///< residual of the model without the effect
 };
 
 /// Signature of one effect of an explanation, against the residuals that remain with the explanation's other effects
 /// free.
 struct AddedVariable {
   int explanation = -1, effect = -1;  ///< index into `explanationsShown`; index into the effects of this explanation
-  double slope = kNotKnown;           ///< slope of `left` against `signature`; near 1 if the size is correct
+  double slope = kNotKnown;           ///< slope of `residual` against `signature`; near 1 if the size is correct
   double length = 0;                  ///< length of the signature [noise sigmas]
   double kept_fraction = 0;           ///< fraction of the signature's length that the free parameters do not absorb
   /// Points of whole measurements; if there are too many points, evenly spaced measurements are kept.

@@ -54,7 +54,7 @@ void joinSame(const DiagnosisWork& work, std::vector<ModelClass>& classes) {
       const auto differing_effect = difference(classes[a].causes, classes[b].causes);
       if (!differing_effect || !areTheSame(seen[a], seen[b])) continue;
       addName(work, differing_effect->first, differing_effect->second, classes[a].explanation);
-      mixIn(classes[b], classes[a]);
+      mergeClaim(classes[b], classes[a]);
       gone.insert(b);
     }
   std::size_t index = 0;
@@ -89,7 +89,7 @@ void nameFoundMembers(const DiagnosisWork& work, std::vector<ModelClass>& classe
     if (same == named.end())
       named.push_back(std::move(one));
     else
-      mixIn(one, *same);
+      mergeClaim(one, *same);
   }
   std::ranges::stable_sort(named, std::greater{}, &ModelClass::probability);
   classes = std::move(named);
@@ -185,7 +185,7 @@ Posterior posteriorOf(const DiagnosisWork& work) {
       continue;
     }
     ModelClass& one = classes[claim.causes];
-    mixIn(claim, one);
+    mergeClaim(claim, one);
     const CompetingModel* model = claim.model;
     if (model && model->hasFit() && (!one.model || model->logWeight() > one.model->logWeight())) one.model = model;
   }

@@ -59,17 +59,17 @@ inline Real levelPlace(Bits used_lanes, const SlopeAt& slope_at) {
   Real low = zero, high = one, s = start.slope / (start.slope - end.slope);
   Bits active = used_lanes & ~at_start & ~at_end;
   for (int step = 0; step < kMostSteps && any(active); ++step) {
-    const Slope here = slope_at(s);
-    active = active & (isLess(here.slope, zero) | isLess(zero, here.slope));
-    const Bits rises = isLess(here.slope, zero);
+    const Slope current = slope_at(s);
+    active = active & (isLess(current.slope, zero) | isLess(zero, current.slope));
+    const Bits rises = isLess(current.slope, zero);
     low = select(active & rises, s, low);
     high = select(active & ~rises, s, high);
-    Real next = s - here.slope / here.curvature;
+    Real next = s - current.slope / current.curvature;
     const Bits inside = isLess(low, next) & isLess(next, high);
     next = select(inside, next, 0.5 * (low + high));
-    const Bits rests = isAtMost(absolute(next - s), constant(kFinestStep));
+    const Bits is_settled = isAtMost(absolute(next - s), constant(kFinestStep));
     s = select(active, next, s);
-    active = active & ~rests;
+    active = active & ~is_settled;
   }
   return select(at_start, zero, select(at_end, one, s));
 }

@@ -18,14 +18,14 @@ class MeasuredRoomOfTheBench : public testing::Test {
 
 TEST_F(MeasuredRoomOfTheBench, HoldsThePosturesThatWereMeasured) {
   for (const auto& measurement : measurements)
-    EXPECT_TRUE(room.holds(measurement.q, measurement.load)) << measurement.id;
+    EXPECT_TRUE(room.contains(measurement.q, measurement.load)) << measurement.id;
 }
 
 TEST_F(MeasuredRoomOfTheBench, HoldsNoneThatHangsLower) {
   Eigen::VectorXd q = measurements.front().q;
   q[1] = -60 * kDegree;
   q[2] = 0;
-  EXPECT_FALSE(room.holds(q, 0));
+  EXPECT_FALSE(room.contains(q, 0));
 }
 
 TEST_F(MeasuredRoomOfTheBench, HoldsNoneThatFoldsTheArmOntoItself) {
@@ -33,14 +33,14 @@ TEST_F(MeasuredRoomOfTheBench, HoldsNoneThatFoldsTheArmOntoItself) {
   q[1] = 90 * kDegree;
   q[2] = 178 * kDegree;  // the forearm folded onto the latch link; measured only up to 120 deg
   q[3] = 0;
-  EXPECT_FALSE(room.holds(q, 0));
+  EXPECT_FALSE(room.contains(q, 0));
 }
 
 TEST_F(MeasuredRoomOfTheBench, ProposalsStayInIt) {
   const auto candidates = discriminationCandidates(cell, placed, measurements);
   ASSERT_GT(candidates.size(), 20U);
   for (const auto& candidate : candidates)
-    for (const auto& measurement : candidate.measurements) EXPECT_TRUE(room.holds(measurement.q, measurement.load));
+    for (const auto& measurement : candidate.measurements) EXPECT_TRUE(room.contains(measurement.q, measurement.load));
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ TEST(DiagnosisViews, anEffectThatIsThereHasSlopeOneAtItsSize) {
   double squares = 0, product = 0;
   for (const auto& point : added.points) {
     squares += point.signature * point.signature;
-    product += point.signature * point.left;
+    product += point.signature * point.residual;
   }
   EXPECT_NEAR(std::sqrt(squares), added.length, 1e-9 * added.length);
   EXPECT_NEAR(product / squares, added.slope, 1e-9);
