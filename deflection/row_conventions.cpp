@@ -88,8 +88,8 @@ RowStep stepTo(const Matrix3d& R, const Vector3d& o, double nearly_parallel) {
   auto [step, along] = z.head<2>().norm() < least ? stepAcross(o, z) : stepAlongNormal(o, z);
   Row<double> arrived;
   arrived.placement = step.numbers;
-  const Matrix3d left = (rotationZ<double>(step.first.turn) * rotationFromPrevious<double>(arrived)).transpose() * R;
-  step.numbers.theta = std::atan2(left(1, 0), left(0, 0));
+  const Matrix3d R_turn = (rotationZ<double>(step.first.turn) * rotationFromPrevious<double>(arrived)).transpose() * R;
+  step.numbers.theta = std::atan2(R_turn(1, 0), R_turn(0, 0));
   step.numbers.d = -along;
   settle(step.numbers.theta);
   settle(step.numbers.d);

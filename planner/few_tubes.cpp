@@ -89,8 +89,8 @@ std::vector<FewTubes::Move> FewTubes::movesBelow(const std::vector<int>& posture
 void FewTubes::setTime(Move move, double rough, Knowledge knowledge) {
   const double straight = straight_(move.from, move.to);
   for (std::size_t view = 0; view < times_.size(); ++view) {
-    const double left = knowledge == Knowledge::kExact ? 1 : kExcessLeft[view];
-    const double time = std::min(straight + left * (rough - straight), kForbiddenTime);
+    const double excess_share = knowledge == Knowledge::kExact ? 1 : kExcessLeft[view];
+    const double time = std::min(straight + excess_share * (rough - straight), kForbiddenTime);
     times_[view](move.from, move.to) = times_[view](move.to, move.from) = time;
   }
   knowledgeOf(move.from, move.to) = knowledgeOf(move.to, move.from) = knowledge;

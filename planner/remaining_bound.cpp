@@ -16,11 +16,11 @@ constexpr double kRounding = 1e-12;  // rounding error of a sum of times, as a f
 /// Returns the tubes removed from the earlier plan, in its order, with all their branches; std::nullopt if
 /// the reach of one of them is not known.
 std::optional<VisitChoice> removedFrom(const PlanCache& cache, const VisitChoice& choice) {
-  std::set<int> left;
-  for (const TubeReach& tube : choice.reach) left.insert(tube.tube);
+  std::set<int> remaining;
+  for (const TubeReach& tube : choice.reach) remaining.insert(tube.tube);
   std::vector<TubeReach> removed;
   for (const int tube : cache.visiting_order) {
-    if (left.contains(tube)) continue;
+    if (remaining.contains(tube)) continue;
     const auto known = cache.reach.find(tube);
     if (known == cache.reach.end() || known->second.branches.empty()) return std::nullopt;
     removed.push_back(known->second);
@@ -37,17 +37,18 @@ double longestMove(const Eigen::VectorXd& q, const Route& route) {
 }
 
 /// Returns the time [s] that suffices to visit the removed tubes before any route through the remaining tubes.
-double timeBefore(const Route& removed, const Route& left) {
+double timeBefore(const Route& removed, const Route& remaining) {
   std::vector<int> order(removed.visits.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<int>(k);
   if (order.empty() && !removed.start) return 0;
   if (order.empty())
-    return left.start ? moveDuration(*removed.start, *left.start, left.speeds) : longestMove(*removed.start, left);
+    return remaining.start ? moveDuration(*removed.start, *remaining.start, remaining.speeds)
+                           : longestMove(*removed.start, remaining);
   const BranchChoice through = bestBranches(removed, order);
   if (through.status != BranchChoiceStatus::kSolved) return kNone;
   if (removed.end) return through.travel_time;
   return through.travel_time +
-         longestMove(removed.visits.back().branches[static_cast<std::size_t>(through.branches.back())], left);
+         longestMove(removed.visits.back().branches[static_cast<std::size_t>(through.branches.back())], remaining);
 }
 
 }  // namespace
@@ -62,8 +63,8 @@ double remainingBound(const PlanContext& context, const VisitChoice& choice) {
   before.start = known.start;
   before.end = conditions.start;
   const double time = timeBefore(before, routeOf(choice, context.speeds, conditions));
-  const double left = known.lower_bound - time - kRounding * (known.lower_bound + time);
-  return left > 0 ? left : kNone;
+  const double bound = known.lower_bound - time - kRounding * (known.lower_bound + time);
+  return bound > 0 ? bound : kNone;
 }
 
 }  // namespace tubeplan::planner

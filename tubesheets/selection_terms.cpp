@@ -48,14 +48,14 @@ std::optional<std::vector<double>> parseZone(std::string_view argument) {
   const LengthUnit* unit = findLengthUnit(argument.substr(unit_start));
   if (unit == nullptr) return std::nullopt;
   std::vector<double> numbers;
-  std::string_view rest = argument.substr(0, unit_start);
+  std::string_view remaining = argument.substr(0, unit_start);
   while (numbers.size() < 5) {
-    const std::size_t colon = std::min(rest.find(':'), rest.size());
-    const std::optional<double> number = parseNumber(rest.substr(0, colon));
+    const std::size_t colon = std::min(remaining.find(':'), remaining.size());
+    const std::optional<double> number = parseNumber(remaining.substr(0, colon));
     if (!number) return std::nullopt;
     numbers.push_back(snapLength(*number * unit->metres));
-    if (colon == rest.size()) break;
-    rest.remove_prefix(colon + 1);
+    if (colon == remaining.size()) break;
+    remaining.remove_prefix(colon + 1);
   }
   if (numbers.size() != 4) return std::nullopt;
   return numbers;
@@ -152,9 +152,9 @@ const std::vector<SelectionTerm>& selectionTerms() {
 
 TermChoice chooseRange(const Sheet& sheet, const std::vector<int>& candidates, std::string_view range) {
   std::optional<Span> rows, columns;
-  std::string_view rest = range;
+  std::string_view remaining = range;
   const bool is_understood =
-      takeSpan(rest, 'R', rows) && takeSpan(rest, 'C', columns) && rest.empty() && (rows || columns);
+      takeSpan(remaining, 'R', rows) && takeSpan(remaining, 'C', columns) && remaining.empty() && (rows || columns);
   if (!is_understood) return refuseTerm("expected a range such as R10C20, R1-10C5-9, R10 or C20");
   const Span row = rows.value_or(Span{1, sheet.rows}), column = columns.value_or(Span{1, sheet.columns});
   const bool is_one_tube = row.first == row.last && column.first == column.last && rows && columns;

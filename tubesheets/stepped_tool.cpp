@@ -87,7 +87,8 @@ double probabilityWithinAll(std::span<const Section> sections, double lean, cons
   const double thin = kNoWidth * across;
   const double sigma = std::max(std::sqrt(std::max(0.0, covariance(1, 1))), thin);
   const double slope = covariance(0, 1) / (sigma * sigma);
-  const double rest = std::max(std::sqrt(std::max(0.0, covariance(0, 0) - slope * covariance(0, 1))), thin);
+  const double conditional_sigma =
+      std::max(std::sqrt(std::max(0.0, covariance(0, 0) - slope * covariance(0, 1))), thin);
   const double lowest = std::max(mean[1] - kTail * sigma, -across), highest = std::min(mean[1] + kTail * sigma, across);
   if (lowest >= highest) return 0;
   const double middle = (lowest + highest) / 2, span = (highest - lowest) / 2;
@@ -102,7 +103,7 @@ double probabilityWithinAll(std::span<const Section> sections, double lean, cons
     if (from >= to) return 0.0;
     const double half = (to - from) / 2, centre = mean[0] + slope * (v - mean[1]) - (from + to) / 2;
     const double density = std::exp(-u * u / 2) / (sigma * std::sqrt(2 * std::numbers::pi));
-    return density * probabilityOfBand(half, centre, rest) * span * std::cos(turn);
+    return density * probabilityOfBand(half, centre, conditional_sigma) * span * std::cos(turn);
   };
   double sum = 0;
   for (int piece = -2; piece < 2; ++piece)

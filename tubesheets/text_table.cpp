@@ -395,10 +395,11 @@ std::string_view behindUnits(std::string_view line) {
   const auto isLetter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
   const auto word = std::ranges::search(line, kWord, isSameLetter);
   if (word.empty() || (word.begin() != line.begin() && isLetter(*std::prev(word.begin())))) return {};
-  std::string_view rest(word.end(), line.end());
-  if (!rest.empty() && isSameLetter(rest.front(), 's')) rest.remove_prefix(1);
-  rest = trimBlanks(rest);
-  return !rest.empty() && (rest.front() == ':' || rest.front() == '=') ? rest.substr(1) : std::string_view();
+  std::string_view following(word.end(), line.end());
+  if (!following.empty() && isSameLetter(following.front(), 's')) following.remove_prefix(1);
+  following = trimBlanks(following);
+  return !following.empty() && (following.front() == ':' || following.front() == '=') ? following.substr(1)
+                                                                                      : std::string_view();
 }
 
 std::string statedUnit(const std::vector<std::string>& lines_before, bool (*isUnit)(std::string_view)) {

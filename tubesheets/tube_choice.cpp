@@ -28,11 +28,11 @@ std::vector<int> peelDepths(const Sheet& sheet) {
   const std::vector<std::vector<int>> neighbours = findNeighbours(sheet);
   std::size_t most = 0;
   for (const auto& around : neighbours) most = std::max(most, around.size());
-  std::vector<std::size_t> left(neighbours.size());
+  std::vector<std::size_t> open_neighbours(neighbours.size());
   std::vector<int> depths(neighbours.size(), 0), layer;
   for (int tube = 0; tube < static_cast<int>(neighbours.size()); ++tube) {
-    left[tube] = neighbours[tube].size();
-    if (left[tube] < most) layer.push_back(tube);
+    open_neighbours[tube] = neighbours[tube].size();
+    if (open_neighbours[tube] < most) layer.push_back(tube);
   }
   // If all tubes have the same number of neighbours (sheets of one or two tubes), all are on the periphery.
   if (layer.empty()) return std::vector<int>(neighbours.size(), 1);
@@ -41,7 +41,7 @@ std::vector<int> peelDepths(const Sheet& sheet) {
     std::vector<int> next;
     for (const int tube : layer)
       for (const int other : neighbours[tube])
-        if (depths[other] == 0 && left[other]-- == most) next.push_back(other);
+        if (depths[other] == 0 && open_neighbours[other]-- == most) next.push_back(other);
     layer = std::move(next);
   }
   return depths;

@@ -34,23 +34,23 @@ class ColumnFinder {
       else
         take(c);
     }
-    return whole();
+    return completed();
   }
 
   TubeTable choose(const std::vector<ChosenTubeColumn>& chosen) {
     stated_ = statedUnit(table_.text.lines_before, isTubeUnit);
-    std::vector<std::string> rest = table_.text.columns;
+    std::vector<std::string> unread = table_.text.columns;
     for (const auto& [column, place, unit] : chosen) {
       put(column, place, unit ? std::string(unit->suffix) : "");
-      rest[place].clear();
+      unread[place].clear();
     }
-    std::ranges::copy_if(rest, std::back_inserter(table_.unread),
+    std::ranges::copy_if(unread, std::back_inserter(table_.unread),
                          [](const std::string& name) { return !name.empty(); });
-    return whole();
+    return completed();
   }
 
  private:
-  TubeTable whole() {
+  TubeTable completed() {
     requireTube();
     requireOneUnit();
     return std::move(table_);

@@ -21,8 +21,8 @@ int terminalWidth() {
 }
 
 std::string clockText(double seconds) {
-  const auto whole = static_cast<long>(std::ceil(seconds));
-  return fmt::format("{}:{:02}", whole / 60, whole % 60);
+  const auto rounded = static_cast<long>(std::ceil(seconds));
+  return fmt::format("{}:{:02}", rounded / 60, rounded % 60);
 }
 
 }  // namespace
@@ -30,9 +30,9 @@ std::string clockText(double seconds) {
 std::string progressLine(const std::string& label, std::size_t done, std::size_t total, double seconds, int width) {
   if (total == 0) return (label + " ...").substr(0, static_cast<std::size_t>(std::max(width, 0)));
   const double rate = seconds > 0 ? static_cast<double>(done) / seconds : 0;
-  const std::string left =
+  const std::string remaining =
       rate > 0 ? clockText(static_cast<double>(total - std::min(done, total)) / rate) + " left" : "";
-  const std::string figures = fmt::format(" {}/{}  {:.1f}/s  {}", done, total, rate, left);
+  const std::string figures = fmt::format(" {}/{}  {:.1f}/s  {}", done, total, rate, remaining);
   const int room = width - static_cast<int>(label.size() + figures.size()) - 3;
   std::string bar;
   if (room >= 5) {

@@ -53,16 +53,16 @@ std::string usageOf(const CLI::App& command) {
 std::string shown(const std::string& value) { return tubesheets::parseNumber(value) ? value : inQuotes(value); }
 
 /// Returns the arguments that neither the command nor the program accepted.
-Words wordsLeft(const CLI::App& command) {
-  Words left = command.remaining();
-  for (auto& word : command.get_parent()->remaining()) left.push_back(std::move(word));
-  return left;
+Words unacceptedWords(const CLI::App& command) {
+  Words unaccepted = command.remaining();
+  for (auto& word : command.get_parent()->remaining()) unaccepted.push_back(std::move(word));
+  return unaccepted;
 }
 
 /// Returns the first option among the unaccepted arguments, without its value. Arguments after "--" are not options.
-std::optional<std::string> findUnknownOption(const Words& left) {
-  const auto end = std::ranges::find(left, "--");
-  const auto found = std::find_if(left.begin(), end, [](const std::string& word) {
+std::optional<std::string> findUnknownOption(const Words& unaccepted) {
+  const auto end = std::ranges::find(unaccepted, "--");
+  const auto found = std::find_if(unaccepted.begin(), end, [](const std::string& word) {
     return word.size() > 1 && word.front() == '-' && !std::isdigit(static_cast<unsigned char>(word[1]));
   });
   return found == end ? std::nullopt : std::optional(found->substr(0, found->find('=')));
@@ -117,9 +117,9 @@ std::string kindOfValue(const CLI::Option& option) {
 }
 
 bool isOfKind(const CLI::Option& option, const std::string& value) {
-  double number = 0;
-  std::int64_t whole = 0;
-  return isReal(typeOf(option)) ? CLI::detail::lexical_cast(value, number) : CLI::detail::lexical_cast(value, whole);
+  double real = 0;
+  std::int64_t integer = 0;
+  return isReal(typeOf(option)) ? CLI::detail::lexical_cast(value, real) : CLI::detail::lexical_cast(value, integer);
 }
 
 std::optional<InputError> unreadableValue(CLI::App& command) {
@@ -166,7 +166,7 @@ std::optional<InputError> optionWithout(CLI::App& command) {
 }
 
 std::optional<InputError> superfluousWords(CLI::App& command) {
-  for (const std::string& word : wordsLeft(command))
+  for (const std::string& word : unacceptedWords(command))
     if (word != "--")
       return InputError::problem(command.get_name(), "too many arguments, starting at " + inQuotes(word),
                                  usageOf(command));
@@ -195,7 +195,7 @@ std::optional<InputError> mistakeOf(CLI::ExitCodes kind, CLI::App& command, cons
 }  // namespace
 
 InputError commandLineError(const CLI::ParseError& error, CLI::App& command, const Words& words) {
-  if (const auto unknown = findUnknownOption(wordsLeft(command))) return unknownOption(command, *unknown);
+  if (const auto unknown = findUnknownOption(unacceptedWords(command))) return unknownOption(command, *unknown);
   const auto kind = static_cast<CLI::ExitCodes>(error.get_exit_code());
   if (auto mistake = mistakeOf(kind, command, words)) return *std::move(mistake);
   return InputError::problem(command.get_name(), error.what(), helpOf(command));

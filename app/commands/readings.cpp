@@ -82,10 +82,10 @@ int run(const MeasurementsOptions& options) {
   const ForeignMeasurements measurements = readForeign(request, cell.arm);
   const std::size_t count = countOf(measurements, cell);
   write(options, measurements.text);
-  std::string said;
-  for (const auto& taken : measurements.taken) said += fmt::format("  {}\n", taken);
-  for (const auto& left : measurements.left_out) said += fmt::format("  left out: {}\n", left);
-  remark("{}\n{}", countText(count, "reading"), said);
+  std::string lines;
+  for (const auto& taken : measurements.taken) lines += fmt::format("  {}\n", taken);
+  for (const auto& column : measurements.left_out) lines += fmt::format("  left out: {}\n", column);
+  remark("{}\n{}", countText(count, "reading"), lines);
   return kDone;
 }
 

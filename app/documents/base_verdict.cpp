@@ -90,9 +90,10 @@ HoleDisplacement holesNearest(const tubesheets::Sheet& sheet, const Eigen::Vecto
   return {to.row - from.row, to.column - from.column, placeOf(to) - placeOf(from)};
 }
 
-/// Returns the prior probability density of the base at displacement `there` from nominal, divided by that at `here`.
-double likelihoodRatio(const Eigen::Vector3d& there, const Eigen::Vector3d& here, const BasePrior& prior) {
-  return std::exp((here.squaredNorm() - there.squaredNorm()) / (2 * prior.shift * prior.shift));
+/// Returns the prior probability density of the base at displacement `candidate` from nominal, divided by that at
+/// `reference`.
+double likelihoodRatio(const Eigen::Vector3d& candidate, const Eigen::Vector3d& reference, const BasePrior& prior) {
+  return std::exp((reference.squaredNorm() - candidate.squaredNorm()) / (2 * prior.shift * prior.shift));
 }
 
 /// Warns if all hole names may be wrong by the same number of rows and columns, that is, if the prior of the base makes
@@ -103,16 +104,16 @@ void judgeShift(const BaseCalibration& base, const Cell& cell, BaseVerdict& verd
   verdict.distance = shift.norm();
   if (cell.sheet) verdict.pitches = shift.head<2>() / cell.sheet->pitch;
   const HoleDisplacement displacement = cell.sheet ? holesNearest(*cell.sheet, shift.head<2>()) : HoleDisplacement{};
-  const Eigen::Vector3d left(shift.x() - displacement.way.x(), shift.y() - displacement.way.y(), shift.z());
+  const Eigen::Vector3d remaining_shift(shift.x() - displacement.way.x(), shift.y() - displacement.way.y(), shift.z());
   if (displacement.way.norm() > 0 && displacement.way.norm() <= kMostPitches * cell.sheet->pitch &&
-      left.head<2>().norm() < kOnLattice * cell.sheet->pitch &&
-      kMiscounted * likelihoodRatio(left, shift, cell.base_prior) > 1) {
+      remaining_shift.head<2>().norm() < kOnLattice * cell.sheet->pitch &&
+      kMiscounted * likelihoodRatio(remaining_shift, shift, cell.base_prior) > 1) {
     verdict.is_implausible = true;
     verdict.warnings.push_back(fmt::format(
         "the base is {:+.2f} pitches along x and {:+.2f} along y from nominal: if every hole name were off by {:+d} "
         "rows and {:+d} columns, the touches would fit as well, and the base would be {:.3g} {} from nominal",
-        verdict.pitches.x(), verdict.pitches.y(), displacement.rows, displacement.columns, lengthOf(left.norm(), units),
-        units.length().name));
+        verdict.pitches.x(), verdict.pitches.y(), displacement.rows, displacement.columns,
+        lengthOf(remaining_shift.norm(), units), units.length().name));
     verdict.to_do.emplace_back(
         "count the position of one touched hole again, from an edge of the sheet: a name one column off has this "
         "effect");

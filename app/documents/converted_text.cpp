@@ -66,9 +66,9 @@ constexpr std::array<std::string_view, 14> kAfterInches{"to",   "and", "or", "is
 /// Returns true unless "in" that ends at `end` may be the word.
 bool isInches(std::string_view text, std::size_t end) {
   if (end >= text.size() || text[end] != ' ') return true;
-  const std::string_view rest = text.substr(end + 1);
-  if (rest.starts_with('(')) return true;
-  return std::ranges::find(kAfterInches, rest.substr(0, rest.find_first_of(" ,;:.)"))) != kAfterInches.end();
+  const std::string_view following = text.substr(end + 1);
+  if (following.starts_with('(')) return true;
+  return std::ranges::find(kAfterInches, following.substr(0, following.find_first_of(" ,;:.)"))) != kAfterInches.end();
 }
 
 /// Returns the unit that begins at `at`, such as "mm" or "1/(lbf*in)"; empty if none does.
@@ -119,18 +119,18 @@ class ConvertedText {
 
   /// Notes a number with what follows it, and returns the place after both.
   std::size_t take(Number number) {
-    const std::string_view rest = text_.substr(number.end);
+    const std::string_view following = text_.substr(number.end);
     std::size_t end = number.end;
     for (const std::string_view link : {" ± ", " to "})
-      if (rest.starts_with(link) && numberAt(text_, number.end + link.size()).end > number.end + link.size()) {
+      if (following.starts_with(link) && numberAt(text_, number.end + link.size()).end > number.end + link.size()) {
         number.is_joined = true;
         end += link.size();
       }
-    if (!number.is_joined && rest.starts_with(' ')) {
+    if (!number.is_joined && following.starts_with(' ')) {
       number.unit = unitAt(text_, number.end + 1, target_);
       if (!number.unit.empty()) end = number.end + 1 + number.unit.size();
     }
-    is_shared_ = is_shared_ || mayShare(number, rest);
+    is_shared_ = is_shared_ || mayShare(number, following);
     if (end < text_.size() && isWordPart(text_[end]) && end == number.end) {  // part of a name such as 12a
       return end;
     }
@@ -139,11 +139,12 @@ class ConvertedText {
   }
 
   /// Returns true if a number without a unit may have that of a later one, as in "x 1.2, y 3.4 mm".
-  static bool mayShare(const Number& number, std::string_view rest) {
+  static bool mayShare(const Number& number, std::string_view following) {
     if (number.is_joined || !number.unit.empty()) return false;
     for (const char* behind : {" %", "%", " times "})
-      if (rest.starts_with(behind)) return false;
-    return !number.is_whole || rest.starts_with(',') || rest.starts_with(" and ") || rest.starts_with(" x ");
+      if (following.starts_with(behind)) return false;
+    return !number.is_whole || following.starts_with(',') || following.starts_with(" and ") ||
+           following.starts_with(" x ");
   }
 
   void endClause() {

@@ -141,11 +141,11 @@ json valueOf(std::string_view placeholder, const Scopes& scopes, const TextLine&
 
 /// Returns the text that replaces a placeholder; `placeholder` is the part between the braces.
 std::string filled(std::string_view placeholder, const json& value, const Scopes& scopes) {
-  std::string_view rest = placeholder;
-  (void)takeUpTo(rest, ':');
-  const FigureFormat format = parseFigureFormat(takeUpTo(rest, ' '));
+  std::string_view remaining = placeholder;
+  (void)takeUpTo(remaining, ':');
+  const FigureFormat format = parseFigureFormat(takeUpTo(remaining, ' '));
   std::string text = writtenValue(value, format, *scopes.front());
-  if (!rest.empty() && !value.is_null()) text += " " + figureAt(scopes, rest).get<std::string>();
+  if (!remaining.empty() && !value.is_null()) text += " " + figureAt(scopes, remaining).get<std::string>();
   const bool is_left = format.align == "<" || (format.align.empty() && value.is_string());
   return is_left ? fmt::format("{:<{}}", text, format.width) : fmt::format("{:>{}}", text, format.width);
 }
@@ -161,13 +161,13 @@ std::string agreeing(std::string_view words, bool is_one) {
 /// Returns a line filled in with values of the innermost scope, followed by its inner lines.
 std::string filledIn(const Scopes& scopes, const TextLine& line) {
   std::string text;
-  std::string_view rest = line.words;
+  std::string_view remaining = line.words;
   bool is_one = false;
-  while (!rest.empty()) {
-    const bool has_figure = rest.find('{') != rest.npos;
-    text += agreeing(takeUpTo(rest, '{'), is_one);
+  while (!remaining.empty()) {
+    const bool has_figure = remaining.find('{') != remaining.npos;
+    text += agreeing(takeUpTo(remaining, '{'), is_one);
     if (!has_figure) continue;
-    const std::string_view placeholder = takeUpTo(rest, '}');
+    const std::string_view placeholder = takeUpTo(remaining, '}');
     const json value = valueOf(placeholder, scopes, line);
     is_one = value == 1;
     text += filled(placeholder, value, scopes);
@@ -188,21 +188,21 @@ Scopes::const_iterator innermostObject(const Scopes& scopes) {
 /// Adds the entries found at `path`, starting from the innermost scope, each with its enclosing objects. Lists on the
 /// path contribute all their entries.
 void addEntries(std::string_view path, const Scopes& scopes, std::vector<Scopes>& entries) {
-  const auto descend = [&](const json& entry, std::string_view rest) {
+  const auto descend = [&](const json& entry, std::string_view remaining_path) {
     Scopes inner = scopes;
     inner.push_back(&entry);
-    if (rest.empty() && !entry.is_array())
+    if (remaining_path.empty() && !entry.is_array())
       entries.push_back(inner);
     else
-      addEntries(rest, inner, entries);
+      addEntries(remaining_path, inner, entries);
   };
-  const json& here = *scopes.back();
-  if (here.is_array()) {
-    for (const auto& entry : here) descend(entry, path);
+  const json& innermost = *scopes.back();
+  if (innermost.is_array()) {
+    for (const auto& entry : innermost) descend(entry, path);
     return;
   }
   const auto key = takeUpTo(path, '/');
-  const json* found = figureIn(here, key);
+  const json* found = figureIn(innermost, key);
   if (found && !isNothing(*found)) descend(*found, path);
 }
 

@@ -13,9 +13,9 @@ namespace tubeplan::app {
 namespace {
 
 std::vector<int> roundedCounts(const std::vector<double>& counts) {
-  std::vector<int> whole;
-  for (const double count : counts) whole.push_back(static_cast<int>(std::lround(count)));
-  return whole;
+  std::vector<int> rounded;
+  for (const double count : counts) rounded.push_back(static_cast<int>(std::lround(count)));
+  return rounded;
 }
 
 /// Returns, for the true arm and the plan's compensation, the numbers of tubes in which 0, 1, ... steps enter; empty

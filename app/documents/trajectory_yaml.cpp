@@ -20,8 +20,8 @@ std::string listOf(const Eigen::VectorXd& values) {
 
 std::string timeOf(double seconds) {
   constexpr long kNanoseconds = 1'000'000'000;
-  const long whole = std::lround(seconds * 1e9);
-  return fmt::format("{{sec: {}, nanosec: {}}}", whole / kNanoseconds, whole % kNanoseconds);
+  const long nanoseconds = std::lround(seconds * 1e9);
+  return fmt::format("{{sec: {}, nanosec: {}}}", nanoseconds / kNanoseconds, nanoseconds % kNanoseconds);
 }
 
 }  // namespace

@@ -29,17 +29,17 @@ std::optional<ConvertedUnit> convertedPower(std::string_view text, const TargetU
 /// Converts a product, such as "lbf*in" or "(lbf*in)".
 std::optional<ConvertedUnit> convertedProduct(std::string_view text, const TargetUnits& target) {
   const bool is_enclosed = text.starts_with('(') && text.ends_with(')');
-  std::string_view rest = is_enclosed ? text.substr(1, text.size() - 2) : text;
+  std::string_view remaining = is_enclosed ? text.substr(1, text.size() - 2) : text;
   ConvertedUnit product{is_enclosed ? "(" : "", 1};
   while (true) {
-    const auto star = rest.find('*');
-    const auto one = convertedPower(rest.substr(0, star), target);
-    if (!one) return std::nullopt;
-    product.name += one->name;
-    product.factor *= one->factor;
-    if (star == rest.npos) break;
+    const auto star = remaining.find('*');
+    const auto factor_unit = convertedPower(remaining.substr(0, star), target);
+    if (!factor_unit) return std::nullopt;
+    product.name += factor_unit->name;
+    product.factor *= factor_unit->factor;
+    if (star == remaining.npos) break;
     product.name += "*";
-    rest.remove_prefix(star + 1);
+    remaining.remove_prefix(star + 1);
   }
   if (is_enclosed) product.name += ")";
   return product;

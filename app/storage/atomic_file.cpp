@@ -116,11 +116,11 @@ void writeFilesTogether(const std::vector<TextFile>& files, const std::string& o
 
 void removeLeftovers(const fs::path& folder, const std::string& name) {
   std::error_code error;
-  std::vector<fs::path> left;
+  std::vector<fs::path> leftovers;
   for (const auto& entry : fs::directory_iterator(folder, error))
     if (const int writer = writerOf(entry.path().filename().string(), name); writer > 0 && !isRunning(writer))
-      left.push_back(entry.path());
-  for (const fs::path& path : left) fs::remove_all(path, error);
+      leftovers.push_back(entry.path());
+  for (const fs::path& path : leftovers) fs::remove_all(path, error);
 }
 
 OutputFolder::OutputFolder(const fs::path& path, const std::string& option)

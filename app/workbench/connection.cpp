@@ -23,10 +23,10 @@ Connection::Connection(int socket, const ConnectionLimits& limits, std::function
 
 bool Connection::waitFor(short event, Clock::time_point until) const {
   while (!is_closing_()) {
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
-    if (left.count() <= 0) return false;
+    const auto remaining = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
+    if (remaining.count() <= 0) return false;
     pollfd watched{socket_, event, 0};
-    const int found = ::poll(&watched, 1, static_cast<int>(std::min(left, kGlanceAtEnd).count()));
+    const int found = ::poll(&watched, 1, static_cast<int>(std::min(remaining, kGlanceAtEnd).count()));
     if (found > 0) return true;
     if (found < 0 && errno != EINTR) return false;
   }

@@ -120,14 +120,20 @@ nlohmann::json Jobs::jsonOf(const Job& job) const {
   const double seconds = std::chrono::duration<double>(Clock::now() - job.stage_began).count();
   const double rate = job.done > 0 && seconds > 0 ? static_cast<double>(job.done) / seconds : 0;
   const bool is_running = job.status == "running";
-  nlohmann::json left;
-  if (is_running && rate > 0) left = static_cast<double>(job.total - std::min(job.done, job.total)) / rate;
-  return {{"id", job.id},        {"kind", job.kind},
-          {"label", job.label},  {"status", job.status},
-          {"stage", job.stage},  {"done", job.done},
-          {"total", job.total},  {"rate", is_running && rate > 0 ? nlohmann::json(rate) : nlohmann::json()},
-          {"left_s", left},      {"stopping", is_running && job.stop},
-          {"error", job.error},  {"result", job.result.empty() ? nlohmann::json() : nlohmann::json(job.result)},
+  nlohmann::json remaining_time;
+  if (is_running && rate > 0) remaining_time = static_cast<double>(job.total - std::min(job.done, job.total)) / rate;
+  return {{"id", job.id},
+          {"kind", job.kind},
+          {"label", job.label},
+          {"status", job.status},
+          {"stage", job.stage},
+          {"done", job.done},
+          {"total", job.total},
+          {"rate", is_running && rate > 0 ? nlohmann::json(rate) : nlohmann::json()},
+          {"left_s", remaining_time},
+          {"stopping", is_running && job.stop},
+          {"error", job.error},
+          {"result", job.result.empty() ? nlohmann::json() : nlohmann::json(job.result)},
           {"moment", job.moment}};
 }
 

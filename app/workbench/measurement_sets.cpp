@@ -76,11 +76,12 @@ std::shared_ptr<MeasurementSet> joinedSet(const MeasurementSet* before,
 }
 
 std::shared_ptr<MeasurementSet> partedSet(const MeasurementSet& joined, Cell cell) {
-  MeasurementSet left = joined;
-  std::erase_if(left.measurements, [&](const auto& measurement) { return joined.joined.contains(measurement.id); });
-  for (const auto& id : joined.joined) left.set_aside.erase(id);
-  left.joined.clear();
-  return checkedAgain(std::move(left), std::move(cell));
+  MeasurementSet remaining = joined;
+  std::erase_if(remaining.measurements,
+                [&](const auto& measurement) { return joined.joined.contains(measurement.id); });
+  for (const auto& id : joined.joined) remaining.set_aside.erase(id);
+  remaining.joined.clear();
+  return checkedAgain(std::move(remaining), std::move(cell));
 }
 
 std::size_t joinedCount(const MeasurementSet& set) {

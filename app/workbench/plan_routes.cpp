@@ -165,7 +165,7 @@ Answer plan(Workbench& workbench, const Request& request) {
 /// doubtful.
 std::vector<std::string> listWords(const tubesheets::Sheet& sheet, const tubesheets::Selection& selection) {
   std::vector<std::string> words = listNotes(selection);
-  if (const std::string left = leftOutText(selection); !left.empty()) words.push_back("left out: " + left);
+  if (const std::string omitted = leftOutText(selection); !omitted.empty()) words.push_back("left out: " + omitted);
   if (const std::string doubtful = doubtfulText(sheet, selection); !doubtful.empty()) words.push_back(doubtful);
   return words;
 }

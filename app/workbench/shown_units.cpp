@@ -51,14 +51,14 @@ constexpr const char* kPostures[] = {"joints", "start", "end"};
 /// Returns the numbers of a posture in text; null if it is something else, such as "park" or the name of a tube.
 json numbersIn(const json& text) {
   json numbers = json::array();
-  std::string_view rest = text.get_ref<const std::string&>();
+  std::string_view remaining = text.get_ref<const std::string&>();
   while (true) {
-    const std::size_t comma = std::min(rest.find(','), rest.size());
-    const auto number = tubesheets::parseNumber(tubesheets::trimBlanks(rest.substr(0, comma)));
+    const std::size_t comma = std::min(remaining.find(','), remaining.size());
+    const auto number = tubesheets::parseNumber(tubesheets::trimBlanks(remaining.substr(0, comma)));
     if (!number) return nullptr;
     numbers.push_back(*number);
-    if (comma == rest.size()) return numbers;
-    rest.remove_prefix(comma + 1);
+    if (comma == remaining.size()) return numbers;
+    remaining.remove_prefix(comma + 1);
   }
 }
 

@@ -198,10 +198,10 @@ double meanUncompensatedError(const deflection::Arm& arm, const Eigen::Isometry3
     }
     step = motion.colPivHouseholderQr().solve(deflection);
   }
-  std::vector<Vector3d> left;
+  std::vector<Vector3d> errors;
   for (std::size_t w = 0; w < task.work.size(); ++w)
-    left.emplace_back(work.deflection_W[w] - motionBy(work.lever_W[w]) * step);
-  return meanLength(left, countedPart(task));
+    errors.emplace_back(work.deflection_W[w] - motionBy(work.lever_W[w]) * step);
+  return meanLength(errors, countedPart(task));
 }
 
 Sensitivity findSensitivities(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const SensitivityTask& task) {

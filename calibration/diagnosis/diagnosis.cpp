@@ -134,8 +134,8 @@ void conclude(Answer& answer) {
   if (!answer.is_found) return;
   fitLeaders(work);
   const Posterior posterior = posteriorOf(work);
-  for (const ModelClass& one : posterior.classes)
-    if (result.closest.size() < kMostClosest) result.closest.push_back(one.explanation);
+  for (const ModelClass& model_class : posterior.classes)
+    if (result.closest.size() < kMostClosest) result.closest.push_back(model_class.explanation);
   decide(work.options, posterior, result);
   withholdAdequate(work, result);
   rankCauses(work, result);
@@ -230,19 +230,20 @@ Diagnosis diagnosed(const PlacedArm& start, const std::vector<Measurement>& meas
     return fitBaseline(start, some, options, loss);
   };
   std::optional<WithoutOutliers> without = withoutOutliers(measurements, baseline, options.baseline.outlier_level, fit);
-  Answer whole = compareAll(std::move(baseline), measurements, {}, options);
-  if (!without || !whole.is_found) return concluded(std::move(whole), measurements);
+  Answer with_all = compareAll(std::move(baseline), measurements, {}, options);
+  if (!without || !with_all.is_found) return concluded(std::move(with_all), measurements);
   // If the base slips between touches of one point, these touches also look like outliers. Causes that explain all
   // measurements therefore compete with the best model without the outliers.
-  Answer fewer = compareAll(std::move(without->fit), measurements, without->set_aside, options);
-  const double before = bestWeight(whole, measurements), after = bestWeight(fewer, measurements);
-  if (std::abs(before - after) > std::max(windowOf(whole), windowOf(fewer)))
-    return concluded(after > before ? std::move(fewer) : std::move(whole), measurements);
-  conclude(whole);
-  conclude(fewer);
-  return completed(
-      bestWeight(fewer, measurements) > bestWeight(whole, measurements) ? std::move(fewer) : std::move(whole),
-      measurements);
+  Answer without_outliers = compareAll(std::move(without->fit), measurements, without->set_aside, options);
+  const double before = bestWeight(with_all, measurements), after = bestWeight(without_outliers, measurements);
+  if (std::abs(before - after) > std::max(windowOf(with_all), windowOf(without_outliers)))
+    return concluded(after > before ? std::move(without_outliers) : std::move(with_all), measurements);
+  conclude(with_all);
+  conclude(without_outliers);
+  return completed(bestWeight(without_outliers, measurements) > bestWeight(with_all, measurements)
+                       ? std::move(without_outliers)
+                       : std::move(with_all),
+                   measurements);
 }
 
 }  // namespace

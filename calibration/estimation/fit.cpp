@@ -161,9 +161,9 @@ class Fitting {
       before = at.r.squaredNorm();
       if (!is_robust) continue;
       const VectorXd factors = robustFactors(measurements_, fit_.weights, at, fit_.factors, options_.loss);
-      const bool rest = fit_.factors.size() && (factors - fit_.factors).cwiseAbs().maxCoeff() < 1e-3;
+      const bool is_converged = fit_.factors.size() && (factors - fit_.factors).cwiseAbs().maxCoeff() < 1e-3;
       fit_.factors = factors;
-      if (rest) break;
+      if (is_converged) break;
     }
     return weigh(false);  // results must refer to the weights at the solution
   }

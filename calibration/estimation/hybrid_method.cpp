@@ -27,16 +27,18 @@ LeastSquaresResult minimizeHybrid(const LeastSquaresProblem& problem, const Leas
   const LeastSquaresResult quick = minimizeByLevenbergMarquardt(problem, {stop.tolerance, soon}, observe);
   if (quick.status == Status::kConverged || std::isnan(quick.chi2) || stop.max_iterations <= kSoon) return quick;
 
-  const int left = stop.max_iterations - soon;
+  const int remaining_iterations = stop.max_iterations - soon;
   const LeastSquaresResult other = minimizeLeastSquares(
-      problem, {.max_iterations = left, .method = LeastSquaresMethod::kInteriorPoint, .observe = observe});
+      problem,
+      {.max_iterations = remaining_iterations, .method = LeastSquaresMethod::kInteriorPoint, .observe = observe});
   if (other.chi2 <= quick.chi2) return withWorkOf(other, quick);
 
   const LeastSquaresResult first = withWorkOf(quick, other);
   if (quick.status != Status::kIterationLimit) return first;
   LeastSquaresProblem onward = problem;
   onward.start = quick.x;
-  return withWorkOf(minimizeByLevenbergMarquardt(onward, {stop.tolerance, left - other.iterations}, observe), first);
+  return withWorkOf(
+      minimizeByLevenbergMarquardt(onward, {stop.tolerance, remaining_iterations - other.iterations}, observe), first);
 }
 
 }  // namespace tubeplan::calibration

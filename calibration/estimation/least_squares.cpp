@@ -28,7 +28,7 @@ LeastSquaresResult evaluateFixed(const LeastSquaresProblem& problem) {
 
 /// Minimises with an `evaluate` that fails once a stop is requested, which makes any method end soon.
 LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, const LeastSquaresProblem& problem,
-                                        const LeastSquaresStop& rest, const LeastSquaresOptions& options) {
+                                        const LeastSquaresStop& stop, const LeastSquaresOptions& options) {
   bool is_stopped = false;
   LeastSquaresProblem stoppable = problem;
   stoppable.evaluate = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) {
@@ -40,7 +40,7 @@ LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, cons
       return false;
     }
   };
-  LeastSquaresResult result = kind.minimize(stoppable, rest, options.observe);
+  LeastSquaresResult result = kind.minimize(stoppable, stop, options.observe);
   if (is_stopped) {
     result.status = LeastSquaresStatus::kStopped;
     result.reason = kStoppedReason;

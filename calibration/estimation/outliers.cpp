@@ -36,9 +36,9 @@ std::vector<MatrixXd> pointBlocks(const MeasurementWeights& weights, std::size_t
 /// measurements is divided by f.
 Alone judgeAlone(const VectorXd& r, const MatrixXd& H, double factor, const MatrixXd& covariance) {
   const Index n = r.size();
-  const auto left = (MatrixXd::Identity(n, n) - H).completeOrthogonalDecomposition();
-  const VectorXd error = left.solve(r) / std::sqrt(factor);
-  const MatrixXd others = (left.solve(MatrixXd::Identity(n, n)) - MatrixXd::Identity(n, n)) / factor;
+  const auto factored = (MatrixXd::Identity(n, n) - H).completeOrthogonalDecomposition();
+  const VectorXd error = factored.solve(r) / std::sqrt(factor);
+  const MatrixXd others = (factored.solve(MatrixXd::Identity(n, n)) - MatrixXd::Identity(n, n)) / factor;
   const MatrixXd spread = MatrixXd::Identity(n, n) + others;
   return {covariance.llt().matrixL() * error, error.dot(spread.ldlt().solve(error))};
 }

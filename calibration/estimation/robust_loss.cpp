@@ -53,12 +53,12 @@ VectorXd robustFactors(const std::vector<Measurement>& measurements, const Measu
 double comparableChi2(const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
                       const VectorXd& r, RobustLoss loss) {
   if (loss == RobustLoss::kNone) return r.squaredNorm();
-  std::map<int, double> left;
+  std::map<int, double> shares;
   double chi2 = 0;
   for (std::size_t k = 0; k < measurements.size(); ++k) {
     const int rows = rowsOf(measurements[k]);
-    if (!left.contains(rows)) left[rows] = shareLeft(rows, loss);
-    chi2 += r.segment(weights.first_row[k], rows).squaredNorm() / left[rows];
+    if (!shares.contains(rows)) shares[rows] = shareLeft(rows, loss);
+    chi2 += r.segment(weights.first_row[k], rows).squaredNorm() / shares[rows];
   }
   return chi2;
 }

@@ -15,13 +15,14 @@ namespace {
 constexpr std::size_t kFewOutliers = 10;  // at most one measurement in this many may be an outlier
 
 /// Returns, for each unknown point or surface, the number of its touches that are neither held out nor set aside.
-std::map<std::string, int> touchesLeft(const std::vector<int>& set_aside,
-                                       const std::vector<Measurement>& measurements) {
-  std::map<std::string, int> left;
+std::map<std::string, int> remainingTouches(const std::vector<int>& set_aside,
+                                            const std::vector<Measurement>& measurements) {
+  std::map<std::string, int> remaining;
   for (std::size_t k = 0; k < measurements.size(); ++k)
     if (!measurements[k].is_held_out && hasUnknownPlace(measurements[k]))
-      left[placeOf(measurements[k])] += !std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
-  return left;
+      remaining[placeOf(measurements[k])] +=
+          !std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
+  return remaining;
 }
 
 std::vector<int> othersThan(const std::vector<int>& set_aside, std::size_t measurements) {
@@ -69,7 +70,7 @@ std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector
   const auto isLeft = [&](std::size_t k) {
     return !measurements[k].is_held_out && !std::binary_search(outliers.begin(), outliers.end(), static_cast<int>(k));
   };
-  const auto touches = touchesLeft(outliers, measurements);
+  const auto touches = remainingTouches(outliers, measurements);
   std::vector<int> all = outliers;
   for (std::size_t k = 0; k < measurements.size(); ++k)
     if (isLeft(k) && hasUnknownPlace(measurements[k]) &&
@@ -88,9 +89,9 @@ std::vector<int> placesFitted(const std::vector<Measurement>& measurements, cons
 }
 
 double countOutliers(const std::vector<int>& set_aside, const std::vector<Measurement>& measurements) {
-  const auto left = touchesLeft(set_aside, measurements);
-  const auto gone = std::ranges::count_if(left, [](const auto& point) { return point.second == 0; });
-  return static_cast<double>(set_aside.size()) - static_cast<double>(gone);
+  const auto remaining = remainingTouches(set_aside, measurements);
+  const auto removed_points = std::ranges::count_if(remaining, [](const auto& point) { return point.second == 0; });
+  return static_cast<double>(set_aside.size()) - static_cast<double>(removed_points);
 }
 
 std::optional<WithoutOutliers> withoutOutliers(const std::vector<Measurement>& measurements,
@@ -102,17 +103,17 @@ std::optional<WithoutOutliers> withoutOutliers(const std::vector<Measurement>& m
     std::ranges::sort(outliers);
     if (outliers.size() > measurements.size() / kFewOutliers) return std::nullopt;
     const std::vector<int> set_aside = withOrphans(outliers, measurements);
-    Identification rest = fit(withoutMeasurements(measurements, set_aside), RobustLoss::kNone);
-    if (rest.status == IdentificationStatus::kRefused) return found;
+    Identification refit = fit(withoutMeasurements(measurements, set_aside), RobustLoss::kNone);
+    if (refit.status == IdentificationStatus::kRefused) return found;
     if (!found)
-      if (auto missed = missedBy(rest, outliers, measurements, level); missed.size() < outliers.size()) {
+      if (auto missed = missedBy(refit, outliers, measurements, level); missed.size() < outliers.size()) {
         outliers = std::move(missed);
         continue;
       }
     outliers = set_aside;
-    const std::vector<int> left = othersThan(set_aside, measurements.size());
-    for (const int place : outliersOf(rest)) outliers.push_back(left.at(static_cast<std::size_t>(place)));
-    found = WithoutOutliers{set_aside, std::move(rest)};
+    const std::vector<int> remaining = othersThan(set_aside, measurements.size());
+    for (const int place : outliersOf(refit)) outliers.push_back(remaining.at(static_cast<std::size_t>(place)));
+    found = WithoutOutliers{set_aside, std::move(refit)};
   }
   return found;
 }

@@ -64,9 +64,9 @@ void carry(const std::vector<Measurement>& measurements, Found& found, Identific
   const MatrixXd cross = found.covariance * A.transpose();
   stage.covariance += A * cross;
   inflateCovariance(stage);
-  MatrixXd whole(n + held, n + held);
-  whole << stage.covariance, cross.transpose(), cross, found.covariance;
-  found.covariance = std::move(whole);
+  MatrixXd joint_covariance(n + held, n + held);
+  joint_covariance << stage.covariance, cross.transpose(), cross, found.covariance;
+  found.covariance = std::move(joint_covariance);
   found.unknowns = both;
 }
 

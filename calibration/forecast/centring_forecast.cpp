@@ -27,11 +27,11 @@ void append(const std::vector<Unknown>& unknowns, MatrixXd covariance, Uncertain
     covariance.row(i) /= typical;
     covariance.col(i) /= typical;
   }
-  const Index before = uncertain.covariance.rows(), more = covariance.rows();
-  MatrixXd whole = MatrixXd::Zero(before + more, before + more);
-  whole.topLeftCorner(before, before) = uncertain.covariance;
-  whole.bottomRightCorner(more, more) = covariance;
-  uncertain.covariance = whole;
+  const Index before = uncertain.covariance.rows(), added = covariance.rows();
+  MatrixXd joint_covariance = MatrixXd::Zero(before + added, before + added);
+  joint_covariance.topLeftCorner(before, before) = uncertain.covariance;
+  joint_covariance.bottomRightCorner(added, added) = covariance;
+  uncertain.covariance = joint_covariance;
   uncertain.about.unknowns.insert(uncertain.about.unknowns.end(), unknowns.begin(), unknowns.end());
 }
 

@@ -85,10 +85,10 @@ class Clock {
 
   /// Returns by how much gap `k` exceeds the usual gap [s], rounded to whole hours if it is close to them.
   [[nodiscard]] double jumpAt(std::size_t k) const {
-    const double jump = gap(k) - usual_, whole = std::round(jump / kHour) * kHour;
-    const bool is_whole =
-        whole != 0 && std::abs(whole) <= kMostHours * kHour && std::abs(jump - whole) < std::min(usual_, kNearHour);
-    return is_whole ? whole : jump;
+    const double jump = gap(k) - usual_, rounded = std::round(jump / kHour) * kHour;
+    const bool is_whole = rounded != 0 && std::abs(rounded) <= kMostHours * kHour &&
+                          std::abs(jump - rounded) < std::min(usual_, kNearHour);
+    return is_whole ? rounded : jump;
   }
 
   /// Returns the index of the only gap that is far longer than usual, if its excess is a whole number of hours or the

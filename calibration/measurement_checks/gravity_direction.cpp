@@ -82,10 +82,10 @@ TriedDirection settled(const MistakeTrials& trials, TriedDirection best) {
       step /= 2;
   Eigen::Index axis = 0;
   const double along = best.gravity_W.cwiseAbs().maxCoeff(&axis);
-  Vector3d whole = Vector3d::Zero();
-  whole[axis] = best.gravity_W[axis] < 0 ? -1 : 1;
+  Vector3d nearest_axis = Vector3d::Zero();
+  nearest_axis[axis] = best.gravity_W[axis] < 0 ? -1 : 1;
   if (along < kSameDirection) return best;
-  const auto by_axis = triedAlong(trials, whole);
+  const auto by_axis = triedAlong(trials, nearest_axis);
   return by_axis.error < kNearAxis * best.error ? by_axis : best;
 }
 

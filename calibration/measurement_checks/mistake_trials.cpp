@@ -198,9 +198,9 @@ Trial MistakeTrials::judged(const RobustFit& fit, const PlacedArm& nominal,
 
 /// Fits each set-up separately, with a separate tip.
 Trial MistakeTrials::triedPerSetup(TrialDepth depth) const {
-  Trial whole;
-  whole.ok = true;
-  whole.lack_of_fit = 0;
+  Trial combined;
+  combined.ok = true;
+  combined.lack_of_fit = 0;
   double squares = 0;
   std::size_t count = 0;
   for (const auto& base_pose : checked_.start.base_poses) {
@@ -211,15 +211,15 @@ Trial MistakeTrials::triedPerSetup(TrialDepth depth) const {
     alone.base_poses = {base_pose};
     const Trial part = judged(fit(alone, measurements, depth, freeAt(depth)), alone, measurements);
     if (!part.ok) return part;
-    whole.lack_of_fit += part.lack_of_fit;
+    combined.lack_of_fit += part.lack_of_fit;
     squares += part.error * part.error * static_cast<double>(measurements.size());
     count += measurements.size();
   }
-  whole.error = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(count, 1)));
-  whole.extent = as_is_.extent;
-  whole.base_shift = as_is_.base_shift;
-  whole.base_turn = as_is_.base_turn;
-  return whole;
+  combined.error = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(count, 1)));
+  combined.extent = as_is_.extent;
+  combined.base_shift = as_is_.base_shift;
+  combined.base_turn = as_is_.base_turn;
+  return combined;
 }
 
 RobustFit MistakeTrials::fitZeros(const Correction& correction, PlacedArm start,

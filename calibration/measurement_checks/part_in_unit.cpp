@@ -28,24 +28,26 @@ std::optional<Run> bestRun(RowComparison& comparison, std::size_t count) {
   }
   const std::size_t compared = (found.last - found.first) / stride + 1;
   if (best < RowComparison::kLeastMean * static_cast<double>(compared)) return std::nullopt;
-  for (std::size_t left = stride - 1; left > 0 && found.first > 0 && comparison.at(found.first - 1) > 0; --left)
+  for (std::size_t remaining = stride - 1; remaining > 0 && found.first > 0 && comparison.at(found.first - 1) > 0;
+       --remaining)
     --found.first;
-  for (std::size_t left = stride - 1; left > 0 && found.last + 1 < count && comparison.at(found.last + 1) > 0; --left)
+  for (std::size_t remaining = stride - 1; remaining > 0 && found.last + 1 < count && comparison.at(found.last + 1) > 0;
+       --remaining)
     ++found.last;
   const std::size_t length = found.last - found.first + 1;
   return length >= kShortest && length < count ? std::optional(found) : std::nullopt;
 }
 
-std::vector<std::string> valuesOf(const MistakeKind& whole, const CheckedMeasurements& checked) {
+std::vector<std::string> valuesOf(const MistakeKind& mistake_of_all, const CheckedMeasurements& checked) {
   std::vector<std::string> values;
-  const auto units = whole.values(checked);
+  const auto units = mistake_of_all.values(checked);
   if (units.empty()) return values;
   const double reach = deflection::reachOf(checked.start.arm);
   for (const PlacedArm& placed : likelyPlacings(checked)) {
     RowErrors as_is(placed, checked.measurements);
     for (const auto& unit : units) {
       auto measurements = checked.measurements;
-      whole.correction(checked, unit)->change(measurements);
+      mistake_of_all.correction(checked, unit)->change(measurements);
       RowErrors corrected(placed, measurements);
       RowComparison comparison(as_is, corrected, reach);
       const auto run = bestRun(comparison, measurements.size());
@@ -57,11 +59,11 @@ std::vector<std::string> valuesOf(const MistakeKind& whole, const CheckedMeasure
   return values;
 }
 
-std::optional<Correction> correctionOf(const MistakeKind& whole, const CheckedMeasurements& checked,
+std::optional<Correction> correctionOf(const MistakeKind& mistake_of_all, const CheckedMeasurements& checked,
                                        const std::string& value) {
   const auto [part, unit] = partedAtColon(value);
   const auto run = runNamed(checked.measurements, part);
-  const auto all = whole.correction(checked, unit);
+  const auto all = mistake_of_all.correction(checked, unit);
   if (!run || !all) return std::nullopt;
   const std::string &first = checked.measurements[run->first].id, &last = checked.measurements[run->last].id;
   Correction correction{

@@ -116,8 +116,8 @@ std::optional<MeasurementCheck> roundedJoints(const MistakeTrials& trials) {
   const auto steps = stepsOf(checked);
   if (std::ranges::none_of(steps, [](const DisplayStep& step) { return step.size > 0; })) return std::nullopt;
   const double motion = motionOfRounding(steps, trials);
-  const double left = motion * std::sqrt(shareLeft(trials));
-  const bool is_as_large = motion > kShareOfError * as_is.open_error && as_is.open_error > kShareOfError * left;
+  const double unabsorbed = motion * std::sqrt(shareLeft(trials));
+  const bool is_as_large = motion > kShareOfError * as_is.open_error && as_is.open_error > kShareOfError * unabsorbed;
   if (motion < trials.noise({}) || !is_as_large) return std::nullopt;
   const auto& unit = checked.units.coordinates;
   return remarkOf("rounded-joints", fmt::format("{}: if they were rounded to it, that alone moves the tip by about "

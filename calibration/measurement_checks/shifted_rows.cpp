@@ -76,7 +76,8 @@ std::optional<std::size_t> startOf(RowComparison& comparison, RowErrors& as_is, 
     if (sum > best) best = sum, start = k - stride, best_compared = compared;
   }
   if (best_compared == 0 || best < RowComparison::kLeastMean * static_cast<double>(best_compared)) return std::nullopt;
-  for (std::size_t left = stride + 1; left > 0 && start > 0 && as_is.at(start - 1) > fits; --left) --start;
+  for (std::size_t remaining = stride + 1; remaining > 0 && start > 0 && as_is.at(start - 1) > fits; --remaining)
+    --start;
   while (start < count && as_is.at(start) <= fits) ++start;
   return start >= kFewest && start + kFewest <= count ? std::optional(start) : std::nullopt;
 }
@@ -105,10 +106,10 @@ std::function<void(std::vector<Measurement>&)> changeFrom(int by, std::set<std::
   return [by, moved = std::move(moved)](std::vector<Measurement>& measurements) {
     const auto first = std::ranges::find_if(
         measurements, [&](const Measurement& measurement) { return moved.contains(measurement.id); });
-    std::vector<Measurement> rest(std::make_move_iterator(first), std::make_move_iterator(measurements.end()));
+    std::vector<Measurement> later(std::make_move_iterator(first), std::make_move_iterator(measurements.end()));
     measurements.erase(first, measurements.end());
-    shift(by, rest);
-    std::ranges::move(rest, std::back_inserter(measurements));
+    shift(by, later);
+    std::ranges::move(later, std::back_inserter(measurements));
   };
 }
 

@@ -102,15 +102,15 @@ bool StepScan::isOf(const StepForm& form, std::size_t measurement) const {
 }
 
 std::optional<StepScan::Explained> StepScan::explained(const Sums& sums) const {
-  MatrixXd left = sums.by_step - sums.by_fit.transpose() * sums.by_fit;
+  MatrixXd reduced = sums.by_step - sums.by_fit.transpose() * sums.by_fit;
   constexpr double kLeastUnexplained =
       1e-6;  // smallest fraction of a column's squared length that the fit must leave unexplained
-  for (Index k = 0; k < left.rows(); ++k)
-    if (!(left(k, k) > kLeastUnexplained * sums.by_step(k, k))) return std::nullopt;
-  const VectorXd scale = left.diagonal().cwiseSqrt().cwiseInverse();
-  left = scale.asDiagonal() * left * scale.asDiagonal();
-  left.diagonal().array() += 1e-9;
-  const Eigen::LLT<MatrixXd> factor(left);
+  for (Index k = 0; k < reduced.rows(); ++k)
+    if (!(reduced(k, k) > kLeastUnexplained * sums.by_step(k, k))) return std::nullopt;
+  const VectorXd scale = reduced.diagonal().cwiseSqrt().cwiseInverse();
+  reduced = scale.asDiagonal() * reduced * scale.asDiagonal();
+  reduced.diagonal().array() += 1e-9;
+  const Eigen::LLT<MatrixXd> factor(reduced);
   if (factor.info() != Eigen::Success) return std::nullopt;
   const VectorXd b = scale.cwiseProduct(sums.residual - sums.by_fit.transpose() * residual_by_fit_);
   const VectorXd size = -factor.solve(b);
@@ -151,10 +151,10 @@ std::optional<FoundStep> StepScan::bestStep(std::size_t form) const {
     sums.by_step += columns.transpose() * columns;
     sums.residual += columns.transpose() * residual_.segment(first, rows);
     if (members.size() - m < fewest) continue;
-    const auto here = explained(sums);
-    if (!here || !(here->gain > most)) continue;
-    most = here->gain;
-    best = {form, k, 0, here->size};
+    const auto candidate = explained(sums);
+    if (!candidate || !(candidate->gain > most)) continue;
+    most = candidate->gain;
+    best = {form, k, 0, candidate->size};
   }
   if (!(most > 0)) return std::nullopt;
   best.merit = gainOf(most) - priceOfStep(numbers, measurements_);
@@ -172,8 +172,8 @@ std::vector<FoundStep> StepScan::steps() const {
 VectorXd StepScan::sizeAt(std::size_t form, std::size_t measurement) const {
   MatrixXd columns = by_step_[form];
   columns.topRows(first_row_[measurement]).setZero();
-  const auto here = explained(sumsOf(columns));
-  return here ? here->size : VectorXd::Zero(forms_[form].numbers);
+  const auto found = explained(sumsOf(columns));
+  return found ? found->size : VectorXd::Zero(forms_[form].numbers);
 }
 
 MatrixXd StepScan::creeping(std::size_t form, const std::vector<VectorXd>& along) const {
@@ -243,8 +243,8 @@ double StepScan::bestCreep() const {
   for (std::size_t f = 0; f < forms_.size(); ++f)
     for (const auto& along : courses(forms_[f])) {
       const MatrixXd columns = creeping(f, along);
-      if (const auto here = explained(sumsOf(columns)))
-        best = std::max(best, gainOf(here->gain) - priceOfStep(static_cast<int>(columns.cols()), measurements_));
+      if (const auto found = explained(sumsOf(columns)))
+        best = std::max(best, gainOf(found->gain) - priceOfStep(static_cast<int>(columns.cols()), measurements_));
     }
   return best;
 }

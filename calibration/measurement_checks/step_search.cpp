@@ -108,11 +108,11 @@ class StepSearch {
       if (!fit.ok) return std::nullopt;
       const auto measurements = trials_.corrected(both, TrialDepth::kOpen);
       if (!correction->new_setup) size += change(step.form, size, fit.placed, measurements, from);
-      const std::string there = beginning(step.form, size, from, fit);
-      const bool rests = there == from && turn > 0;
-      from = there;
+      const std::string best_start = beginning(step.form, size, from, fit);
+      const bool is_settled = best_start == from && turn > 0;
+      from = best_start;
       correction = correctionOf(step.form, size, from);
-      if (rests) break;
+      if (is_settled) break;
     }
     return correction;
   }
@@ -121,8 +121,8 @@ class StepSearch {
   [[nodiscard]] VectorXd change(std::size_t form, const VectorXd& size, const PlacedArm& placed,
                                 const std::vector<Measurement>& measurements, const std::string& from) const {
     const auto ids = idsFrom(all_, from);
-    const std::vector<StepForm> one{forms_[form]};
-    const StepScan scan(placed, trials_.open(), measurements, one);
+    const std::vector<StepForm> forms{forms_[form]};
+    const StepScan scan(placed, trials_.open(), measurements, forms);
     const auto first = std::ranges::find_if(measurements, [&](const auto& m) { return ids.contains(m.id); });
     if (!scan.ok() || first == measurements.end()) return VectorXd::Zero(size.size());
     return scan.sizeAt(0, static_cast<std::size_t>(first - measurements.begin()));
@@ -135,13 +135,14 @@ class StepSearch {
     for (std::size_t k = 0; k < all_.size(); ++k)
       if (!forms_[form].setup || *forms_[form].setup == all_[k].setup) members.push_back(k);
     if (members.size() < 2 * kFewestOfStep) return from;
-    const auto whole = correctionOf(form, size, all_[members.front()].id);
+    const auto correction = correctionOf(form, size, all_[members.front()].id);
     auto stepped = all_;
     PlacedArm placed = fit.placed;
-    if (whole) {
-      whole->change(stepped);
+    if (correction) {
+      correction->change(stepped);
       // The set-up that begins with the step has the same base as the fitted set-up, under another name.
-      if (whole->new_setup && !placed.base_poses.empty()) placed.base_poses.back().setup = whole->new_setup->name;
+      if (correction->new_setup && !placed.base_poses.empty())
+        placed.base_poses.back().setup = correction->new_setup->name;
     }
     RowErrors without(placed, all_), with(placed, stepped);
     const double scale = fit.open_error / std::sqrt(3.);

@@ -49,9 +49,9 @@ std::vector<deflection::Effect> magnitudesAlone(const deflection::Arm& arm) {
 }  // namespace
 
 bool SuspectJudgement::isLeftOver(const std::vector<Suspect>& suspects) const {
-  double left = trials_.asIs().ok ? trials_.asIs().open_error : std::numeric_limits<double>::infinity();
-  for (const auto& suspect : suspects) left = std::min(left, suspect.open.error);
-  return left > std::max(kLeftOver * trials_.reach(), kLeastFall * trials_.noise({}));
+  double least_error = trials_.asIs().ok ? trials_.asIs().open_error : std::numeric_limits<double>::infinity();
+  for (const auto& suspect : suspects) least_error = std::min(least_error, suspect.open.error);
+  return least_error > std::max(kLeftOver * trials_.reach(), kLeastFall * trials_.noise({}));
 }
 
 bool SuspectJudgement::isBent(const Suspect& suspect) const {

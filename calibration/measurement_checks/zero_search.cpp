@@ -28,8 +28,9 @@ std::optional<Correction> zeroFound(const MistakeTrials& trials, const Correctio
   const double tried = mistakes::joint_zero::zeroOf(checked, from.value);
   double zero = std::remainder(tried + after->value - before->value, 2 * std::numbers::pi);
   constexpr double kQuarter = std::numbers::pi / 2, kNearQuarter = 0.035;
-  if (const double whole = std::round(zero / kQuarter) * kQuarter; whole != 0 && std::abs(zero - whole) < kNearQuarter)
-    zero = whole;
+  if (const double rounded = std::round(zero / kQuarter) * kQuarter;
+      rounded != 0 && std::abs(zero - rounded) < kNearQuarter)
+    zero = rounded;
   if (std::abs(zero) < mistakes::joint_zero::kLeast) return std::nullopt;
   return mistakes::joint_zero::correction(checked, mistakes::joint_zero::textOf(checked, joint, zero));
 }

@@ -55,9 +55,9 @@ std::optional<Measurement> expectedMeasurement(const PlacedArm& placed, const Pr
   auto tool = frameAt(placed.arm, X_WB, measurement);
   if (!tool) return std::nullopt;
   if (const auto from = departureOf(measurement)) {
-    const auto rest = toolAt(placed.arm, X_WB, measurementAt(*from));
-    if (!rest) return std::nullopt;
-    tool->p_W -= rest->p_W;
+    const auto departure_tool = toolAt(placed.arm, X_WB, measurementAt(*from));
+    if (!departure_tool) return std::nullopt;
+    tool->p_W -= departure_tool->p_W;
   }
   // Without measured values, the measurement means that all steps entered, which is the expected result for a centred
   // tool.

@@ -129,12 +129,12 @@ int measurementsPerPosture(const CampaignDesign& design) {
 }
 
 int pointsOf(const CampaignDesign& design, int measurements) {
-  const int each = measurementsPerPoint(design), points = measurements / each, left = measurements % each;
+  const int each = measurementsPerPoint(design), points = measurements / each, remaining = measurements % each;
   // A single touch of an unknown point gives no information, nor do too few touches of a surface. Such touches are
   // added to the preceding point.
   const MeasurementKindRow& kind = kindOf(design.kind);
   const int least = kind.settle ? leastOfSurface(kind) : design.points_known ? 1 : 2;
-  const bool is_kept = left >= least || (left > 0 && points == 0);
+  const bool is_kept = remaining >= least || (remaining > 0 && points == 0);
   return points + (is_kept ? 1 : 0);
 }
 

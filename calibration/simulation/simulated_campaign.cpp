@@ -107,9 +107,9 @@ class CampaignMaker {
   /// Adds all measurements of one point, or of one posture.
   bool addPoint(const CampaignSite& site, int number, bool is_last) {
     const auto each = static_cast<std::size_t>(measurementsPerPosture(design_) * design_.postures_per_point);
-    const std::size_t left = static_cast<std::size_t>(options_.measurements) - result_.measurements.size();
+    const std::size_t remaining = static_cast<std::size_t>(options_.measurements) - result_.measurements.size();
     std::vector<MeasurementConditions> conditions;
-    while (conditions.size() < (is_last ? left : std::min(each, left))) conditions.push_back(series_.next());
+    while (conditions.size() < (is_last ? remaining : std::min(each, remaining))) conditions.push_back(series_.next());
     RefusalCounts counts{};
     for (int draws = 0; draws < options_.max_draws; ++draws) {
       if (wantsStop()) return false;

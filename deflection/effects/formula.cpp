@@ -174,10 +174,10 @@ std::optional<MadeFormula> chooseParameters(const std::vector<Start>& starts, Fo
 /// no other formula of the arm has. Returns std::nullopt if the request is invalid.
 std::optional<std::string> placeOf(const Arm& arm, const std::string& target, std::string_view requested_place) {
   if (!requested_place.empty()) {
-    const std::string_view rest = requested_place.substr(std::min(requested_place.size(), target.size()));
-    const bool is_number = rest.size() > 1 && rest.size() < 5 && rest[0] == '#' &&
-                           rest.substr(1).find_first_not_of("0123456789") == std::string_view::npos;
-    if (!requested_place.starts_with(target) || !(rest.empty() || is_number)) return std::nullopt;
+    const std::string_view suffix = requested_place.substr(std::min(requested_place.size(), target.size()));
+    const bool is_number = suffix.size() > 1 && suffix.size() < 5 && suffix[0] == '#' &&
+                           suffix.substr(1).find_first_not_of("0123456789") == std::string_view::npos;
+    if (!requested_place.starts_with(target) || !(suffix.empty() || is_number)) return std::nullopt;
     return std::string(requested_place);
   }
   for (int number = 1;; ++number) {

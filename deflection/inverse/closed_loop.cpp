@@ -220,13 +220,14 @@ void ClosedLoop<Size>::addRoots(const Vector3d& p_B, const Vector3d& axis_B, dou
   Matrix<double, Size - 1, 3 * kInnerTerms> equations =
       inner_.template topRows<Size - 1>() - sides.outer.col(0).template head<Size - 1>() * inner_weight_;
   equations.applyOnTheLeft(sides.outer_solver.householderQ().adjoint());
-  const Eigen::Matrix<double, kEquations, 3 * kInnerTerms> left = equations.template bottomRows<kEquations>();
+  const Eigen::Matrix<double, kEquations, 3 * kInnerTerms> inner_equations =
+      equations.template bottomRows<kEquations>();
   for (int a = 0; a < 3; ++a) {
     auto& m = sides.polynomial[static_cast<std::size_t>(a)];
     m.setZero(kUnknowns, kUnknowns);
     // Number of columns by which the terms shift if the equations are multiplied by the eliminated joint's unknown.
     constexpr int kNext = kUnknowns - kInnerTerms;
-    const auto terms = left.template middleCols<kInnerTerms>(a * kInnerTerms);
+    const auto terms = inner_equations.template middleCols<kInnerTerms>(a * kInnerTerms);
     m.template topLeftCorner<kEquations, kInnerTerms>() = terms;
     m.template block<kEquations, kInnerTerms>(kEquations, kNext) = terms;
   }
@@ -236,8 +237,8 @@ void ClosedLoop<Size>::addRoots(const Vector3d& p_B, const Vector3d& axis_B, dou
     if (!(imaginary <= most_imaginary)) continue;
     // If the perturbation of the axes has made two roots complex, the real roots of the unperturbed chain may lie on
     // either side.
-    for (const double aside : {-1., 1.}) {
-      VectorXd q = readingsAt(sides, x.real() + aside * x.imag());
+    for (const double side : {-1., 1.}) {
+      VectorXd q = readingsAt(sides, x.real() + side * x.imag());
       if (q.allFinite()) roots.push_back(std::move(q));
       if (x.imag() == 0) break;
     }

@@ -17,11 +17,11 @@ Matrix3d crossOf(const Vector3d& t) {
   return m;
 }
 
-/// Returns a matrix that rotates the four vector quantities and multiplies the three scalar quantities by `rest`.
-Line turning(const Matrix3d& R, double rest) {
+/// Returns a matrix that rotates the four vector quantities and multiplies the three scalar quantities by `factor`.
+Line turning(const Matrix3d& R, double factor) {
   Line m = Line::Zero();
   for (const int at : {kAxis, kPlace, kMoment, kInverse}) m.block<3, 3>(at, at) = R;
-  m.diagonal().tail<3>().setConstant(rest);
+  m.diagonal().tail<3>().setConstant(factor);
   return m;
 }
 

@@ -117,17 +117,17 @@ MotionCheckResult checkFlow(const Waypoints& waypoints, const MotionProblem& pro
                             long& checks) {
   assert(problem.speeds);
   const auto corners = cornersOf(timeFlow(waypoints, *problem.speeds));
-  MotionCheckResult whole;
+  MotionCheckResult combined;
   for (std::size_t k = 1; k < corners.size(); ++k) {
     const MotionCheckResult part =
         checkMotion(corners[k - 1], corners[k], problem.clearance_of, problem.travel, options);
     checks += part.checks;
     if (!isFree(part)) return part;
-    if (k == 1 || part.tightest.margin < whole.tightest.margin) whole.tightest = part.tightest;
-    whole.proved_margin = k == 1 ? part.proved_margin : std::min(whole.proved_margin, part.proved_margin);
-    whole.status = MotionCheckStatus::kFree;
+    if (k == 1 || part.tightest.margin < combined.tightest.margin) combined.tightest = part.tightest;
+    combined.proved_margin = k == 1 ? part.proved_margin : std::min(combined.proved_margin, part.proved_margin);
+    combined.status = MotionCheckStatus::kFree;
   }
-  return whole;
+  return combined;
 }
 
 Waypoints detourByOnePosture(const VectorXd& q0, const VectorXd& q1, const MotionProblem& problem,

@@ -56,10 +56,10 @@ class MotionProof {
     // Breadth first, because a blocked motion is usually found within the first few bisections.
     std::deque<Stretch> open;
     if (travel_ > 0) open.push_back({start, goal});
-    for (std::size_t left = 0; !open.empty(); --left) {
-      if (left == 0) {
-        left = std::min(open.size(), kMostTogether);
-        computeMiddleMargins(open, left);
+    for (std::size_t batch = 0; !open.empty(); --batch) {
+      if (batch == 0) {
+        batch = std::min(open.size(), kMostTogether);
+        computeMiddleMargins(open, batch);
       }
       const Stretch stretch = open.front();
       open.pop_front();

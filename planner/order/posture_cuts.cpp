@@ -30,7 +30,7 @@ class UsedEdges {
   /// Returns the maximum flow between two visits, or some flow of at least kEnough. If the flow is less than kEnough,
   /// `reached` has the postures on the source side of the minimum cut.
   double flow(int from, int to, std::vector<char>& reached) {
-    left_ = full_;
+    residual_graph_ = full_;
     double sum = 0;
     while (sum < kEnough) {
       const int end = search(from, to, reached);
@@ -43,7 +43,7 @@ class UsedEdges {
  private:
   struct Edge {
     int to, back;
-    double left;
+    double residual;
   };
 
   /// Returns a posture of the visit `to` that is reached by a path with residual capacity; -1 if there is none.
@@ -53,9 +53,9 @@ class UsedEdges {
     std::vector<int> queue;
     for (int p = table_.first(from); p < table_.last(from); ++p) reached[p] = 1, queue.push_back(p);
     for (std::size_t k = 0; k < queue.size(); ++k)
-      for (std::size_t e = 0; e < left_[queue[k]].size(); ++e) {
-        const Edge& edge = left_[queue[k]][e];
-        if (reached[edge.to] || edge.left < kLeastFlow) continue;
+      for (std::size_t e = 0; e < residual_graph_[queue[k]].size(); ++e) {
+        const Edge& edge = residual_graph_[queue[k]][e];
+        if (reached[edge.to] || edge.residual < kLeastFlow) continue;
         reached[edge.to] = 1;
         came_from_[edge.to] = {queue[k], static_cast<int>(e)};
         if (table_.nodeOf(edge.to) == to) return edge.to;
@@ -67,17 +67,17 @@ class UsedEdges {
   double augment(int end) {
     double most = std::numeric_limits<double>::infinity();
     for (int p = end; came_from_[p].first >= 0; p = came_from_[p].first)
-      most = std::min(most, left_[came_from_[p].first][came_from_[p].second].left);
+      most = std::min(most, residual_graph_[came_from_[p].first][came_from_[p].second].residual);
     for (int p = end; came_from_[p].first >= 0; p = came_from_[p].first) {
-      Edge& edge = left_[came_from_[p].first][came_from_[p].second];
-      edge.left -= most;
-      left_[p][edge.back].left += most;
+      Edge& edge = residual_graph_[came_from_[p].first][came_from_[p].second];
+      edge.residual -= most;
+      residual_graph_[p][edge.back].residual += most;
     }
     return most;
   }
 
   const PostureTable& table_;
-  std::vector<std::vector<Edge>> full_, left_;
+  std::vector<std::vector<Edge>> full_, residual_graph_;
   /// Previous posture on the path and index of the edge from it; -1 if there is none.
   std::vector<std::pair<int, int>> came_from_;
 };

@@ -123,8 +123,8 @@ Searched searched(const Route& route, const PostureTable& table, const VisitOrde
   oneapi::tbb::parallel_invoke(
       [&] {
         if (!options.start.empty()) return;
-        const long rest = std::lround(kFinishShare * static_cast<double>(kicks));
-        result.best = finished(table, neighbours, std::move(result.best), rest, options);
+        const long finish_kicks = std::lround(kFinishShare * static_cast<double>(kicks));
+        result.best = finished(table, neighbours, std::move(result.best), finish_kicks, options);
       },
       [&] {
         if (options.with_bound) result.lower_bound = boundOf(route, options, known_time);

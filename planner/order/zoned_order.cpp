@@ -34,7 +34,7 @@ Route partOf(const Route& route, const std::vector<int>& visits) {
 /// is that of visit `before` in the whole route, which may be the whole route's start posture.
 ExtraTime extraOf(const Route& route, const std::vector<int>& visits, int before, int branch_before) {
   if (!route.extra_time) return {};
-  return [&whole = route.extra_time, visits, before, branch_before](int a, int branch_a, int b, int branch_b) {
+  return [&extra_time = route.extra_time, visits, before, branch_before](int a, int branch_a, int b, int branch_b) {
     const auto translate = [&](int& visit, int& branch) {
       if (visit >= 0) visit = visits[static_cast<std::size_t>(visit)];
       if (visit != kStartPosture) return;
@@ -43,7 +43,7 @@ ExtraTime extraOf(const Route& route, const std::vector<int>& visits, int before
     };
     translate(a, branch_a);
     translate(b, branch_b);
-    return whole(a, branch_a, b, branch_b);
+    return extra_time(a, branch_a, b, branch_b);
   };
 }
 
@@ -73,14 +73,14 @@ VisitOrder orderByZones(const Route& route, const std::vector<int>& zones, const
   assert(zones.size() == route.visits.size());
   const int count = countZones(zones);
   if (count <= 1) return orderVisits(route, options);
-  VisitOrder whole;
+  VisitOrder combined;
   for (int zone = 0; zone < count; ++zone) {
     const std::vector<int> visits = visitsOf(zones, zone);
     Route part = partOf(route, visits);
-    const int before = whole.order.empty() ? kStartPosture : whole.order.back();
-    const int branch_before = whole.order.empty() ? 0 : whole.branches.back();
+    const int before = combined.order.empty() ? kStartPosture : combined.order.back();
+    const int branch_before = combined.order.empty() ? 0 : combined.branches.back();
     part.start =
-        whole.order.empty()
+        combined.order.empty()
             ? route.start
             : std::optional(
                   route.visits[static_cast<std::size_t>(before)].branches[static_cast<std::size_t>(branch_before)]);
@@ -92,22 +92,23 @@ VisitOrder orderByZones(const Route& route, const std::vector<int>& zones, const
     ordering.with_bound = false;
     const VisitOrder order = orderVisits(part, ordering);
     if (order.status == VisitOrderStatus::kBadInput) return order;
-    if (!order.reason.empty()) whole.reason = order.reason;
-    for (const int visit : order.order) whole.order.push_back(visits[static_cast<std::size_t>(visit)]);
-    whole.branches.insert(whole.branches.end(), order.branches.begin(), order.branches.end());
+    if (!order.reason.empty()) combined.reason = order.reason;
+    for (const int visit : order.order) combined.order.push_back(visits[static_cast<std::size_t>(visit)]);
+    combined.branches.insert(combined.branches.end(), order.branches.begin(), order.branches.end());
   }
   // The branches of each zone were chosen independently of the next zone, so choose all branches again.
-  const BranchChoice together = bestBranches(route, whole.order);
-  whole.branches = together.branches;
-  whole.travel_time = together.travel_time;
-  whole.status = together.status == BranchChoiceStatus::kForbiddenMove ? VisitOrderStatus::kForbiddenMove
-                                                                       : VisitOrderStatus::kSolved;
-  if (!options.with_bound) return whole;
+  const BranchChoice together = bestBranches(route, combined.order);
+  combined.branches = together.branches;
+  combined.travel_time = together.travel_time;
+  combined.status = together.status == BranchChoiceStatus::kForbiddenMove ? VisitOrderStatus::kForbiddenMove
+                                                                          : VisitOrderStatus::kSolved;
+  if (!options.with_bound) return combined;
   OneTreeOptions bound = options.bound;
   bound.stop = options.stop;
-  whole.lower_bound = zonedBound(route, zones, bound);
-  if (whole.lower_bound > 0) whole.optimality_gap = (whole.travel_time - whole.lower_bound) / whole.lower_bound;
-  return whole;
+  combined.lower_bound = zonedBound(route, zones, bound);
+  if (combined.lower_bound > 0)
+    combined.optimality_gap = (combined.travel_time - combined.lower_bound) / combined.lower_bound;
+  return combined;
 }
 
 double zonedBound(const Route& route, const std::vector<int>& zones, const OneTreeOptions& options) {

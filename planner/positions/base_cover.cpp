@@ -89,8 +89,8 @@ class CoverSearch {
     if (taken == options_.most || ++nodes_ >= options_.most_nodes) return;
     const std::vector<int> gain = gains(first);
     for (std::size_t c = first; c < of_candidate_.size(); ++c) {
-      const std::vector<int> rest(gain.begin() + static_cast<std::ptrdiff_t>(c), gain.end());
-      if (reached + sumOfLargest(rest, options_.most - taken) <= cover.reached) return;
+      const std::vector<int> remaining_gain(gain.begin() + static_cast<std::ptrdiff_t>(c), gain.end());
+      if (reached + sumOfLargest(remaining_gain, options_.most - taken) <= cover.reached) return;
       if (gain[c] == 0) continue;
       take(c, 1);
       chosen_.push_back(static_cast<int>(c));

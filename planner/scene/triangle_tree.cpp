@@ -92,7 +92,7 @@ std::size_t TriangleTree::splitByArea(std::span<Item> items, const AlignedBox3d&
   for (const Item& item : items) boxes[binOf(item)].extend(item.box), ++counts[binOf(item)];
   std::array<double, kBins> right_cost{};
   AlignedBox3d sum;
-  std::size_t count = 0, split = 0, left = 0;
+  std::size_t count = 0, split = 0, first_count = 0;
   for (std::size_t bin = kBins - 1; bin > 0; --bin) {
     sum.extend(boxes[bin]), count += counts[bin];
     right_cost[bin] = halfArea(sum) * static_cast<double>(count);
@@ -102,10 +102,10 @@ std::size_t TriangleTree::splitByArea(std::span<Item> items, const AlignedBox3d&
   for (std::size_t bin = 1; bin < kBins; ++bin) {
     sum.extend(boxes[bin - 1]), count += counts[bin - 1];
     const double cost = halfArea(sum) * static_cast<double>(count) + right_cost[bin];
-    if (count > 0 && count < items.size() && cost < best) best = cost, split = bin, left = count;
+    if (count > 0 && count < items.size() && cost < best) best = cost, split = bin, first_count = count;
   }
   std::partition(items.begin(), items.end(), [&](const Item& item) { return binOf(item) < split; });
-  return left;
+  return first_count;
 }
 
 void TriangleTree::build(std::span<Item> items, int depth) {
@@ -121,15 +121,15 @@ void TriangleTree::build(std::span<Item> items, int depth) {
   }
   Eigen::Index axis = 0;
   middles.sizes().maxCoeff(&axis);
-  std::size_t left = depth < kDeepestSearch ? splitByArea(items, middles, axis) : 0;
-  if (left == 0) {
-    left = items.size() / 2;
-    std::ranges::nth_element(items, items.begin() + static_cast<std::ptrdiff_t>(left), {},
+  std::size_t first_count = depth < kDeepestSearch ? splitByArea(items, middles, axis) : 0;
+  if (first_count == 0) {
+    first_count = items.size() / 2;
+    std::ranges::nth_element(items, items.begin() + static_cast<std::ptrdiff_t>(first_count), {},
                              [axis](const Item& item) { return item.middle[axis]; });
   }
-  build(items.first(left), depth + 1);
+  build(items.first(first_count), depth + 1);
   nodes_[at].right = static_cast<int>(nodes_.size());
-  build(items.subspan(left), depth + 1);
+  build(items.subspan(first_count), depth + 1);
 }
 
 std::optional<int> TriangleTree::windingNumber(const Vector3d& p) const {

@@ -26,9 +26,9 @@ TimedMove timeMove(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, const J
 double progressAt(const TimedMove& move, double time) {
   if (time <= 0) return 0;
   if (time >= move.duration) return 1;
-  const double left = move.duration - time;
+  const double remaining = move.duration - time;
   if (time < move.ramp_time) return 0.5 * move.peak_speed * time * time / move.ramp_time;
-  if (left < move.ramp_time) return 1 - 0.5 * move.peak_speed * left * left / move.ramp_time;
+  if (remaining < move.ramp_time) return 1 - 0.5 * move.peak_speed * remaining * remaining / move.ramp_time;
   return move.peak_speed * (time - 0.5 * move.ramp_time);
 }
 

@@ -25,20 +25,22 @@ const YamlNode* findRow(const YamlNode& node, std::string_view name) {
   return nullptr;
 }
 
-bool isToolKey(std::string_view rest) { return rest.starts_with("tip") || rest.starts_with("turn") || rest == "axis"; }
+bool isToolKey(std::string_view number_name) {
+  return number_name.starts_with("tip") || number_name.starts_with("turn") || number_name == "axis";
+}
 
 // Converts the part of a parameter's dotted name after the row or tool to a path in the file: vector components become
 // indices such as [0], and a lump becomes the weight of the lump.
-std::string pathBelow(std::string_view rest) {
+std::string pathBelow(std::string_view number_name) {
   constexpr std::string_view kLumps = "weight.lumps.";
-  if (rest.starts_with(kLumps))
-    return fmt::format("weight.lumps[{}].weight", std::stoi(std::string(rest.substr(kLumps.size()))) - 1);
-  const std::size_t dot = rest.rfind('.');
-  const std::string_view parent = rest.substr(0, dot == std::string_view::npos ? 0 : dot);
+  if (number_name.starts_with(kLumps))
+    return fmt::format("weight.lumps[{}].weight", std::stoi(std::string(number_name.substr(kLumps.size()))) - 1);
+  const std::size_t dot = number_name.rfind('.');
+  const std::string_view parent = number_name.substr(0, dot == std::string_view::npos ? 0 : dot);
   if (parent == "tip" || parent == "origin.position")
-    return fmt::format("{}[{}]", parent, std::string_view("xyz").find(rest.back()));
-  if (parent == "origin.rpy") return fmt::format("origin.rpy[{}]", std::string_view("rpy").find(rest.back()));
-  return std::string(rest);
+    return fmt::format("{}[{}]", parent, std::string_view("xyz").find(number_name.back()));
+  if (parent == "origin.rpy") return fmt::format("origin.rpy[{}]", std::string_view("rpy").find(number_name.back()));
+  return std::string(number_name);
 }
 }  // namespace
 
@@ -57,11 +59,11 @@ std::string armPath(const YamlNode& arm, std::string_view name) {
   const std::string prefix = arm.path.empty() ? "" : arm.path + ".";
   const std::size_t dot = name.find('.');
   const std::string_view first = name.substr(0, dot);
-  const std::string_view rest = dot == std::string_view::npos ? "" : name.substr(dot + 1);
+  const std::string_view number_name = dot == std::string_view::npos ? "" : name.substr(dot + 1);
   // A row may also be named `tool`; only the names tip, turn and axis always refer to the arm's tool.
-  const YamlNode* row = first == "tool" && isToolKey(rest) ? nullptr : findRow(arm, first);
-  if (row) return rest.empty() ? row->path : row->path + "." + pathBelow(rest);
-  return arm.find(first) ? prefix + std::string(first) + (rest.empty() ? "" : "." + pathBelow(rest)) : "";
+  const YamlNode* row = first == "tool" && isToolKey(number_name) ? nullptr : findRow(arm, first);
+  if (row) return number_name.empty() ? row->path : row->path + "." + pathBelow(number_name);
+  return arm.find(first) ? prefix + std::string(first) + (number_name.empty() ? "" : "." + pathBelow(number_name)) : "";
 }
 
 std::string withArmParameters(const std::string& text, const YamlNode& arm, const ArmSource& source,

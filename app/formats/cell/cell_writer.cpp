@@ -44,8 +44,9 @@ std::string covarianceText(const Matrix6d& covariance, const Units& units) {
 // rotation that remains without yaw.
 Eigen::Vector3d rollPitchYaw(const Eigen::Matrix3d& R) {
   const double yaw = std::atan2(R(1, 0), R(0, 0));
-  const Eigen::Matrix3d rest = deflection::rotationZ(-yaw) * R;
-  return {std::atan2(-rest(1, 2), rest(1, 1)), std::atan2(-rest(2, 0), rest(0, 0)), yaw};
+  const Eigen::Matrix3d R_without_yaw = deflection::rotationZ(-yaw) * R;
+  return {std::atan2(-R_without_yaw(1, 2), R_without_yaw(1, 1)), std::atan2(-R_without_yaw(2, 0), R_without_yaw(0, 0)),
+          yaw};
 }
 
 std::string withModelError(const std::string& text, const ModelError& error, const Units& units) {
@@ -123,9 +124,9 @@ std::string withoutIdentifying(const std::string& text, const Cell& cell, const 
   const auto is_given_up = [&](const std::string& name) {
     return std::find(given_up.begin(), given_up.end(), name) != given_up.end();
   };
-  std::vector<std::string> left;
-  std::remove_copy_if(cell.identify.begin(), cell.identify.end(), std::back_inserter(left), is_given_up);
-  return left.size() == cell.identify.size() ? text : withYamlValue(text, "identify", identifyList(left));
+  std::vector<std::string> remaining;
+  std::remove_copy_if(cell.identify.begin(), cell.identify.end(), std::back_inserter(remaining), is_given_up);
+  return remaining.size() == cell.identify.size() ? text : withYamlValue(text, "identify", identifyList(remaining));
 }
 
 std::optional<Matrix6d> baseCovariance(const calibration::Identification& result, int base_pose) {

@@ -42,8 +42,8 @@ std::vector<std::string> nextWords(std::string_view prefix) {
   std::vector<std::string> words;
   for (const ShapeRow& row : planner::sceneShapes()) {
     if (!row.key.starts_with(prefix)) continue;
-    const std::string_view rest = row.key.substr(prefix.size());
-    const std::string word(rest.substr(0, rest.find('.')));
+    const std::string_view suffix = row.key.substr(prefix.size());
+    const std::string word(suffix.substr(0, suffix.find('.')));
     if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
   }
   return words;

@@ -140,7 +140,7 @@ void appendList(const char* key, const std::map<Key, std::string>& texts, const 
 }  // namespace
 
 PlanCacheText::PlanCacheText(const std::string& text) {
-  json rest = json::object();
+  json other_members = json::object();
   forEachMember(text, '{', '}', [&](std::string_view member) {
     const std::size_t colon = endOfString(member, 0);
     const std::string_view key = member.substr(1, colon - 2), value = member.substr(colon + 1);
@@ -151,9 +151,9 @@ PlanCacheText::PlanCacheText(const std::string& text) {
     else if (key == "proofs")
       proofs_ = entriesOf<MotionEnds>(value, endsOf);
     else
-      rest[std::string(key)] = json::parse(value);
+      other_members[std::string(key)] = json::parse(value);
   });
-  rest_ = rest.dump();
+  rest_ = other_members.dump();
 }
 
 planner::PlanCache PlanCacheText::read(const std::set<int>& tubes) const {
@@ -185,8 +185,8 @@ void PlanCacheText::dropEnds() {
 }
 
 std::string PlanCacheText::with(const planner::PlanCache& cache) const {
-  const json whole = wholePlanJson(cache);
-  std::string out = "{\"bound\":" + whole["bound"].dump() + ",\"orders\":" + whole["orders"].dump() + ",";
+  const json plan_json = wholePlanJson(cache);
+  std::string out = "{\"bound\":" + plan_json["bound"].dump() + ",\"orders\":" + plan_json["orders"].dump() + ",";
   appendList(
       "proofs", proofs_, cache.proofs,
       [](const MotionEnds& ends, const planner::SegmentProof& proof) { return proofJson(ends, proof).dump(); }, out);
@@ -197,8 +197,8 @@ std::string PlanCacheText::with(const planner::PlanCache& cache) const {
   appendList(
       "travels", travels_, cache.travels,
       [](const MotionEnds& ends, const planner::MotionPlan& plan) { return travelJson(ends, plan).dump(); }, out);
-  return out + ",\"visiting_branches\":" + whole["visiting_branches"].dump() +
-         ",\"visiting_order\":" + whole["visiting_order"].dump() + "}";
+  return out + ",\"visiting_branches\":" + plan_json["visiting_branches"].dump() +
+         ",\"visiting_order\":" + plan_json["visiting_order"].dump() + "}";
 }
 
 }  // namespace tubeplan::app

@@ -131,7 +131,7 @@ void settleNames(std::vector<std::vector<ForeignHeading>>& tables, const std::ve
         if (heading.name == name) found.push_back(&heading);
     return found;
   };
-  std::vector<const ColumnTarget*> rest;
+  std::vector<const ColumnTarget*> unnamed;
   bool is_any_named = false;
   for (const auto& target : targets) {
     if (!target.is_joint) continue;
@@ -140,18 +140,18 @@ void settleNames(std::vector<std::vector<ForeignHeading>>& tables, const std::ve
       found.front()->name = settledName(target);
       is_any_named = true;
     } else if (isNumbered(target)) {
-      rest.push_back(&target);
+      unnamed.push_back(&target);
     }
   }
-  if (!is_any_named) settleControllersNames(tables, rest);
+  if (!is_any_named) settleControllersNames(tables, unnamed);
   for (const char* word : kJointWords) {
     const auto numbered = [&](std::size_t number) { return called(fmt::format("{}{}", word, number)); };
-    bool are_all = is_any_named && !rest.empty() && numbered(rest.size() + 1).empty();
-    for (std::size_t number = 1; number <= rest.size(); ++number) are_all = are_all && numbered(number).size() == 1;
+    bool are_all = is_any_named && !unnamed.empty() && numbered(unnamed.size() + 1).empty();
+    for (std::size_t number = 1; number <= unnamed.size(); ++number) are_all = are_all && numbered(number).size() == 1;
     if (!are_all) continue;
     std::vector<ForeignHeading*> columns;
-    for (std::size_t number = 1; number <= rest.size(); ++number) columns.push_back(numbered(number).front());
-    for (std::size_t k = 0; k < rest.size(); ++k) columns[k]->name = settledName(*rest[k]);
+    for (std::size_t number = 1; number <= unnamed.size(); ++number) columns.push_back(numbered(number).front());
+    for (std::size_t k = 0; k < unnamed.size(); ++k) columns[k]->name = settledName(*unnamed[k]);
     return;
   }
 }

@@ -263,14 +263,14 @@ class ColumnTaker {
   [[noreturn]] void missingJoint(std::size_t k) const {
     if (const auto patterns = jointPatterns(tables_, headings_, targets_); patterns.size() > 1)
       severalPatterns(patterns);
-    std::vector<std::string> left;
+    std::vector<std::string> unused;
     for (std::size_t t = 0; t < tables_.size(); ++t)
       for (std::size_t c = 0; c < free_[t].size(); ++c)
-        if (free_[t][c]) left.push_back(tables_[t].columns[c]);
+        if (free_[t][c]) unused.push_back(tables_[t].columns[c]);
     const std::string& name = targets_[k].quantity;
     throw InputError::problem("the columns",
                               fmt::format("none is recognised as the joint {}{}", name,
-                                          left.empty() ? "" : fmt::format(", which may be {}", alternatives(left))),
+                                          unused.empty() ? "" : fmt::format(", which may be {}", alternatives(unused))),
                               fmt::format("say which: --column {}=COLUMN", name));
   }
 

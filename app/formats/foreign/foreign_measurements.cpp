@@ -110,15 +110,15 @@ class ForeignReader {
     if (!joined_.how.empty()) out_.taken.push_back(fmt::format("the tables' rows are matched {}", joined_.how));
     for (std::size_t t = 0; t < request_.tables.size(); ++t) {
       if (const auto key = keyOf(t); key && joined_.how.find("by name") != std::string::npos) used[t].insert(*key);
-      std::vector<std::string> left;
+      std::vector<std::string> unused;
       for (std::size_t c = 0; c < table(t).columns.size(); ++c) {
         if (used[t].contains(c)) continue;
-        left.push_back(inQuotes(table(t).columns[c]));
-        if (areNumbers(t, c)) unknown_numbers_.push_back(fmt::format("{} of {}", left.back(), table(t).file));
+        unused.push_back(inQuotes(table(t).columns[c]));
+        if (areNumbers(t, c)) unknown_numbers_.push_back(fmt::format("{} of {}", unused.back(), table(t).file));
       }
       for (const auto& remark : table(t).remarks) out_.taken.push_back(fmt::format("of {}: {}", table(t).file, remark));
-      sayTurnLeftOut(t, used[t]);
-      if (!left.empty()) out_.left_out.push_back(fmt::format("of {}: {}", table(t).file, fmt::join(left, ", ")));
+      noteOmittedTurn(t, used[t]);
+      if (!unused.empty()) out_.left_out.push_back(fmt::format("of {}: {}", table(t).file, fmt::join(unused, ", ")));
     }
   }
 
@@ -135,7 +135,7 @@ class ForeignReader {
   }
 
   /// If the measurements have no orientation, reports unused columns that look like an orientation.
-  void sayTurnLeftOut(std::size_t t, const std::set<std::size_t>& used) {
+  void noteOmittedTurn(std::size_t t, const std::set<std::size_t>& used) {
     if (isTaken(columnsOf(Stated::kTurn).columns.front())) return;
     const auto headings = columnNames(request_.tables, targets_);
     FreeColumns free;

@@ -83,8 +83,8 @@ FormFit fitOf(const FormColumns& columns, const ForeignTable& table) {
 bool readAlike(const FormColumns& a, const FormColumns& b, const std::vector<ForeignTable>& tables) {
   if (a.table != b.table || !hasUnits(a) || !hasUnits(b)) return false;
   return std::ranges::all_of(tables[a.table].rows, [&](const auto& row) {
-    const auto one = numbersOf(a, row), other = numbersOf(b, row);
-    return !one || !other || (a.form->read(*one) - b.form->read(*other)).cwiseAbs().maxCoeff() < kSame;
+    const auto first = numbersOf(a, row), second = numbersOf(b, row);
+    return !first || !second || (a.form->read(*first) - b.form->read(*second)).cwiseAbs().maxCoeff() < kSame;
   });
 }
 
@@ -94,13 +94,14 @@ void excludeByNumbers(std::vector<FormColumns>& forms, const std::vector<Foreign
   std::vector<FormFit> fits;
   for (const auto& columns : forms) fits.push_back(fitOf(columns, tables[columns.table]));
   const FormFit best = *std::ranges::min_element(fits);
-  std::vector<FormColumns> left, excluded;
-  for (std::size_t i = 0; i < forms.size(); ++i) (fits[i] == best ? left : excluded).push_back(std::move(forms[i]));
-  for (auto& columns : left)
+  std::vector<FormColumns> plausible, excluded;
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    (fits[i] == best ? plausible : excluded).push_back(std::move(forms[i]));
+  for (auto& columns : plausible)
     for (const auto& other : excluded)
       if (haveSameColumns(columns, other))
         columns.why += fmt::format("{}no {}, {}", columns.why.empty() ? "" : "; ", other.form->name, other.form->usual);
-  forms = std::move(left);
+  forms = std::move(plausible);
 }
 
 /// Removes forms if a further column of the table indicates another form of the same columns.
@@ -162,11 +163,11 @@ std::vector<FormColumns> decideForms(std::vector<FormColumns> forms, const std::
   if (forms.size() < 2) return forms;
   excludeByColumns(forms);
   if (forms.size() > 1) excludeByNumbers(forms, tables);
-  std::vector<FormColumns> left;
+  std::vector<FormColumns> distinct;
   for (auto& columns : forms)
-    if (std::ranges::none_of(left, [&](const auto& other) { return readAlike(columns, other, tables); }))
-      left.push_back(std::move(columns));
-  return left;
+    if (std::ranges::none_of(distinct, [&](const auto& other) { return readAlike(columns, other, tables); }))
+      distinct.push_back(std::move(columns));
+  return distinct;
 }
 
 std::optional<FormNumbers> numbersOf(const FormColumns& columns, const ForeignRow& row) {
@@ -187,18 +188,18 @@ std::string namesOf(const FormColumns& columns, const std::vector<ForeignTable>&
 
 std::optional<FormColumns> onlyForm(const std::vector<FormColumns>& found, const std::vector<ForeignTable>& tables) {
   if (found.empty()) return std::nullopt;
-  auto left = decideForms(found, tables);
-  if (left.size() == 1) return std::move(left.front());
-  const StatedColumns& stated = columnsOf(left.front().form->stated);
+  auto candidates = decideForms(found, tables);
+  if (candidates.size() == 1) return std::move(candidates.front());
+  const StatedColumns& stated = columnsOf(candidates.front().form->stated);
   std::vector<std::string> measurements, options;
-  for (const auto& columns : left) {
-    const bool is_same = haveSameColumns(columns, left.front());
+  for (const auto& columns : candidates) {
+    const bool is_same = haveSameColumns(columns, candidates.front());
     measurements.push_back(fmt::format("{}{} ({})", is_same ? "" : namesOf(columns, tables) + " as ",
                                        columns.form->name, columns.form->words));
     options.push_back(fmt::format("{} {}", stated.option, columns.form->name));
   }
   throw InputError::problem(
-      "the columns " + namesOf(left.front(), tables),
+      "the columns " + namesOf(candidates.front(), tables),
       fmt::format("their numbers may state {} as {}", stated.word, fmt::join(measurements, ", or as ")),
       fmt::format("say which: {}", fmt::join(options, " or ")));
 }

@@ -83,10 +83,10 @@ class Header {
 
  private:
   [[noreturn]] void missing(const std::string& name) const {
-    std::vector<std::string> left;
+    std::vector<std::string> unused;
     for (std::size_t i = 0; i < table_.columns.size(); ++i)
-      if (!taken_.contains(i)) left.push_back(table_.columns[i]);
-    const std::string near = suggestion(name, left);
+      if (!taken_.contains(i)) unused.push_back(table_.columns[i]);
+    const std::string near = suggestion(name, unused);
     failWithProblem("there is no column " + inQuotes(name),
                     near.empty() ? std::string("add it to the header, or ") + kReadForeign
                                  : "did you mean the column " + near.substr(near.find('\'')) + " If so, rename it");

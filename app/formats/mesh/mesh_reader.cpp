@@ -70,15 +70,15 @@ std::vector<Triangle> fanOf(const std::vector<Eigen::Vector3d>& vertices, std::s
                             std::size_t centre) {
   std::vector<Triangle> fan;
   std::vector<Eigen::Vector3d> normals;
-  Eigen::Vector3d whole = Eigen::Vector3d::Zero();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   const auto corner = [&](std::size_t k) { return polygon[(centre + k) % polygon.size()]; };
   const auto at = [&](int k) -> const Eigen::Vector3d& { return vertices[static_cast<std::size_t>(k)]; };
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
     fan.push_back({corner(0), corner(k), corner(k + 1)});
     normals.push_back((at(corner(k)) - at(corner(0))).cross(at(corner(k + 1)) - at(corner(0))));
-    whole += normals.back();
+    sum += normals.back();
   }
-  const bool is_within = std::ranges::none_of(normals, [&](const auto& normal) { return normal.dot(whole) < 0; });
+  const bool is_within = std::ranges::none_of(normals, [&](const auto& normal) { return normal.dot(sum) < 0; });
   return is_within ? fan : std::vector<Triangle>{};
 }
 

@@ -51,10 +51,10 @@ struct RoundedAngle {
 std::optional<RoundedAngle> roundedAngleOf(double angle) {
   const int decimals = decimalsIn(angle);
   for (const double step : {90., 45., 30.}) {
-    const double whole = std::round(angle / (step * kDegreeOfTurn)) * step,
-                 off = std::abs(angle - whole * kDegreeOfTurn);
-    if (whole != 0 && off <= kRounded && off < std::pow(10, -decimals) && (step == 90 || decimals > 2))
-      return RoundedAngle{whole, off};
+    const double rounded = std::round(angle / (step * kDegreeOfTurn)) * step,
+                 off = std::abs(angle - rounded * kDegreeOfTurn);
+    if (rounded != 0 && off <= kRounded && off < std::pow(10, -decimals) && (step == 90 || decimals > 2))
+      return RoundedAngle{rounded, off};
   }
   return {};
 }

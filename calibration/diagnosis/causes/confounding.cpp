@@ -20,20 +20,20 @@ struct Signature {
 };
 
 Signature signatureOf(const MatrixXd& own, const MatrixXd& others) {
-  const MatrixXd left = others.size() > 0 ? without(others, own) : own;
+  const MatrixXd remaining = others.size() > 0 ? without(others, own) : own;
   Signature signature;
   if (!(own.norm() > 0)) return signature;
-  signature.kept = left.norm() / own.norm();
-  if (signature.kept > kHardlyKept) signature.basis = spanOf(left);
+  signature.kept = remaining.norm() / own.norm();
+  if (signature.kept > kHardlyKept) signature.basis = spanOf(remaining);
   return signature;
 }
 
-/// Returns the squared cosine of the largest principal angle between the spans of two orthonormal bases: 1 if `one`
-/// lies in the span of `other`. Returns 0 if `other` has fewer columns.
-double shareOf(const MatrixXd& one, const MatrixXd& other) {
-  if (one.cols() == 0 || other.cols() < one.cols()) return 0;
-  const VectorXd cosines = (other.transpose() * one).jacobiSvd().singularValues();
-  return cosines[one.cols() - 1] * cosines[one.cols() - 1];
+/// Returns the squared cosine of the largest principal angle between the spans of two orthonormal bases: 1 if `first`
+/// lies in the span of `second`. Returns 0 if `second` has fewer columns.
+double shareOf(const MatrixXd& first, const MatrixXd& second) {
+  if (first.cols() == 0 || second.cols() < first.cols()) return 0;
+  const VectorXd cosines = (second.transpose() * first).jacobiSvd().singularValues();
+  return cosines[first.cols() - 1] * cosines[first.cols() - 1];
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ struct Setting {
   }
 };
 
-std::vector<EffectShare> sharesOf(const Setting& at, const MatrixXd& others, const MatrixXd& left) {
+std::vector<EffectShare> sharesOf(const Setting& at, const MatrixXd& others, const MatrixXd& unabsorbed) {
   std::vector<EffectShare> shares;
   for (std::size_t c = 0; c < at.catalogue.causes.size(); ++c) {
     const Cause& cause = at.catalogue.causes[c];
@@ -66,7 +66,7 @@ std::vector<EffectShare> sharesOf(const Setting& at, const MatrixXd& others, con
       const MatrixXd own = at.catalogue.columnsOf(c, level);
       const MatrixXd columns = without(others, own);
       if (!(columns.norm() > kLeastKept * own.norm())) continue;
-      const double share = (spanOf(columns).transpose() * left).squaredNorm() / left.squaredNorm();
+      const double share = (spanOf(columns).transpose() * unabsorbed).squaredNorm() / unabsorbed.squaredNorm();
       const auto same = std::ranges::find_if(
           shares, [&](const EffectShare& s) { return s.effect == cause.effect && s.at == cause.at; });
       if (same != shares.end())
@@ -88,9 +88,9 @@ FormulaOverlap overlapOf(const Setting& at, int effect) {
   const MatrixXd Q = others.empty() ? MatrixXd() : spanOf(at.jacobianBy(others));
   const MatrixXd signature = signatureOf(formula, at.jacobianBy(numbersOf(at.placed, effect)));
   if (signature.cols() == 0 || signature.norm() == 0) return overlap;
-  const MatrixXd left = without(Q, signature);
-  overlap.absorbed = std::clamp(1 - left.squaredNorm() / signature.squaredNorm(), 0., 1.);
-  if (left.norm() > kLeastKept * signature.norm()) overlap.shares = sharesOf(at, Q, left);
+  const MatrixXd unabsorbed = without(Q, signature);
+  overlap.absorbed = std::clamp(1 - unabsorbed.squaredNorm() / signature.squaredNorm(), 0., 1.);
+  if (unabsorbed.norm() > kLeastKept * signature.norm()) overlap.shares = sharesOf(at, Q, unabsorbed);
   return overlap;
 }
 

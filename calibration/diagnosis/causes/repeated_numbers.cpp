@@ -48,11 +48,11 @@ std::vector<Measurement> measurementsAllOver(const PlacedArm& placed, const std:
 /// Returns the fraction of each column's norm that lies outside the span of the orthonormal basis `Q`; 1 for a column
 /// of zeros, which shows nothing.
 VectorXd fractionOutsideSpan(const MatrixXd& Q, const MatrixXd& columns) {
-  const MatrixXd left = without(Q, columns);
+  const MatrixXd outside = without(Q, columns);
   VectorXd kept(columns.cols());
   for (Index c = 0; c < columns.cols(); ++c) {
     const double length = columns.col(c).norm();
-    kept[c] = length > 0 ? left.col(c).norm() / length : 1;
+    kept[c] = length > 0 ? outside.col(c).norm() / length : 1;
   }
   return kept;
 }

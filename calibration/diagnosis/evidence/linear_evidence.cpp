@@ -43,19 +43,19 @@ double logBelow(double x) {
 /// Returns L such that L L^T approximates the positive semidefinite matrix: a pivoted Cholesky factor, truncated when
 /// the residual is small.
 MatrixXd pivotedCholesky(const MatrixXd& matrix) {
-  VectorXd left = matrix.diagonal().cwiseMax(0);
-  const double whole = left.sum();
+  VectorXd residual_diagonal = matrix.diagonal().cwiseMax(0);
+  const double trace = residual_diagonal.sum();
   MatrixXd L(matrix.rows(), std::min(kMostAxes, matrix.rows()));
   Index rank = 0;
-  for (; rank < L.cols() && left.sum() > kLeastAxis * whole; ++rank) {
+  for (; rank < L.cols() && residual_diagonal.sum() > kLeastAxis * trace; ++rank) {
     Index pivot = 0;
-    const double most = left.maxCoeff(&pivot);
+    const double most = residual_diagonal.maxCoeff(&pivot);
     auto column = L.col(rank);
     column = matrix.col(pivot);
     if (rank > 0) column.noalias() -= L.leftCols(rank) * L.row(pivot).head(rank).transpose();
     column /= std::sqrt(most);
-    left = (left - column.cwiseAbs2()).cwiseMax(0);
-    left[pivot] = 0;
+    residual_diagonal = (residual_diagonal - column.cwiseAbs2()).cwiseMax(0);
+    residual_diagonal[pivot] = 0;
   }
   return L.leftCols(rank);
 }
@@ -96,7 +96,7 @@ LinearEvidence::LinearEvidence(const EvidenceGram& gram, const std::vector<Unkno
 /// times the prior mean has been subtracted from y.
 void LinearEvidence::integrateFitted(const EvidenceGram& gram, const std::vector<Unknown>& fitted) {
   MatrixXd K = gram.products.selfadjointView<Eigen::Lower>();
-  const Index n = gram.fitted, rest = K.rows() - n;
+  const Index n = gram.fitted, kept = K.rows() - n;
   const VectorXd scale = typicalsOf(fitted), information = priorInformation(fitted);
   if (n > 0) {
     VectorXd mean(n);
@@ -112,7 +112,7 @@ void LinearEvidence::integrateFitted(const EvidenceGram& gram, const std::vector
     MatrixXd H = K.topLeftCorner(n, n);
     H.diagonal() += information;
     const Eigen::LDLT<MatrixXd> factor(H);
-    K.bottomRightCorner(rest, rest).noalias() -= K.bottomLeftCorner(rest, n) * factor.solve(K.topRightCorner(n, rest));
+    K.bottomRightCorner(kept, kept).noalias() -= K.bottomLeftCorner(kept, n) * factor.solve(K.topRightCorner(n, kept));
     for (Index k = 0; k < n; ++k) {
       log_det_fitted_ += std::log(std::max(kSmallest, factor.vectorD()[k]));
       if (information[k] > 0) log_det_fitted_ -= std::log(information[k]);
@@ -280,10 +280,10 @@ MatrixXd LinearEvidence::principalTerms(Index most) const {
 VectorXd LinearEvidence::discrepancyWeights(const std::vector<PriorSize>& causes, double size) const {
   const Level level = levelOf(size);
   const Solution solution = solve(causes, level);
-  VectorXd left = along_.rightCols<1>();
+  VectorXd residual = along_.rightCols<1>();
   for (std::size_t i = 0; i < causes.size(); ++i)
-    left -= along_.col(causes[i].column) * solution.sizes[static_cast<Index>(i)];
-  return axes_ * level.taken.cwiseProduct(left);
+    residual -= along_.col(causes[i].column) * solution.sizes[static_cast<Index>(i)];
+  return axes_ * level.taken.cwiseProduct(residual);
 }
 
 }  // namespace tubeplan::calibration

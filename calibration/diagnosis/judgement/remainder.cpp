@@ -18,34 +18,35 @@ using Eigen::Index, Eigen::VectorXd;
 namespace {
 
 /// Remaining errors of a model, and their Jacobian with respect to all fitted parameters.
-struct Left {
+struct ModelResidual {
   PlacedArm placed;
   WhitenedResidual residual;
   int freedom = 0;
 };
 
-std::optional<Left> leftBy(const DiagnosisWork& work, const CompetingModel& model) {
+std::optional<ModelResidual> modelResidualOf(const DiagnosisWork& work, const CompetingModel& model) {
   const FittedBasis& basis = work.basis;
   ExplanationModel fitted{basis.fitted, basis.unknowns};
   if (!model.terms.empty() && model.hasFit()) fitted = modelOf(basis, model.fit);
-  Left left{fitted.placed, {}, 0};
-  left.residual = whitenedResidual(fitted.placed, fitted.unknowns, basis.measurements, basis.weights,
-                                   zerosOf(fitted.unknowns), true, basis.stop);
-  if (!left.residual.ok) return std::nullopt;
-  left.freedom = basis.weights.degrees_of_freedom -
-                 numbersDetermined(posteriorCovariance(left.residual.jacobian, fitted.unknowns), fitted.unknowns);
-  return left;
+  ModelResidual remaining{fitted.placed, {}, 0};
+  remaining.residual = whitenedResidual(fitted.placed, fitted.unknowns, basis.measurements, basis.weights,
+                                        zerosOf(fitted.unknowns), true, basis.stop);
+  if (!remaining.residual.ok) return std::nullopt;
+  remaining.freedom =
+      basis.weights.degrees_of_freedom -
+      numbersDetermined(posteriorCovariance(remaining.residual.jacobian, fitted.unknowns), fitted.unknowns);
+  return remaining;
 }
 
 /// Returns the variables that the model's errors follow according to a pattern search, with their fractions of
 /// chi-square.
 std::vector<std::pair<std::string, double>> patternsLeftBy(const DiagnosisWork& work, const CompetingModel& model) {
-  const auto left = leftBy(work, model);
-  if (!left) return {};
-  const MeasurementScene scene = observe(left->placed, work.basis.measurements);
+  const auto remaining = modelResidualOf(work, model);
+  if (!remaining) return {};
+  const MeasurementScene scene = observe(remaining->placed, work.basis.measurements);
   if (!scene.ok) return {};
-  const PatternSearch patterns =
-      searchPatterns(scene, work.basis.weights, left->residual, kPatternLevel, withoutProgress(work.options.hooks));
+  const PatternSearch patterns = searchPatterns(scene, work.basis.weights, remaining->residual, kPatternLevel,
+                                                withoutProgress(work.options.hooks));
   std::vector<std::pair<std::string, double>> followed;
   for (const auto& finding : patterns.findings)
     if (finding.trend.size() > 1) followed.emplace_back(variableWords(finding.variable), finding.share);
@@ -65,10 +66,10 @@ void preferPatterns(const DiagnosisWork& work, const CompetingModel& model, Rema
 }  // namespace
 
 Repeats repeatsBy(const DiagnosisWork& work, const CompetingModel& model) {
-  const auto left = leftBy(work, model);
-  if (!left) return {};
-  return judgeRepeats(work.basis.measurements, work.basis.weights, left->residual.error, left->residual.r.squaredNorm(),
-                      left->freedom);
+  const auto remaining = modelResidualOf(work, model);
+  if (!remaining) return {};
+  return judgeRepeats(work.basis.measurements, work.basis.weights, remaining->residual.error,
+                      remaining->residual.r.squaredNorm(), remaining->freedom);
 }
 
 SamePosture samePostureBy(const DiagnosisWork& work, const CompetingModel& model) {
@@ -103,15 +104,15 @@ Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model) {
   }
   remainder.size = std::sqrt(squares / static_cast<double>(work.basis.measurements.size()));
   std::map<std::string, double> shares;
-  double whole = 0;
+  double total = 0;
   for (std::size_t t = 0; t < work.discrepancy->terms().size(); ++t) {
     const auto& term = work.discrepancy->terms()[t];
     const double weight = model.remainder_terms[static_cast<Index>(t)];
     shares[term.follows] += weight * weight * term.share;
-    whole += weight * weight * term.share;
+    total += weight * weight * term.share;
   }
   for (const auto& [follows, share] : shares)
-    if (share > 0.05 * whole) remainder.follows.emplace_back(follows, share / whole);
+    if (share > 0.05 * total) remainder.follows.emplace_back(follows, share / total);
   std::ranges::stable_sort(remainder.follows, [](const auto& a, const auto& b) { return a.second > b.second; });
   preferPatterns(work, model, remainder);
   return remainder;

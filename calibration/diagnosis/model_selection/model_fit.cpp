@@ -178,8 +178,8 @@ void keepRemainder(const NoiseHypothesis& noise, const AtOptimum& at, const std:
 
 /// Returns the length of the errors that the model leaves unexplained, in noise sigmas: the errors due to the
 /// discrepancy, or, without a discrepancy, all errors beyond the stated noise. 0 if there are none.
-double lengthLeft(const DiagnosisWork& work, const AtOptimum& stated, std::size_t numbers,
-                  const CompetingModel& model) {
+double unexplainedLength(const DiagnosisWork& work, const AtOptimum& stated, std::size_t numbers,
+                         const CompetingModel& model) {
   if (model.remainder.size() > 0) return model.remainder.norm();
   std::vector<int> columns(numbers);
   std::iota(columns.begin(), columns.end(), 0);
@@ -201,9 +201,9 @@ double lengthOf(const LinearEvidence& evidence, std::size_t first, std::size_t c
 
 /// Returns the log ratio of two densities of a term's length: for a term that only resembles an unknown effect, and for
 /// an independent cause. In the first case the density is normal about zero with the scale of the unexplained length
-/// `left`. In the second case it spans two orders of magnitude.
-double logOddsOfLikeness(double length, double left) {
-  const double ratio = length / (kLikeness * left);
+/// `unexplained`. In the second case it spans two orders of magnitude.
+double logOddsOfLikeness(double length, double unexplained) {
+  const double ratio = length / (kLikeness * unexplained);
   if (!(ratio > 0)) return -std::numeric_limits<double>::infinity();
   return 0.5 * std::log(2 / std::numbers::pi) + std::log(ratio * kOrders) - 0.5 * ratio * ratio;
 }
@@ -215,8 +215,8 @@ void weighLikenesses(const DiagnosisWork& work, const PlacedModel& placed, const
                      CompetingModel& model) {
   const double remains = model.discrepancy_probability + kUnknownScatter * model.scatter_probability;
   if (model.terms.empty() || remains < kHardlyLeft) return;
-  const double left = lengthLeft(work, at.front(), placed.sizes.size(), model);
-  if (!(left > 0)) return;
+  const double unexplained = unexplainedLength(work, at.front(), placed.sizes.size(), model);
+  if (!(unexplained > 0)) return;
   const bool is_of_more_noise = model.remainder.size() > 0 && model.more_noise_probability > 0.5;
   const LinearEvidence& seen = *(is_of_more_noise ? at.back() : at.front()).evidence;
   const auto count = model.terms.size();
@@ -225,7 +225,7 @@ void weighLikenesses(const DiagnosisWork& work, const PlacedModel& placed, const
   std::size_t first = 0;
   for (std::size_t t = 0; t < count; first += placed.counts[t++]) {
     const double length = lengthOf(seen, first, placed.counts[t], placed.sizes.size());
-    model.likenesses.push_back({t, model.logWeight() + log_prior + logOddsOfLikeness(length, left)});
+    model.likenesses.push_back({t, model.logWeight() + log_prior + logOddsOfLikeness(length, unexplained)});
   }
 }
 
