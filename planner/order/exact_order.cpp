@@ -56,7 +56,7 @@ class Programme {
       for (int v = 0; v < table_.visits(); ++v)
         if (set >> v & 1)
           for (int p = table_.first(v); p < table_.last(v); ++p)
-            if (least_(p, set) < kNever) throwIfStopped(set, p);
+            if (least_(p, set) < kNever) extend(set, p);
     return best();
   }
 
@@ -77,13 +77,13 @@ class Programme {
   }
 
   /// Extends a set whose last posture is p to every posture of every visit that may come next.
-  void throwIfStopped(VisitSet set, int p) {
-    const double here = least_(p, set);
+  void extend(VisitSet set, int p) {
+    const double time_before = least_(p, set);
     for (int v = 0; v < table_.visits(); ++v) {
       if (!mayCome(v, set)) continue;
       const VisitSet next = set | VisitSet{1} << v;
       for (int q = table_.first(v); q < table_.last(v); ++q) {
-        const double time = here + times_(q, p);
+        const double time = time_before + times_(q, p);
         if (!(time < least_(q, next))) continue;
         least_(q, next) = time;
         came_from_(q, next) = p;
@@ -94,10 +94,10 @@ class Programme {
   [[nodiscard]] ExactOrder best() const {
     const int start = table_.startNode(), end = table_.endNode();
     ExactOrder order;
-    Eigen::ArrayXd whole = least_.col(all_);
-    if (end >= 0) whole += times_.col(table_.first(end)).head(standing_).array();
+    Eigen::ArrayXd total_times = least_.col(all_);
+    if (end >= 0) total_times += times_.col(table_.first(end)).head(standing_).array();
     Eigen::Index last = 0;
-    order.time = whole.minCoeff(&last);
+    order.time = total_times.minCoeff(&last);
     if (end >= 0) order.postures.push_back(table_.first(end));
     VisitSet set = all_;
     for (int p = static_cast<int>(last); p >= 0;) {
