@@ -143,8 +143,8 @@ std::string findEndProblem(const PlanContext& context) {
       const auto& joint = context.cell.arm.joint(j);
       if (!(q[j] >= joint.lower && q[j] <= joint.upper)) return name + ": " + joint.name + " is past its limit";
     }
-    const Clearance there = context.clearance.withSpare(q, ContactRule::kTravel, context.options.reach.spare);
-    return there.margin >= 0 ? "" : name + ": " + describe(there);
+    const Clearance clearance = context.clearance.withSpare(q, ContactRule::kTravel, context.options.reach.spare);
+    return clearance.margin >= 0 ? "" : name + ": " + describe(clearance);
   };
   const auto& [start, end] = std::tie(context.options.conditions.start, context.options.conditions.end);
   std::string problem;

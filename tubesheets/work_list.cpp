@@ -268,8 +268,8 @@ Selection selectTubes(const Sheet& sheet, const std::string& request) {
 }
 
 std::string spreadRequest(const Sheet& sheet, std::size_t most) {
-  const std::size_t there = selectTubes(sheet, "all").tube_indices.size();
-  return "spread:" + std::to_string(std::max<std::size_t>(1, std::min(most, there)));
+  const std::size_t count = selectTubes(sheet, "all").tube_indices.size();
+  return "spread:" + std::to_string(std::max<std::size_t>(1, std::min(most, count)));
 }
 
 Selection selectTubes(const Sheet& sheet, WorkList list) {

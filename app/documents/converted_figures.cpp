@@ -70,7 +70,7 @@ class FigureConverter {
 
   void convertJoints(json& value, const std::string& key) const {
     if (value.is_array() && !value.empty() && value.front().is_array()) {
-      for (json& one : value) convertJoints(one, key);
+      for (json& item : value) convertJoints(item, key);
       return;
     }
     if (value.is_array() && value.size() == file_.joints.size()) {
@@ -102,7 +102,7 @@ class FigureConverter {
       return;
     }
     if (value.is_array())
-      for (auto& one : value) rename(one, is_unit, false);
+      for (auto& item : value) rename(item, is_unit, false);
     if (!value.is_object()) return;
     for (auto& [key, inner] : value.items()) {
       const bool names_units = key == "units" || key == "units_of_each" || key == "unit" || key.ends_with("_unit");
@@ -122,7 +122,7 @@ class FigureConverter {
 
 void scaleNumbers(json& value, double factor) {
   if (value.is_array())
-    for (auto& one : value) scaleNumbers(one, factor);
+    for (auto& item : value) scaleNumbers(item, factor);
   else if (value.is_number())
     value = value.get<double>() * factor;
 }

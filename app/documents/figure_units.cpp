@@ -70,9 +70,9 @@ bool isAtEnd(std::string_view path, std::string_view key) {
 }
 
 template <class Each>
-bool anyOf(std::string_view text, char mark, Each&& holds) {
+bool anyOf(std::string_view text, char mark, Each&& isTrueOf) {
   for (const auto part : std::views::split(text, mark))
-    if (holds(std::string_view(part.begin(), part.end()))) return true;
+    if (isTrueOf(std::string_view(part.begin(), part.end()))) return true;
   return false;
 }
 
@@ -117,7 +117,7 @@ std::string unitBy(std::size_t row, std::string_view path, std::span<const json*
   if (row < std::size(kUnitRows)) {
     const std::string_view units = kUnitRows[row].units;
     if (units.starts_with('=')) return std::string(units.substr(1));
-    (void)anyOf(units, ' ', [&](std::string_view one) { return !(unit = productAt(one, scopes)).empty(); });
+    (void)anyOf(units, ' ', [&](std::string_view unit_text) { return !(unit = productAt(unit_text, scopes)).empty(); });
   }
   if (unit.empty()) unit = conditionUnit(path, *scopes.front());
   return unit == "1" ? "" : unit;

@@ -46,7 +46,7 @@ void addAtAllJoints(Addition& addition, const std::string& effect) {
   if (effects.empty())
     throw InputError::problem(kWhere, "there is no effect " + inQuotes(effect) + " that acts at each joint",
                               "`tubeplan effects CELL` lists the places of each effect");
-  for (const Effect& one : effects) addOrRefuse(addition, one);
+  for (const Effect& joint_effect : effects) addOrRefuse(addition, joint_effect);
 }
 
 void addCause(Addition& addition, const std::string& text) {

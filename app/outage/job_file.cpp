@@ -70,7 +70,7 @@ std::vector<JobLeg> readLegs(const YamlNode& node, const std::string& folder) {
   if (legs.empty()) node.fail("no leg", "a cell for `hot`, `cold` or `full`", "");
   for (JobLeg& leg : legs) {
     if (!leg.is_mirrored) continue;
-    const auto other = std::ranges::find_if(legs, [](const JobLeg& one) { return !one.is_mirrored; });
+    const auto other = std::ranges::find_if(legs, [](const JobLeg& candidate) { return !candidate.is_mirrored; });
     if (leg.leg == Leg::kFull || other == legs.end() || other->leg == Leg::kFull)
       node.at(tubesheets::legName(leg.leg))
           .failWithProblem("there is no other leg with a cell to mirror", "give a cell to one of `hot` and `cold`");

@@ -76,10 +76,10 @@ void record(JobStore& store, const std::vector<JobItem>& items, const PlanOutcom
 
 /// Returns the results of an earlier plan of a package, kept in `folder`; none if the package was not planned.
 PlanCheckpoint earlierPlan(const JobPlanRequest& job_request, const std::string& folder) {
-  const std::filesystem::path there = job_request.earlier / folder;
+  const std::filesystem::path earlier_folder = job_request.earlier / folder;
   std::error_code error;
-  const bool is_there = !job_request.earlier.empty() && std::filesystem::exists(there / kCacheFile, error);
-  return {"", false, is_there ? there.string() : ""};
+  const bool is_there = !job_request.earlier.empty() && std::filesystem::exists(earlier_folder / kCacheFile, error);
+  return {"", false, is_there ? earlier_folder.string() : ""};
 }
 
 PackagePlan planPackage(JobStore& store, const Cell& cell, const std::vector<JobItem>& items,

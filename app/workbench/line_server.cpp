@@ -104,10 +104,10 @@ class LineServer::Implementation {
  public:
   Implementation(Workbench& workbench, int port) : workbench_(workbench), acceptor_(context_) {
     try {
-      const tcp::endpoint here(boost::asio::ip::address_v4::loopback(), static_cast<unsigned short>(port));
-      acceptor_.open(here.protocol());
+      const tcp::endpoint local(boost::asio::ip::address_v4::loopback(), static_cast<unsigned short>(port));
+      acceptor_.open(local.protocol());
       acceptor_.set_option(tcp::acceptor::reuse_address(true));
-      acceptor_.bind(here);
+      acceptor_.bind(local);
       acceptor_.listen();
     } catch (const boost::system::system_error& failure) {
       throw InputError::problem("--lines",

@@ -129,10 +129,10 @@ void joinArrived(Workbench& workbench) {
 }
 
 void WatchedFile::look(Workbench& workbench) {
-  std::error_code gone;
-  const auto changed = std::filesystem::last_write_time(file_, gone);
-  const auto size = gone ? 0 : std::filesystem::file_size(file_, gone);
-  if (gone || (changed == changed_ && size == size_)) return;
+  std::error_code error;
+  const auto changed = std::filesystem::last_write_time(file_, error);
+  const auto size = error ? 0 : std::filesystem::file_size(file_, error);
+  if (error || (changed == changed_ && size == size_)) return;
   changed_ = changed;
   size_ = size;
   try {

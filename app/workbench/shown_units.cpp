@@ -37,7 +37,7 @@ constexpr std::string_view kSentences[] = {"found",     "advice", "also_words", 
 void convertSentences(json& value, bool is_sentence, const TargetUnits& target) {
   if (value.is_string() && is_sentence) value = textInUnits(value.get_ref<const std::string&>(), target);
   if (value.is_array())
-    for (json& one : value) convertSentences(one, is_sentence, target);
+    for (json& item : value) convertSentences(item, is_sentence, target);
   if (value.is_object())
     for (auto& [key, inner] : value.items())
       if (key != "error" && key != "problem")

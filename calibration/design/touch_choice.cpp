@@ -70,15 +70,15 @@ class GrownSet {
   /// infinite if the touches do not determine the base.
   [[nodiscard]] double varianceWith(int touch) const {
     using Block = Eigen::Matrix<double, 3, 6>;
-    const Index row = 3 * touch, here = row - 3 * first_;
-    const auto gain = gain_.middleRows<3>(here);
+    const Index row = 3 * touch, local_row = row - 3 * first_;
+    const auto gain = gain_.middleRows<3>(local_row);
     const Matrix3d S = Matrix3d::Identity() + blocks_.ZZ.block<3, 3>(row, row) -
-                       gain.lazyProduct(shared_.middleRows<3>(here).transpose());
+                       gain.lazyProduct(shared_.middleRows<3>(local_row).transpose());
     const Matrix3d ZWZ = blocks_.ZWZ.block<3, 3>(row, row) -
-                         gain.lazyProduct(ZWZ_shared_.middleRows<3>(here).transpose()) -
-                         ZWZ_left_.middleRows<3>(here).lazyProduct(gain.transpose());
+                         gain.lazyProduct(ZWZ_shared_.middleRows<3>(local_row).transpose()) -
+                         ZWZ_left_.middleRows<3>(local_row).lazyProduct(gain.transpose());
     const Matrix3d S_inverse = S.inverse();
-    const Block B = B_left_.middleRows<3>(here), A = S_inverse * B, off = off_.middleRows<3>(here);
+    const Block B = B_left_.middleRows<3>(local_row), A = S_inverse * B, off = off_.middleRows<3>(local_row);
     const Eigen::LDLT<Matrix6> F(F_ + B.transpose() * A);
     if (F.vectorD().minCoeff() <= 1e-12 * F.vectorD().maxCoeff()) return kNowhere;
     const Block half = off + 0.5 * ZWZ * A;

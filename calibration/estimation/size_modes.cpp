@@ -256,7 +256,7 @@ class SizeSearch {
 
 /// Returns the kinds of measurement for which a single measurement, at a posture of `measurements`, would distinguish
 /// the two states.
-std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm& other,
+std::vector<MeasurementKind> decidingKinds(const PlacedArm& first, const PlacedArm& second,
                                            const std::vector<Measurement>& measurements) {
   std::vector<MeasurementKind> kinds;
   for (const auto& kind : measurementKinds()) {
@@ -267,14 +267,14 @@ std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm
       Measurement measurement = measurements[k];
       measurement.kind = kind.kind;
       if (kind.names_hole && !measurement.p_W) continue;
-      const auto here = toolAt(one, measurement), there = toolAt(other, measurement);
-      if (!here || !there) continue;
+      const auto first_tool = toolAt(first, measurement), second_tool = toolAt(second, measurement);
+      if (!first_tool || !second_tool) continue;
       // The predicted value of a touch is the same in both states. Instead, as for a measured position, compare the two
       // predicted tips.
-      kind.record(*here, 1, MeasuredValue::Zero(6), measurement);
-      const double difference = kind.is_touch
-                                    ? (here->p_W - there->p_W).norm()
-                                    : (predictedValue(measurement, *there) - predictedValue(measurement, *here)).norm();
+      kind.record(*first_tool, 1, MeasuredValue::Zero(6), measurement);
+      const double difference =
+          kind.is_touch ? (first_tool->p_W - second_tool->p_W).norm()
+                        : (predictedValue(measurement, *second_tool) - predictedValue(measurement, *first_tool)).norm();
       if (!(difference > kDecides * measurements[k].sigma)) continue;
       kinds.push_back(kind.kind);
       break;

@@ -46,8 +46,8 @@ class CorrectedMeasurement {
     constexpr int kRounds = 4;
     double at = 0, step = kFirstStep;
     for (int round = 0; round < kRounds; ++round, step /= 4) {
-      const double below = chi2At(at - step), here = chi2At(at), above = chi2At(at + step);
-      const double curvature = below + above - 2 * here;
+      const double below = chi2At(at - step), middle = chi2At(at), above = chi2At(at + step);
+      const double curvature = below + above - 2 * middle;
       if (!(curvature > 0)) break;
       at = std::clamp(at + step * (below - above) / (2 * curvature), -kMostMisread, kMostMisread);
     }

@@ -106,8 +106,8 @@ class JoinedSearch {
     std::ranges::stable_sort(found_, {}, &Likely::score);
     std::vector<JoinedCorrections> likely;
     std::set<std::string> keys;
-    for (const Likely& one : found_) {
-      auto corrections = one.corrections();
+    for (const Likely& likely_mistake : found_) {
+      auto corrections = likely_mistake.corrections();
       if (likely.size() < kMostTogether && keys.insert(keyOf(corrections)).second)
         likely.push_back(std::move(corrections));
     }
@@ -117,13 +117,13 @@ class JoinedSearch {
  private:
   /// Applies the corrections to the measurements and all their neighbours, and scores the compared measurements.
   TriedQuickly scored(JoinedCorrections corrections) {
-    TriedQuickly one{std::move(corrections), near_, {}, 0, false};
-    for (const Correction& correction : one.corrections) correction.change(one.measurements);
-    std::erase_if(one.measurements, [&](const Measurement& measurement) { return !ids_.contains(measurement.id); });
-    one.tips = alignment_.tips(one.measurements);
-    one.score = alignment_.score(one.measurements, one.tips, {.frees_base = freeBase(one.corrections)});
-    one.turns_joints = !haveSameJoints(one.measurements, as_is_.measurements);
-    return one;
+    TriedQuickly tried{std::move(corrections), near_, {}, 0, false};
+    for (const Correction& correction : tried.corrections) correction.change(tried.measurements);
+    std::erase_if(tried.measurements, [&](const Measurement& measurement) { return !ids_.contains(measurement.id); });
+    tried.tips = alignment_.tips(tried.measurements);
+    tried.score = alignment_.score(tried.measurements, tried.tips, {.frees_base = freeBase(tried.corrections)});
+    tried.turns_joints = !haveSameJoints(tried.measurements, as_is_.measurements);
+    return tried;
   }
 
   void lookAlone() {
@@ -184,12 +184,12 @@ class JoinedSearch {
         are_alike = are_alike && arm.joint(order[j]).type == arm.joint(static_cast<int>(j)).type;
       }
       if (moved <= 2 || !are_alike) continue;
-      auto one = scored(mistakes::joint_order::ringsOf(checked, order));
-      if (one.score < as_is_.score - kNearer) orders_.push_back(std::move(one));
+      auto tried = scored(mistakes::joint_order::ringsOf(checked, order));
+      if (tried.score < as_is_.score - kNearer) orders_.push_back(std::move(tried));
       if (orders_.size() >= 2 * kMostTogether) keepBestOrders();
     }
     keepBestOrders();
-    for (const TriedQuickly& one : orders_) found_.push_back({&one, nullptr, one.score});
+    for (const TriedQuickly& tried : orders_) found_.push_back({&tried, nullptr, tried.score});
   }
 
   void keepBestOrders() {
@@ -237,18 +237,18 @@ class JoinedSearch {
   void settleZeros() {
     std::ranges::stable_sort(found_, {}, &Likely::score);
     std::set<std::string> keys;
-    for (Likely& one : found_) {
+    for (Likely& likely : found_) {
       throwIfStopped(trials_.options().stop);
-      const auto corrections = one.corrections();
+      const auto corrections = likely.corrections();
       const auto isOfZero = [](const Correction& correction) { return !correction.zeros_of.empty(); };
       if (keys.size() < kMostSettled && std::ranges::any_of(corrections, isOfZero) &&
           keys.insert(keyOf(corrections)).second)
-        settle(one);
+        settle(likely);
     }
   }
 
-  void settle(Likely& one) {
-    TriedQuickly tried = scored(one.corrections());
+  void settle(Likely& likely) {
+    TriedQuickly tried = scored(likely.corrections());
     for (Correction& correction : tried.corrections) {
       if (correction.zeros_of.empty()) continue;
       const int joint = correction.zeros_of.front();
@@ -258,8 +258,8 @@ class JoinedSearch {
                                                      mistakes::joint_zero::textOf(trials_.checked(), joint, zero));
       for (Measurement& measurement : tried.measurements) measurement.q[joint] += shift;
     }
-    one.score = std::min(one.score, scoreOf(tried));
-    one.settled = std::move(tried.corrections);
+    likely.score = std::min(likely.score, scoreOf(tried));
+    likely.settled = std::move(tried.corrections);
   }
 
   [[nodiscard]] double scoreOf(const TriedQuickly& tried) {

@@ -69,9 +69,9 @@ std::optional<MeasurementCheck> negatedTwists(const MistakeTrials& trials) {
     if (!dh || std::abs(dh->alpha) < kLeastTwist) continue;
     ++twisted;
     deflection::dhOf(all[k])->alpha = -dh->alpha;
-    Rows one = written;
-    deflection::dhOf(one[k])->alpha = -dh->alpha;
-    tryRows(std::move(one), deflection::nameInFile(written[k], "dh.alpha"));
+    Rows changed_rows = written;
+    deflection::dhOf(changed_rows[k])->alpha = -dh->alpha;
+    tryRows(std::move(changed_rows), deflection::nameInFile(written[k], "dh.alpha"));
   }
   if (twisted > 1) tryRows(std::move(all), "every alpha");
   if (name.empty()) return std::nullopt;

@@ -55,7 +55,9 @@ std::vector<JoinedCorrections> withTurns(const MistakeTrials& trials, const Join
   const auto& kinds = mistakeKinds();
   auto kind = kinds.begin();
   if (!before.empty())
-    kind = std::ranges::find_if(kinds, [&](const MistakeKind& one) { return one.name == before.back().mistake; }) + 1;
+    kind = std::ranges::find_if(kinds,
+                                [&](const MistakeKind& candidate) { return candidate.name == before.back().mistake; }) +
+           1;
   for (; kind != kinds.end(); ++kind)
     if (kind->is_of_turns)
       for (const auto& value : kind->values(corrected))

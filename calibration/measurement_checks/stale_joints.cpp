@@ -48,7 +48,7 @@ std::optional<Station> placeMeasured(const Measurement& measurement) {
 
 /// Part of a measurement, its joints or its measured position, that may be stale, with the wording of its messages.
 struct Side {
-  const char *name, *one, *several, *cause;
+  const char *name, *singular, *plural, *cause;
   std::optional<Station> (*of)(const Measurement&);
 };
 
@@ -126,15 +126,16 @@ std::optional<MeasurementCheck> staleOf(const Side& side, const CheckedMeasureme
   if (stale.empty() || static_cast<double>(stale.size()) > most * static_cast<double>(checked.measurements.size()))
     return std::nullopt;
   std::vector<std::string> ids, pairs;
-  for (const Stale& one : stale) {
-    const std::string &id = checked.measurements[one.measurement].id, &of = checked.measurements[one.of].id;
+  for (const Stale& stale_part : stale) {
+    const std::string &id = checked.measurements[stale_part.measurement].id,
+                      &of = checked.measurements[stale_part.of].id;
     ids.push_back(id);
-    pairs.push_back(id + (side.of == jointsOf ? " those of " : " that of ") + of + distanceText(checked, one));
+    pairs.push_back(id + (side.of == jointsOf ? " those of " : " that of ") + of + distanceText(checked, stale_part));
   }
   return MeasurementCheck{
       side.name,
       CheckSeverity::kMistake,
-      fmt::format("{}: {}; {}", ids.size() == 1 ? side.one : side.several, listOf(pairs), side.cause),
+      fmt::format("{}: {}; {}", ids.size() == 1 ? side.singular : side.plural, listOf(pairs), side.cause),
       rmsOf(errors, {}),
       rmsOf(errors, stale),
       isRun(stale) ? "without=" + textOf({stale.front().measurement, stale.back().measurement}, checked.measurements)

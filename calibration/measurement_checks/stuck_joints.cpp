@@ -91,11 +91,11 @@ class StuckSearch {
   [[nodiscard]] std::pair<double, double> bestJoint(std::size_t k, int joint) const {
     const bool turns = checked_.start.arm.joint(joint).type == deflection::JointType::kRevolute;
     const double range = turns ? std::numbers::pi : deflection::reachOf(checked_.start.arm);
-    std::vector<Measurement> one{all()[k]};
-    const double reading = one.front().q[joint];
+    std::vector<Measurement> measurement{all()[k]};
+    const double reading = measurement.front().q[joint];
     const auto errorAt = [&](double value) {
-      one.front().q[joint] = value;
-      return RowErrors(found_, one).at(0);
+      measurement.front().q[joint] = value;
+      return RowErrors(found_, measurement).at(0);
     };
     double best = reading, least = std::numeric_limits<double>::infinity();
     for (int step = -kTurnsTried / 2; step < kTurnsTried / 2; ++step)

@@ -53,11 +53,11 @@ JointEquivalents equivalentJoints(const PlacedArm& placed, const std::vector<Mea
   for (std::size_t k = 0; k < measurements.size(); ++k) {
     const Prediction prediction = predictMeasurement(placed, measurements[k], {.by_joints = true});
     if (!prediction.ok) return result;
-    const Turned one =
+    const Turned equivalent =
         turned(prediction.by_joints.leftCols(weight.size()), weight, error.segment(row, rowsOf(measurements[k])));
-    result.corrections.col(static_cast<Index>(k)) = one.correction;
-    chi2 += one.chi2;
-    result.degrees_of_freedom += one.rank;
+    result.corrections.col(static_cast<Index>(k)) = equivalent.correction;
+    chi2 += equivalent.chi2;
+    result.degrees_of_freedom += equivalent.rank;
     row += rowsOf(measurements[k]);
   }
   result.ok = true;

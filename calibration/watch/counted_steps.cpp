@@ -26,9 +26,10 @@ CountedSteps countedSteps(const tubesheets::SteppedTool& tool, const Vector2d& l
 RegionProbability probabilityOf(const CountedSteps& count, int entered, const Vector2d& mean,
                                 const Eigen::Matrix2d& covariance) {
   const auto k = static_cast<std::size_t>(entered);
-  const RegionProbability here = probabilityWithin(count.at_least[k], mean, covariance);
-  const RegionProbability more = probabilityWithin(count.at_least[k + 1], mean, covariance);
-  return {std::max(here.p - more.p, 0.), here.slope - more.slope, here.curvature - more.curvature};
+  const RegionProbability at_least = probabilityWithin(count.at_least[k], mean, covariance);
+  const RegionProbability at_least_next = probabilityWithin(count.at_least[k + 1], mean, covariance);
+  return {std::max(at_least.p - at_least_next.p, 0.), at_least.slope - at_least_next.slope,
+          at_least.curvature - at_least_next.curvature};
 }
 
 }  // namespace tubeplan::calibration

@@ -56,15 +56,15 @@ Chord chordAt(double x, const CommonDiscs& discs) {
 }
 
 /// Adds the x at which the rims of two discs meet.
-void addMeetings(const Disc& one, const Disc& other, std::vector<double>& breaks) {
-  const Vector2d way = other.centre - one.centre;
+void addMeetings(const Disc& first, const Disc& second, std::vector<double>& breaks) {
+  const Vector2d way = second.centre - first.centre;
   const double square = way.squaredNorm();
   if (square == 0) return;
-  const double share = (square + one.radius * one.radius - other.radius * other.radius) / (2 * square);
-  const double across = one.radius * one.radius / square - share * share;
+  const double share = (square + first.radius * first.radius - second.radius * second.radius) / (2 * square);
+  const double across = first.radius * first.radius / square - share * share;
   if (across < 0) return;
   for (const double side : {-1., 1.})
-    breaks.push_back(one.centre.x() + share * way.x() - side * std::sqrt(across) * way.y());
+    breaks.push_back(first.centre.x() + share * way.x() - side * std::sqrt(across) * way.y());
 }
 
 /// Returns, in ascending order, the x between `low` and `high` at which the limits of the chords are not smooth.

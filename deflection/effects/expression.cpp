@@ -239,7 +239,7 @@ double Expression::value(const std::vector<double>& at) const { return Borrowed(
 
 double Expression::slope(const std::vector<double>& at, std::size_t name) const {
   Borrowed evaluator(*pool_);
-  const double here = evaluator->valueAt(at), scale = std::max(1., std::abs(at[name]));
+  const double value = evaluator->valueAt(at), scale = std::max(1., std::abs(at[name]));
   const auto slopeBy = [&](double unit) {
     const auto along = [&](double t) {
       evaluator->at[name] = at[name] + t * unit;
@@ -248,7 +248,7 @@ double Expression::slope(const std::vector<double>& at, std::size_t name) const 
     return boost::math::differentiation::finite_difference_derivative<decltype(along), double, 6>(along, 0.) / unit;
   };
   const double wide = slopeBy(scale), narrow = slopeBy(scale / kNarrower);
-  const bool agree = std::abs(wide - narrow) <= kSmoothEnough * (std::abs(wide) + std::abs(here) / scale);
+  const bool agree = std::abs(wide - narrow) <= kSmoothEnough * (std::abs(wide) + std::abs(value) / scale);
   return agree ? wide : narrow;
 }
 

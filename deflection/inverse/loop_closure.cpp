@@ -93,10 +93,10 @@ JointClosure<Size> jointClosure(const AxesAtZero& axes, std::size_t k) {
 
 template <int Size>
 JointTerms<Size> byHalfTangent(const JointClosure<Size>& joint, double zero) {
-  const auto& [one, first, second] = joint.forth;
-  if (joint.slides) return {one + zero * first + zero * zero * second, first + 2 * zero * second, second};
+  const auto& [constant, first, second] = joint.forth;
+  if (joint.slides) return {constant + zero * first + zero * zero * second, first + 2 * zero * second, second};
   const double c = std::cos(zero), s = std::sin(zero);
-  return {one + c * first + s * second, 2 * (c * second - s * first), one - c * first - s * second};
+  return {constant + c * first + s * second, 2 * (c * second - s * first), constant - c * first - s * second};
 }
 
 template JointClosure<kLineSize> jointClosure(const AxesAtZero&, std::size_t);

@@ -92,21 +92,21 @@ class RevoluteChain::Builder {
       out_.elements_.push_back({-1, Vector3d::UnitZ(), 0, false, link.p});
       return true;
     }
-    const auto one = oneAxisOf(element.flexibility.compliance);
-    if (!one) return false;
+    const auto axis_compliance = oneAxisOf(element.flexibility.compliance);
+    if (!axis_compliance) return false;
     const bool is_member = link.type == ChainLinkType::kMember;
-    const Vector3d lever = one->axis.cross(link.p);
+    const Vector3d lever = axis_compliance->axis.cross(link.p);
     const bool is_beam = is_member && lever.norm() > 1e-12 * link.p.norm();
-    if (is_beam && std::abs(one->axis.dot(link.p)) > 1e-14 * link.p.norm()) return false;
-    const Matrix3d axes = axesAbout(one->axis);
+    if (is_beam && std::abs(axis_compliance->axis.dot(link.p)) > 1e-14 * link.p.norm()) return false;
+    const Matrix3d axes = axesAbout(axis_compliance->axis);
     if (is_beam)
-      addBeam(link, axes, one->compliance, element.weight);
+      addBeam(link, axes, axis_compliance->compliance, element.weight);
     else {
       if (is_member) addWeight(element.weight, here_.p + here_.R * (link.p / 2)), here_.p += here_.R * link.p;
-      turnTo(axes).compliance += one->compliance;
+      turnTo(axes).compliance += axis_compliance->compliance;
     }
     here_.R = here_.R * axes.transpose();
-    out_.elements_.push_back({last(), one->axis, one->compliance, is_beam, link.p});
+    out_.elements_.push_back({last(), axis_compliance->axis, axis_compliance->compliance, is_beam, link.p});
     return true;
   }
 

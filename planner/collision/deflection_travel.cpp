@@ -148,13 +148,13 @@ class Bound {
     spread_ = Eigen::MatrixXd::Zero(count, count);
     for (Eigen::Index e = 0; e < count; ++e)
       for (Eigen::Index other = 0; other < count; ++other) {
-        const FlexiblePlace& here = places_[static_cast<std::size_t>(e)];
-        const FlexiblePlace& there = places_[static_cast<std::size_t>(other)];
-        const double by_displacement = there.weight * displacement(there);
+        const FlexiblePlace& turned = places_[static_cast<std::size_t>(e)];
+        const FlexiblePlace& turning = places_[static_cast<std::size_t>(other)];
+        const double by_displacement = turning.weight * displacement(turning);
         // An inboard element rotates gravity relative to the loads beyond element e. Element e itself or an outboard
         // element rotates and displaces the loads beyond that element.
-        const double moment = other < e ? here.moment : there.moment + by_displacement;
-        spread_(e, other) = here.compliance * moment;
+        const double moment = other < e ? turned.moment : turning.moment + by_displacement;
+        spread_(e, other) = turned.compliance * moment;
       }
   }
 

@@ -180,8 +180,8 @@ void NearestPairs::find(const deflection::PlacedRows& placed, std::span<NearestP
     for (std::size_t k = static_cast<std::size_t>(exact_); k < pairs_.size(); ++k) {
       const double bound = bounds[(k - static_cast<std::size_t>(exact_)) * static_cast<std::size_t>(width) + l];
       if (bound >= found[l].distance || isFarther(placed, lane, pairs_[k], found[l].distance)) continue;
-      const double here = separationOf(placed, lane, pairs_[k]).distance;
-      if (here < found[l].distance) found[l] = {here, static_cast<int>(k)};
+      const double distance = separationOf(placed, lane, pairs_[k]).distance;
+      if (distance < found[l].distance) found[l] = {distance, static_cast<int>(k)};
     }
   }
 }
@@ -209,8 +209,8 @@ NearestPair NearestPairs::findPadded(const deflection::PlacedRows& placed, int l
       }
       if (isFarther(placed, lane, pair, found.distance + away)) continue;
     }
-    const double here = separationOf(placed, lane, pair).distance - away;
-    if (here < found.distance) found = {here, static_cast<int>(k)};
+    const double distance = separationOf(placed, lane, pair).distance - away;
+    if (distance < found.distance) found = {distance, static_cast<int>(k)};
   }
   return found;
 }

@@ -46,14 +46,14 @@ std::vector<VectorXd> posturesNear(const VectorXd& middle, const MotionProblem& 
   for (const double metres : kSideways)
     for (Eigen::Index j = 0; j < middle.size(); ++j)
       for (const double sign : {1., -1.}) {
-        VectorXd one = middle;
-        one[j] += sign * metres * steps[j];
-        add(one);
+        VectorXd changed = middle;
+        changed[j] += sign * metres * steps[j];
+        add(changed);
         for (Eigen::Index k = 0; k < j; ++k)
           for (const double other : {1., -1.}) {
-            VectorXd two = one;
-            two[k] += other * metres * steps[k];
-            add(two);
+            VectorXd changed_twice = changed;
+            changed_twice[k] += other * metres * steps[k];
+            add(changed_twice);
           }
       }
   return postures;

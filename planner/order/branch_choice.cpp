@@ -25,12 +25,12 @@ std::string orderProblem(const Route& route, const std::vector<int>& order) {
 void extendLayer(const PostureTable& table, int before, int node, const Eigen::ArrayXd& times_before,
                  Eigen::ArrayXd& times, std::vector<int>& came_from) {
   deflection::resizeOrEmpty(times, table.last(node) - table.first(node), 1);
-  Eigen::ArrayXd there;
+  Eigen::ArrayXd costs;
   for (int p = table.first(node); p < table.last(node); ++p) {
-    table.costsTo(before, p, there);
-    there += times_before;
+    table.costsTo(before, p, costs);
+    costs += times_before;
     Eigen::Index quickest = 0;
-    times[p - table.first(node)] = there.minCoeff(&quickest);
+    times[p - table.first(node)] = costs.minCoeff(&quickest);
     came_from[p] = table.first(before) + static_cast<int>(quickest);
   }
 }

@@ -69,13 +69,14 @@ PostureTable::PostureTable(const Route& route)
 
 void PostureTable::greatestDifferences(const std::vector<double>& by_joint, const std::vector<double>& values, int node,
                                        int posture, Eigen::ArrayXd& greatest) const {
-  const double* there = &values[static_cast<std::size_t>(posture) * static_cast<std::size_t>(stride_)];
+  const double* posture_values = &values[static_cast<std::size_t>(posture) * static_cast<std::size_t>(stride_)];
   const int count = last(node) - first(node);
-  const double* here = &by_joint[static_cast<std::size_t>(first(node)) * static_cast<std::size_t>(joints_)];
+  const double* node_values = &by_joint[static_cast<std::size_t>(first(node)) * static_cast<std::size_t>(joints_)];
   using OfJoint = Eigen::Map<const Eigen::ArrayXd>;
   deflection::resizeOrEmpty(greatest, count, 1);
-  greatest = (OfJoint(here, count) - there[0]).abs();
-  for (int j = 1; j < joints_; ++j) greatest = greatest.max((OfJoint(here + j * count, count) - there[j]).abs());
+  greatest = (OfJoint(node_values, count) - posture_values[0]).abs();
+  for (int j = 1; j < joints_; ++j)
+    greatest = greatest.max((OfJoint(node_values + j * count, count) - posture_values[j]).abs());
 }
 
 void PostureTable::tabulate() {

@@ -178,7 +178,7 @@ class Modes {
 
   std::vector<TubeBranch> complete(const Vector3d& hole_W, std::vector<deflection::Branch> found) {
     std::vector<TubeBranch> branches;
-    for (auto& one : found) branches.push_back(atTheHole(std::move(one)));
+    for (auto& branch : found) branches.push_back(atTheHole(std::move(branch)));
     if (!options_.with_approach) return branches;
     ToolPlacer& via = options_.mode == Compensation::kViaPoint ? flexible() : rigid();
     std::vector<Approach> approaches;

@@ -100,27 +100,27 @@ class PathClearance {
   }
 
   void run() {
-    double before = 0;
+    double margin_before = 0;
     bool was_within = false;
     for (std::size_t k = 0; k < plan_.path.size(); ++k) {
       if (hooks_.progress && k % 64 == 0) hooks_.progress("verify", k, plan_.path.size());
       std::string names;
       const PathRow& row = plan_.path[k];
-      const double here = marginAtRow(k, &names);
-      meet(here, names);
-      if (here < 0) {
+      const double margin = marginAtRow(k, &names);
+      meet(margin, names);
+      if (margin < 0) {
         find_(fmt::format("path row {}: too near: {}", k + 1, names));
-        result_.least_margin = std::min(result_.least_margin, here);
+        result_.least_margin = std::min(result_.least_margin, margin);
       }
       const bool is_within = isWithinLimits(row.q);
-      if (is_within && was_within && here >= 0 && before >= 0) {
+      if (is_within && was_within && margin >= 0 && margin_before >= 0) {
         PathRow from = plan_.path[k - 1];
         from.kind = row.kind;
-        const double start = from.kind == plan_.path[k - 1].kind ? before : marginAt(from.q, row.kind, nullptr);
-        proveBetween(from, row.q, start, here, k);
+        const double start = from.kind == plan_.path[k - 1].kind ? margin_before : marginAt(from.q, row.kind, nullptr);
+        proveBetween(from, row.q, start, margin, k);
       }
       if (isStopped()) return find_("stopped before the clearance was proved");
-      before = here;
+      margin_before = margin;
       was_within = is_within;
     }
     checkStated();

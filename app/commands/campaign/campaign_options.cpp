@@ -128,7 +128,8 @@ void addKindOptions(CLI::App& cli, CampaignRequest& request) {
 void requireOptionsOf(const CLI::App& cli, const std::string& kind) {
   for (const Kinds kinds : kOptionGroups) {
     if (std::ranges::find(kinds, kind) != kinds.end()) continue;
-    for (const auto* option : cli.get_options([&](const auto* one) { return one->get_group() == groupOf(kinds); }))
+    for (const auto* option :
+         cli.get_options([&](const auto* candidate) { return candidate->get_group() == groupOf(kinds); }))
       if (option->count() > 0)
         throw InputError::problem(
             option->get_name(),

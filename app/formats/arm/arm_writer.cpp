@@ -120,10 +120,10 @@ std::string weightText(const ArmRow& row, const Units& units) {
   addNumbers("weight", row, 0, map);
   std::vector<std::string> lumps;
   for (const auto& lump : row.weight.lumps) {
-    FlowMap one(units);
-    one.add("weight", lump.weight, dimension::kForce);
-    one.add("at", lump.at, dimension::kLength);
-    lumps.push_back(one.text());
+    FlowMap lump_map(units);
+    lump_map.add("weight", lump.weight, dimension::kForce);
+    lump_map.add("at", lump.at, dimension::kLength);
+    lumps.push_back(lump_map.text());
   }
   if (!lumps.empty()) map.add("lumps", fmt::format("[{}]", fmt::join(lumps, ", ")));
   return map.empty() ? "" : map.text();

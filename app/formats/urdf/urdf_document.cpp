@@ -41,13 +41,13 @@ void settleAttributes(XMLElement& element, const std::string& file) {
 std::vector<std::string> namesOfKind(const XMLElement& robot, const char* kind, const std::string& file) {
   std::vector<std::string> names;
   std::set<std::string> seen;
-  for (const XMLElement* one : childrenOf(robot, kind)) {
-    const std::string name = attributeOf(one, "name");
+  for (const XMLElement* element : childrenOf(robot, kind)) {
+    const std::string name = attributeOf(element, "name");
     if (name.empty())
-      throw InputError::problem(fmt::format("{}:{}", file, one->GetLineNum()), fmt::format("the {} has no name", kind),
-                                fmt::format("write <{} name=\"...\">", kind));
+      throw InputError::problem(fmt::format("{}:{}", file, element->GetLineNum()),
+                                fmt::format("the {} has no name", kind), fmt::format("write <{} name=\"...\">", kind));
     if (!seen.insert(name).second)
-      throw InputError::problem(placeOf(*one, file), fmt::format("there is a second {} {}", kind, inQuotes(name)),
+      throw InputError::problem(placeOf(*element, file), fmt::format("there is a second {} {}", kind, inQuotes(name)),
                                 "give each a name of its own");
     names.push_back(name);
   }

@@ -36,9 +36,9 @@ Vector3d anglesNear(const Matrix3d& R, const Vector3d& written) {
     for (int k = 0; k < 3; ++k) rpy[k] += 2 * kHalfTurn * std::round((written[k] - rpy[k]) / (2 * kHalfTurn));
     return rpy;
   };
-  const Vector3d rpy = deflection::fixedAnglesOf(R), one = near(rpy),
-                 other = near({rpy.x() + kHalfTurn, kHalfTurn - rpy.y(), rpy.z() + kHalfTurn});
-  return (one - written).norm() <= (other - written).norm() ? one : other;
+  const Vector3d rpy = deflection::fixedAnglesOf(R), nearest = near(rpy),
+                 alternative = near({rpy.x() + kHalfTurn, kHalfTurn - rpy.y(), rpy.z() + kHalfTurn});
+  return (nearest - written).norm() <= (alternative - written).norm() ? nearest : alternative;
 }
 
 /// Returns a joint's offset plus the offsets of the joints that it follows, each multiplied by the joint's ratio.

@@ -96,9 +96,9 @@ class ChainReader {
   [[nodiscard]] std::string nameOfRow(std::string name) const {
     std::replace_if(
         name.begin(), name.end(), [](char c) { return c == '.' || c == '[' || c == ']' || c == ' '; }, '_');
-    const auto isTaken = [&](const std::string& one) {
+    const auto isTaken = [&](const std::string& candidate) {
       return std::any_of(out_.arm.rows.begin(), out_.arm.rows.end() - 1,
-                         [&](const auto& row) { return row.name == one; });
+                         [&](const auto& row) { return row.name == candidate; });
     };
     while (isTaken(name)) name += '_';
     return name;

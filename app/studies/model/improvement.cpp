@@ -36,10 +36,10 @@ struct Decision {
 template <class IsWorthIt>
 const Explanation* bestCarried(const std::vector<Explanation>& explanations, const IsWorthIt& isWorthIt) {
   const Explanation* best = nullptr;
-  for (const auto& one : explanations)
-    if (std::isfinite(one.farthest.rms) && isWorthIt(one) &&
-        (!best || one.farthest.rms < kWorthIt * best->farthest.rms))
-      best = &one;
+  for (const auto& explanation : explanations)
+    if (std::isfinite(explanation.farthest.rms) && isWorthIt(explanation) &&
+        (!best || explanation.farthest.rms < kWorthIt * best->farthest.rms))
+      best = &explanation;
   return best;
 }
 
@@ -62,9 +62,9 @@ Decision amongEquals(const Diagnosis& diagnosis) {
 /// Decides if no cause is certain. A cause is added only if it lowers the error of measurements excluded from its fit,
 /// both for the held-out folds and for the farthest poses.
 Decision amongUnsure(const Diagnosis& diagnosis) {
-  const Explanation* best = bestCarried(diagnosis.closest, [&](const Explanation& one) {
-    return one.heldout.rms < kWorthIt * diagnosis.heldout_before.rms &&
-           one.farthest.rms < kWorthIt * diagnosis.farthest_before.rms;
+  const Explanation* best = bestCarried(diagnosis.closest, [&](const Explanation& explanation) {
+    return explanation.heldout.rms < kWorthIt * diagnosis.heldout_before.rms &&
+           explanation.farthest.rms < kWorthIt * diagnosis.farthest_before.rms;
   });
   if (!best) return {nullptr, ImprovementEnd::kNothingCertain, ImprovementReason::kNoneLower};
   return {best, ImprovementEnd::kNotRun, ImprovementReason::kUnsureButLower};

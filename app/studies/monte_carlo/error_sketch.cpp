@@ -89,14 +89,14 @@ double ErrorSketch::quantile(double share) const {
   const double rank = std::max(1., std::ceil(share * static_cast<double>(count_)));
   double below = 0;
   for (std::size_t k = 0; k < counts_.size(); ++k) {
-    const auto here = static_cast<double>(counts_[k]);
-    if (below + here < rank) {
-      below += here;
+    const auto count = static_cast<double>(counts_[k]);
+    if (below + count < rank) {
+      below += count;
       continue;
     }
     const std::uint32_t part = first_part_ + static_cast<std::uint32_t>(k);
     const auto start = static_cast<double>(startOf(part)), end = static_cast<double>(startOf(part + 1) - 1);
-    const double within = start + (end - start) * (rank - below) / here;
+    const double within = start + (end - start) * (rank - below) / count;
     return std::min(within, static_cast<double>(max_)) * kUnit;
   }
   return max();

@@ -49,8 +49,8 @@ class Master {
   void dismiss() {
     if (!ranks_) return;
     for (const int rank : senders_) ranks_->send(rank, kEnd, {});
-    for (std::size_t left = 0; left < senders_.size();)
-      if (const auto message = ranks_->receive()) left += message->subject == kLeft;
+    for (std::size_t finished = 0; finished < senders_.size();)
+      if (const auto message = ranks_->receive()) finished += message->subject == kLeft;
   }
 
  private:

@@ -238,16 +238,16 @@ ExpectedRise expectedRise(const std::vector<RivalModel>& rivals, const std::vect
   Index at = 0;
   for (int time = 0; time < times; ++time)
     for (const auto& step : steps) {
-      const RivalPrediction& here = predictions[static_cast<std::size_t>(step.candidate)];
-      const Index n = here.value[first].size();
-      d.segment(at, n) = here.value[first] - here.value[second];
-      H_a.middleRows(at, n) = here.sensitivity[first];
-      H_b.middleRows(at, n) = here.sensitivity[second];
+      const RivalPrediction& prediction = predictions[static_cast<std::size_t>(step.candidate)];
+      const Index n = prediction.value[first].size();
+      d.segment(at, n) = prediction.value[first] - prediction.value[second];
+      H_a.middleRows(at, n) = prediction.sensitivity[first];
+      H_b.middleRows(at, n) = prediction.sensitivity[second];
       at += n;
     }
-  const MatrixXd one = MatrixXd::Identity(d.size(), d.size());
-  return riseBetween(one + H_a * rivals[first].covariance * H_a.transpose(),
-                     one + H_b * rivals[second].covariance * H_b.transpose(), d);
+  const MatrixXd identity = MatrixXd::Identity(d.size(), d.size());
+  return riseBetween(identity + H_a * rivals[first].covariance * H_a.transpose(),
+                     identity + H_b * rivals[second].covariance * H_b.transpose(), d);
 }
 
 double leastExpected(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions,

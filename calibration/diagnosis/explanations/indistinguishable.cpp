@@ -71,14 +71,14 @@ RangeView RangeViews::of(const Explanation& explanation) const {
   if (weights_.rows == 0) return view;
   const ExplanationModel model = modelOf(basis_, explanation);
   const VectorXd zero = zerosOf(model.unknowns), typical = typicalsOf(model.unknowns);
-  auto there = whitenedResidual(model.placed, model.unknowns, measurements_, weights_, zero, true, basis_.stop);
-  auto here =
+  auto over_range = whitenedResidual(model.placed, model.unknowns, measurements_, weights_, zero, true, basis_.stop);
+  auto at_measurements =
       whitenedResidual(model.placed, model.unknowns, basis_.measurements, basis_.weights, zero, true, basis_.stop);
-  view.ok = there.ok && here.ok;
+  view.ok = over_range.ok && at_measurements.ok;
   if (!view.ok) return view;
-  view.value = there.r;
-  view.sensitivity = there.jacobian * typical.asDiagonal();
-  const MatrixXd by_measurements = here.jacobian * typical.asDiagonal();
+  view.value = over_range.r;
+  view.sensitivity = over_range.jacobian * typical.asDiagonal();
+  const MatrixXd by_measurements = at_measurements.jacobian * typical.asDiagonal();
   view.information = by_measurements.transpose() * by_measurements;
   view.information.diagonal() += typical.cwiseProduct(priorSlopes(model.unknowns)).cwiseAbs2();
   return view;

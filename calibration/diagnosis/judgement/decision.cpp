@@ -16,16 +16,16 @@ constexpr double kRemains = 0.5;
 std::vector<ModelClass> withoutUnsureAdditions(const Posterior& posterior) {
   std::vector<ModelClass> kept, all = posterior.classes;
   all.insert(all.end(), posterior.others.begin(), posterior.others.end());
-  for (const ModelClass& one : all) {
+  for (const ModelClass& model_class : all) {
     const auto part = std::ranges::find_if(kept, [&](const ModelClass& k) {
-      return std::includes(one.causes.begin(), one.causes.end(), k.causes.begin(), k.causes.end());
+      return std::includes(model_class.causes.begin(), model_class.causes.end(), k.causes.begin(), k.causes.end());
     });
     if (part == kept.end()) {
-      if (one.model) kept.push_back(one);
+      if (model_class.model) kept.push_back(model_class);
       continue;
     }
     // The class without the additional cause leaves its effect unexplained.
-    Claim further = one;
+    Claim further = model_class;
     further.remainder_probability = 1;
     further.scatter_probability = 0;
     mergeClaim(further, *part);
@@ -47,9 +47,9 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
   const double missing = 1 - posterior.nothing;
   const auto classes = withoutUnsureAdditions(posterior);
   double named = 0, remains = 0;
-  for (const ModelClass& one : classes) {
-    named += one.probability / missing;
-    remains += one.probability / missing * one.remainder_probability;
+  for (const ModelClass& model_class : classes) {
+    named += model_class.probability / missing;
+    remains += model_class.probability / missing * model_class.remainder_probability;
   }
   if (classes.empty() || named < options.likely || remains > kRemains * named) {
     const bool has_certain = !posterior.certain.causes.empty();
@@ -59,11 +59,12 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
   }
   const bool is_single = classes.front().probability / missing >= options.required_probability;
   double together = 0;
-  for (const ModelClass& one : classes) {
-    const bool is_needed = together < kCredible * named && one.probability > kLeastLikely * classes.front().probability;
+  for (const ModelClass& model_class : classes) {
+    const bool is_needed =
+        together < kCredible * named && model_class.probability > kLeastLikely * classes.front().probability;
     if (result.alternatives.size() == (is_single ? 1 : kMostAlternatives) || !is_needed) break;
-    result.alternatives.push_back(one.explanation);
-    together += one.probability / missing;
+    result.alternatives.push_back(model_class.explanation);
+    together += model_class.probability / missing;
   }
   const bool is_ambiguous = result.alternatives.size() > 1 || named < options.required_probability;
   // If a single class competes only with an unknown effect, the second best class is named as well.

@@ -47,18 +47,18 @@ void joinSame(const DiagnosisWork& work, std::vector<ModelClass>& classes) {
     if (classes[k].probability < kLeastLikely * classes.front().probability) break;
     seen.push_back(views.of(classes[k].explanation));
   }
-  std::set<std::size_t> gone;
+  std::set<std::size_t> merged;
   for (std::size_t a = 0; a < seen.size(); ++a)
     for (std::size_t b = a + 1; b < seen.size(); ++b) {
-      if (gone.contains(a) || gone.contains(b)) continue;
+      if (merged.contains(a) || merged.contains(b)) continue;
       const auto differing_effect = difference(classes[a].causes, classes[b].causes);
       if (!differing_effect || !areTheSame(seen[a], seen[b])) continue;
       addName(work, differing_effect->first, differing_effect->second, classes[a].explanation);
       mergeClaim(classes[b], classes[a]);
-      gone.insert(b);
+      merged.insert(b);
     }
   std::size_t index = 0;
-  std::erase_if(classes, [&](const ModelClass&) { return gone.contains(index++); });
+  std::erase_if(classes, [&](const ModelClass&) { return merged.contains(index++); });
   std::ranges::stable_sort(classes, std::greater{}, &ModelClass::probability);
 }
 
@@ -75,27 +75,27 @@ Names namesOf(const Explanation& explanation) {
 void nameFoundMembers(const DiagnosisWork& work, std::vector<ModelClass>& classes) {
   std::vector<ModelClass> named;
   const double most = classes.empty() ? 0 : classes.front().probability;
-  for (ModelClass& one : classes) {
-    if (one.probability >= kLeastLikely * most) {
-      Explanation found = explanationByFoundMembers(work, *one.model);
+  for (ModelClass& model_class : classes) {
+    if (model_class.probability >= kLeastLikely * most) {
+      Explanation found = explanationByFoundMembers(work, *model_class.model);
       for (FoundEffect& effect : found.effects)
-        for (const FoundEffect& joined : one.explanation.effects)
+        for (const FoundEffect& joined : model_class.explanation.effects)
           if (joined.effect == effect.effect && joined.at == effect.at)
             effect.indistinguishable = joined.indistinguishable;
-      one.explanation = std::move(found);
+      model_class.explanation = std::move(found);
     }
     const auto same = std::ranges::find_if(
-        named, [&](const ModelClass& other) { return namesOf(other.explanation) == namesOf(one.explanation); });
+        named, [&](const ModelClass& other) { return namesOf(other.explanation) == namesOf(model_class.explanation); });
     if (same == named.end())
-      named.push_back(std::move(one));
+      named.push_back(std::move(model_class));
     else
-      mergeClaim(one, *same);
+      mergeClaim(model_class, *same);
   }
   std::ranges::stable_sort(named, std::greater{}, &ModelClass::probability);
   classes = std::move(named);
 }
 
-bool holds(const std::vector<int>& all, const std::vector<int>& some) {
+bool containsAll(const std::vector<int>& all, const std::vector<int>& some) {
   return std::includes(all.begin(), all.end(), some.begin(), some.end());
 }
 
@@ -103,10 +103,11 @@ bool holds(const std::vector<int>& all, const std::vector<int>& some) {
 /// included.
 std::set<int> impliedBy(const DiagnosisWork& work, const std::vector<int>& causes) {
   std::set<int> implied(causes.begin(), causes.end());
-  for (const int all : causes) {
-    if (work.cause(all).effects.size() < 2) continue;
-    for (int one = 0; one < static_cast<int>(work.causes.causes.size()); ++one)
-      if (work.cause(one).effects.size() == 1 && overlap(work.cause(one), work.cause(all))) implied.insert(one);
+  for (const int collective : causes) {
+    if (work.cause(collective).effects.size() < 2) continue;
+    for (int single = 0; single < static_cast<int>(work.causes.causes.size()); ++single)
+      if (work.cause(single).effects.size() == 1 && overlap(work.cause(single), work.cause(collective)))
+        implied.insert(single);
   }
   return implied;
 }
@@ -115,15 +116,16 @@ std::set<int> impliedBy(const DiagnosisWork& work, const std::vector<int>& cause
 std::vector<int> certainCauses(const DiagnosisWork& work, const Posterior& posterior) {
   std::map<int, double> probability;
   for (const auto* classes : {&posterior.classes, &posterior.others})
-    for (const ModelClass& one : *classes)
-      for (const int cause : impliedBy(work, one.causes)) probability[cause] += one.probability;
+    for (const ModelClass& model_class : *classes)
+      for (const int cause : impliedBy(work, model_class.causes)) probability[cause] += model_class.probability;
   std::vector<int> certain;
   for (const auto& [cause, p] : probability)
     if (p >= work.options.required_probability * (1 - posterior.nothing)) certain.push_back(cause);
   std::vector<int> own;
   for (const int cause : certain)
-    if (std::ranges::none_of(certain, [&](int all) {
-          return all != cause && work.cause(all).effects.size() > 1 && impliedBy(work, {all}).contains(cause);
+    if (std::ranges::none_of(certain, [&](int collective) {
+          return collective != cause && work.cause(collective).effects.size() > 1 &&
+                 impliedBy(work, {collective}).contains(cause);
         }))
       own.push_back(cause);
   return own;
@@ -135,7 +137,7 @@ CompetingModel competingModelOf(const DiagnosisWork& work, const std::vector<int
   const CompetingModel* found = nullptr;
   for (const CompetingModel& model : work.models) {
     const bool is_exact = causesOf(model.terms) == causes;
-    if (is_exact || (!found && holds(causesOf(model.terms), causes))) found = &model;
+    if (is_exact || (!found && containsAll(causesOf(model.terms), causes))) found = &model;
     if (is_exact) break;
   }
   if (!found) return {};
@@ -159,11 +161,11 @@ void findCertain(const DiagnosisWork& work, Posterior& posterior) {
   certain.explanation = explanationByFoundMembers(work, posterior.certain_model);
   double alone = 0;
   for (const auto* classes : {&posterior.classes, &posterior.others})
-    for (const ModelClass& one : *classes) {
-      const auto implied = impliedBy(work, one.causes);
+    for (const ModelClass& model_class : *classes) {
+      const auto implied = impliedBy(work, model_class.causes);
       if (!std::ranges::all_of(causes, [&](int cause) { return implied.contains(cause); })) continue;
-      certain.probability += one.probability;
-      if (one.causes == causes) alone += one.probability * (1 - one.remainder_probability);
+      certain.probability += model_class.probability;
+      if (model_class.causes == causes) alone += model_class.probability * (1 - model_class.remainder_probability);
     }
   certain.remainder_probability = certain.probability > 0 ? 1 - alone / certain.probability : 1;
   certain.explanation.probability = certain.probability;
@@ -184,22 +186,23 @@ Posterior posteriorOf(const DiagnosisWork& work) {
       posterior.unknown += claim.probability * claim.remainder_probability;
       continue;
     }
-    ModelClass& one = classes[claim.causes];
-    mergeClaim(claim, one);
+    ModelClass& model_class = classes[claim.causes];
+    mergeClaim(claim, model_class);
     const CompetingModel* model = claim.model;
-    if (model && model->hasFit() && (!one.model || model->logWeight() > one.model->logWeight())) one.model = model;
+    if (model && model->hasFit() && (!model_class.model || model->logWeight() > model_class.model->logWeight()))
+      model_class.model = model;
   }
-  for (auto& [causes, one] : classes) {
-    one.causes = causes;
-    if (one.model) one.explanation = one.model->fit;
-    (one.model ? posterior.classes : posterior.others).push_back(std::move(one));
+  for (auto& [causes, model_class] : classes) {
+    model_class.causes = causes;
+    if (model_class.model) model_class.explanation = model_class.model->fit;
+    (model_class.model ? posterior.classes : posterior.others).push_back(std::move(model_class));
   }
   std::ranges::stable_sort(posterior.classes, std::greater{}, &ModelClass::probability);
   joinSame(work, posterior.classes);
   nameFoundMembers(work, posterior.classes);
-  for (ModelClass& one : posterior.classes) {
-    one.explanation.probability = one.probability;
-    one.explanation.remainder_probability = one.remainder_probability;
+  for (ModelClass& model_class : posterior.classes) {
+    model_class.explanation.probability = model_class.probability;
+    model_class.explanation.remainder_probability = model_class.remainder_probability;
   }
   findCertain(work, posterior);
   return posterior;
