@@ -23,19 +23,21 @@ enum class MeasurementKind {
   kPosition,     ///< measured position of the tip: p_W
   kTouch,        ///< tip centred at `point`, whose position is p_W (empty if unknown)
   kDeflection,   ///< measured displacement of the tip from its unloaded position at the same joint readings: p_W
-  kDistance,     ///< measured distance from the anchor p_W to the tip: own[0] [m]
-  kAxis,         ///< measured distance of the tip from the anchor p_W along `direction_W`: own[0] [m]
-  kOrientation,  ///< measured roll, pitch and yaw of the tool frame in the world frame: own [rad]
+  kDistance,     ///< measured distance from the anchor p_W to the tip: kind_values[0] [m]
+  kAxis,         ///< measured distance of the tip from the anchor p_W along `direction_W`: kind_values[0] [m]
+  kOrientation,  ///< measured roll, pitch and yaw of the tool frame in the world frame: kind_values [rad]
   kPose,         ///< position and orientation together, as in kPosition and kOrientation
-  kOffset,       ///< measured offset of the hole or mark p_W from the tip, in the tool frame: own [m]
-  kTilt,         ///< measured angles of the axes of the tool frame or of a row's frame above the horizontal: own [rad]
-  kSteps,        ///< own: number of tool steps that entered the hole p_W, and limits of the centring error [m]
-  kRelative,     ///< measured displacement of the tip from its position at `reference`: p_W, or its length own[0] [m]
-  kPlane,        ///< contact of the tip with the plane named `point`, whose position is unknown
-  /// Contact of the tip with the sphere named `point`, of unknown centre and radius own[0] [m] (NaN if unknown).
+  kOffset,       ///< measured offset of the hole or mark p_W from the tip, in the tool frame: kind_values [m]
+  kTilt,  ///< measured angles of the axes of the tool frame or of a row's frame above the horizontal: kind_values [rad]
+  kSteps,  ///< kind_values: number of tool steps that entered the hole p_W, and limits of the centring error [m]
+  /// Measured displacement of the tip from its position at `reference`: p_W, or its length kind_values[0] [m].
+  kRelative,
+  kPlane,  ///< contact of the tip with the plane named `point`, whose position is unknown
+  /// Contact of the tip with the sphere named `point`, of unknown centre and radius kind_values[0] [m] (NaN if
+  /// unknown).
   kSphere,
-  kPolar,      ///< measured range [m], horizontal and vertical angle [rad] from the station p_W to the tip: own
-  kDirection,  ///< measured azimuth and altitude of the x axis of the tool frame or of a row's frame: own [rad]
+  kPolar,      ///< measured range [m], horizontal and vertical angle [rad] from the station p_W to the tip: kind_values
+  kDirection,  ///< measured azimuth and altitude of the x axis of the tool frame or of a row's frame: kind_values [rad]
 };
 
 /// A touched plane or sphere of unknown position, as fitted to the measurements that touched it.
@@ -79,7 +81,7 @@ struct Measurement {
   std::optional<int> row;  ///< row of the arm whose deflected frame is measured; empty means the tool frame
   /// Values of the file columns that only this kind of measurement has, in the order of those columns; NaN = not
   /// stated.
-  Eigen::Vector3d own = Eigen::Vector3d::Constant(kNotKnown);
+  Eigen::Vector3d kind_values = Eigen::Vector3d::Constant(kNotKnown);
   double turn_sigma = kNotKnown;           ///< standard deviation of a measured angle [rad]; NaN = not stated
   double sigma = kNotKnown;                ///< standard deviation of each measured coordinate [m]; NaN = not stated
   std::optional<Eigen::Vector3d> sigma_W;  ///< standard deviations of x, y and z [m]; empty if all equal `sigma`

@@ -24,7 +24,7 @@ enum class Quantity {
 /// Unit of a value: the unit of its quantity, which each file chooses, or a fixed unit.
 struct ValueUnit {
   Quantity quantity = Quantity::kNone;
-  const char* own = "";  ///< fixed unit of a plain number, such as "percent"; empty if none
+  const char* fixed_unit = "";  ///< fixed unit of a plain number, such as "percent"; empty if none
 };
 
 /// Returns true for E, G, I, J and joint stiffnesses, to which an element's compliance is inversely proportional.

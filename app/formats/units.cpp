@@ -171,7 +171,7 @@ std::string Units::nameOf(Dimension d) const {
 }
 
 std::string Units::nameOf(const deflection::ValueUnit& unit) const {
-  return unit.quantity == deflection::Quantity::kNone ? unit.own : nameOf(dimensionOf(unit.quantity));
+  return unit.quantity == deflection::Quantity::kNone ? unit.fixed_unit : nameOf(dimensionOf(unit.quantity));
 }
 
 double rounded(double value) {

@@ -209,7 +209,7 @@ class SizeSearch {
       }
       const double variance = encoderCovariance(state.arm, predicted.by_joints).trace();
       const double error = predicted.value.norm();
-      const double beyond = std::max({0., measurement.own[1] - error, error - measurement.own[2]});
+      const double beyond = std::max({0., measurement.kind_values[1] - error, error - measurement.kind_values[2]});
       if (beyond > 0) sum += beyond * beyond / std::max(variance, kExact * kExact);
     }
     return sum;

@@ -27,7 +27,8 @@ inline std::optional<Correction> correction(const CheckedMeasurements& checked, 
     if (areWritten(*checked, measurement)) *measurement.p_W *= factor;
     const auto columns = kindOf(measurement).columns;
     for (std::size_t k = 0; k < columns.size(); ++k)
-      if (columns[k].quantity == deflection::Quantity::kLength) measurement.own[static_cast<Eigen::Index>(k)] *= factor;
+      if (columns[k].quantity == deflection::Quantity::kLength)
+        measurement.kind_values[static_cast<Eigen::Index>(k)] *= factor;
   });
   correction.change_sigma = sigmaAlong(checked, *factor);
   return correction;

@@ -40,9 +40,9 @@ auto contentOf(const Measurement& m) {
                     p.y(),
                     p.z(),
                     std::vector<double>(tool.begin(), tool.end()),
-                    number(m.own[0]),
-                    number(m.own[1]),
-                    number(m.own[2]),
+                    number(m.kind_values[0]),
+                    number(m.kind_values[1]),
+                    number(m.kind_values[2]),
                     conditions};
 }
 

@@ -20,8 +20,8 @@ inline std::optional<Correction> correction(const CheckedMeasurements&, const st
                         "the turns are inverse: of the world in the tool's frame, not of the tool in the world"};
   correction.change = toEach([](Measurement& measurement) {
     if (statesFrame(measurement))
-      measurement.own = deflection::fixedAnglesOf(
-          Eigen::Matrix3d(deflection::rotationFromFixedAngles<double>(measurement.own).transpose()));
+      measurement.kind_values = deflection::fixedAnglesOf(
+          Eigen::Matrix3d(deflection::rotationFromFixedAngles<double>(measurement.kind_values).transpose()));
   });
   return correction;
 }

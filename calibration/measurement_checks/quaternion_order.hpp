@@ -37,9 +37,9 @@ inline std::optional<Correction> correction(const CheckedMeasurements&, const st
   correction.change = toEach([order](Measurement& measurement) {
     if (!statesFrame(measurement)) return;
     const Eigen::Vector4d read =
-        Eigen::Quaterniond(deflection::rotationFromFixedAngles<double>(measurement.own)).coeffs();
+        Eigen::Quaterniond(deflection::rotationFromFixedAngles<double>(measurement.kind_values)).coeffs();
     const Eigen::Quaterniond right(read[order->w], read[order->x], read[order->y], read[order->z]);
-    measurement.own = deflection::fixedAnglesOf(right.toRotationMatrix());
+    measurement.kind_values = deflection::fixedAnglesOf(right.toRotationMatrix());
   });
   return correction;
 }

@@ -25,7 +25,7 @@ void takeMeasured(const Measurement& from, Measurement& to) {
   to.p_W = from.p_W;
   to.direction_W = from.direction_W;
   to.p_TQ = from.p_TQ;
-  to.own = from.own;
+  to.kind_values = from.kind_values;
   to.row = from.row;
   to.reference = from.reference;
   to.sigma = from.sigma;

@@ -46,7 +46,7 @@ inline std::optional<Eigen::Matrix3d> meanTurn(const CheckedMeasurements& checke
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const Measurement& measurement : places)
     if (const auto tool = toolAt(fit.placed, measurement))
-      sum += tool->R_WT.transpose() * deflection::rotationFromFixedAngles<double>(measurement.own);
+      sum += tool->R_WT.transpose() * deflection::rotationFromFixedAngles<double>(measurement.kind_values);
   if (!(sum.determinant() > 0)) return std::nullopt;  // widely scattered rotations have no mean
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return Eigen::Matrix3d(svd.matrixU() * svd.matrixV().transpose());
@@ -87,7 +87,8 @@ inline std::optional<Correction> correction(const CheckedMeasurements& checked, 
   correction.numbers_fitted = is_order ? 0 : 3;
   correction.change = toEach([R_MT = Eigen::Matrix3d(R_TM->transpose())](Measurement& measurement) {
     if (statesFrame(measurement))
-      measurement.own = deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(measurement.own) * R_MT);
+      measurement.kind_values =
+          deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(measurement.kind_values) * R_MT);
   });
   return correction;
 }

@@ -24,7 +24,7 @@ inline std::optional<Correction> correction(const CheckedMeasurements&, const st
                         "the numbers under roll, pitch, yaw are turns in the form " + value + " (" + form->words +
                             "), as `readings --orientation " + value + "` takes them"};
   correction.change = toEach([turn = form->turn](Measurement& measurement) {
-    if (statesFrame(measurement)) measurement.own = deflection::fixedAnglesOf(turn(measurement.own));
+    if (statesFrame(measurement)) measurement.kind_values = deflection::fixedAnglesOf(turn(measurement.kind_values));
   });
   return correction;
 }

@@ -10,19 +10,19 @@
 
 namespace tubeplan::calibration::mistakes {
 
-inline std::vector<std::string> otherNames(const std::vector<NamedUnit>& units, const NamedUnit& own) {
+inline std::vector<std::string> otherNames(const std::vector<NamedUnit>& units, const NamedUnit& present_unit) {
   std::vector<std::string> names;
   for (const auto& unit : units)
-    if (unit.name != own.name) names.push_back(unit.name);
+    if (unit.name != present_unit.name) names.push_back(unit.name);
   return names;
 }
 
-/// Returns the factor that corrects values which were read in unit `own` but are in the named unit; nullopt if there is
-/// no such unit.
-inline std::optional<double> factorOf(const std::vector<NamedUnit>& units, const NamedUnit& own,
+/// Returns the factor that corrects values which were read in unit `present_unit` but are in the named unit; nullopt if
+/// there is no such unit.
+inline std::optional<double> factorOf(const std::vector<NamedUnit>& units, const NamedUnit& present_unit,
                                       const std::string& name) {
   for (const auto& unit : units)
-    if (unit.name == name) return unit.factor / own.factor;
+    if (unit.name == name) return unit.factor / present_unit.factor;
   return std::nullopt;
 }
 

@@ -13,7 +13,7 @@ inline MeasuredSlope slope(const Measurement& measurement, const ToolPose&) {
   return {measurement.direction_W->transpose(), {}};
 }
 inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& measurement) {
-  measurement.own[0] = scale * value(measurement, tool)[0] + noise[0];
+  measurement.kind_values[0] = scale * value(measurement, tool)[0] + noise[0];
 }
 
 inline void state(const KnownPlaces& places, Measurement& measurement) {

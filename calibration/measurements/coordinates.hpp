@@ -26,7 +26,7 @@ inline MeasurementKindRow row(MeasurementKind kind, const char* name) {
           .slope = slope,
           .measured = measured,
           .record = record,
-          .value_columns = placeAndOwn};
+          .value_columns = placeAndKindColumns};
 }
 
 }  // namespace tubeplan::calibration::coordinates

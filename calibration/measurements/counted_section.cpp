@@ -22,7 +22,7 @@ std::optional<ToolAxis> toolAxisAt(const deflection::Arm& arm, const Eigen::Isom
 
 void settleCount(Measurement& measurement, const tubesheets::SteppedTool& tool, const deflection::Arm& arm,
                  const Eigen::Isometry3d& X_WB) {
-  const auto entered = static_cast<std::size_t>(measurement.own[0]);
+  const auto entered = static_cast<std::size_t>(measurement.kind_values[0]);
   const bool all_entered = entered == tool.steps.size();
   const std::size_t step = std::min(entered, tool.steps.size() - 1);
   double play = 0;
@@ -31,9 +31,9 @@ void settleCount(Measurement& measurement, const tubesheets::SteppedTool& tool, 
     measurement.p_QS = -tubesheets::middleOf(tool, step) * axis->axis_T;
     if (!all_entered && axis->isUpward()) play = std::min(axis->lean().norm(), 1.) * tool.lengths[step] / 2;
   }
-  measurement.own[1] = all_entered ? 0 : std::max(tool.steps[step].tolerance - play, 0.);
-  measurement.own[2] = entered > 0 ? tool.steps[entered - 1].tolerance + play : kNoBound;
-  measurement.sigma = steps::sigmaBetween(measurement.own[1], measurement.own[2]);
+  measurement.kind_values[1] = all_entered ? 0 : std::max(tool.steps[step].tolerance - play, 0.);
+  measurement.kind_values[2] = entered > 0 ? tool.steps[entered - 1].tolerance + play : kNoBound;
+  measurement.sigma = steps::sigmaBetween(measurement.kind_values[1], measurement.kind_values[2]);
 }
 
 }  // namespace tubeplan::calibration

@@ -28,8 +28,8 @@ struct ToolAxis {
                                                  const Measurement& measurement);
 
 /// Sets the counted section of a measurement of kind `steps`, the bounds of the offset there, and sigma, for the number
-/// of steps in own[0], which the tool must have. The tilt is that of `arm` on a base at `X_WB`. A measurement that
-/// states the measured point itself keeps it, and is taken as a count of an upright tool.
+/// of steps in kind_values[0], which the tool must have. The tilt is that of `arm` on a base at `X_WB`. A measurement
+/// that states the measured point itself keeps it, and is taken as a count of an upright tool.
 void settleCount(Measurement& measurement, const tubesheets::SteppedTool& tool, const deflection::Arm& arm,
                  const Eigen::Isometry3d& X_WB);
 

@@ -51,10 +51,11 @@ inline Eigen::Vector3d seenFrom(const Eigen::Matrix3d& R_WM, const ToolPose& too
   return R_WM.transpose() * tool.R_WT.col(0);
 }
 inline MeasuredValue value(const Measurement& measurement, const ToolPose& tool) {
-  return kTurnLever * deviationOf(seenFrom(frameOf(measurement.own[0], measurement.own[1]), tool)).angles;
+  return kTurnLever *
+         deviationOf(seenFrom(frameOf(measurement.kind_values[0], measurement.kind_values[1]), tool)).angles;
 }
 inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool) {
-  const Eigen::Matrix3d R_WM = frameOf(measurement.own[0], measurement.own[1]);
+  const Eigen::Matrix3d R_WM = frameOf(measurement.kind_values[0], measurement.kind_values[1]);
   const Eigen::Matrix3d by_turn = -R_WM.transpose() * deflection::crossMatrix<double>(tool.R_WT.col(0));
   return {MeasuredRows::Zero(2, 3), kTurnLever * deviationOf(seenFrom(R_WM, tool)).slope * by_turn};
 }
@@ -68,7 +69,7 @@ inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Mea
   const Eigen::Vector2d angles = anglesOf(tool.R_WT.col(0));
   const Eigen::Matrix3d R_WM = frameOf(angles[0], angles[1]);
   const Eigen::Vector3d off(noise[0] / kTurnLever, noise[1] / kTurnLever, 1);
-  measurement.own.head<2>() = anglesOf(R_WM * off);
+  measurement.kind_values.head<2>() = anglesOf(R_WM * off);
 }
 
 inline MeasurementKindRow kind() {

@@ -15,10 +15,12 @@ inline MeasuredValue value(const Measurement& measurement, const ToolPose& tool)
 inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool) {
   return {(tool.p_W - *measurement.p_W).normalized().transpose(), {}};
 }
-inline bool isPossible(const Measurement& measurement) { return !(measurement.own[0] <= 0); }
-inline MeasuredValue measured(const Measurement& measurement) { return MeasuredValue::Constant(1, measurement.own[0]); }
+inline bool isPossible(const Measurement& measurement) { return !(measurement.kind_values[0] <= 0); }
+inline MeasuredValue measured(const Measurement& measurement) {
+  return MeasuredValue::Constant(1, measurement.kind_values[0]);
+}
 inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& measurement) {
-  measurement.own[0] = scale * value(measurement, tool)[0] + noise[0];
+  measurement.kind_values[0] = scale * value(measurement, tool)[0] + noise[0];
 }
 
 /// Copies the anchor's position or, if no anchor is given, the world's origin into the measurement.

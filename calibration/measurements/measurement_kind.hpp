@@ -110,7 +110,7 @@ struct MeasurementKindRow {
   double usual_sigma = kPositionSigma;
 
   /// Returns the columns that hold measured values; the kind's other columns describe the target of the measurement.
-  ValueColumns (*value_columns)(std::span<const MeasuredColumn> own) = allOfOwn;
+  ValueColumns (*value_columns)(std::span<const MeasuredColumn> kind_columns) = allKindColumns;
   /// Returns true if the values of a measurement are possible. Null if all values are possible.
   bool (*is_possible)(const Measurement& measurement) = nullptr;
 

@@ -92,7 +92,7 @@ std::vector<std::vector<int>> groupsByPlace(const std::vector<Measurement>& meas
 double ownNumber(const Measurement& measurement, std::string_view name) {
   const auto columns = kindOf(measurement).columns;
   for (std::size_t k = 0; k < columns.size(); ++k)
-    if (columns[k].name == name) return measurement.own[static_cast<Eigen::Index>(k)];
+    if (columns[k].name == name) return measurement.kind_values[static_cast<Eigen::Index>(k)];
   return std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -27,12 +27,12 @@ inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool)
           partly_seen::stated<MeasuredRows>(measurement, R_TW * deflection::crossMatrix(away))};
 }
 inline MeasuredValue measured(const Measurement& measurement) {
-  return partly_seen::stated<MeasuredValue>(measurement, measurement.own);
+  return partly_seen::stated<MeasuredValue>(measurement, measurement.kind_values);
 }
 /// Writes the components seen by a camera that looks along the world's z axis, which is the axis of the holes.
 inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& measurement) {
   const Eigen::Index unseen = partly_seen::axisAlong(Eigen::Vector3d::UnitZ(), tool);
-  measurement.own = partly_seen::without(seen(measurement, tool) + noise.head<3>(), unseen);
+  measurement.kind_values = partly_seen::without(seen(measurement, tool) + noise.head<3>(), unseen);
 }
 
 inline MeasurementKindRow kind() {
@@ -47,7 +47,7 @@ inline MeasurementKindRow kind() {
           .slope = slope,
           .measured = measured,
           .record = record,
-          .value_columns = someOfOwn,
+          .value_columns = someKindColumns,
           .state = coordinates::statePoint};
 }
 

@@ -16,7 +16,7 @@ inline constexpr std::array<MeasuredColumn, 3> kColumns{{{"roll", deflection::Qu
 
 /// Returns the rotation vector from the measured frame to the tool frame, in world axes [rad].
 inline Eigen::Vector3d turnFromMeasured(const Measurement& measurement, const ToolPose& tool) {
-  const Eigen::Matrix3d R_WM = deflection::rotationFromFixedAngles<double>(measurement.own);
+  const Eigen::Matrix3d R_WM = deflection::rotationFromFixedAngles<double>(measurement.kind_values);
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(tool.R_WT * R_WM.transpose()));
   return turn.angle() * turn.axis();
 }
@@ -31,7 +31,7 @@ inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool)
 inline MeasuredValue measured(const Measurement&) { return Eigen::Vector3d::Zero(); }
 inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& measurement) {
   const Eigen::Vector3d turn = noise.tail<3>() / kTurnLever;
-  measurement.own = deflection::fixedAnglesOf(deflection::rotationFromVector<double>(turn) * tool.R_WT);
+  measurement.kind_values = deflection::fixedAnglesOf(deflection::rotationFromVector<double>(turn) * tool.R_WT);
 }
 
 inline MeasurementKindRow kind() {

@@ -8,7 +8,7 @@
 namespace tubeplan::calibration::partly_seen {
 
 inline int statedRows(const Measurement& measurement) {
-  return 3 - static_cast<int>(measurement.own.array().isNaN().count());
+  return 3 - static_cast<int>(measurement.kind_values.array().isNaN().count());
 }
 
 /// Returns the rows of the components that the measurement states.
@@ -17,7 +17,7 @@ Rows stated(const Measurement& measurement, const Rows& all) {
   Rows some(statedRows(measurement), all.cols());
   Eigen::Index row = 0;
   for (Eigen::Index k = 0; k < 3; ++k)
-    if (!std::isnan(measurement.own[k])) some.row(row++) = all.row(k);
+    if (!std::isnan(measurement.kind_values[k])) some.row(row++) = all.row(k);
   return some;
 }
 

@@ -82,7 +82,7 @@ inline MeasurementKindRow kind() {
           .record = recordNothing,
           .lack = lack,
           .usual_sigma = kTouchSigma,
-          .value_columns = jointsAlone,
+          .value_columns = jointsOnly,
           .place_numbers = numbersOf,
           .by_place_numbers = byPlaceNumbers,
           .settle = settle,

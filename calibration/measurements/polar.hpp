@@ -26,7 +26,7 @@ inline Eigen::Vector3d numbersOf(const Eigen::Vector3d& way) {
 /// Returns the predicted values. The horizontal angle is relative to the measured one, wrapped to half a turn.
 inline MeasuredValue value(const Measurement& measurement, const ToolPose& tool) {
   const Eigen::Vector3d predicted = numbersOf(wayTo(measurement, tool));
-  const double off = std::remainder(predicted[1] - measurement.own[1], 2 * EIGEN_PI);
+  const double off = std::remainder(predicted[1] - measurement.kind_values[1], 2 * EIGEN_PI);
   return Eigen::Vector3d(predicted[0], kTurnLever * off, kTurnLever * predicted[2]);
 }
 inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool) {
@@ -40,19 +40,19 @@ inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool)
   return {by_place, {}};
 }
 inline MeasuredValue measured(const Measurement& measurement) {
-  return Eigen::Vector3d(measurement.own[0], 0, kTurnLever * measurement.own[2]);
+  return Eigen::Vector3d(measurement.kind_values[0], 0, kTurnLever * measurement.kind_values[2]);
 }
 inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& measurement) {
   const Eigen::Vector3d predicted = numbersOf(wayTo(measurement, tool));
-  measurement.own = {scale * predicted[0] + noise[0], predicted[1] + noise[1] / kTurnLever,
-                     predicted[2] + noise[2] / kTurnLever};
+  measurement.kind_values = {scale * predicted[0] + noise[0], predicted[1] + noise[1] / kTurnLever,
+                             predicted[2] + noise[2] / kTurnLever};
 }
 
 inline Eigen::Vector3d place(const Measurement& measurement) {
-  const double across = measurement.own[0] * std::cos(measurement.own[2]);
-  return *measurement.p_W + Eigen::Vector3d(across * std::cos(measurement.own[1]),
-                                            across * std::sin(measurement.own[1]),
-                                            measurement.own[0] * std::sin(measurement.own[2]));
+  const double across = measurement.kind_values[0] * std::cos(measurement.kind_values[2]);
+  return *measurement.p_W + Eigen::Vector3d(across * std::cos(measurement.kind_values[1]),
+                                            across * std::sin(measurement.kind_values[1]),
+                                            measurement.kind_values[0] * std::sin(measurement.kind_values[2]));
 }
 
 inline MeasurementKindRow kind() {

@@ -42,7 +42,7 @@ inline MeasurementKindRow kind() {
           .slope = slope,
           .measured = measured,
           .record = record,
-          .value_columns = placeAndOwn};
+          .value_columns = placeAndKindColumns};
 }
 
 }  // namespace tubeplan::calibration::pose

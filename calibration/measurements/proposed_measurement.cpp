@@ -39,7 +39,7 @@ Measurement conditionsOf(const ProposedMeasurement& proposed) {
   measurement.reference = proposed.reference;
   measurement.row = proposed.row;
   measurement.surface = proposed.surface;
-  measurement.own[0] = proposed.given;
+  measurement.kind_values[0] = proposed.given;
   measurement.sigma = proposed.sigma;
   measurement.turn_sigma = proposed.turn_sigma;
   measurement.approach_directions = proposed.approach_directions;
@@ -63,7 +63,7 @@ std::optional<Measurement> expectedMeasurement(const PlacedArm& placed, const Pr
   // tool.
   if (kind.counts_steps) return measurement;
   if (proposed.is_length_alone)
-    measurement.own[0] = tool->p_W.norm();
+    measurement.kind_values[0] = tool->p_W.norm();
   else
     kind.record(*tool, deflection::measurementScale(placed.arm), MeasuredValue::Zero(kind.rows), measurement);
   return measurement;

@@ -25,7 +25,7 @@ inline MeasuredValue measured(const Measurement& measurement) {
 
 /// Returns true if the measurement states either the displacement's coordinates or a positive length, but not both.
 inline bool isPossible(const Measurement& measurement) {
-  return measurement.p_W ? std::isnan(measurement.own[0]) : distance::isPossible(measurement);
+  return measurement.p_W ? std::isnan(measurement.kind_values[0]) : distance::isPossible(measurement);
 }
 
 /// Returns the reference measurement or, while none is set, this measurement without load.
@@ -40,7 +40,7 @@ inline MeasurementKindRow kind() {
   row.is_from_measurement = true;
   row.lack = nullptr;
   row.departure = departure;
-  row.value_columns = placeOrOwn;
+  row.value_columns = placeOrKindColumns;
   row.is_possible = isPossible;
   row.value = value;
   row.slope = slope;

@@ -14,9 +14,9 @@ namespace tubeplan::calibration::sphere {
 inline constexpr std::array<MeasuredColumn, 1> kColumns{{{"radius", deflection::Quantity::kLength}}};
 
 /// Returns true if the radius is not stated or is above zero.
-inline bool isPossible(const Measurement& measurement) { return !(measurement.own[0] <= 0); }
+inline bool isPossible(const Measurement& measurement) { return !(measurement.kind_values[0] <= 0); }
 
-inline bool isRadiusKnown(const Measurement& measurement) { return !std::isnan(measurement.own[0]); }
+inline bool isRadiusKnown(const Measurement& measurement) { return !std::isnan(measurement.kind_values[0]); }
 inline int numbersOf(const Measurement& measurement) { return isRadiusKnown(measurement) ? 3 : 4; }
 
 /// Returns the unit vector from the sphere's centre to the tip; z if the tip is at the centre.
@@ -98,7 +98,7 @@ inline bool settle(const Eigen::Matrix3Xd& points_W, const Measurement& measurem
   const int numbers = numbersOf(measurement);
   if (points_W.cols() < numbers + 1) return false;
   Surface start = algebraic(points_W);
-  if (isRadiusKnown(measurement)) start.radius = measurement.own[0];
+  if (isRadiusKnown(measurement)) start.radius = measurement.kind_values[0];
   const Surface found = nearestSphere(start, points_W, numbers);
   if (!found.p_W.allFinite() || !(found.radius > 0)) return false;
   surface.p_W = found.p_W;
@@ -117,7 +117,7 @@ inline Eigen::Vector3d nearest(const Surface& surface, const Eigen::Vector3d& p_
 
 /// Writes the radius; the touched point follows from the sphere's centre.
 inline void record(const ToolPose&, double, const MeasuredValue&, Measurement& measurement) {
-  if (measurement.surface) measurement.own[0] = measurement.surface->radius;
+  if (measurement.surface) measurement.kind_values[0] = measurement.surface->radius;
 }
 
 inline MeasurementKindRow kind() {

@@ -1,7 +1,8 @@
 // Kind `steps`: the number of steps of the calibration tool that entered the hole. The centring error lies between two
-// tolerances, `own[1]` and `own[2]` [m]. If all steps entered, the tip is uniformly distributed in a disc. Otherwise,
-// its distance from the hole's axis is uniformly distributed between the two tolerances. (A uniform disc of radius r
-// has a standard deviation of r / 2 per coordinate; a length uniform between a and b has one of (b - a) / sqrt(12).)
+// tolerances, `kind_values[1]` and `kind_values[2]` [m]. If all steps entered, the tip is uniformly distributed in a
+// disc. Otherwise, its distance from the hole's axis is uniformly distributed between the two tolerances. (A uniform
+// disc of radius r has a standard deviation of r / 2 per coordinate; a length uniform between a and b has one of
+// (b - a) / sqrt(12).)
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@ namespace tubeplan::calibration::steps {
 
 inline constexpr std::array<MeasuredColumn, 1> kColumns{{{"steps", deflection::Quantity::kNone}}};
 
-inline bool isDisc(const Measurement& measurement) { return !(measurement.own[1] > 0); }
+inline bool isDisc(const Measurement& measurement) { return !(measurement.kind_values[1] > 0); }
 inline int rowsOf(const Measurement& measurement) { return isDisc(measurement) ? 2 : 1; }
 
 /// Returns the tip's offset from the hole's axis, which is the world's z axis [m].
@@ -32,11 +33,11 @@ inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool)
 }
 inline MeasuredValue measured(const Measurement& measurement) {
   if (isDisc(measurement)) return Eigen::Vector2d::Zero();
-  return MeasuredValue::Constant(1, (measurement.own[1] + measurement.own[2]) / 2);
+  return MeasuredValue::Constant(1, (measurement.kind_values[1] + measurement.kind_values[2]) / 2);
 }
 /// Writes the tip's offset in the place of the bounds; the simulator derives the number of steps from it.
 inline void record(const ToolPose& tool, double, const MeasuredValue&, Measurement& measurement) {
-  measurement.own.tail<2>() = aside(measurement, tool);
+  measurement.kind_values.tail<2>() = aside(measurement, tool);
 }
 
 /// Returns the standard deviation of each row [m] for a centring error between `beyond` and `within` [m].

@@ -30,12 +30,12 @@ inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool)
   return {MeasuredRows::Zero(rows, 3), partly_seen::stated<MeasuredRows>(measurement, by_turn)};
 }
 inline MeasuredValue measured(const Measurement& measurement) {
-  return partly_seen::stated<MeasuredValue>(measurement, kTurnLever * measurement.own);
+  return partly_seen::stated<MeasuredValue>(measurement, kTurnLever * measurement.kind_values);
 }
 inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& measurement) {
   const Eigen::Vector3d angles = sines(measurement, tool).array().asin();
   const Eigen::Index unseen = partly_seen::axisAlong(*measurement.direction_W, tool);
-  measurement.own = partly_seen::without(angles + noise.tail<3>() / kTurnLever, unseen);
+  measurement.kind_values = partly_seen::without(angles + noise.tail<3>() / kTurnLever, unseen);
 }
 
 inline void state(const KnownPlaces& places, Measurement& measurement) { measurement.direction_W = places.up_W; }
@@ -55,7 +55,7 @@ inline MeasurementKindRow kind() {
           .measured = measured,
           .record = record,
           .lack = nullptr,
-          .value_columns = someOfOwn,
+          .value_columns = someKindColumns,
           .state = state};
 }
 

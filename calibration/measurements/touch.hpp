@@ -20,7 +20,7 @@ inline MeasurementKindRow kind() {
   row.record = recordNothing;
   row.lack = lack;
   row.usual_sigma = kTouchSigma;
-  row.value_columns = jointsAlone;
+  row.value_columns = jointsOnly;
   row.state = coordinates::statePoint;
   return row;
 }

@@ -30,23 +30,23 @@ struct ValueColumns {
 
 /// Return the value columns of a kind. In the order of the functions below, the kind measures all of its own columns;
 /// some of them; x, y, z and all of its own; x, y, z or else its own; only the joints.
-[[nodiscard]] inline ValueColumns allOfOwn(std::span<const MeasuredColumn> own) {
-  return {false, false, {own.begin(), own.end()}, static_cast<int>(own.size())};
+[[nodiscard]] inline ValueColumns allKindColumns(std::span<const MeasuredColumn> kind_columns) {
+  return {false, false, {kind_columns.begin(), kind_columns.end()}, static_cast<int>(kind_columns.size())};
 }
-[[nodiscard]] inline ValueColumns someOfOwn(std::span<const MeasuredColumn> own) {
-  return {false, false, {own.begin(), own.end()}, 1};
+[[nodiscard]] inline ValueColumns someKindColumns(std::span<const MeasuredColumn> kind_columns) {
+  return {false, false, {kind_columns.begin(), kind_columns.end()}, 1};
 }
-[[nodiscard]] inline ValueColumns placeAndOwn(std::span<const MeasuredColumn> own) {
+[[nodiscard]] inline ValueColumns placeAndKindColumns(std::span<const MeasuredColumn> kind_columns) {
   ValueColumns values{false, true, {kPlaceColumns.begin(), kPlaceColumns.end()}, 0};
-  values.numbers.insert(values.numbers.end(), own.begin(), own.end());
+  values.numbers.insert(values.numbers.end(), kind_columns.begin(), kind_columns.end());
   values.least = static_cast<int>(values.numbers.size());
   return values;
 }
-[[nodiscard]] inline ValueColumns placeOrOwn(std::span<const MeasuredColumn> own) {
-  ValueColumns values = placeAndOwn(own);
+[[nodiscard]] inline ValueColumns placeOrKindColumns(std::span<const MeasuredColumn> kind_columns) {
+  ValueColumns values = placeAndKindColumns(kind_columns);
   values.least = 1;
   return values;
 }
-[[nodiscard]] inline ValueColumns jointsAlone(std::span<const MeasuredColumn>) { return {true, false, {}, 0}; }
+[[nodiscard]] inline ValueColumns jointsOnly(std::span<const MeasuredColumn>) { return {true, false, {}, 0}; }
 
 }  // namespace tubeplan::calibration

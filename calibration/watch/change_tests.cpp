@@ -89,7 +89,7 @@ void MeasuredTests::take(int k) {
     for (const Direction& direction : directions_)
       for (const int i : direction.columns)
         for (std::size_t j = 0; j < direction.columns.size(); ++j)
-          sums.own(i, static_cast<Index>(j)) += C.col(i).dot(C.col(direction.columns[j]));
+          sums.cc(i, static_cast<Index>(j)) += C.col(i).dot(C.col(direction.columns[j]));
     sums.ee += e.squaredNorm();
     sums.rows += static_cast<int>(e.size());
   }
@@ -128,13 +128,13 @@ void MeasuredTests::testDirection(Direction& direction, const char* test, int st
     const int column = direction.columns[static_cast<std::size_t>(i)];
     score[i] = score_[column];
     for (Index j = 0; j < count; ++j)
-      information(i, j) = sums_.back().own(column, j) - sums_[static_cast<std::size_t>(start)].own(column, j) -
+      information(i, j) = sums_.back().cc(column, j) - sums_[static_cast<std::size_t>(start)].cc(column, j) -
                           cross_.col(column).dot(solved_.col(direction.columns[static_cast<std::size_t>(j)]));
   }
   double chi2 = 0;
   int determined = 0;
   if (count == 1) {
-    determined = information(0, 0) > kUninformed * std::max(1., sums_.back().own(direction.columns[0], 0));
+    determined = information(0, 0) > kUninformed * std::max(1., sums_.back().cc(direction.columns[0], 0));
     if (determined > 0) chi2 = score[0] * score[0] / information(0, 0);
   } else {
     std::tie(chi2, determined) = likelihoodRatio(information, score);

@@ -43,7 +43,7 @@ class MeasuredTests {
   /// candidates' columns.
   struct Sums {
     Eigen::MatrixXd zz, zc;
-    Eigen::MatrixXd own;  ///< products of each column with the columns of the same direction
+    Eigen::MatrixXd cc;  ///< products of each column with the columns of the same direction
     Eigen::VectorXd ze, ce;
     double ee = 0, innovations = 0;
     int rows = 0;

@@ -26,7 +26,7 @@ Measurement touchAt(const Measurement& visit) {
   Measurement touch = visit;
   touch.kind = MeasurementKind::kTouch;
   touch.point = "hole";
-  touch.own.setConstant(kNotKnown);
+  touch.kind_values.setConstant(kNotKnown);
   touch.row.reset();
   touch.p_TQ.reset();
   touch.sigma = kTouchSigma;
@@ -39,7 +39,7 @@ void leave(const deflection::Arm&, RandomStream&, Measurement&) {}
 void hangLoad(const deflection::Arm&, RandomStream&, Measurement& touch) { touch.load += kTipLoad; }
 void measureTurn(const deflection::Arm&, RandomStream&, Measurement& touch) {
   touch.kind = MeasurementKind::kOrientation;
-  touch.own.setZero();
+  touch.kind_values.setZero();
   touch.turn_sigma = kInclinometer;
   touch.sigma = kTurnLever * kInclinometer;
 }

@@ -56,10 +56,10 @@ CountedOffsets countedOffsets(const WatchedArm& watched, const std::vector<Measu
     if (!axis) continue;
     counted.lean[k] = axis->lean();
     offset.p_QS = -depthAmidLastStep(watched.tool) / axis->axis_W.z() * axis->axis_T;
-    const auto next = std::min(static_cast<std::size_t>(offset.own[0]), watched.tool.steps.size() - 1);
-    offset.own[1] = 0;
-    offset.own[2] = watched.tool.steps[next].tolerance;
-    offset.sigma = kToleranceError * offset.own[2];
+    const auto next = std::min(static_cast<std::size_t>(offset.kind_values[0]), watched.tool.steps.size() - 1);
+    offset.kind_values[1] = 0;
+    offset.kind_values[2] = watched.tool.steps[next].tolerance;
+    offset.sigma = kToleranceError * offset.kind_values[2];
   }
   return counted;
 }
@@ -130,7 +130,7 @@ RowsAndCandidates watchedRows(const WatchedArm& watched, const std::vector<Measu
   for (std::size_t k = 0; k < measurements.size(); ++k) {
     rows.counted.emplace_back();
     if (!counts(measurements[k])) continue;
-    const int entered = static_cast<int>(measurements[k].own[0]);
+    const int entered = static_cast<int>(measurements[k].kind_values[0]);
     rows.counted.back() = countedSteps(watched.tool, lean[k], rows.scale[k], entered);
   }
   rows.reason.clear();

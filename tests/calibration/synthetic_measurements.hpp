@@ -197,12 +197,13 @@ class MeasurementMaker {
   /// Sets the number of steps that enter, for a tool with three steps; returns false if none enters.
   static bool settleSteps(Measurement& m) {
     static constexpr double kTolerances[] = {0.09 * kInch, 0.06 * kInch, 0.03 * kInch};
-    const double off = m.own.tail<2>().norm();
+    const double off = m.kind_values.tail<2>().norm();
     int inserted = 0;
     while (inserted < 3 && off <= kTolerances[inserted]) ++inserted;
     if (inserted == 0) return false;
-    m.own = {static_cast<double>(inserted), inserted < 3 ? kTolerances[inserted] : 0, kTolerances[inserted - 1]};
-    m.sigma = steps::sigmaBetween(m.own[1], m.own[2]);
+    m.kind_values = {static_cast<double>(inserted), inserted < 3 ? kTolerances[inserted] : 0,
+                     kTolerances[inserted - 1]};
+    m.sigma = steps::sigmaBetween(m.kind_values[1], m.kind_values[2]);
     return true;
   }
 

@@ -64,7 +64,8 @@ TEST(ToolTurn, AnotherConventionOfTheAxesIsAMistake) {
   const Eigen::Matrix3d R_TM = (Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished();
   auto measurements = turnedMeasurements(Eigen::Vector3d::Zero(), MeasurementKind::kPose, 40);
   for (auto& measurement : measurements)
-    measurement.own = deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(measurement.own) * R_TM);
+    measurement.kind_values =
+        deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(measurement.kind_values) * R_TM);
   const auto start = placeForMeasurements(cobra().arm, cobra().base_poses[0].X_WB, true, measurements);
   const auto checks = checkMeasurements({start, measurements, {{"tool.tip"}, false}, {}});
   const auto* gross = grossMistake(checks);
@@ -78,7 +79,8 @@ TEST(ToolTurn, AMountedBodyIsAMistakeWithItsAngles) {
     const Eigen::Matrix3d R_TM = deflection::rotationFromFixedAngles<double>((rpy * kDegree).eval());
     auto measurements = turnedMeasurements(Eigen::Vector3d::Zero(), MeasurementKind::kPose, 40);
     for (auto& measurement : measurements)
-      measurement.own = deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(measurement.own) * R_TM);
+      measurement.kind_values =
+          deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(measurement.kind_values) * R_TM);
     const auto start = placeForMeasurements(cobra().arm, cobra().base_poses[0].X_WB, true, measurements);
     const CheckedMeasurements checked{start, measurements, {{"tool.tip"}, false}, {}};
     const auto checks = checkMeasurements(checked);

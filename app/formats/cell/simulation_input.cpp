@@ -157,9 +157,10 @@ void countSteps(const Cell& cell, const calibration::CampaignTruth& truth,
     const auto base = std::ranges::find(truth.bases, measurement.setup, &calibration::TrueBase::setup);
     const auto axis = calibration::toolAxisAt(truth.arm, base->X_WB, measurement);
     const bool is_upward = axis && axis->isUpward();
-    measurement.own[0] = is_upward ? tubesheets::stepsInserted(*cell.tool, measurement.own.tail<2>(), axis->lean()) : 0;
+    measurement.kind_values[0] =
+        is_upward ? tubesheets::stepsInserted(*cell.tool, measurement.kind_values.tail<2>(), axis->lean()) : 0;
   }
-  std::erase_if(measurements, [](const auto& measurement) { return measurement.own[0] == 0; });
+  std::erase_if(measurements, [](const auto& measurement) { return measurement.kind_values[0] == 0; });
   settleSteps(measurements, cell, "simulated visits");
 }
 

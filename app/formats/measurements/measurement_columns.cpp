@@ -129,10 +129,10 @@ void takeJoints(Header& header, const deflection::Arm& arm, MeasurementColumns& 
 void takeOwn(Header& header, MeasurementColumns& columns) {
   for (const auto& kind : calibration::measurementKinds())
     for (const auto& [name, quantity] : kind.columns) {
-      if (columns.own.contains(name)) continue;
+      if (columns.kind_columns.contains(name)) continue;
       const auto found = quantity == deflection::Quantity::kNone ? header.takePlain(name)
                                                                  : header.takeNumber(name, unitKindOf(quantity));
-      if (found) columns.own[name] = *found;
+      if (found) columns.kind_columns[name] = *found;
     }
 }
 

@@ -33,7 +33,7 @@ struct MeasurementColumns {
   std::vector<NumberColumn> side_joints;         ///< columns of joint readings in side chains, one for each joint
   std::vector<std::size_t> approach_directions;  ///< indices of the columns `<joint>_dir`, one per active row, or empty
   std::map<std::string, NumberColumn>
-      own;  ///< columns of quantities of particular kinds of measurements, keyed by name
+      kind_columns;  ///< columns of quantities of particular kinds of measurements, keyed by name
 };
 
 /// Prefix of a joint's name in run-sheet columns of expected joint readings, for measurements in which the joints are

@@ -52,7 +52,7 @@ std::string shrunkenArm(const Identification& result, const std::vector<Measurem
   constexpr double kTooGood = 0.5;  // chi-square per degree of freedom below which a fit is suspicious
   constexpr int kMany = 30;         // degrees of freedom above which such a small chi-square cannot be due to chance
   const bool is_blind = std::all_of(measurements.begin(), measurements.end(), [](const Measurement& measurement) {
-    return hasUnknownPlace(measurement) && std::isnan(measurement.own[0]);
+    return hasUnknownPlace(measurement) && std::isnan(measurement.kind_values[0]);
   });
   if (!is_blind || result.degrees_of_freedom < kMany) return "";
   const double per_degree = result.chi2 / result.degrees_of_freedom;

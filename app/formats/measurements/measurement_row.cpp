@@ -154,12 +154,13 @@ std::string columnText(const calibration::MeasuredColumn& column) {
   return fmt::format("{}_{} (or _{})", column.name, units.front(), fmt::join(others, ", _"));
 }
 
-Eigen::Vector3d readOwn(const RowReader& row, const MeasurementColumns& columns, const MeasurementKindRow& kind) {
-  Eigen::Vector3d own = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+Eigen::Vector3d readKindValues(const RowReader& row, const MeasurementColumns& columns,
+                               const MeasurementKindRow& kind) {
+  Eigen::Vector3d kind_values = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   for (std::size_t k = 0; k < kind.columns.size(); ++k)
-    if (const auto column = columns.own.find(kind.columns[k].name); column != columns.own.end())
-      own[static_cast<Eigen::Index>(k)] = row.numberOrNaN(std::optional(column->second));
-  return own;
+    if (const auto column = columns.kind_columns.find(kind.columns[k].name); column != columns.kind_columns.end())
+      kind_values[static_cast<Eigen::Index>(k)] = row.numberOrNaN(std::optional(column->second));
+  return kind_values;
 }
 
 /// Throws InputError if measured values of the measurement's kind are missing: some kinds require one value, others
@@ -243,7 +244,7 @@ Measurement readMeasurement(const RowReader& row, const MeasurementColumns& colu
   m.p_W = readTriple(row, columns.place, "coordinates x, y, z");
   if (!m.p_W && kind.names_hole) m.p_W = holeCentre(row, columns, m.point, sheet);
   if (!m.p_W && kind.is_from_origin) m.p_W = Eigen::Vector3d::Zero();
-  m.own = readOwn(row, columns, kind);
+  m.kind_values = readKindValues(row, columns, kind);
   m.row = readRowOfArm(row, columns, kind, arm);
   m.p_TQ = readTriple(row, columns.tool_point, "measured point's tool_x, tool_y, tool_z");
   m.direction_W = kind.is_to_gravity ? std::optional<Eigen::Vector3d>(-arm.gravity_W) : directionOfRow(row, columns);

@@ -34,7 +34,7 @@ calibration::MeasurementUnits unitsOf(const MeasurementColumns& columns) {
   const auto take = [](const std::optional<NumberColumn>& column, calibration::NamedUnit& unit) {
     if (column) unit = {std::string(column->unit->name), column->unit->factor};
   };
-  for (const auto& [name, column] : columns.own)
+  for (const auto& [name, column] : columns.kind_columns)
     if (column.unit && column.unit->kind == UnitKind::kLength)
       units.coordinates = {std::string(column.unit->name), column.unit->factor};
   take(columns.place[0], units.coordinates);
@@ -70,7 +70,7 @@ std::vector<std::size_t> placesOfValues(const calibration::MeasurementKindRow& k
     for (const auto& coordinate : columns.place)
       if (coordinate) places.push_back(coordinate->index);
   for (const auto& column : values.numbers)
-    if (const auto found = columns.own.find(column.name); found != columns.own.end())
+    if (const auto found = columns.kind_columns.find(column.name); found != columns.kind_columns.end())
       places.push_back(found->second.index);
   return places;
 }
@@ -129,9 +129,9 @@ namespace {
 void shareGivenNumbers(std::vector<Measurement>& measurements, const std::string& file) {
   std::map<std::string, const Measurement*> stated;
   for (const auto& measurement : measurements) {
-    if (!touchesSurface(measurement) || std::isnan(measurement.own[0])) continue;
+    if (!touchesSurface(measurement) || std::isnan(measurement.kind_values[0])) continue;
     const auto [first, is_new] = stated.emplace(placeOf(measurement), &measurement);
-    if (!is_new && measurement.own[0] != first->second->own[0])
+    if (!is_new && measurement.kind_values[0] != first->second->kind_values[0])
       throw InputError::problem(
           fmt::format("{}:{}", file, measurement.line),
           fmt::format("the {} of the {} differs from that in line {}", kindOf(measurement).columns.front().name,
@@ -140,7 +140,7 @@ void shareGivenNumbers(std::vector<Measurement>& measurements, const std::string
   }
   for (auto& measurement : measurements)
     if (const auto found = stated.find(placeOf(measurement)); found != stated.end())
-      measurement.own = found->second->own;
+      measurement.kind_values = found->second->kind_values;
 }
 
 }  // namespace

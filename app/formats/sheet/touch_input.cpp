@@ -61,7 +61,7 @@ void settleSteps(std::vector<Measurement>& measurements, const Cell& cell, const
   const auto most = static_cast<double>(tool.steps.size());
   for (auto& measurement : measurements) {
     if (!kindOf(measurement).counts_steps) continue;
-    const double steps = measurement.own[0];
+    const double steps = measurement.kind_values[0];
     const int fewest = takes_none ? 0 : 1;
     if (!(steps >= fewest && steps <= most) || steps != std::round(steps))
       throw InputError(

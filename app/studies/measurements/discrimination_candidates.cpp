@@ -200,7 +200,7 @@ std::vector<MeasurementCandidate> surfaceTouches(planner::Workcell work, const s
       ProposedMeasurement measurement;
       measurement.point = of.point;
       measurement.surface = of.surface;
-      measurement.given = of.own[0];
+      measurement.given = of.kind_values[0];
       measurement.q = *q;
       measurement.load = load;
       candidates.push_back({{measurement}});

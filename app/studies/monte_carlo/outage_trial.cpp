@@ -78,7 +78,7 @@ std::optional<Measurement> OutageTrials::read(const Visit& visit, bool is_touch,
     reading.kind = calibration::MeasurementKind::kSteps;
     const auto steps = stepsOf(now, reading, visit.hole.tip_error, tool_, draw);
     if (!steps) return std::nullopt;
-    reading.own[0] = *steps;
+    reading.kind_values[0] = *steps;
     return reading;
   }
   const double sigma = options_.centring.settings.front().touch_sigma;
@@ -126,7 +126,7 @@ CountedVisits OutageTrials::counted(const Readings& readings, std::size_t first,
     const Measurement& reading = readings.list[k];
     if (reading.kind != calibration::MeasurementKind::kSteps) continue;
     ++counted.visits;
-    counted.all_steps += reading.own[0] == static_cast<double>(tool_.steps.size());
+    counted.all_steps += reading.kind_values[0] == static_cast<double>(tool_.steps.size());
   }
   return counted;
 }

@@ -34,7 +34,7 @@ std::vector<Measurement> measurementsAllOver(const PlacedArm& placed, const std:
     measurement.p_TQ.reset(), measurement.direction_W.reset(), measurement.surface.reset(), measurement.row.reset();
     measurement.sigma_W.reset(), measurement.correlation_W.reset();
     measurement.p_W = Eigen::Vector3d::Zero();
-    measurement.own.setZero();
+    measurement.kind_values.setZero();
     measurement.sigma = measurement.turn_sigma = 1;
     for (Index j = 0; j < measurement.q.size(); ++j) {
       const auto [lower, upper] = deflection::rangeOf(placed.arm, placed.arm.joint(j));

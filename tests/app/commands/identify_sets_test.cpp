@@ -33,7 +33,7 @@ std::vector<Measurement> withSpacings(std::vector<Measurement> measurements) {
       spacing.id += "-spacing";
       spacing.point.clear();
       spacing.kind = calibration::MeasurementKind::kRelative;
-      spacing.own[0] = 0.05;
+      spacing.kind_values[0] = 0.05;
       spacing.reference = std::make_shared<Measurement>(second[k]);
       measurements.push_back(std::move(spacing));
     }

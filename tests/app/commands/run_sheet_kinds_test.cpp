@@ -74,7 +74,7 @@ class EveryRunSheet : public ProgramTest, public ::testing::WithParamInterface<S
     for (const auto& proposed : sheet) {
       auto measurement = calibration::expectedMeasurement(truth, proposed);
       ASSERT_TRUE(measurement);
-      if (kindOf(*measurement).counts_steps) measurement->own[0] = static_cast<double>(cell.tool->steps.size());
+      if (kindOf(*measurement).counts_steps) measurement->kind_values[0] = static_cast<double>(cell.tool->steps.size());
       expected.push_back(*measurement);
     }
     text = runSheetCsv(sheet, cell.arm, cell.units);
@@ -122,7 +122,7 @@ class EveryRunSheet : public ProgramTest, public ::testing::WithParamInterface<S
     measurements = campaign.measurements;
     for (auto& measurement : measurements) {
       if (!GetParam().is_length_alone) break;
-      measurement.own[0] = measurement.p_W->norm();
+      measurement.kind_values[0] = measurement.p_W->norm();
       measurement.p_W.reset();
     }
     (void)write("set.csv", measurementsCsv(measurements, cell.arm, cell.units));

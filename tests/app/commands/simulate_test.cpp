@@ -93,7 +93,7 @@ TEST_F(Simulate, EveryDesignAndKindIsReadBack) {
     EXPECT_EQ(all, measurements);
   }
   for (const auto& m : simulate("bench.yaml", "--design distance.yaml --readings 30"))
-    EXPECT_TRUE(m.kind == MeasurementKind::kDistance && m.own[0] > 0);
+    EXPECT_TRUE(m.kind == MeasurementKind::kDistance && m.kind_values[0] > 0);
   const auto deflections = simulate("bowl.yaml", "--design deflection.yaml");
   EXPECT_EQ(deflections.size(), 20u);
   for (const auto& m : deflections) EXPECT_TRUE(m.kind == MeasurementKind::kDeflection && !m.setup.empty());

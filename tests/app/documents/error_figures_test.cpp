@@ -78,7 +78,7 @@ std::vector<calibration::Measurement> measurementsOf(const MeasurementKindRow& k
   else
     maker.add(kind.kind, 16);
   if (kind.turn_rows == 0) return maker.measurements;
-  auto& own = maker.measurements[3].own;
+  auto& own = maker.measurements[3].kind_values;
   // Changes the last angle: a change of an elevation turns the direction by the same angle, but one of an azimuth by
   // less.
   const auto from_last = std::make_reverse_iterator(own.end());

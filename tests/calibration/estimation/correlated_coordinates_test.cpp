@@ -17,7 +17,7 @@ Measurement correlated(MeasurementKind kind) {
   Measurement m;
   m.kind = kind;
   m.p_W = Vector3d(1, 2, 3);
-  m.own.setZero();
+  m.kind_values.setZero();
   m.sigma_W = Vector3d(1e-4, 5e-4, 2e-4);
   m.correlation_W = Vector3d(0.9, -0.5, -0.3);
   m.sigma = 3e-4;

@@ -191,7 +191,7 @@ TEST(ModelError, IsFoundOfDistancesToo) {
   for (int seed = 1; seed <= kSeeds; ++seed) {
     MeasurementMaker maker(cobra(), static_cast<std::uint64_t>(seed), MeasurementMaker::Noise::kStated);
     maker.add(MeasurementKind::kDistance, 60);
-    for (auto& measurement : maker.measurements) measurement.own[0] += maker.noise(kSize);
+    for (auto& measurement : maker.measurements) measurement.kind_values[0] += maker.noise(kSize);
     const auto weights = weighMeasurements(cobra(), maker.measurements);
     const auto residual = whitenedResidual(cobra(), {}, maker.measurements, *weights, {}, false);
     mean += modelErrorOf(maker.measurements, *weights, residual.error, weights->degrees_of_freedom) / kSeeds;

@@ -19,21 +19,21 @@ struct MistakeMade {
   std::function<void(Measurement&)> make;
 };
 
-Eigen::Matrix3d turnIn(const Measurement& m) { return deflection::rotationFromFixedAngles<double>(m.own); }
+Eigen::Matrix3d turnIn(const Measurement& m) { return deflection::rotationFromFixedAngles<double>(m.kind_values); }
 
 const std::vector<MistakeMade>& mistakesOfTurns() {
   static const std::vector<MistakeMade> kMade{
-      {"turns-as=euler-zyx", [](Measurement& m) { m.own = turnIn(m).eulerAngles(2, 1, 0); }},
-      {"turns-as=euler-zyz", [](Measurement& m) { m.own = turnIn(m).eulerAngles(2, 1, 2); }},
+      {"turns-as=euler-zyx", [](Measurement& m) { m.kind_values = turnIn(m).eulerAngles(2, 1, 0); }},
+      {"turns-as=euler-zyz", [](Measurement& m) { m.kind_values = turnIn(m).eulerAngles(2, 1, 2); }},
       {"turns-as=rotation-vector",
        [](Measurement& m) {
          const Eigen::AngleAxisd turn(turnIn(m));
-         m.own = turn.angle() * turn.axis();
+         m.kind_values = turn.angle() * turn.axis();
        }},
       {"tool-frame=yzx", [](Measurement& m) {
          Eigen::Matrix3d R_TM;  // the measured x, y, z axes are the tool's y, z, x axes
          R_TM << 0, 0, 1, 1, 0, 0, 0, 1, 0;
-         m.own = deflection::fixedAnglesOf(turnIn(m) * R_TM);
+         m.kind_values = deflection::fixedAnglesOf(turnIn(m) * R_TM);
        }}};
   return kMade;
 }

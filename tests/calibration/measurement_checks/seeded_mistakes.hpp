@@ -31,7 +31,7 @@ using Made = std::optional<std::string>;
 inline void scalePlaces(SeededSet& set, double factor) {
   for (auto& m : set.table.measurements) {
     if (m.p_W) *m.p_W *= factor;
-    m.own[0] *= factor;
+    m.kind_values[0] *= factor;
   }
 }
 
@@ -255,7 +255,7 @@ inline Made shiftedRows(SeededSet& s, SeededRandom& random) {
   for (int k = 0; k < count; ++k) {
     const auto& from = unshifted[static_cast<std::size_t>((k - by + count) % count)];
     auto& to = measurements[static_cast<std::size_t>(k)];
-    to.point = from.point, to.p_W = from.p_W, to.own[0] = from.own[0];
+    to.point = from.point, to.p_W = from.p_W, to.kind_values[0] = from.kind_values[0];
   }
   return "shift=" + std::to_string(by);
 }
@@ -272,7 +272,7 @@ inline Made shiftedFromAPoint(SeededSet& s, SeededRandom& random) {
     auto& to = measurements[static_cast<std::size_t>(k)];
     const auto& measured = original[static_cast<std::size_t>(from)];
     if (measured.kind != to.kind || measured.setup != to.setup) return std::nullopt;
-    to.point = measured.point, to.p_W = measured.p_W, to.own = measured.own;
+    to.point = measured.point, to.p_W = measured.p_W, to.kind_values = measured.kind_values;
   }
   if (by < 0) measurements.pop_back();
   return "shift=" + std::to_string(by) + "@" + measurements[static_cast<std::size_t>(first)].id;

@@ -81,7 +81,8 @@ std::string setUpAgain(std::vector<Measurement>& measurements, Random& random) {
     auto& m = measurements[k];
     *m.p_W = R * (*m.p_W - about) + about + by;
     if (statesFrame(m))
-      m.own = deflection::fixedAnglesOf(Eigen::Matrix3d(R * deflection::rotationFromFixedAngles<double>(m.own)));
+      m.kind_values =
+          deflection::fixedAnglesOf(Eigen::Matrix3d(R * deflection::rotationFromFixedAngles<double>(m.kind_values)));
   }
   return "base=unknown@" + idOf(measurements, first);
 }
@@ -96,7 +97,7 @@ std::string stuckEncoder(std::vector<Measurement>& measurements, Random& random)
 void changeTurns(std::vector<Measurement>& measurements,
                  const std::function<Eigen::Matrix3d(const Eigen::Matrix3d&)>& change) {
   for (auto& m : measurements)
-    m.own = deflection::fixedAnglesOf(change(deflection::rotationFromFixedAngles<double>(m.own)));
+    m.kind_values = deflection::fixedAnglesOf(change(deflection::rotationFromFixedAngles<double>(m.kind_values)));
 }
 std::string realPartLast(std::vector<Measurement>& measurements, Random&) {
   changeTurns(measurements, [](const Eigen::Matrix3d& R) {

@@ -41,7 +41,7 @@ Turned turnedIn(const WriteTurn& write, MeasurementKind kind, int count, std::ui
   Turned turned{placeForMeasurements(cobra().arm, cobra().base_poses[0].X_WB, is_base_known, maker.measurements),
                 maker.measurements, maker.measurements};
   for (auto& measurement : turned.measurements)
-    measurement.own = write(deflection::rotationFromFixedAngles<double>(measurement.own));
+    measurement.kind_values = write(deflection::rotationFromFixedAngles<double>(measurement.kind_values));
   return turned;
 }
 
@@ -77,8 +77,8 @@ TEST(TurnsAs, IsNamedAndCorrectedOfEveryForm) {
           auto corrected = turned.measurements;
           mistakes::turns_as::correction(checked, name)->apply(corrected);
           for (std::size_t k = 0; k < corrected.size(); ++k)
-            EXPECT_TRUE(deflection::rotationFromFixedAngles<double>(corrected[k].own)
-                            .isApprox(deflection::rotationFromFixedAngles<double>(turned.clean[k].own), 1e-9))
+            EXPECT_TRUE(deflection::rotationFromFixedAngles<double>(corrected[k].kind_values)
+                            .isApprox(deflection::rotationFromFixedAngles<double>(turned.clean[k].kind_values), 1e-9))
                 << label;
         }
 }

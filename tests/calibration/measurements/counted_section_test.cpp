@@ -60,13 +60,13 @@ TEST(CountedSection, HasAnOffsetWithinTheBoundsForAnyToolAndTilt) {
         0.08 * kInch * Vector2d(drawnBetween(-1, 1, random), drawnBetween(-1, 1, random)) * drawnBetween(0, 1, random);
     visit->p_W = toolAt(cell.arm, cell.X_WB, *visit)->p_W;
     visit->p_W->head<2>() -= offset;
-    visit->own[0] = tubesheets::stepsInserted(tool, offset, lean);
+    visit->kind_values[0] = tubesheets::stepsInserted(tool, offset, lean);
     settleCount(*visit, tool, cell.arm, cell.X_WB);
     // The tip rises vertically, but the model turns the section about the tip: the difference is of second order.
     const double slack = 2 * lean.squaredNorm() * 0.1 * kInch + 0.1 * std::pow(lean.norm(), 3) * kInch;
     const double off = offsetOf(*visit, cell.arm, cell.X_WB);
-    EXPECT_GE(off, visit->own[1] - slack) << visit->own[0] << " of " << tool.steps.size();
-    EXPECT_LE(off, visit->own[2] + slack) << visit->own[0] << " of " << tool.steps.size();
+    EXPECT_GE(off, visit->kind_values[1] - slack) << visit->kind_values[0] << " of " << tool.steps.size();
+    EXPECT_LE(off, visit->kind_values[2] + slack) << visit->kind_values[0] << " of " << tool.steps.size();
     ++visits;
     leaning += lean.norm() > 0.02;
   }
@@ -81,12 +81,12 @@ TEST(CountedSection, OfAToolWithoutLengthsIsTheTip) {
     auto tool = randomTool(3, random);
     tool.lengths.clear();
     Measurement visit;
-    visit.own[0] = entered;
+    visit.kind_values[0] = entered;
     settleCount(visit, tool, cell.arm, cell.X_WB);
     EXPECT_FALSE(visit.p_QS);
-    EXPECT_EQ(visit.own[1], entered < 3 ? tool.steps[static_cast<std::size_t>(entered)].tolerance : 0);
+    EXPECT_EQ(visit.kind_values[1], entered < 3 ? tool.steps[static_cast<std::size_t>(entered)].tolerance : 0);
     if (entered > 0) {
-      EXPECT_EQ(visit.own[2], tool.steps[static_cast<std::size_t>(entered) - 1].tolerance);
+      EXPECT_EQ(visit.kind_values[2], tool.steps[static_cast<std::size_t>(entered) - 1].tolerance);
     }
   }
 }
@@ -110,8 +110,8 @@ TEST(CountedSection, OfSimulatedVisitsAgreesWithTheTrueArmOnALeaningBase) {
   double lean = 0;
   for (const Measurement& visit : campaign.measurements) {
     const double off = offsetOf(visit, cell.arm, cell.X_WB), slack = 0.003 * kInch;  // encoder noise
-    EXPECT_GE(off, visit.own[1] - slack);
-    EXPECT_LE(off, visit.own[2] + slack);
+    EXPECT_GE(off, visit.kind_values[1] - slack);
+    EXPECT_LE(off, visit.kind_values[2] + slack);
     lean += toolAxisAt(cell.arm, cell.X_WB, visit)->lean().norm() / static_cast<double>(campaign.measurements.size());
   }
   EXPECT_GT(lean, 0.003);

@@ -20,7 +20,7 @@ Measurement anyMeasurement(const MeasurementKindRow& row) {
   m.p_W = Eigen::Vector3d(0.3, -0.2, 0.5);
   m.direction_W = Eigen::Vector3d(0.6, 0, 0.8);
   if (row.settle) m.surface = Surface{{0.4, 0.1, -0.2}, {0.48, -0.6, 0.64}, 0.3};
-  m.own = {0.7, valueColumnsOf(row).least == 1 && row.columns.size() > 1 ? kNothing : 0.2, -0.3};
+  m.kind_values = {0.7, valueColumnsOf(row).least == 1 && row.columns.size() > 1 ? kNothing : 0.2, -0.3};
   return m;
 }
 
@@ -38,7 +38,7 @@ std::vector<Measurement> measurementsOfEveryKind() {
     }
     if (!row.counts_steps) continue;
     measurements.push_back(anyMeasurement(row));
-    measurements.back().own[1] = 0;
+    measurements.back().kind_values[1] = 0;
   }
   return measurements;
 }
@@ -100,12 +100,13 @@ TEST(MeasurementKinds, WhatIsRecordedIsAllThatAMeasurementHasToState) {
     EXPECT_EQ(statesEnough(m), valueColumnsOf(row).least == 0) << row.name;
     if (row.state) row.state(places, m);
     row.record(anyTool(), 1, MeasuredValue::Zero(row.rows), m);
-    if (row.counts_steps) m.own[0] = 3;  // record() leaves the number of steps to the caller, who knows the tool
+    if (row.counts_steps)
+      m.kind_values[0] = 3;  // record() leaves the number of steps to the caller, who knows the tool
     m.point = "P1";
     EXPECT_TRUE(statesEnough(m)) << row.name;
     EXPECT_FALSE(row.lack && row.lack(m, row.name)) << row.name;
     if (!row.is_possible) continue;
-    m.own[0] = -0.1;
+    m.kind_values[0] = -0.1;
     EXPECT_FALSE(statesEnough(m)) << row.name << ": a length below zero";
   }
 }
@@ -115,7 +116,7 @@ TEST(MeasurementKinds, TiltsAreTheElevationsOfTheToolsAxes) {
   const ToolPose tool = anyTool();
   Measurement m = anyMeasurement(kindOf(MeasurementKind::kTilt));
   m.direction_W = Eigen::Vector3d::UnitZ();
-  m.own.setZero();
+  m.kind_values.setZero();
   const MeasuredValue angles = predictedValue(m, tool) / kTurnLever;
   double sum = 0;
   for (int k = 0; k < 3; ++k) {

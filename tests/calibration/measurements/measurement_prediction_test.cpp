@@ -22,7 +22,7 @@ Measurement measurement(MeasurementKind kind) {
   m.load = 30 * kPound;
   m.p_W = Eigen::Vector3d(1.5, -2, 0.4);
   m.direction_W = Eigen::Vector3d(0.6, 0, -0.8);
-  m.own = {0.1, 0.2, 0.3};
+  m.kind_values = {0.1, 0.2, 0.3};
   if (kindOf(kind).settle) m.surface = Surface{{1.2, -1.7, 0.3}, {0.48, -0.6, 0.64}, 0.1};
   m.sigma = 0.003 * kInch;
   m.turn_sigma = 0.01 * kDegree;
@@ -61,7 +61,7 @@ TEST(MeasurementPrediction, ValueOfEachKind) {
   const Eigen::Vector3d up = -placed.arm.gravity_W;
   const Eigen::VectorXd pose = value(MeasurementKind::kPose), turn = value(MeasurementKind::kOrientation) / kTurnLever;
   EXPECT_LE((deflection::rotationFromVector<double>(Eigen::Vector3d(turn)) *
-                 deflection::rotationFromFixedAngles<double>(m.own) -
+                 deflection::rotationFromFixedAngles<double>(m.kind_values) -
              R)
                 .norm(),
             1e-9);
@@ -77,7 +77,7 @@ TEST(MeasurementPrediction, ValueOfEachKind) {
   const Eigen::Vector3d way = loaded - *m.p_W;
   const Eigen::Vector3d polar = value(MeasurementKind::kPolar);
   EXPECT_NEAR(polar[0], way.norm(), 1e-9);
-  EXPECT_NEAR(std::tan(polar[1] / kTurnLever + m.own[1]), way.y() / way.x(), 1e-9);
+  EXPECT_NEAR(std::tan(polar[1] / kTurnLever + m.kind_values[1]), way.y() / way.x(), 1e-9);
   EXPECT_NEAR(std::sin(polar[2] / kTurnLever), way.z() / way.norm(), 1e-9);
   const Eigen::Vector2d off = value(MeasurementKind::kDirection) / kTurnLever;
   const Eigen::Vector3d seen(std::cos(0.1) * std::cos(0.2), std::sin(0.1) * std::cos(0.2), std::sin(0.2));

@@ -26,7 +26,7 @@ Measurement tiltOf(const deflection::Arm& arm, std::optional<int> row) {
   m.q = Eigen::Vector4d(25, 70, -60, -20) * kDegree;
   m.load = 30 * kPound;
   m.direction_W = -arm.gravity_W;
-  m.own.setZero();
+  m.kind_values.setZero();
   m.sigma = kTurnLever * 0.01 * kDegree;
   m.turn_sigma = 0.01 * kDegree;
   return m;

@@ -27,7 +27,7 @@ std::vector<Measurement> touches(MeasurementKind kind, int count, MeasurementMak
 
 /// Returns the measurements without stated values such as a sphere's radius.
 std::vector<Measurement> withoutGiven(std::vector<Measurement> measurements) {
-  for (auto& measurement : measurements) measurement.own.setConstant(std::numeric_limits<double>::quiet_NaN());
+  for (auto& measurement : measurements) measurement.kind_values.setConstant(std::numeric_limits<double>::quiet_NaN());
   return measurements;
 }
 
@@ -61,7 +61,7 @@ TEST(Surfaces, AreThoseThatWereTouched) {
   const auto on_ball = touches(MeasurementKind::kSphere, 10, MeasurementMaker::Noise::kNone);
   for (const auto& measurements : {on_ball, withoutGiven(on_ball)}) {
     const auto ball = surfacesOf(placed, measurements).front().surface;
-    EXPECT_NEAR(ball.radius, on_ball.front().own[0], 1e-9);
+    EXPECT_NEAR(ball.radius, on_ball.front().kind_values[0], 1e-9);
     for (const auto& tip : tipsOf(on_ball)) EXPECT_NEAR((tip - ball.p_W).norm(), ball.radius, 1e-9);
   }
 }

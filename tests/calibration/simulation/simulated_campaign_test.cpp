@@ -40,7 +40,8 @@ TEST(SimulatedCampaign, ExactPositionsDeflectionsAndDistancesAreThoseOfTheTrueAr
       EXPECT_TRUE(std::isnan(measurement.sigma)) << "exact readings state no noise";
       double off = (tip - *measurement.p_W).norm();
       if (kind == MeasurementKind::kDeflection) off = (tip - tipOf(truth, measurement, 0) - *measurement.p_W).norm();
-      if (kind == MeasurementKind::kDistance) off = std::abs((tip - *design.anchor_W).norm() - measurement.own[0]);
+      if (kind == MeasurementKind::kDistance)
+        off = std::abs((tip - *design.anchor_W).norm() - measurement.kind_values[0]);
       EXPECT_LE(off, 1e-9);
     }
   }
@@ -131,7 +132,7 @@ TEST(SimulatedCampaign, CoordinateNoiseHasTheStatedDeviation) {
       Vector3d off = tip - *measurement.p_W;
       if (kind == MeasurementKind::kDeflection) off -= tipOf(truth, measurement, 0);
       if (kind == MeasurementKind::kDistance)
-        errors.push_back((tip - *design.anchor_W).norm() - measurement.own[0]);
+        errors.push_back((tip - *design.anchor_W).norm() - measurement.kind_values[0]);
       else
         errors.insert(errors.end(), {off.x(), off.y(), off.z()});
     }

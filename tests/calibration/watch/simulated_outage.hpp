@@ -115,7 +115,7 @@ class SimulatedOutage {
     if (!tool) throw std::runtime_error("a visit does not converge");
     if (kind == MeasurementKind::kSteps) {
       const auto axis = toolAxisAt(now.arm, now.X_WB, true_visit);
-      visit.own[0] = tubesheets::stepsInserted(tool_, (tool->p_W - *visit.p_W).head<2>(), axis->lean());
+      visit.kind_values[0] = tubesheets::stepsInserted(tool_, (tool->p_W - *visit.p_W).head<2>(), axis->lean());
       visit.sigma = kVisitSigma;
     } else {
       visit.sigma = kCameraNoise * kInch;

@@ -125,7 +125,7 @@ TEST_F(WrittenFormsTest, EveryTurnComesBackAsItWas) {
         const auto table = parseMeasurementTable(measurements.text, "r", cell.arm).measurements;
         ASSERT_EQ(table.size(), turns.size());
         for (std::size_t k = 0; k < turns.size(); ++k) {
-          const Eigen::Matrix3d back = deflection::rotationFromFixedAngles<double>(table[k].own);
+          const Eigen::Matrix3d back = deflection::rotationFromFixedAngles<double>(table[k].kind_values);
           EXPECT_LT((back - turns[k]).cwiseAbs().maxCoeff(), 1e-9) << form.name << " " << unit << " row " << k;
         }
       }
@@ -148,7 +148,7 @@ TEST_F(WrittenFormsTest, NumbersMayBeChosenOneByOne) {
     const auto table = parseMeasurementTable(read(text, choice, "").text, "r", cell.arm).measurements;
     ASSERT_EQ(table.size(), 1u) << form.name;
     EXPECT_EQ(table[0].kind, calibration::MeasurementKind::kOrientation);
-    EXPECT_LT((deflection::rotationFromFixedAngles<double>(table[0].own) - turn).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT((deflection::rotationFromFixedAngles<double>(table[0].kind_values) - turn).cwiseAbs().maxCoeff(), 1e-9);
     choice.columns.pop_back();
     EXPECT_NE(refusal(text, choice, "").find("numbers from one table"), std::string::npos) << form.name;
   }
@@ -209,7 +209,7 @@ TEST_F(WrittenFormsTest, NumbersAndNeighboursDecide) {
 TEST_F(WrittenFormsTest, QuaternionsAreOfLengthOne) {
   const auto angleOf = [&](const std::vector<double>& numbers) {
     const auto measurements = read(tableOf({"qw", "qx", "qy", "qz"}, {numbers}), inUnits("deg"), "orientation");
-    return parseMeasurementTable(measurements.text, "r", cell.arm).measurements.at(0).own[0];
+    return parseMeasurementTable(measurements.text, "r", cell.arm).measurements.at(0).kind_values[0];
   };
   EXPECT_NEAR(angleOf({0.7071, 0.7071, 0, 0}), pi / 2, 1e-9);
   EXPECT_NEAR(angleOf({0.708, 0.708, 0, 0}), pi / 2, 1e-9);  // rounded to three decimals
@@ -233,7 +233,7 @@ TEST_F(WrittenFormsTest, PosesHaveBoth) {
   const auto pose = parseMeasurementTable(read(text, inUnits("deg"), "pose").text, "r", cell.arm).measurements.at(0);
   EXPECT_EQ(pose.kind, calibration::MeasurementKind::kPose);
   EXPECT_LT((*pose.p_W - Eigen::Vector3d(0.001, 0.002, 0.003)).norm(), 1e-12);
-  EXPECT_LT((pose.own - Eigen::Vector3d(20, 30, 40) * pi / 180).norm(), 1e-9);
+  EXPECT_LT((pose.kind_values - Eigen::Vector3d(20, 30, 40) * pi / 180).norm(), 1e-9);
   // Without --kind the measurements must be positions, and a remark must say that the orientation is ignored.
   const auto position = read(text, inUnits("deg"), "");
   EXPECT_NE(position.text.find("position"), std::string::npos);
@@ -250,7 +250,7 @@ TEST_F(WrittenFormsTest, RowsMayStateTheirKinds) {
       "pose,10,45,-35,12,1,2,3,20,30,40\nposition,10,45,-35,12,1,2,3,,,\n";
   const auto table = parseMeasurementTable(read(text, inUnits("deg"), "").text, "r", cell.arm).measurements;
   ASSERT_EQ(table.size(), 2u);
-  EXPECT_LT((table[0].own - Eigen::Vector3d(20, 30, 40) * pi / 180).norm(), 1e-9);
+  EXPECT_LT((table[0].kind_values - Eigen::Vector3d(20, 30, 40) * pi / 180).norm(), 1e-9);
 }
 
 TEST_F(WrittenFormsTest, PolarPointsBecomePlaces) {

@@ -21,7 +21,7 @@ inline std::string measurementsCsv(const std::vector<calibration::Measurement>& 
         fmt::format("{},{},{},{},{:.9g}", m.id, kKinds[static_cast<int>(m.kind)], m.point, m.setup, m.load / kPound);
     for (const double q : m.q) text += fmt::format(",{:.9g}", q / kDegree);
     for (int k = 0; k < 3; ++k) text += number(m.p_W.has_value(), m.p_W ? (*m.p_W)[k] / kInch : 0);
-    text += number(calibration::ownNumber(m, "distance") > 0, m.own[0] / kInch);
+    text += number(calibration::ownNumber(m, "distance") > 0, m.kind_values[0] / kInch);
     text += with_sigma ? fmt::format(",{:.9g}\n", m.sigma / kInch) : "\n";
   }
   return text;

@@ -67,7 +67,7 @@ TEST_F(MeasurementsReader, readsOptionalColumnsAndOtherUnits) {
   EXPECT_TRUE(m.is_held_out);
   EXPECT_EQ(m.conditions[deflection::Condition::kTime], 60);
   EXPECT_EQ(m.conditions[deflection::Condition::kTemperature], 293.15);
-  EXPECT_DOUBLE_EQ(m.own[0], 0.1);
+  EXPECT_DOUBLE_EQ(m.kind_values[0], 0.1);
   EXPECT_EQ(m.q[0], 0.5);
   EXPECT_EQ(m.p_W->z(), 3);
   EXPECT_EQ(m.approach_directions, (std::vector<int>{-1, 0, 1, 1}));
@@ -138,7 +138,7 @@ TEST_F(MeasurementsReader, readsWhatIsSeenAlongADirection) {
   const auto measurements = read(header + good);
   ASSERT_EQ(measurements.size(), 1U);
   EXPECT_EQ(measurements.front().kind, MeasurementKind::kAxis);
-  EXPECT_NEAR(measurements.front().own[0], -4 * kInch, 1e-15);
+  EXPECT_NEAR(measurements.front().kind_values[0], -4 * kInch, 1e-15);
   EXPECT_TRUE(measurements.front().direction_W->isApprox(Eigen::Vector3d(0, 0.6, -0.8)));
   expectSays(refusal(header + changed(good, ",0,3,-4,", ",,,,")), "no direction");
   expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,,-4,")), "some of the direction's");
@@ -154,10 +154,10 @@ TEST_F(MeasurementsReader, readsTheAnglesOfATool) {
   const std::string turned = "a,orientation,10,90,-20,5,30,-40,50,,,0.01\n", tilted = "b,tilt,10,90,-20,5,,,,2,,0.01\n";
   const auto measurements = read(header + turned + tilted);
   ASSERT_EQ(measurements.size(), 2U);
-  EXPECT_TRUE(measurements[0].own.isApprox(Eigen::Vector3d(30, -40, 50) * kDegree));
+  EXPECT_TRUE(measurements[0].kind_values.isApprox(Eigen::Vector3d(30, -40, 50) * kDegree));
   EXPECT_NEAR(measurements[0].turn_sigma, 0.01 * kDegree, 1e-15);
-  EXPECT_NEAR(measurements[1].own[0], 2 * kDegree, 1e-15);
-  EXPECT_TRUE(std::isnan(measurements[1].own[1]) && std::isnan(measurements[1].own[2]));
+  EXPECT_NEAR(measurements[1].kind_values[0], 2 * kDegree, 1e-15);
+  EXPECT_TRUE(std::isnan(measurements[1].kind_values[1]) && std::isnan(measurements[1].kind_values[2]));
   EXPECT_TRUE(measurements[1].direction_W->isApprox(Eigen::Vector3d::UnitZ()));
   expectSays(refusal(header + changed(turned, ",30,-40,50,", ",30,,50,")), "has no roll, pitch, yaw");
   expectSays(refusal(header + changed(tilted, ",2,,", ",,,")), "does not state its tilt_x, tilt_y, tilt_z");
@@ -316,8 +316,8 @@ TEST_F(MeasurementsReader, stepsSayBetweenWhichTolerancesTheToolStood) {
   EXPECT_EQ(rowsOf(all), 2);
   EXPECT_NEAR(all.sigma, 0.010 * kInch / 2, 1e-12);
   EXPECT_EQ(rowsOf(two), 1);
-  EXPECT_NEAR(two.own[1], 0.010 * kInch, 1e-12);
-  EXPECT_NEAR(two.own[2], 0.058 * kInch, 1e-12);
+  EXPECT_NEAR(two.kind_values[1], 0.010 * kInch, 1e-12);
+  EXPECT_NEAR(two.kind_values[2], 0.058 * kInch, 1e-12);
   EXPECT_NEAR(two.sigma, 0.048 * kInch / std::sqrt(12), 1e-12);
   for (const char* wrong : {"0", "4", "1.5", "-1"}) EXPECT_THROW(settled(wrong), InputError) << wrong;
 }

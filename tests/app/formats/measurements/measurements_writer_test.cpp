@@ -38,14 +38,14 @@ class MeasurementsWriter : public ::testing::Test {
     const auto columns = static_cast<Eigen::Index>(kindOf(m).columns.size());
     for (Eigen::Index k = 0; k < columns; ++k)
       if (k == 0 || calibration::valueColumnsOf(kindOf(m)).least > 1 || random.index(2) == 0)
-        m.own[k] = random.uniform(0.1, 2);
+        m.kind_values[k] = random.uniform(0.1, 2);
     if (kindOf(m).is_to_gravity) m.direction_W = -cell.arm.gravity_W;
     if ((!kindOf(m).lack && !kindOf(m).is_from_measurement) || kindOf(m).settle) m.p_W.reset();
     if (kindOf(m).turn_rows > 0) m.turn_sigma = random.uniform(1e-5, 1e-3);
     if (kindOf(m).is_place && random.index(3) == 0) m.p_TQ = random.vector(0.1);
     if (kindOf(m).has_direction) m.direction_W = random.vector(1).normalized();
     if (!kindOf(m).columns.empty() && calibration::valueColumnsOf(kindOf(m)).numbers.empty())
-      m.own[0] = 0.01;  // all measurements of a point state the same value
+      m.kind_values[0] = 0.01;  // all measurements of a point state the same value
     m.sigma = random.uniform(1e-5, 1e-3);
     if (kindOf(m).has_coordinates && random.index(3) == 0) {
       m.sigma_W = Eigen::Vector3d(random.uniform(1e-5, 1e-3), random.uniform(1e-5, 1e-3), random.uniform(1e-5, 1e-3));
@@ -67,7 +67,7 @@ class MeasurementsWriter : public ::testing::Test {
     if (random.index(2) == 0)
       m.p_W.reset();
     else
-      m.own.setConstant(std::numeric_limits<double>::quiet_NaN());
+      m.kind_values.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
 
   /// Sets random conditions, and the same set-up for measurements that refer to one another.
@@ -99,7 +99,7 @@ class MeasurementsWriter : public ::testing::Test {
         EXPECT_NEAR(x, y, tolerance);
       }
     };
-    for (int k = 0; k < 3; ++k) expectNear(a.own[k], b.own[k], 1e-10);
+    for (int k = 0; k < 3; ++k) expectNear(a.kind_values[k], b.kind_values[k], 1e-10);
     expectNear(a.turn_sigma, b.turn_sigma, 1e-14);
     ASSERT_EQ(a.p_TQ.has_value(), b.p_TQ.has_value());
     if (a.p_TQ) {
@@ -158,7 +158,7 @@ TEST_F(MeasurementsWriter, WritesTheColumnsThatMeasurementsHaveInTheirOrder) {
   addConditions(measurement);
   measurement.is_held_out = true;
   measurement.kind = MeasurementKind::kDistance;
-  measurement.own[0] = 1;
+  measurement.kind_values[0] = 1;
   measurement.p_TQ.reset();
   std::string conditions;
   for (const auto& kind : deflection::kConditionKinds) conditions += conditionColumn(kind, cell.units) + ",";

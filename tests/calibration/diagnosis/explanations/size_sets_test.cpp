@@ -85,8 +85,8 @@ std::vector<Measurement> countsAtPredictedTips(const app::Cell& cell, int visits
     visit.p_W = toolAt(cell.arm, cell.X_WB, visit)->p_W;
     visit.conditions[Condition::kTime] = 120. * k;
     const bool is_before = 2 * k < visits;
-    visit.own = {is_before ? 3. : 2., is_before ? 0 : beyond, is_before ? beyond : within};
-    visit.sigma = steps::sigmaBetween(visit.own[1], visit.own[2]);
+    visit.kind_values = {is_before ? 3. : 2., is_before ? 0 : beyond, is_before ? beyond : within};
+    visit.sigma = steps::sigmaBetween(visit.kind_values[1], visit.kind_values[2]);
     measurements.push_back(visit);
   }
   return measurements;
