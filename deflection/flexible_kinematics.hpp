@@ -42,7 +42,7 @@ struct PostureOf {
   S load{0};
   Vector3<S> gravity_B = -Vector3<S>::UnitZ();
   std::optional<WrenchOf<S>> wrench = {};  ///< loads in addition to the hung load
-  /// Readings of the joints of side chains (side_chains.hpp); empty if unknown: see restOfSideChains().
+  /// Readings of the joints of side chains (side_chains.hpp); empty if unknown: see defaultSideReadings().
   Eigen::Matrix<S, Eigen::Dynamic, 1> side_q = {};
   /// Direction of each joint's last motion: -1, 0 or +1. Empty is equivalent to 0 for all joints.
   std::vector<int> approach_directions = {};

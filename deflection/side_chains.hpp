@@ -24,7 +24,7 @@ std::vector<const Joint<S>*> sideJoints(const ArmOf<S>& arm) {
 
 /// Returns the readings that replace unknown readings of sideJoints(): zero, or the joint limit nearest to zero.
 template <class S>
-Eigen::VectorXd restOfSideChains(const ArmOf<S>& arm) {
+Eigen::VectorXd defaultSideReadings(const ArmOf<S>& arm) {
   const auto joints = sideJoints(arm);
   Eigen::VectorXd q(static_cast<Eigen::Index>(joints.size()));
   for (Eigen::Index k = 0; k < q.size(); ++k) {
@@ -73,7 +73,7 @@ template <class S>
 void attachSideChains(const ArmOf<S>& arm, const PostureOf<S>& posture, ArmOf<S>& to) {
   if (arm.side_chains.empty()) return;
   Eigen::Matrix<S, Eigen::Dynamic, 1> q = posture.side_q;
-  if (q.size() == 0) q = restOfSideChains(arm).template cast<S>();
+  if (q.size() == 0) q = defaultSideReadings(arm).template cast<S>();
   Eigen::Index joint = 0;
   for (const SideChain<S>& chain : arm.side_chains) {
     auto& terms = to.rows[static_cast<std::size_t>(chain.row)].effect_terms;

@@ -107,7 +107,7 @@ void FewTubes::estimate(const std::vector<Move>& moves) {
     noteDisconnected(found.is_disconnected, found.tightest);
   }
   if (is_parted_ && !has_parts_) forbidMovesBetweenParts();
-  if (isSpent()) expectTheUnknownToBeAsTheKnown();
+  if (isSpent()) scaleUnknownTimes();
 }
 
 void FewTubes::plan(const std::vector<Move>& moves) {
@@ -142,7 +142,7 @@ void FewTubes::forbidMovesBetweenParts() {
 
 /// Sets the times of moves that have not been estimated, once no more estimates are allowed: the straight time
 /// multiplied by the ratio of known to straight times of all other moves.
-void FewTubes::expectTheUnknownToBeAsTheKnown() {
+void FewTubes::scaleUnknownTimes() {
   const auto isKnown = [this](int p, int q) { return knowledgeOf(p, q) != Knowledge::kStraight; };
   for (Eigen::MatrixXd& times : times_) {
     double known = 0, straight = 0;

@@ -47,7 +47,7 @@ class FewTubes {
   [[nodiscard]] bool isSpent() const { return estimates_left_ <= 0 || checks_left_ <= 0; }
   void noteDisconnected(bool is_disconnected, const Clearance& tightest);
   void forbidMovesBetweenParts();
-  void expectTheUnknownToBeAsTheKnown();
+  void scaleUnknownTimes();
   void showProgress(const std::vector<int>& postures, std::size_t open) const;
   /// Returns the travel time [s] of an order whose moves all have exactly known times.
   [[nodiscard]] double timeOf(const std::vector<int>& postures) const;

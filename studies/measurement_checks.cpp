@@ -157,7 +157,7 @@ void studyCleanSets(int count, std::uint64_t first, bool is_verbose) {
   const auto look = [&](const SeededSet& set) {
     ++made;
     const auto checks = timed(set, cost);
-    const bool is_mistake = grossMistake(checks) != nullptr;
+    const bool is_mistake = firstMistake(checks) != nullptr;
     const bool is_remark = std::any_of(checks.checks.begin(), checks.checks.end(),
                                        [](const auto& check) { return !check.assume.empty(); });
     mistakes += is_mistake;

@@ -15,11 +15,11 @@ using namespace tubeplan::calibration;
 struct Trial {
   bool is_alarm = false, is_early = false;
   int delay = 0;
-  bool is_named = false;      ///< the answers contain the true change
-  bool has_course = false;    ///< with the true course
-  bool is_alone = false;      ///< the true change is the only answer
-  bool is_first = false;      ///< the true change is the most probable answer
-  bool is_miscalled = false;  ///< the true change has another course in the answers
+  bool is_named = false;        ///< the answers contain the true change
+  bool has_course = false;      ///< with the true course
+  bool is_only_answer = false;  ///< the true change is the only answer
+  bool is_first = false;        ///< the true change is the most probable answer
+  bool is_miscalled = false;    ///< the true change has another course in the answers
   int answers = 0;
   std::string first;
 };
@@ -46,7 +46,7 @@ Trial trialOf(const HiddenChange& change, const VisitKind& kind, int visits, int
   trial.is_named = truth != answers.end();
   trial.has_course = trial.is_named && (change.is_ramp ? truth->may_be_ramp : truth->may_be_step);
   trial.is_miscalled = trial.is_named && !trial.has_course;
-  trial.is_alone = trial.is_named && answers.size() == 1;
+  trial.is_only_answer = trial.is_named && answers.size() == 1;
   trial.is_first = isTrue(answers.front());
   return trial;
 }
@@ -69,7 +69,7 @@ void print(const HiddenChange& change, const std::vector<Trial>& trials, bool sh
     delays.push_back(trial.delay);
     named += trial.is_named;
     with_course += trial.has_course;
-    alone += trial.is_alone;
+    alone += trial.is_only_answer;
     first += trial.is_first;
     none += trial.answers == 0;
     if (trial.answers > 0) sizes.push_back(trial.answers);

@@ -20,7 +20,7 @@ RawLine takeLine(std::string_view& text) {
   return line;
 }
 
-bool saysAlready(std::string_view span, const std::string& value) {
+bool containsValue(std::string_view span, const std::string& value) {
   const auto field = splitCsvLine(span, '\0');
   return field && field->size() == 1 && field->front() == value;
 }
@@ -62,7 +62,7 @@ class LineEditor {
     const auto column = std::ranges::find(columns_, std::optional(c), &ColumnText::place);
     if (column == columns_.end()) return std::string(span);
     const auto field = column->fields.find(line);
-    if (field == column->fields.end() || saysAlready(span, field->second)) return std::string(span);
+    if (field == column->fields.end() || containsValue(span, field->second)) return std::string(span);
     return csvField(field->second, table_.separator);
   }
 

@@ -64,8 +64,8 @@ class ColumnFinder {
 
   void take(std::size_t c) {
     const std::string& heading = table_.text.columns[c];
-    const TubeHeading says = readTubeHeading(heading);
-    if (says.column) return put(*says.column, c, says.unit);
+    const TubeHeading parsed = readTubeHeading(heading);
+    if (parsed.column) return put(*parsed.column, c, parsed.unit);
     if (const auto meant = tubeColumnMeantBy(heading))
       refuse("header", fmt::format("the column \"{}\" may be a misspelling of \"{}\"", heading, nameOf(*meant)), "",
              "rename or remove it");

@@ -135,7 +135,7 @@ Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
   for (const int tube : all) {
     if (!is_selected[tube]) continue;
     const TubeState state = sheet.tubes[tube].state;
-    const bool is_left_out = isLeftOutUnlessNamed(state) && !is_named[tube];
+    const bool is_left_out = isExcludedUnlessNamed(state) && !is_named[tube];
     if (is_left_out)
       selection.left_out.push_back({tube, tubeStateName(state)});
     else
@@ -213,7 +213,7 @@ std::optional<LeftOut> leftOutOf(int index, const WorkListItem& item, const Shee
 
 }  // namespace
 
-bool isLeftOutUnlessNamed(TubeState state) { return takesNoTool(state) || isDoubtful(state); }
+bool isExcludedUnlessNamed(TubeState state) { return takesNoTool(state) || isDoubtful(state); }
 
 std::string leftOutText(const Selection& selection) {
   std::map<std::pair<bool, std::string_view>, int> counts;

@@ -85,7 +85,7 @@ struct Selection {
 
 /// Returns true for plugged, stabilised, inaccessible and unresolved: tubes in these states are visited only if the
 /// tube or its state is named.
-[[nodiscard]] bool isLeftOutUnlessNamed(TubeState state);
+[[nodiscard]] bool isExcludedUnlessNamed(TubeState state);
 
 /// Returns the request "spread:N", where N is `most` or the number of tubes that `all` selects, whichever is smaller,
 /// but at least 1.

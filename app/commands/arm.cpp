@@ -141,7 +141,7 @@ void remarkOnFit(const ExportFit& fit, const Units& units) {
       "rms error of the cell's model: {} ({} measurements); of the exported model: {}; of the exported model fitted "
       "again: {} ({} at held-out measurements)\n",
       inLengths(fit.of_model.rms, units), fit.measurements, inLengths(fit.as_fitted.rms, units),
-      inLengths(fit.again.rms, units), inLengths(fit.heldout.rms, units));
+      inLengths(fit.refitted.rms, units), inLengths(fit.heldout.rms, units));
 }
 
 /// Returns the arm to export, with effects that are the same at every posture as numbers. With --measurements, the

@@ -36,7 +36,7 @@ struct DiagnoseOptions {
 /// --run-sheet or if the measurements contain a mistake.
 std::string sheetText(const DiagnoseOptions& options, const CellMeasurements& input,
                       const std::vector<calibration::ProposedMeasurement>& sheet) {
-  if (options.run_sheet.empty() || calibration::grossMistake(input.checks)) return "";
+  if (options.run_sheet.empty() || calibration::firstMistake(input.checks)) return "";
   if (sheet.empty()) return "no run sheet: no reading is proposed\n";
   return fmt::format("wrote {}: {} and pass it after the readings\n", options.run_sheet,
                      fillInText(sheet, input.cell.arm, input.cell.units));

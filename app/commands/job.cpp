@@ -72,7 +72,7 @@ Run configureJob(CLI::App& cli) {
   cli.add_option("--sg", options->part.generator, "plan, next, export: only this steam generator");
   cli.add_option("--leg", options->leg, "plan, next, export: only this leg")->check(oneOf(legNames()));
   cli.add_option("--as", options->mark, "mark: " + markWords());
-  cli.add_option("--by", options->entry.who, "the person who confirms, marks or undoes");
+  cli.add_option("--by", options->entry.person, "the person who confirms, marks or undoes");
   cli.add_option("--reason", options->entry.reason, "why a tube is excluded, marked again or undone");
   cli.add_option("--at", options->entry.at, "time of the event in UTC, 2025-04-02T06:15:30Z (now)");
   cli.add_option("--after", options->after, "mark: refuse if the tube has a later event than this one of `job next`");

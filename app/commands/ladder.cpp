@@ -45,7 +45,7 @@ int run(const LadderOptions& options) {
   const auto models = modelsOf(options);
   checkFigures(options.figures);
   checkReportTarget(options.report);
-  const auto outcome = climbLadder(models, options.request, terminalWorkHooks());
+  const auto outcome = runLadder(models, options.request, terminalWorkHooks());
   nlohmann::json figures = outcome.figures;
   addChecks(models.back().input.checks, models.front().input.cell.units, figures);
   if (options.report.isWanted())

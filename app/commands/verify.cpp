@@ -126,7 +126,7 @@ std::string statesText(const tubesheets::Sheet& sheet, const planner::StatedPlan
   std::size_t count = 0;
   for (const auto& stated : plan.tubes) {
     const auto* tube = sheet.find(stated.row, stated.column);
-    if (!tube || !tubesheets::isLeftOutUnlessNamed(tube->state)) continue;
+    if (!tube || !tubesheets::isExcludedUnlessNamed(tube->state)) continue;
     if (++count <= kNamed)
       named.push_back(fmt::format("{} ({})", tubesheets::tubeName(tube->row, tube->column),
                                   tubesheets::tubeStateWords(tube->state)));

@@ -72,7 +72,7 @@ using WarningGroup = std::vector<const EffectWarning*>;
 
 /// Returns true if both warnings fit into one sentence. A warning that the same effect fits better with other
 /// parameters or at another place is stated separately.
-bool isSaidTogether(const EffectWarning& a, const EffectWarning& b) {
+bool fitOneSentence(const EffectWarning& a, const EffectWarning& b) {
   if (a.kind != b.kind || a.is_within_noise != b.is_within_noise) return false;
   return a.kind != EffectWarningKind::kBetterExplainedBy ||
          (a.better.effect == b.better.effect && a.better.at == b.better.at && a.better.effect != a.effect);
@@ -82,7 +82,7 @@ std::vector<WarningGroup> groupsOf(const std::vector<EffectWarning>& warnings) {
   std::vector<WarningGroup> groups;
   for (const EffectWarning& warning : warnings) {
     const auto group =
-        std::ranges::find_if(groups, [&](const WarningGroup& g) { return isSaidTogether(*g.front(), warning); });
+        std::ranges::find_if(groups, [&](const WarningGroup& g) { return fitOneSentence(*g.front(), warning); });
     if (group == groups.end())
       groups.push_back({&warning});
     else

@@ -25,12 +25,12 @@ std::string errorText(double error, const ErrorUnit& unit, int digits) {
 }
 
 ErrorUnit errorUnitOf(const calibration::Measurement& measurement, const Units& units) {
-  return errorUnitOf(calibration::measureAnglesAlone({measurement}), units);
+  return errorUnitOf(calibration::measureOnlyAngles({measurement}), units);
 }
 
 nlohmann::json errorSizeJson(const calibration::Measurement& measurement, const Eigen::Vector3d& error_W, double turn,
                              const Units& units) {
-  const double size = calibration::measureAnglesAlone({measurement}) ? calibration::kTurnLever * turn : error_W.norm();
+  const double size = calibration::measureOnlyAngles({measurement}) ? calibration::kTurnLever * turn : error_W.norm();
   return errorJson(size, errorUnitOf(measurement, units));
 }
 

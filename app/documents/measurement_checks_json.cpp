@@ -63,7 +63,7 @@ std::string warningsText(const std::vector<std::string>& warnings) {
 }
 
 std::string mistakeText(const MeasurementChecks& checks, const Units& units) {
-  const auto* mistake = calibration::grossMistake(checks);
+  const auto* mistake = calibration::firstMistake(checks);
   return mistake ? checkText(*mistake, units) : "";
 }
 

@@ -82,7 +82,7 @@ ExportFit fitForExport(const CellMeasurements& given, ArmFileContent content, co
   result.arm = fit.fitted.arm;
   result.measurements = static_cast<int>(fit.used.size());
   result.as_fitted = fit.after_base;
-  result.again = fit.after;
+  result.refitted = fit.after;
   result.heldout = fit.heldout;
   return result;
 }

@@ -21,7 +21,7 @@ struct ExportFit {
   int measurements = 0;
   calibration::ErrorSize of_model;   ///< error of the cell's whole model
   calibration::ErrorSize as_fitted;  ///< error of the part that the file can state, with the numbers of the cell
-  calibration::ErrorSize again;      ///< error of `arm`
+  calibration::ErrorSize refitted;   ///< error of `arm`
   calibration::ErrorSize heldout;    ///< error of `arm` at measurements held out of its fit
 };
 

@@ -101,8 +101,7 @@ Cell rigidOf(Cell cell) {
   return cell;
 }
 
-LadderOutcome climbLadder(const std::vector<LadderModel>& models, const LadderRequest& request,
-                          const WorkHooks& hooks) {
+LadderOutcome runLadder(const std::vector<LadderModel>& models, const LadderRequest& request, const WorkHooks& hooks) {
   LadderOutcome outcome;
   const bool is_top_made = isMade(models.back().fit);
   outcome.set_aside = is_top_made ? request.set_aside : setAsideBy(models.back(), request, hooks);

@@ -40,7 +40,7 @@ struct LadderOutcome {
 
 /// Compares one or more models. Outliers of the last model are excluded for all models, so that all are compared on the
 /// same measurements. Throws InputError if the models' tube sheets differ, and JobStopped if a stop is requested.
-[[nodiscard]] LadderOutcome climbLadder(const std::vector<LadderModel>& models, const LadderRequest& request,
-                                        const WorkHooks& hooks = {});
+[[nodiscard]] LadderOutcome runLadder(const std::vector<LadderModel>& models, const LadderRequest& request,
+                                      const WorkHooks& hooks = {});
 
 }  // namespace tubeplan::app

@@ -7,7 +7,7 @@ namespace tubeplan::app {
 
 std::vector<int> outliersOf(const CellMeasurements& input, const calibration::Identification& fit,
                             const calibration::IdentificationOptions& options) {
-  if (input.checks.is_overruled || calibration::grossMistake(input.checks)) return {};
+  if (input.checks.is_overruled || calibration::firstMistake(input.checks)) return {};
   const auto start = startOf(input.cell, input.measurements);
   calibration::IdentificationOptions quiet = options;
   quiet.hooks = calibration::withoutProgress(options.hooks);

@@ -177,10 +177,10 @@ TouchOutcome proposeTouches(const TouchRequest& stated_request, const Cell& cell
   learn(request, measurements, stated_request.free.empty() ? cell.path + " (identify)" : "--free", task, outcome);
   settleTask(request, task, outcome);
   static_cast<TouchProposals&>(outcome) = proposeTouches(task);
-  if (outcome.holes_unsure > 0)
+  if (outcome.holes_uncertain > 0)
     outcome.notes.push_back(fmt::format(
         "{} of {} holes are excluded as touches for the base: they may be out of reach if the base is elsewhere",
-        outcome.holes_unsure, outcome.holes));
+        outcome.holes_uncertain, outcome.holes));
   return outcome;
 }
 

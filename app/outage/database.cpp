@@ -124,10 +124,10 @@ void Database::fail(int code) const {
                               "check its folder and permissions");
   if (kind == SQLITE_FULL || kind == SQLITE_IOERR)
     throw InputError::problem(path_, "this file cannot be written", "check the space left on the disk");
-  const std::string said = sqlite3_errmsg(database_.get());
-  if (said.starts_with("no such "))
-    throw InputError::problem(path_, "the record is damaged: " + said, "restore it from a copy");
-  throw std::logic_error(path_ + ": " + said);
+  const std::string message = sqlite3_errmsg(database_.get());
+  if (message.starts_with("no such "))
+    throw InputError::problem(path_, "the record is damaged: " + message, "restore it from a copy");
+  throw std::logic_error(path_ + ": " + message);
 }
 
 void Database::execute(const std::string& sql) {

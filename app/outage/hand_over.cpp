@@ -94,14 +94,14 @@ void withoutLaterUndos(std::vector<JobEvent>& events) {
 std::vector<PersonsWork> peopleOf(const std::vector<JobEvent>& events) {
   std::map<std::string, PersonsWork> people;
   for (const JobEvent& event : events) {
-    PersonsWork& work = people[event.who];
-    work.who = event.who;
+    PersonsWork& work = people[event.person];
+    work.person = event.person;
     if (event.kind == "mark" && !event.is_undone) ++work.marks[event.value];
     if (event.kind == "confirm") ++(event.value == "same" ? work.confirmed : work.wrong);
     if (event.kind == "undo") ++work.undone;
   }
   std::vector<PersonsWork> list;
-  for (const auto& [who, work] : people) list.push_back(work);
+  for (const auto& [person, work] : people) list.push_back(work);
   return list;
 }
 

@@ -23,7 +23,7 @@ struct TotalsBy {
 
 /// Events of one person in the shift.
 struct PersonsWork {
-  std::string who;
+  std::string person;
   std::map<std::string, int> marks;  ///< number of marks that were not undone, by the name of the mark
   int confirmed = 0, wrong = 0;      ///< numbers of confirmations of the intended tube, and of another tube
   int undone = 0;                    ///< number of marks, of any person, that this person undid

@@ -62,7 +62,7 @@ json peopleJson(const std::vector<PersonsWork>& people) {
   for (const PersonsWork& work : people) {
     int marked = 0;
     for (const auto& [name, count] : work.marks) marked += count;
-    list.push_back({{"who", work.who},
+    list.push_back({{"who", work.person},
                     {"marked", marked},
                     {"marks", work.marks},
                     {"confirmed", work.confirmed},
@@ -116,7 +116,7 @@ json retestsJson(const std::vector<MarkedItem>& retests) {
                     {"package", of.item.package},
                     {"mark", of.event->value},
                     {"reason", of.event->reason},
-                    {"who", of.event->who},
+                    {"who", of.event->person},
                     {"at", of.event->at}});
   return list;
 }
@@ -128,7 +128,7 @@ json wrongJson(const std::vector<JobEvent>& wrong, const std::vector<JobEvent>& 
                     {"package", event.package},
                     {"found", event.value},
                     {"method", event.method},
-                    {"who", event.who},
+                    {"who", event.person},
                     {"at", event.at},
                     {"is_resolved", std::ranges::find(unresolved, event.item, &JobEvent::item) == unresolved.end()}});
   return list;

@@ -67,7 +67,7 @@ std::string findWrongMethod(const WorkPackage& package, std::string_view method)
 }
 
 std::string findMissingConfirmation(const WorkPackage& package, const std::vector<JobEvent>& events_of_item,
-                                    const std::string& who) {
+                                    const std::string& person) {
   if (package.confirm == ConfirmationMethod::kNone) return "";
   const JobEvent* latest = nullptr;
   for (const JobEvent& event : events_of_item) {
@@ -77,8 +77,8 @@ std::string findMissingConfirmation(const WorkPackage& package, const std::vecto
   if (!latest) return "the identity of the tube is not confirmed";
   if (const std::string wrong = findWrongMethod(package, latest->method); !wrong.empty()) return wrong;
   if (latest->value != "same") return fmt::format("the last confirmation found {}", latest->value);
-  if (package.confirm == ConfirmationMethod::kReadBack && isSamePerson(latest->who, who))
-    return fmt::format("the tube was read back by {}, who also marks it; another person must read it", latest->who);
+  if (package.confirm == ConfirmationMethod::kReadBack && isSamePerson(latest->person, person))
+    return fmt::format("the tube was read back by {}, who also marks it; another person must read it", latest->person);
   return "";
 }
 

@@ -33,6 +33,7 @@ struct IdentityFinding {
 /// missing, older than the latest mark, by another method, of another tube, or by the person who marks it. Returns an
 /// empty text if the tool may enter.
 [[nodiscard]] std::string findMissingConfirmation(const WorkPackage& package,
-                                                  const std::vector<JobEvent>& events_of_item, const std::string& who);
+                                                  const std::vector<JobEvent>& events_of_item,
+                                                  const std::string& person);
 
 }  // namespace tubeplan::app

@@ -107,7 +107,7 @@ std::int64_t markTube(JobStore& store, const MarkRequest& request) {
     const JobItem item = requireItem(store, request.tube, request.package);
     requireFitting(item, mark, request);
     const std::string missing = mark.needs_tool ? findMissingConfirmation(store.job().packageOf(item.package),
-                                                                          store.eventsOf(item.id), request.entry.who)
+                                                                          store.eventsOf(item.id), request.entry.person)
                                                 : "";
     if (!missing.empty())
       throw InputError::problem(addressText(item.tube), missing, "confirm it first: `tubeplan job confirm`");

@@ -30,7 +30,7 @@ ItemFields fieldsOf(JobStore& store, const JobItem& item) {
   if (item.mark)
     for (const JobEvent& event : store.eventsOf(item.id))
       if (event.kind == "mark" && !event.is_undone) {
-        of.fields[2] = event.who;
+        of.fields[2] = event.person;
         of.fields[3] = event.at;
       }
   if (item.place) of.fields[4] = std::to_string(*item.place);
@@ -79,9 +79,9 @@ std::string packageCsv(JobStore& store, const std::string& package, const std::s
 std::string logCsv(JobStore& store) {
   std::string text = "event,at,who,kind,package,sg,leg,row,column,value,method,reason,undoes\n";
   for (const JobEvent& event : store.events())
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", event.id, event.at, csvField(event.who), event.kind,
-                        event.package, event.tube.generator, tubesheets::legName(event.tube.leg), event.tube.row,
-                        event.tube.column, csvField(event.value), event.method, csvField(event.reason),
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", event.id, event.at, csvField(event.person),
+                        event.kind, event.package, event.tube.generator, tubesheets::legName(event.tube.leg),
+                        event.tube.row, event.tube.column, csvField(event.value), event.method, csvField(event.reason),
                         event.undoes ? std::to_string(*event.undoes) : "");
   return text;
 }

@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 
 json eventJson(const JobEvent& event) {
-  json result = {{"event", event.id},    {"at", event.at},           {"who", event.who},
+  json result = {{"event", event.id},    {"at", event.at},           {"who", event.person},
                  {"kind", event.kind},   {"package", event.package}, {"tube", addressText(event.tube)},
                  {"value", event.value}, {"method", event.method},   {"reason", event.reason},
                  {"undoes", nullptr},    {"undone", event.is_undone}};
@@ -90,7 +90,7 @@ json totalsJson(const JobTotals& totals, const JobFile& job) {
     result["plugged_in_the_meantime"].push_back({{"tube", addressText(item.tube)}, {"package", item.package}});
   for (const JobEvent& event : totals.wrong_tubes)
     result["wrong_tubes"].push_back(
-        {{"tube", addressText(event.tube)}, {"found", event.value}, {"who", event.who}, {"at", event.at}});
+        {{"tube", addressText(event.tube)}, {"found", event.value}, {"who", event.person}, {"at", event.at}});
   return result;
 }
 

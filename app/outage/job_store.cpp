@@ -172,7 +172,7 @@ std::int64_t JobStore::addEvent(const std::string& kind, std::int64_t item, cons
   database_.query(
       "INSERT INTO event (at, who, kind, item, value, method, reason, undoes) "
       "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)",
-      {entry.at.empty() ? presentTime() : entry.at, entry.who, kind, item, value, method, entry.reason,
+      {entry.at.empty() ? presentTime() : entry.at, entry.person, kind, item, value, method, entry.reason,
        undoes ? DatabaseValue(*undoes) : DatabaseValue()});
   return database_.lastKey();
 }

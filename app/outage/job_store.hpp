@@ -42,7 +42,7 @@ struct JobItem {
 struct JobEvent {
   std::int64_t id = 0;
   std::string at;         ///< time in UTC, "2025-04-02T06:15:30Z"
-  std::string who;        ///< person or program that recorded the event
+  std::string person;     ///< person or program that recorded the event
   std::string kind;       ///< mark, confirm or undo
   std::int64_t item = 0;  ///< key of the item
   std::string package;

@@ -60,8 +60,8 @@ EventEntry checkedEntry(const EventEntry& entry) {
   if (entry.at > timeText(std::chrono::system_clock::now() + kClocksDiffer))
     throw InputError::problem("--at", fmt::format("{} has not come yet: it is {}", entry.at, presentTime()),
                               "write when it happened, in UTC, or leave it out for now");
-  const EventEntry checked{lineOf(entry.who, "--by"), lineOf(entry.reason, "--reason"), entry.at};
-  if (lettersOf(checked.who).empty())
+  const EventEntry checked{lineOf(entry.person, "--by"), lineOf(entry.reason, "--reason"), entry.at};
+  if (lettersOf(checked.person).empty())
     throw InputError::problem("--by", "the name of the person is missing", "write --by NAME");
   return checked;
 }

@@ -7,7 +7,7 @@ namespace tubeplan::app {
 
 /// Entry for an item; an empty `at` means the current time.
 struct EventEntry {
-  std::string who, reason, at;
+  std::string person, reason, at;
 };
 
 /// Returns the present time in UTC, "2025-04-02T06:15:30Z".

@@ -61,12 +61,12 @@ fs::path parentOf(const fs::path& path) { return path.has_parent_path() ? path.p
 
 /// Keeps the old file under a second name, by a hard link, so that `place` exists at all times. On file systems without
 /// hard links the old file is renamed instead.
-std::error_code keepAside(const fs::path& place, const fs::path& aside) {
+std::error_code keepBackup(const fs::path& place, const fs::path& backup) {
   std::error_code error;
   if (fs::is_directory(place, error)) return std::make_error_code(std::errc::is_a_directory);
-  fs::remove(aside, error);
-  fs::create_hard_link(place, aside, error);
-  if (error) fs::rename(place, aside, error);
+  fs::remove(backup, error);
+  fs::create_hard_link(place, backup, error);
+  if (error) fs::rename(place, backup, error);
   return error;
 }
 
@@ -93,13 +93,13 @@ void StagedFiles::discard() noexcept {
   std::error_code ignored;
   for (const File& file : files_) {
     if (!file.is_placed) fs::remove(file.temporary, ignored);
-    fs::remove(file.aside, ignored);
+    fs::remove(file.backup, ignored);
   }
   files_.clear();
 }
 
-void StagedFiles::add(fs::path temporary, fs::path aside, fs::path place, const std::string& content) {
-  files_.push_back({std::move(temporary), std::move(aside), std::move(place)});
+void StagedFiles::add(fs::path temporary, fs::path backup, fs::path place, const std::string& content) {
+  files_.push_back({std::move(temporary), std::move(backup), std::move(place)});
   const File& file = files_.back();
   if (const auto error = writeToDisk(file.temporary, content))
     failToWrite(option_, parentOf(file.place), error.message());
@@ -110,7 +110,7 @@ void StagedFiles::putInPlace() {
     const bool is_last = &file == &files_.back();
     const std::error_code error = place(file, is_last);
     if (!error) continue;
-    if (!is_last || !file.is_placed) takeBack();
+    if (!is_last || !file.is_placed) rollBack();
     failToWrite(option_, file.place, error.message());
   }
   discard();
@@ -119,7 +119,7 @@ void StagedFiles::putInPlace() {
 std::error_code StagedFiles::place(File& file, bool is_last) {
   std::error_code error;
   if (!is_last && fs::exists(file.place, error)) {
-    if ((error = keepAside(file.place, file.aside))) return error;
+    if ((error = keepBackup(file.place, file.backup))) return error;
     file.has_old = true;
   }
   fs::rename(file.temporary, file.place, error);
@@ -128,15 +128,15 @@ std::error_code StagedFiles::place(File& file, bool is_last) {
   return syncFolder(parentOf(file.place));
 }
 
-void StagedFiles::takeBack() {
+void StagedFiles::rollBack() {
   for (auto file = files_.rbegin(); file != files_.rend(); ++file) {
     std::error_code failure;
     if (file->has_old)
-      fs::rename(file->aside, file->place, failure);
+      fs::rename(file->backup, file->place, failure);
     else if (file->is_placed)
       fs::remove(file->place, failure);
-    // Leaves the old file at `aside`, so that the user can recover it.
-    if (file->has_old && failure) file->aside.clear();
+    // Leaves the old file at `backup`, so that the user can recover it.
+    if (file->has_old && failure) file->backup.clear();
   }
 }
 

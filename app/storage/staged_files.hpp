@@ -28,9 +28,9 @@ class StagedFiles {
   StagedFiles(const StagedFiles&) = delete;
   StagedFiles& operator=(const StagedFiles&) = delete;
 
-  /// Writes `content` to the file `temporary`. At putInPlace() the old file at `place` is kept as `aside`, and
+  /// Writes `content` to the file `temporary`. At putInPlace() the old file at `place` is kept as `backup`, and
   /// `temporary` is renamed to `place`. Throws InputError.
-  void add(std::filesystem::path temporary, std::filesystem::path aside, std::filesystem::path place,
+  void add(std::filesystem::path temporary, std::filesystem::path backup, std::filesystem::path place,
            const std::string& content);
 
   /// Renames the files in the order in which they were added, and flushes each rename to the disk before the next. On
@@ -42,12 +42,12 @@ class StagedFiles {
 
  private:
   struct File {
-    std::filesystem::path temporary, aside, place;
+    std::filesystem::path temporary, backup, place;
     bool is_placed = false, has_old = false;
   };
 
   [[nodiscard]] static std::error_code place(File& file, bool is_last);
-  void takeBack();
+  void rollBack();
 
   std::string option_;
   std::vector<File> files_;

@@ -113,7 +113,7 @@ std::size_t takeArrived(Workbench& workbench, const std::string& text, const std
 void joinArrived(Workbench& workbench) {
   if (workbench.arrivals().isEmpty() || workbench.jobs().isBusy()) return;
   bool was_diagnosed = false;
-  const auto arrived = workbench.arrivals().hand();
+  const auto arrived = workbench.arrivals().drain();
   for (bool is_done = false; !is_done;) {  // repeated if the measurements have changed meanwhile
     const Session before = workbench.session();
     const auto joined = joinedSet(before.measurements.get(), arrived, currentModel(before).cell);

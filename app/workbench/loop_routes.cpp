@@ -72,7 +72,7 @@ nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Session& be
   ladder_request.holes = 300;
   ladder_request.seed = seed;
   ladder_request.set_aside = std::move(set_aside);
-  return climbLadder(models, ladder_request, hooks).figures;
+  return runLadder(models, ladder_request, hooks).figures;
 }
 
 Answer ladder(Workbench& workbench, const Request& request) {

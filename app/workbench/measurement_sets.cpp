@@ -53,14 +53,14 @@ std::shared_ptr<MeasurementSet> openMeasurements(const std::vector<std::string>&
   return readSet({files, "", 0, {}}, name, cell);
 }
 
-void keepMarks(const MeasurementSet& before, MeasurementSet& again) {
+void keepMarks(const MeasurementSet& before, MeasurementSet& after) {
   std::map<std::string, bool> held_out;
   for (const auto& measurement : before.measurements) held_out[measurement.id] = measurement.is_held_out;
-  for (auto& measurement : again.measurements) {
+  for (auto& measurement : after.measurements) {
     const auto known = held_out.find(measurement.id);
     if (known == held_out.end()) continue;
     measurement.is_held_out = known->second;
-    if (before.set_aside.contains(measurement.id)) again.set_aside.insert(measurement.id);
+    if (before.set_aside.contains(measurement.id)) after.set_aside.insert(measurement.id);
   }
 }
 
@@ -120,7 +120,7 @@ bool Arrivals::isEmpty() const {
   return waiting_.empty();
 }
 
-std::vector<calibration::Measurement> Arrivals::hand() {
+std::vector<calibration::Measurement> Arrivals::drain() {
   const std::lock_guard lock(mutex_);
   return std::exchange(waiting_, {});
 }

@@ -19,8 +19,8 @@ namespace tubeplan::app {
 /// Returns the measurements in `files`, in order. Throws InputError, also for a duplicate id.
 [[nodiscard]] std::shared_ptr<MeasurementSet> openMeasurements(const std::vector<std::string>& files, Cell cell);
 
-/// Copies the marks "set aside" and "held out" from `before` to the measurements of `again` with equal ids.
-void keepMarks(const MeasurementSet& before, MeasurementSet& again);
+/// Copies the marks "set aside" and "held out" from `before` to the measurements of `after` with equal ids.
+void keepMarks(const MeasurementSet& before, MeasurementSet& after);
 
 /// Returns the measurements of `before` (null if none) and the arrived measurements, processed like one file:
 /// duplicates and mistakes are detected among all measurements and can be corrected. If processing fails, the
@@ -50,7 +50,7 @@ class Arrivals {
   [[nodiscard]] bool isEmpty() const;
 
   /// Returns all queued measurements and empties the queue.
-  [[nodiscard]] std::vector<calibration::Measurement> hand();
+  [[nodiscard]] std::vector<calibration::Measurement> drain();
 
  private:
   mutable std::mutex mutex_;

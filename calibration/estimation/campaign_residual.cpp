@@ -54,14 +54,14 @@ std::vector<int> basePosesOf(const PlacedArm& placed, const std::vector<Measurem
   return base_poses;
 }
 
-void takeSharedOff(const MeasurementWeights& weights, Eigen::Ref<MatrixXd> columns) {
+void removeSharedParts(const MeasurementWeights& weights, Eigen::Ref<MatrixXd> columns) {
   decorrelate(weights, columns);
   takePointsOff(weights, columns);
 }
 
-void takeOffWithin(const MeasurementWeights& weights, const std::vector<int>& measurements, MatrixXd& rows) {
+void removeSharedPartsWithin(const MeasurementWeights& weights, const std::vector<int>& measurements, MatrixXd& rows) {
   decorrelateWithin(weights, measurements, rows);
-  const auto first_row = rowsAlone(weights, measurements).first;
+  const auto first_row = stackedRows(weights, measurements).first;
   for (const auto& point : weights.points) {
     if (!std::ranges::all_of(point.measurements, [&](int k) { return first_row.contains(k); })) continue;
     const Index rows_of_touch = point.Q.rows() / static_cast<Index>(point.measurements.size());
@@ -122,8 +122,8 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   if (x.size() == 0) jacobian = nullptr;  // an empty Jacobian has no storage and must not be accessed below
   applyWeights(r, jacobian);
   if (error) *error = last_.error;
-  takeSharedOff(weights_, r);
-  if (jacobian) takeSharedOff(weights_, *jacobian);
+  removeSharedParts(weights_, r);
+  if (jacobian) removeSharedParts(weights_, *jacobian);
   if (error) takeEstimatesOff(weights_, *error);
   if (prior_slopes_.size() == 0) return true;
   r.tail(x.size()) = priorResiduals(unknowns_, x);

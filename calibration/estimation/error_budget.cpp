@@ -32,7 +32,7 @@ ErrorBudget errorBudget(const ErrorsBeforeAndAfter& held_out, const ErrorsBefore
   return budget;
 }
 
-bool measureAnglesAlone(const std::vector<Measurement>& measurements) {
+bool measureOnlyAngles(const std::vector<Measurement>& measurements) {
   return !measurements.empty() && std::ranges::all_of(measurements, [](const Measurement& measurement) {
     return kindOf(measurement).turn_rows >= kindOf(measurement).rows;
   });

@@ -33,6 +33,6 @@ struct ErrorsBeforeAndAfter {
                                       double noise_floor);
 
 /// Returns true if there are measurements and all of them measure only angles.
-[[nodiscard]] bool measureAnglesAlone(const std::vector<Measurement>& measurements);
+[[nodiscard]] bool measureOnlyAngles(const std::vector<Measurement>& measurements);
 
 }  // namespace tubeplan::calibration

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kMaxRounds = 3;
 // The fit is repeated if new weights change chi-square by more than this fraction.
-constexpr double kWeightsRest = 1e-3;
+constexpr double kWeightsConverged = 1e-3;
 // A fit at its iteration limit is accepted as converged if the predicted decrease of chi-square is below this.
 constexpr double kNearMinimum = 0.01;
 constexpr int kMaxModelErrorRounds = 8;
@@ -80,7 +80,7 @@ class Fitting {
   }
 
   Fit run() {
-    if (!untilWeightsRest() || !describe()) return std::move(fit_);
+    if (!untilWeightsConverge() || !describe()) return std::move(fit_);
     if (options_.model_error || !(fit_.p_value < kLackOfFit)) return std::move(fit_);
     for (int round = 0; round < kMaxModelErrorRounds; ++round) {
       const double before = fit_.weights.model_error;
@@ -145,7 +145,7 @@ class Fitting {
 
   /// Repeats the fit until the weights converge. The weights depend on the solution: encoder noise is propagated by the
   /// derivatives there, and robust weight factors depend on the residuals.
-  bool untilWeightsRest() {
+  bool untilWeightsConverge() {
     const bool is_robust = options_.loss != RobustLoss::kNone;
     const int rounds = is_robust ? 5 * kMaxRounds : kMaxRounds;
     double before = kNotKnown;
@@ -153,7 +153,7 @@ class Fitting {
       if (!weigh(round == 0)) return false;
       if (round > 0 && !is_robust) {
         const double now = residual(false).r.squaredNorm();
-        if (std::abs(now - before) <= kWeightsRest * std::max(now, 1.)) return true;
+        if (std::abs(now - before) <= kWeightsConverged * std::max(now, 1.)) return true;
       }
       if (!minimize()) return false;
       const WhitenedResidual at = residual(false);
@@ -213,7 +213,7 @@ ErrorSize errorSize(const std::vector<Measurement>& measurements, const Measurem
   const VectorXd lengths = errorLengths(measurements, weights, error);
   ErrorSize size;
   size.measurements = static_cast<int>(measurements.size());
-  size.are_angles = measureAnglesAlone(measurements);
+  size.are_angles = measureOnlyAngles(measurements);
   if (lengths.size() == 0) return size;
   size.rms = std::sqrt(lengths.squaredNorm() / static_cast<double>(lengths.size()));
   size.mean = lengths.mean();

@@ -48,7 +48,7 @@ std::vector<Index> rowsOfThese(const MeasurementWeights& weights, const std::vec
   return rowsOfThese(weights, measurements, [&](int k) { return weights.first_row[static_cast<std::size_t>(k)]; });
 }
 
-void takeOff(const SharedNoise& shared, const std::vector<Index>& rows, Eigen::Ref<MatrixXd> columns) {
+void removeSharedPart(const SharedNoise& shared, const std::vector<Index>& rows, Eigen::Ref<MatrixXd> columns) {
   const MatrixXd own = columns(rows, Eigen::all);
   columns(rows, Eigen::all) = own - shared.Q * (shared.shrink.asDiagonal() * (shared.Q.transpose() * own));
 }
@@ -117,8 +117,8 @@ VectorXd encoderSigmas(const deflection::Arm& arm) {
   return sigmas;
 }
 
-std::pair<std::map<int, Index>, Index> rowsAlone(const MeasurementWeights& weights,
-                                                 const std::vector<int>& measurements) {
+std::pair<std::map<int, Index>, Index> stackedRows(const MeasurementWeights& weights,
+                                                   const std::vector<int>& measurements) {
   std::map<int, Index> first_row;
   Index rows = 0;
   for (const int k : measurements) {
@@ -190,7 +190,7 @@ void placeSharedNoise(MeasurementWeights& weights) {
     SharedNoise& shared = weights.shared[s];
     const Reach reach = reachOf(weights.shared, shared.measurements, placed);
     shared.mixed = reach.mixed;
-    const auto [first_row, rows] = rowsAlone(weights, shared.mixed);
+    const auto [first_row, rows] = stackedRows(weights, shared.mixed);
     const auto firstOf = [&](int k) { return first_row.at(k); };
     MatrixXd U = MatrixXd::Zero(rows, shared.slopes.front().cols());
     for (std::size_t i = 0; i < shared.measurements.size(); ++i) {
@@ -198,7 +198,7 @@ void placeSharedNoise(MeasurementWeights& weights) {
       U.middleRows(firstOf(shared.measurements[i]), whitener.rows()) = whitener * shared.slopes[i];
     }
     for (const std::size_t other : reach.before)
-      takeOff(weights.shared[other], rowsOfThese(weights, weights.shared[other].mixed, firstOf), U);
+      removeSharedPart(weights.shared[other], rowsOfThese(weights, weights.shared[other].mixed, firstOf), U);
     const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(U.transpose() * U);
     const Index count = (gram.eigenvalues().array() > kSeen).count();
     const VectorXd sizes = gram.eigenvalues().tail(count);
@@ -209,16 +209,16 @@ void placeSharedNoise(MeasurementWeights& weights) {
 }
 
 void decorrelate(const MeasurementWeights& weights, Eigen::Ref<MatrixXd> columns) {
-  for (const auto& shared : weights.shared) takeOff(shared, rowsOfThese(weights, shared.mixed), columns);
+  for (const auto& shared : weights.shared) removeSharedPart(shared, rowsOfThese(weights, shared.mixed), columns);
 }
 
 void decorrelateWithin(const MeasurementWeights& weights, const std::vector<int>& measurements,
                        Eigen::Ref<MatrixXd> rows) {
   if (weights.shared.empty()) return;
-  const auto first_row = rowsAlone(weights, measurements).first;
+  const auto first_row = stackedRows(weights, measurements).first;
   for (const auto& shared : weights.shared)
     if (std::ranges::all_of(shared.mixed, [&](int k) { return first_row.contains(k); }))
-      takeOff(shared, rowsOfThese(weights, shared.mixed, [&](int k) { return first_row.at(k); }), rows);
+      removeSharedPart(shared, rowsOfThese(weights, shared.mixed, [&](int k) { return first_row.at(k); }), rows);
 }
 
 }  // namespace tubeplan::calibration

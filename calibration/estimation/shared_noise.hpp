@@ -42,8 +42,8 @@ struct MeasurementWeights;
 
 /// Returns the first row of each of these measurements in a matrix that stacks only their rows, and the number of its
 /// rows.
-[[nodiscard]] std::pair<std::map<int, Eigen::Index>, Eigen::Index> rowsAlone(const MeasurementWeights& weights,
-                                                                             const std::vector<int>& measurements);
+[[nodiscard]] std::pair<std::map<int, Eigen::Index>, Eigen::Index> stackedRows(const MeasurementWeights& weights,
+                                                                               const std::vector<int>& measurements);
 
 /// Computes `mixed`, Q and shrink of each entry of `weights.shared` from the measurements' whiteners.
 void placeSharedNoise(MeasurementWeights& weights);

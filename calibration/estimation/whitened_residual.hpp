@@ -79,11 +79,12 @@ struct WhitenedResidual {
 
 /// Completes the whitening of `columns`, whose rows are those of `weights`, already whitened measurement by
 /// measurement: removes the correlation due to shared encoder noise, and the components that unknown points absorb.
-void takeSharedOff(const MeasurementWeights& weights, Eigen::Ref<Eigen::MatrixXd> columns);
+void removeSharedParts(const MeasurementWeights& weights, Eigen::Ref<Eigen::MatrixXd> columns);
 
-/// Like takeSharedOff(), for a matrix that stacks only the rows of these measurements. Parts shared with other
+/// Like removeSharedParts(), for a matrix that stacks only the rows of these measurements. Parts shared with other
 /// measurements are not removed.
-void takeOffWithin(const MeasurementWeights& weights, const std::vector<int>& measurements, Eigen::MatrixXd& rows);
+void removeSharedPartsWithin(const MeasurementWeights& weights, const std::vector<int>& measurements,
+                             Eigen::MatrixXd& rows);
 
 /// Returns the Euclidean norm of each measurement's error over its rows [m].
 [[nodiscard]] Eigen::VectorXd errorLengths(const std::vector<Measurement>& measurements,

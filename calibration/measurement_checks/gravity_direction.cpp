@@ -91,7 +91,7 @@ TriedDirection settled(const MistakeTrials& trials, TriedDirection best) {
 
 }  // namespace
 
-std::optional<FoundMistake> gravityElsewhere(const MistakeTrials& trials) {
+std::optional<FoundMistake> wrongGravityDirection(const MistakeTrials& trials) {
   const Trial& as_is = trials.asIs();
   if (!as_is.ok || as_is.error < kAboveNoise * trials.noise({})) return std::nullopt;
   auto best = bestOfFew(trials);

@@ -12,6 +12,6 @@ namespace tubeplan::calibration {
 /// This direction is found to within a few tenths of a degree. Returns nullopt if no direction fits, or if several fit
 /// equally well, as for an arm without compliance. A tilt below 26 deg is left to the diagnosis (effect
 /// `gravity-tilt`). The user must correct the cell's file.
-[[nodiscard]] std::optional<FoundMistake> gravityElsewhere(const MistakeTrials& trials);
+[[nodiscard]] std::optional<FoundMistake> wrongGravityDirection(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

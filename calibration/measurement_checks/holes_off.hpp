@@ -23,7 +23,7 @@ using OtherHole = std::function<const tubesheets::Tube*(const tubesheets::RowAnd
 
 /// Returns true if every hole that `other` returns exists on the sheet. A single missing hole refutes the hypothesis,
 /// because a tip cannot have touched it.
-inline bool areAllThere(const CheckedMeasurements& checked, const OtherHole& other) {
+inline bool allHolesExist(const CheckedMeasurements& checked, const OtherHole& other) {
   return std::ranges::all_of(checked.measurements, [&](const Measurement& measurement) {
     return !isPlacedBySheet(checked, measurement) || other(*tubesheets::parseTubeName(measurement.point)) != nullptr;
   });
@@ -50,7 +50,7 @@ inline std::optional<Correction> correction(const CheckedMeasurements& checked, 
   const OtherHole other = [sheet = checked.sheet, rows, columns](const auto& named) {
     return sheet->find(named.row + rows, named.column + columns);
   };
-  if (!areAllThere(checked, other)) return std::nullopt;
+  if (!allHolesExist(checked, other)) return std::nullopt;
   Correction correction{"holes", value,
                         "the holes' names are " + std::to_string(std::abs(by)) + (way == 'R' ? " row" : " column") +
                             (by > 0 ? " too low" : " too high")};

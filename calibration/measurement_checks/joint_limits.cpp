@@ -33,7 +33,7 @@ std::vector<std::size_t> measurementsToUnwind(const CheckedMeasurements& checked
   for (std::size_t k = 0; k < checked.measurements.size(); ++k) {
     const double q = checked.measurements[k].q[j];
     if (!isPastLimit(joint, q)) continue;
-    if (!oneTurnBack(joint, q)) return {};
+    if (!shiftedByOneTurn(joint, q)) return {};
     past.push_back(k);
   }
   return past;
@@ -47,7 +47,7 @@ bool isPastLimit(const deflection::Joint<double>& joint, double q) {
   return !(pastLimit(joint, q) <= std::max(usualNoiseOf(joint), std::isfinite(range) ? kHair * range : 0));
 }
 
-std::optional<MeasurementCheck> hairPastLimits(const CheckedMeasurements& checked) {
+std::optional<MeasurementCheck> slightlyPastLimits(const CheckedMeasurements& checked) {
   const auto& arm = checked.start.arm;
   std::vector<std::string> excesses;
   for (const auto& measurement : checked.measurements)
@@ -64,7 +64,7 @@ std::optional<MeasurementCheck> hairPastLimits(const CheckedMeasurements& checke
   return remarkOf("past-limit", "slightly past a joint's limit, and used as read: " + listOf(excesses));
 }
 
-std::optional<double> oneTurnBack(const deflection::Joint<double>& joint, double q) {
+std::optional<double> shiftedByOneTurn(const deflection::Joint<double>& joint, double q) {
   if (joint.type != deflection::JointType::kRevolute) return std::nullopt;
   const double back = q > joint.upper ? q - kFullTurn : q + kFullTurn;
   return isPastLimit(joint, back) ? std::nullopt : std::optional(back);
@@ -78,11 +78,11 @@ std::optional<MeasurementCheck> unwindJoints(CheckedMeasurements& checked) {
     if (past.empty()) continue;
     const auto unit = columnUnitOf(checked, j);
     const Measurement& first = checked.measurements[past.front()];
-    const double back = *oneTurnBack(arm.joint(j), first.q[j]);
+    const double back = *shiftedByOneTurn(arm.joint(j), first.q[j]);
     unwound.push_back(fmt::format("{} of {} (reading {}: {:.6g} is {:.6g} {})", past.size(), arm.joint(j).name,
                                   first.id, first.q[j] / unit.factor, back / unit.factor, unit.name));
     for (const std::size_t k : past)
-      checked.measurements[k].q[j] = *oneTurnBack(arm.joint(j), checked.measurements[k].q[j]);
+      checked.measurements[k].q[j] = *shiftedByOneTurn(arm.joint(j), checked.measurements[k].q[j]);
   }
   if (unwound.empty()) return std::nullopt;
   linkReferences(checked.measurements);

@@ -15,11 +15,11 @@ namespace tubeplan::calibration {
 
 /// Returns the joint reading [rad] shifted by one whole turn, if it is then within both limits; nullopt otherwise, and
 /// for a prismatic joint.
-[[nodiscard]] std::optional<double> oneTurnBack(const deflection::Joint<double>& joint, double q);
+[[nodiscard]] std::optional<double> shiftedByOneTurn(const deflection::Joint<double>& joint, double q);
 
 /// Returns a remark on measurements that are beyond a limit by more than their noise, but not by enough for
 /// isPastLimit().
-[[nodiscard]] std::optional<MeasurementCheck> hairPastLimits(const CheckedMeasurements& checked);
+[[nodiscard]] std::optional<MeasurementCheck> slightlyPastLimits(const CheckedMeasurements& checked);
 
 /// Moves the measurements that are beyond a joint's limits by one turn, if this brings all of them within the limits,
 /// and returns a remark on them; nullopt if there is no such joint. An example is an encoder that reads 0 to 360 deg

@@ -151,7 +151,7 @@ std::optional<MeasurementCheck> mistakeOrGravity(const MistakeTrials& trials) {
   if (is_mistake && leavesNothing(trials, *found)) return std::move(found->check);
   if (!is_mistake)
     if (auto twist = negatedTwists(trials)) return twist;
-  auto gravity = gravityElsewhere(trials);
+  auto gravity = wrongGravityDirection(trials);
   if (is_mistake && gravity) return likelier(trials, std::move(*found), std::move(*gravity));
   if (gravity) return std::move(gravity->check);
   return found ? std::optional(std::move(found->check)) : std::nullopt;
@@ -171,7 +171,7 @@ MeasurementChecks checkMeasurements(const CheckedMeasurements& checked, const Ch
   auto mistake = standardRows(trials);
   if (!mistake) mistake = mistakeOrGravity(trials);
   if (mistake) result.checks.push_back(std::move(*mistake));
-  if (as_is.ok && !grossMistake(result)) {
+  if (as_is.ok && !firstMistake(result)) {
     checkBase(trials, result.checks);
     for (auto& stale : staleMeasurements(checked, as_is.placed)) result.checks.push_back(std::move(stale));
     for (auto& stuck : stuckJoints(checked, as_is.placed)) result.checks.push_back(std::move(stuck));
@@ -185,7 +185,7 @@ MeasurementChecks checkMeasurements(const CheckedMeasurements& checked, const Ch
   return result;
 }
 
-const MeasurementCheck* grossMistake(const MeasurementChecks& checks) {
+const MeasurementCheck* firstMistake(const MeasurementChecks& checks) {
   for (const auto& check : checks.checks)
     if (check.severity == CheckSeverity::kMistake) return &check;
   return nullptr;

@@ -81,6 +81,6 @@ struct CheckOptions {
 
 /// Returns the first finding of severity kMistake, which must be corrected before the model is judged; null if there is
 /// none.
-[[nodiscard]] const MeasurementCheck* grossMistake(const MeasurementChecks& checks);
+[[nodiscard]] const MeasurementCheck* firstMistake(const MeasurementChecks& checks);
 
 }  // namespace tubeplan::calibration

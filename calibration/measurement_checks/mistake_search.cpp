@@ -32,7 +32,7 @@ class MistakeSearch {
       return !judgement_.explainsError(suspect) && !judgement_.explainsBase(suspect);
     });
     if (std::ranges::none_of(suspects, SuspectJudgement::isAtNoise))
-      addExplaining(examined(withSteps(tried, judgement_.isLeftOver(suspects))), suspects);
+      addExplaining(examined(withSteps(tried, judgement_.hasRemainingError(suspects))), suspects);
     if (judgement_.needsCombinedSearch(suspects)) addExplaining(examined(screenedTogether()), suspects);
     if (suspects.empty()) return std::nullopt;
     std::ranges::stable_sort(suspects, std::greater{},

@@ -153,7 +153,8 @@ std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& measur
 std::vector<MeasurementCheck> plainChecks(const CheckedMeasurements& checked,
                                           const std::vector<MeasurementCheck>& suspected) {
   std::vector<MeasurementCheck> found;
-  for (const auto& look : {duplicates, hairPastLimits, smallAngles, pulses, heavyLoad, fewSegments, fewMeasurements})
+  for (const auto& look :
+       {duplicates, slightlyPastLimits, smallAngles, pulses, heavyLoad, fewSegments, fewMeasurements})
     if (auto check = look(checked);
         check && std::ranges::none_of(suspected, [&](const auto& other) { return other.name == check->name; }))
       found.push_back(std::move(*check));

@@ -18,7 +18,7 @@ inline std::optional<Correction> correction(const CheckedMeasurements& checked, 
     return of_rows ? sheet->find(sheet->rows + 1 - named.row, named.column)
                    : sheet->find(named.row, sheet->columns + 1 - named.column);
   };
-  if (!holes_off::areAllThere(checked, other)) return std::nullopt;
+  if (!holes_off::allHolesExist(checked, other)) return std::nullopt;
   Correction correction{"sheet-mirrored", value,
                         "the sheet is mirrored: its " + value + " are counted from the other side"};
   correction.change = [checked = &checked, other](std::vector<Measurement>& measurements) {

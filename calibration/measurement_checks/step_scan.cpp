@@ -176,7 +176,7 @@ VectorXd StepScan::sizeAt(std::size_t form, std::size_t measurement) const {
   return found ? found->size : VectorXd::Zero(forms_[form].numbers);
 }
 
-MatrixXd StepScan::creeping(std::size_t form, const std::vector<VectorXd>& along) const {
+MatrixXd StepScan::driftColumns(std::size_t form, const std::vector<VectorXd>& along) const {
   const MatrixXd& S = by_step_[form];
   MatrixXd columns(S.rows(), S.cols() * static_cast<Index>(along.size()));
   for (std::size_t c = 0; c < along.size(); ++c)
@@ -238,11 +238,11 @@ std::vector<std::vector<VectorXd>> StepScan::courses(const StepForm& form) const
   return courses;
 }
 
-double StepScan::bestCreep() const {
+double StepScan::bestDrift() const {
   double best = 0;
   for (std::size_t f = 0; f < forms_.size(); ++f)
     for (const auto& along : courses(forms_[f])) {
-      const MatrixXd columns = creeping(f, along);
+      const MatrixXd columns = driftColumns(f, along);
       if (const auto found = explained(sumsOf(columns)))
         best = std::max(best, gainOf(found->gain) - priceOfStep(static_cast<int>(columns.cols()), measurements_));
     }

@@ -35,7 +35,7 @@ class StepScan {
   /// Returns the least-squares size of a step of this form that begins at this measurement.
   [[nodiscard]] Eigen::VectorXd sizeAt(std::size_t form, std::size_t measurement) const;
   /// Returns the log odds gained by the best creep, minus its penalty; comparable with FoundStep::merit.
-  [[nodiscard]] double bestCreep() const;
+  [[nodiscard]] double bestDrift() const;
 
  private:
   struct Sums {
@@ -50,7 +50,7 @@ class StepScan {
   bool linearize(PlacedArm fitted, const FreeChoice& open);
   [[nodiscard]] std::optional<Explained> explained(const Sums& sums) const;
   [[nodiscard]] Sums sumsOf(const Eigen::MatrixXd& columns) const;
-  [[nodiscard]] Eigen::MatrixXd creeping(std::size_t form, const std::vector<Eigen::VectorXd>& along) const;
+  [[nodiscard]] Eigen::MatrixXd driftColumns(std::size_t form, const std::vector<Eigen::VectorXd>& along) const;
   [[nodiscard]] std::vector<std::vector<Eigen::VectorXd>> courses(const StepForm& form) const;
   [[nodiscard]] bool isOf(const StepForm& form, std::size_t measurement) const;
   [[nodiscard]] std::optional<FoundStep> bestStep(std::size_t form) const;

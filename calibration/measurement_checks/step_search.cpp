@@ -40,7 +40,7 @@ class StepSearch {
     const auto measurements = trials_.corrected(before_, TrialDepth::kOpen);
     const StepScan scan(without_.placed, trials_.open(), measurements, forms_);
     if (!scan.ok()) return {};
-    const double creep = scan.bestCreep();
+    const double creep = scan.bestDrift();
     double rival = creep;
     std::vector<Correction> found = changesOfStation(measurements);
     for (const FoundStep& step : scan.steps()) {

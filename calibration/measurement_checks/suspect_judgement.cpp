@@ -48,7 +48,7 @@ std::vector<deflection::Effect> magnitudesAlone(const deflection::Arm& arm) {
 
 }  // namespace
 
-bool SuspectJudgement::isLeftOver(const std::vector<Suspect>& suspects) const {
+bool SuspectJudgement::hasRemainingError(const std::vector<Suspect>& suspects) const {
   double least_error = trials_.asIs().ok ? trials_.asIs().open_error : std::numeric_limits<double>::infinity();
   for (const auto& suspect : suspects) least_error = std::min(least_error, suspect.open.error);
   return least_error > std::max(kLeftOver * trials_.reach(), kLeastFall * trials_.noise({}));
@@ -64,7 +64,7 @@ bool SuspectJudgement::needsCombinedSearch(const std::vector<Suspect>& suspects)
     const bool is_settled = suspect.correction.against > 0 && isAtNoise(suspect);  // a step that leaves only noise
     return !is_settled && (trials_.isBaseFar(suspect.drawn) || isBent(suspect));
   };
-  return isLeftOver(suspects) || (!suspects.empty() && std::ranges::all_of(suspects, isWanting));
+  return hasRemainingError(suspects) || (!suspects.empty() && std::ranges::all_of(suspects, isWanting));
 }
 
 bool SuspectJudgement::isAllNeeded(const Suspect& suspect) const {
@@ -76,7 +76,7 @@ bool SuspectJudgement::isAllNeeded(const Suspect& suspect) const {
     if (!open.ok) continue;
     const Trial held = trials_.tried(others, TrialDepth::kHeld);
     const bool falls = suspect.parts[k].against > 0 || held.error >= kLeastFall * suspect.drawn.held_error ||
-                       open.error >= kLeastFall * suspect.open.error || bringsBack(held, suspect.drawn);
+                       open.error >= kLeastFall * suspect.open.error || restoresNominalBase(held, suspect.drawn);
     if (!falls || trials_.gain(suspect.open) - trials_.gain(open) - suspect.parts[k].against < kOdds) return false;
   }
   return true;
@@ -150,7 +150,7 @@ bool SuspectJudgement::explainsError(const Suspect& suspect) const {
   return gainOf(suspect) >= kOdds && fallsAnywhere(is_left && hasNumbers(suspect.correction) ? kFitted : 1);
 }
 
-bool SuspectJudgement::bringsBack(const Trial& before, const Trial& after) const {
+bool SuspectJudgement::restoresNominalBase(const Trial& before, const Trial& after) const {
   constexpr double kBack = 4;  // smallest ratio of the distances before and after
   const double far_shift = kFarShift * trials_.reach();
   const bool turns_back = before.base_turn > kFarTurn && before.base_turn >= kBack * after.base_turn;
@@ -161,7 +161,7 @@ bool SuspectJudgement::bringsBack(const Trial& before, const Trial& after) const
 
 bool SuspectJudgement::explainsBase(const Suspect& suspect) const {
   constexpr double kHarm = 1.5;
-  return trials_.asIs().ok && bringsBack(trials_.asIs(), suspect.drawn) &&
+  return trials_.asIs().ok && restoresNominalBase(trials_.asIs(), suspect.drawn) &&
          suspect.drawn.error <= kHarm * trials_.asIs().error && trials_.gain(suspect.open) >= kOdds;
 }
 

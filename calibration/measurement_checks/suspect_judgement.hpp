@@ -28,7 +28,7 @@ class SuspectJudgement {
   /// Returns true if there is an error that a step of a few sigmas could cause.
   [[nodiscard]] bool needsStepSearch() const;
   /// Returns true if the remaining error exceeds the usual error of a model, for every suspect that could be corrected.
-  [[nodiscard]] bool isLeftOver(const std::vector<Suspect>& suspects) const;
+  [[nodiscard]] bool hasRemainingError(const std::vector<Suspect>& suspects) const;
 
   /// Returns true if several mistakes are worth trying together: an error remains, or every suspect leaves the base far
   /// from its nominal place or needs a distorted drawing. A step that leaves only noise needs no further mistake.
@@ -63,7 +63,7 @@ class SuspectJudgement {
   /// their priors or beyond.
   [[nodiscard]] bool isBent(const Suspect& suspect) const;
   /// Returns true if a base that was far from its nominal place before is near it after the correction.
-  [[nodiscard]] bool bringsBack(const Trial& before, const Trial& after) const;
+  [[nodiscard]] bool restoresNominalBase(const Trial& before, const Trial& after) const;
 
   const MistakeTrials& trials_;
 };

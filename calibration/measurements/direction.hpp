@@ -32,14 +32,14 @@ struct Deviation {
   Eigen::Matrix<double, 2, 3> slope;
 };
 inline Deviation deviationOf(const Eigen::Vector3d& direction_M) {
-  const Eigen::Vector2d aside = direction_M.head<2>();
-  const double sine = aside.norm(), angle = std::atan2(sine, direction_M.z());
-  Deviation deviation{aside, Eigen::Matrix<double, 2, 3>::Zero()};
+  const Eigen::Vector2d lateral = direction_M.head<2>();
+  const double sine = lateral.norm(), angle = std::atan2(sine, direction_M.z());
+  Deviation deviation{lateral, Eigen::Matrix<double, 2, 3>::Zero()};
   if (sine < 1e-8) {  // for small angles, the angle equals its sine
     deviation.slope.leftCols<2>().setIdentity();
     return deviation;
   }
-  const Eigen::Vector2d along = aside / sine;
+  const Eigen::Vector2d along = lateral / sine;
   deviation.angles = angle * along;
   deviation.slope.leftCols<2>() = angle / sine * (Eigen::Matrix2d::Identity() - along * along.transpose());
   deviation.slope.leftCols<2>() += direction_M.z() * along * along.transpose();

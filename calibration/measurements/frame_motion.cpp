@@ -7,7 +7,7 @@ namespace tubeplan::calibration {
 
 using Eigen::Index, Eigen::Isometry3d, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d;
 
-void FrameMotion::takeOff(const FrameMotion& from, Index own_joints) {
+void FrameMotion::subtract(const FrameMotion& from, Index own_joints) {
   p_BF -= from.p_BF;
   const Index shared = by_BF.cols() - own_joints;
   by_BF.leftCols(shared) -= from.by_BF.leftCols(shared);

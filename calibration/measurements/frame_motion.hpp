@@ -16,7 +16,7 @@ struct FrameMotion {
 
   /// Subtracts position and derivatives of the reference frame. If the reference posture has joint readings of its own,
   /// the last `own_joints` columns stay separate: first those of this frame, then those of the reference.
-  void takeOff(const FrameMotion& from, Eigen::Index own_joints);
+  void subtract(const FrameMotion& from, Eigen::Index own_joints);
 };
 
 /// Returns the variables of the derivatives that a request needs: its parameters; three rotations of gravity if

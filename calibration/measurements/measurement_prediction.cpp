@@ -68,7 +68,7 @@ Prediction MeasurementPredictor::predict(const Eigen::Isometry3d& X_WB, const Me
   if (const auto from = referencePostureOf(measurement, arm_, X_WB)) {
     FrameMotion reference;
     prediction.ok = solveFrame(*tip_, *from, variables, std::nullopt, reference) && prediction.ok;
-    frame.takeOff(reference, ownJointsOf(measurement, request, arm_));
+    frame.subtract(reference, ownJointsOf(measurement, request, arm_));
   }
   predictOf(frame, arm_, X_WB, measurement, request, prediction);
   return prediction;

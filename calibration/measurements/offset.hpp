@@ -31,8 +31,8 @@ inline MeasuredValue measured(const Measurement& measurement) {
 }
 /// Writes the components seen by a camera that looks along the world's z axis, which is the axis of the holes.
 inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& measurement) {
-  const Eigen::Index unseen = partly_seen::axisAlong(Eigen::Vector3d::UnitZ(), tool);
-  measurement.kind_values = partly_seen::without(seen(measurement, tool) + noise.head<3>(), unseen);
+  const Eigen::Index unmeasured = partly_seen::axisAlong(Eigen::Vector3d::UnitZ(), tool);
+  measurement.kind_values = partly_seen::without(seen(measurement, tool) + noise.head<3>(), unmeasured);
 }
 
 inline MeasurementKindRow kind() {

@@ -21,9 +21,9 @@ Rows stated(const Measurement& measurement, const Rows& all) {
   return some;
 }
 
-/// Returns the values with NaN for the component of index `unseen`.
-inline Eigen::Vector3d without(Eigen::Vector3d values, Eigen::Index unseen) {
-  values[unseen] = std::numeric_limits<double>::quiet_NaN();
+/// Returns the values with NaN for the component of index `unmeasured`.
+inline Eigen::Vector3d without(Eigen::Vector3d values, Eigen::Index unmeasured) {
+  values[unmeasured] = std::numeric_limits<double>::quiet_NaN();
   return values;
 }
 

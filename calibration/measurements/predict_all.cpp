@@ -70,7 +70,7 @@ class SideBySide {
       moveTo(static_cast<Index>(k - first), seesTurn(measurement), frame_);
       if (const Index from = from_[k - first]; from >= 0) {
         moveTo(from, false, reference_);
-        frame_.takeOff(reference_, ownJointsOf(measurement, task_.request, arm));
+        frame_.subtract(reference_, ownJointsOf(measurement, task_.request, arm));
       }
       predictOf(frame_, arm, task_.X_WB(k), measurement, task_.request, prediction_);
       task_.each(k, prediction_);

@@ -18,16 +18,16 @@ inline bool isDisc(const Measurement& measurement) { return !(measurement.kind_v
 inline int rowsOf(const Measurement& measurement) { return isDisc(measurement) ? 2 : 1; }
 
 /// Returns the tip's offset from the hole's axis, which is the world's z axis [m].
-inline Eigen::Vector2d aside(const Measurement& measurement, const ToolPose& tool) {
+inline Eigen::Vector2d lateralOffset(const Measurement& measurement, const ToolPose& tool) {
   return (tool.p_W - *measurement.p_W).head<2>();
 }
 inline MeasuredValue value(const Measurement& measurement, const ToolPose& tool) {
-  if (isDisc(measurement)) return aside(measurement, tool);
-  return MeasuredValue::Constant(1, aside(measurement, tool).norm());
+  if (isDisc(measurement)) return lateralOffset(measurement, tool);
+  return MeasuredValue::Constant(1, lateralOffset(measurement, tool).norm());
 }
 inline MeasuredSlope slope(const Measurement& measurement, const ToolPose& tool) {
   if (isDisc(measurement)) return {Eigen::Matrix<double, 2, 3>::Identity(), {}};
-  const Eigen::Vector2d off = aside(measurement, tool);
+  const Eigen::Vector2d off = lateralOffset(measurement, tool);
   const Eigen::Vector2d along = off.norm() > 0 ? Eigen::Vector2d(off.normalized()) : Eigen::Vector2d::UnitX();
   return {Eigen::RowVector3d(along.x(), along.y(), 0), {}};
 }
@@ -37,12 +37,12 @@ inline MeasuredValue measured(const Measurement& measurement) {
 }
 /// Writes the tip's offset in the place of the bounds; the simulator derives the number of steps from it.
 inline void record(const ToolPose& tool, double, const MeasuredValue&, Measurement& measurement) {
-  measurement.kind_values.tail<2>() = aside(measurement, tool);
+  measurement.kind_values.tail<2>() = lateralOffset(measurement, tool);
 }
 
-/// Returns the standard deviation of each row [m] for a centring error between `beyond` and `within` [m].
-inline double sigmaBetween(double beyond, double within) {
-  return beyond > 0 ? (within - beyond) / std::sqrt(12.) : within / 2;
+/// Returns the standard deviation of each row [m] for a centring error between `lower` and `upper` [m].
+inline double sigmaBetween(double lower, double upper) {
+  return lower > 0 ? (upper - lower) / std::sqrt(12.) : upper / 2;
 }
 
 inline MeasurementKindRow kind() {

@@ -34,8 +34,8 @@ inline MeasuredValue measured(const Measurement& measurement) {
 }
 inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& measurement) {
   const Eigen::Vector3d angles = sines(measurement, tool).array().asin();
-  const Eigen::Index unseen = partly_seen::axisAlong(*measurement.direction_W, tool);
-  measurement.kind_values = partly_seen::without(angles + noise.tail<3>() / kTurnLever, unseen);
+  const Eigen::Index unmeasured = partly_seen::axisAlong(*measurement.direction_W, tool);
+  measurement.kind_values = partly_seen::without(angles + noise.tail<3>() / kTurnLever, unmeasured);
 }
 
 inline void state(const KnownPlaces& places, Measurement& measurement) { measurement.direction_W = places.up_W; }

@@ -25,7 +25,7 @@ inline Eigen::VectorXd momentsAbout(const MeasurementScene& scene, Eigen::Index 
   return moments;
 }
 
-inline bool isSaid(const std::vector<Variable>& list, const Eigen::VectorXd& course) {
+inline bool isAlreadyListed(const std::vector<Variable>& list, const Eigen::VectorXd& course) {
   return std::any_of(list.begin(), list.end(), [&](const Variable& other) {
     return std::abs(other.basis.col(0).normalized().dot(course.normalized())) > 1 - kSameCourse;
   });
@@ -43,7 +43,7 @@ inline std::vector<Variable> variables(const MeasurementScene& scene) {
                         {},
                         {}};
       const Eigen::VectorXd course = centred(variable.value, [](double m) { return m; });
-      if (course.cwiseAbs().maxCoeff() <= kLeastShare * largest || isSaid(list, course)) continue;
+      if (course.cwiseAbs().maxCoeff() <= kLeastShare * largest || isAlreadyListed(list, course)) continue;
       const double positive = (variable.value.array() > 0).cast<double>().mean();
       const bool has_both = std::min(positive, 1 - positive) >= kFewestOfSign;
       variable.basis.resize(course.size(), has_both ? 2 : 1);

@@ -60,7 +60,7 @@ struct SearchedScene {
         columns.block(weights.first_row[k], 3 * j, along.rows(), 3) = along * basis(static_cast<Index>(k), j);
     }
     const VectorXd lengths = columns.colwise().norm();
-    takeSharedOff(weights, columns);
+    removeSharedParts(weights, columns);
     throwIfStopped(stop);
     columns -= (others * (others.transpose() * columns)).eval();
     return orthonormal(columns, lengths);
@@ -198,7 +198,7 @@ Followed followGroups(const SearchedScene& search, const Variable& variable, con
       at += along.rows();
     }
     const VectorXd lengths = columns.colwise().norm();
-    takeOffWithin(search.weights, group, columns);
+    removeSharedPartsWithin(search.weights, group, columns);
     const MatrixXd mean = orthonormal(columns, lengths);
     numbers += static_cast<double>(mean.cols()) - (mean.transpose() * fitted).squaredNorm();
     const VectorXd part = mean * (mean.transpose() * own);

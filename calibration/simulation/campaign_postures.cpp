@@ -50,7 +50,7 @@ PostureSource::PostureSource(const deflection::Arm& arm, std::uint64_t seed)
   }
 }
 
-Eigen::VectorXd PostureSource::anywhere() {
+Eigen::VectorXd PostureSource::randomPosture() {
   Eigen::VectorXd q(lower_.size());
   for (int k = 0; k < q.size(); ++k) q[k] = random_.uniform(lower_[k], upper_[k]);
   return q;
@@ -70,8 +70,8 @@ HoleStart PostureSource::atHole(const CampaignSite& site, const std::vector<Camp
   start.hole = holes[random_.index(static_cast<int>(holes.size()))];
   const deflection::ToolGoal goal{site.X_WB.inverse() * (start.hole.p_W - below * axis_W),
                                   site.X_WB.linear().transpose() * axis_W};
-  const auto starts =
-      deflection::isTurretArm(arm_) ? deflection::turretBranches(arm_, goal) : std::vector<Eigen::VectorXd>{anywhere()};
+  const auto starts = deflection::isTurretArm(arm_) ? deflection::turretBranches(arm_, goal)
+                                                    : std::vector<Eigen::VectorXd>{randomPosture()};
   start.refusal = PostureRefusal::kOutOfReach;
   if (starts.empty()) return start;
   const auto& from = starts[random_.index(static_cast<int>(starts.size()))];

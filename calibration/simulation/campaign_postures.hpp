@@ -45,7 +45,7 @@ class PostureSource {
 
   /// Returns a random posture within the joint limits, with a margin for noisy measurements. Joints without limits
   /// range over half a turn on either side of zero, prismatic ones over the arm's reach.
-  [[nodiscard]] Eigen::VectorXd anywhere();
+  [[nodiscard]] Eigen::VectorXd randomPosture();
 
   /// Returns a random unit vector; all directions are equally likely.
   [[nodiscard]] Eigen::Vector3d direction();

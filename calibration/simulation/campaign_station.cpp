@@ -86,7 +86,7 @@ CampaignStation::CampaignStation(const deflection::Arm& arm, const CampaignDesig
       source_(arm, options.seed),
       reach_(deflection::reachOf(arm)),
       fresh_holes_(options.holes),
-      last_q_(source_.anywhere()) {}
+      last_q_(source_.randomPosture()) {}
 
 StationMeasurements CampaignStation::read(const CampaignSite& site, int number,
                                           const std::vector<MeasurementConditions>& conditions) {
@@ -113,9 +113,9 @@ StationMeasurements CampaignStation::read(const CampaignSite& site, int number,
   return taken;
 }
 
-TipTrial CampaignStation::tryAnywhere(const CampaignSite& site) {
+TipTrial CampaignStation::tryRandomPosture(const CampaignSite& site) {
   Measurement measurement;
-  measurement.q = source_.anywhere();
+  measurement.q = source_.randomPosture();
   measurement.load = design_.loads.front();
   return check(site, measurement);
 }
@@ -123,7 +123,7 @@ TipTrial CampaignStation::tryAnywhere(const CampaignSite& site) {
 PostureRefusal CampaignStation::begin(const CampaignSite& site, StationMeasurements& taken, VectorXd& q) {
   if (design_.place == CampaignPlace::kHoles) return beginAtHole(site, taken, q);
   if (kindOf(design_.kind).through) return beginAtSurface(site, taken, q);
-  q = source_.anywhere();
+  q = source_.randomPosture();
   if (!kindOf(design_.kind).is_touch || taken.p_W) return PostureRefusal::kNone;
   Measurement first;
   first.q = q;
@@ -144,7 +144,7 @@ PostureRefusal CampaignStation::beginAtSurface(const CampaignSite& site, Station
   const MeasurementKindRow& kind = kindOf(design_.kind);
   for (int draws = 0; draws < kMostPostures; ++draws) {
     Measurement first;
-    first.q = q = source_.anywhere();
+    first.q = q = source_.randomPosture();
     first.load = design_.loads.front();
     const auto tool = toolIn(arm_, site, first);
     if (!tool) continue;

@@ -44,7 +44,7 @@ class CampaignStation {
   void renewHoles() { fresh_holes_ = options_.holes; }
 
   /// Draws a random posture, and returns the pose of the tool in it under the first load.
-  [[nodiscard]] TipTrial tryAnywhere(const CampaignSite& site);
+  [[nodiscard]] TipTrial tryRandomPosture(const CampaignSite& site);
 
   /// For designs in a plane: sets the height of the plane [m], measured against gravity in the world frame.
   void setPlaneHeight(double height) { plane_height_ = height; }

@@ -95,7 +95,7 @@ class CampaignMaker {
     std::vector<double> heights;
     for (int draws = 0; draws < options_.max_draws && heights.size() < kHeightDraws; ++draws) {
       if (wantsStop()) return false;
-      const TipTrial trial = station_.tryAnywhere(sites_.front());
+      const TipTrial trial = station_.tryRandomPosture(sites_.front());
       ++counts[static_cast<std::size_t>(trial.refusal)];
       if (trial.refusal == PostureRefusal::kNone) heights.push_back(-arm_.gravity_W.dot(trial.tool.p_W));
     }

@@ -6,18 +6,18 @@ namespace tubeplan::calibration {
 
 using Eigen::Vector2d;
 
-double depthAmidLastStep(const tubesheets::SteppedTool& tool) {
+double midDepthOfLastStep(const tubesheets::SteppedTool& tool) {
   return tubesheets::middleOf(tool, tool.steps.size() - 1);
 }
 
 CountedSteps countedSteps(const tubesheets::SteppedTool& tool, const Vector2d& lean, double sigma, int entered) {
   CountedSteps count{entered, {{}}};
-  const double depth = depthAmidLastStep(tool);
+  const double depth = midDepthOfLastStep(tool);
   CommonDiscs discs;
   for (const tubesheets::Section& section : tubesheets::sectionsOf(tool)) {
     discs.push_back({(section.below - depth) * lean / sigma, section.tolerance / sigma});
     count.at_least.resize(section.step + 2);
-    count.at_least.back() = withoutNeedless(discs);
+    count.at_least.back() = withoutRedundant(discs);
   }
   count.at_least.push_back({{Vector2d::Zero(), -1}});
   return count;

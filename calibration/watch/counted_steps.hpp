@@ -21,10 +21,10 @@ struct CountedSteps {
 };
 
 /// Returns how far the section amid the last step is below the tip [m]; 0 for a tool without lengths.
-[[nodiscard]] double depthAmidLastStep(const tubesheets::SteppedTool& tool);
+[[nodiscard]] double midDepthOfLastStep(const tubesheets::SteppedTool& tool);
 
 /// Returns a count for a tool with the tilt `lean`, in units of `sigma` [m]. The offset is that of the section at
-/// depthAmidLastStep().
+/// midDepthOfLastStep().
 [[nodiscard]] CountedSteps countedSteps(const tubesheets::SteppedTool& tool, const Eigen::Vector2d& lean, double sigma,
                                         int entered);
 

@@ -107,7 +107,7 @@ RegionProbability probabilityAlongAxes(const CommonDiscs& discs, const Vector2d&
 
 }  // namespace
 
-CommonDiscs withoutNeedless(const CommonDiscs& discs) {
+CommonDiscs withoutRedundant(const CommonDiscs& discs) {
   CommonDiscs needed;
   const auto isIn = [](const Disc& inner, const Disc& outer) {
     return (inner.centre - outer.centre).norm() + inner.radius <= outer.radius;

@@ -15,7 +15,7 @@ struct Disc {
 using CommonDiscs = std::vector<Disc>;
 
 /// Returns the same points by fewer discs: without those that have another of the discs in them.
-[[nodiscard]] CommonDiscs withoutNeedless(const CommonDiscs& discs);
+[[nodiscard]] CommonDiscs withoutRedundant(const CommonDiscs& discs);
 
 /// Probability, with its derivatives with respect to the point's mean.
 struct RegionProbability {

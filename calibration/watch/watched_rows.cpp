@@ -55,7 +55,7 @@ CountedOffsets countedOffsets(const WatchedArm& watched, const std::vector<Measu
     counted.ok = axis.has_value();
     if (!axis) continue;
     counted.lean[k] = axis->lean();
-    offset.p_QS = -depthAmidLastStep(watched.tool) / axis->axis_W.z() * axis->axis_T;
+    offset.p_QS = -midDepthOfLastStep(watched.tool) / axis->axis_W.z() * axis->axis_T;
     const auto next = std::min(static_cast<std::size_t>(offset.kind_values[0]), watched.tool.steps.size() - 1);
     offset.kind_values[1] = 0;
     offset.kind_values[2] = watched.tool.steps[next].tolerance;

@@ -35,7 +35,7 @@ inline EffectKind kind() {
           .parameters = {{"x", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-6},
                          {"y", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-6},
                          {"z", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-6}},
-          .places = places::theOnly,
+          .places = places::singlePlace,
           .apply = apply<double>,
           .applyDual = apply<Dual>};
 }

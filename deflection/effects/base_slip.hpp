@@ -35,7 +35,7 @@ inline EffectKind kind() {
                          {"z", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},
                          {"yaw", Quantity::kAngle, 0, -3.2, 3.2, 0.02},
                          {"time", Quantity::kTime, 0, -kUnbounded, kUnbounded, kUnbounded, true}},
-          .places = places::theOnly,
+          .places = places::singlePlace,
           .apply = apply<double>,
           .applyDual = apply<Dual>};
 }

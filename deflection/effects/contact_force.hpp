@@ -29,7 +29,7 @@ inline EffectKind kind() {
           .varies_with = {EffectVariable::kJoint, EffectVariable::kMoment},
           .needs = {},
           .parameters = {{"force", Quantity::kForce, 0, -kUnbounded, kUnbounded, 200}},
-          .places = places::theOnly,
+          .places = places::singlePlace,
           .apply = apply<double>,
           .applyDual = apply<Dual>};
 }

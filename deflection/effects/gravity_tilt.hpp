@@ -31,7 +31,7 @@ inline EffectKind kind() {
           .varies_with = {EffectVariable::kJoint},
           .needs = {},
           .parameters = {{"x", Quantity::kAngle, 0, -0.5, 0.5, 0.05}, {"y", Quantity::kAngle, 0, -0.5, 0.5, 0.05}},
-          .places = places::theOnly,
+          .places = places::singlePlace,
           .apply = apply<double>,
           .applyDual = apply<Dual>};
 }

@@ -34,7 +34,7 @@ inline EffectKind kind() {
           .parameters = {{"x", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.3},
                          {"y", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.3},
                          {"z", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.3}},
-          .places = places::theOnly,
+          .places = places::singlePlace,
           .apply = apply<double>,
           .applyDual = apply<Dual>};
 }

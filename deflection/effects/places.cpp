@@ -55,7 +55,7 @@ std::vector<Place> ofAxes(const Arm& arm, bool (*accepts)(const Arm&, int, int))
   return out;
 }
 
-std::vector<Place> theOnly(const Arm&) { return {Place{}}; }
+std::vector<Place> singlePlace(const Arm&) { return {Place{}}; }
 
 }  // namespace places
 

@@ -22,6 +22,6 @@ std::vector<Place> ofRows(const Arm& arm, bool (*accepts)(const Arm&, int row));
 std::vector<Place> ofAxes(const Arm& arm, bool (*accepts)(const Arm&, int row, int axis));
 
 /// Returns the only place of an effect whose kind has PlaceRule::kWord.
-std::vector<Place> theOnly(const Arm& arm);
+std::vector<Place> singlePlace(const Arm& arm);
 
 }  // namespace tubeplan::deflection::places

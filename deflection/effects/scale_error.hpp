@@ -29,7 +29,7 @@ inline EffectKind kind() {
           .varies_with = {EffectVariable::kPosition},
           .needs = {},
           .parameters = {{"scale", Quantity::kNone, 0, -0.5, 0.5, 0.005}},
-          .places = places::theOnly,
+          .places = places::singlePlace,
           .apply = apply<double>,
           .applyDual = apply<Dual>};
 }

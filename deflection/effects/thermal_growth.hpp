@@ -54,7 +54,7 @@ inline EffectKind kind() {
           .varies_with = {Condition::kTemperature},
           .needs = {},
           .parameters = {{"expansion", Quantity::kPerTemperature, 0, -0.01, 0.01, 1e-4}},
-          .places = places::theOnly,
+          .places = places::singlePlace,
           .apply = apply<double>,
           .applyDual = apply<Dual>};
 }

@@ -31,7 +31,7 @@ inline EffectKind kind() {
           .parameters = {{"x", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},
                          {"y", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},
                          {"z", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02}},
-          .places = places::theOnly,
+          .places = places::singlePlace,
           .apply = apply<double>,
           .applyDual = apply<Dual>};
 }

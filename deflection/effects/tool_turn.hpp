@@ -33,7 +33,7 @@ inline EffectKind kind() {
           .parameters = {{"x", Quantity::kAngle, 0, -kFullTurn, kFullTurn, 0.1},
                          {"y", Quantity::kAngle, 0, -kFullTurn, kFullTurn, 0.1},
                          {"z", Quantity::kAngle, 0, -kFullTurn, kFullTurn, 0.1}},
-          .places = places::theOnly,
+          .places = places::singlePlace,
           .apply = apply<double>,
           .applyDual = apply<Dual>};
 }

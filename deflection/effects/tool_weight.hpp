@@ -34,7 +34,7 @@ inline EffectKind kind() {
           .varies_with = {EffectVariable::kJoint, EffectVariable::kMoment},
           .needs = {},
           .parameters = {{"scale", Quantity::kNone, 0, -1, kUnbounded, 0.5}},
-          .places = places::theOnly,
+          .places = places::singlePlace,
           .apply = apply<double>,
           .applyDual = apply<Dual>};
 }

@@ -96,13 +96,13 @@ ClosureChain<Size> withJointHeld(ClosureChain<Size> chain, std::size_t k, double
   const JointClosure<Size>& held = chain.joints[k];
   const double at = reading / chain.reach, first = held.slides ? at : std::cos(reading),
                second = held.slides ? at * at : std::sin(reading);
-  const auto forth = (held.forth[0] + first * held.forth[1] + second * held.forth[2]).eval(),
-             back = (held.back[0] + first * held.back[1] + second * held.back[2]).eval();
+  const auto forward = (held.forward[0] + first * held.forward[1] + second * held.forward[2]).eval(),
+             backward = (held.backward[0] + first * held.backward[1] + second * held.backward[2]).eval();
   if (k + 1 == chain.joints.size()) {
-    chain.tool = (forth * chain.tool).eval();
+    chain.tool = (forward * chain.tool).eval();
   } else {
-    for (auto& term : chain.joints[k + 1].forth) term = (forth * term).eval();
-    for (auto& term : chain.joints[k + 1].back) term = (term * back).eval();
+    for (auto& term : chain.joints[k + 1].forward) term = (forward * term).eval();
+    for (auto& term : chain.joints[k + 1].backward) term = (term * backward).eval();
   }
   chain.joints.erase(chain.joints.begin() + static_cast<std::ptrdiff_t>(k));
   return chain;
@@ -144,9 +144,9 @@ auto ClosedLoop<Size>::outerSide(const Vector3d& p_B, const Vector3d& axis_B) co
   const Closure<Size> goal = closureOf<Size>(p_B / reach_, axis_B);
   Outer side;
   for (int a = 0; a < 3; ++a) {
-    const Closure<Size> first = outer_[0].back[static_cast<std::size_t>(a)] * goal;
+    const Closure<Size> first = outer_[0].backward[static_cast<std::size_t>(a)] * goal;
     if constexpr (kOuter == 2)
-      for (int b = 0; b < 3; ++b) side.col(3 * a + b) = outer_[1].back[static_cast<std::size_t>(b)] * first;
+      for (int b = 0; b < 3; ++b) side.col(3 * a + b) = outer_[1].backward[static_cast<std::size_t>(b)] * first;
     else
       side.col(a) = first;
   }

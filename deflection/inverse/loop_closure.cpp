@@ -80,20 +80,20 @@ Closure<kPlaceSize> placeClosure(const Vector3d& p) {
 
 template <int Size>
 JointClosure<Size> jointClosure(const AxesAtZero& axes, std::size_t k) {
-  const auto forth = termsOf(axes.point[k], axes.direction[k], axes.slides[k], 1),
-             back = termsOf(axes.point[k], axes.direction[k], axes.slides[k], -1);
+  const auto forward = termsOf(axes.point[k], axes.direction[k], axes.slides[k], 1),
+             backward = termsOf(axes.point[k], axes.direction[k], axes.slides[k], -1);
   JointClosure<Size> joint;
   joint.slides = axes.slides[k];
   for (std::size_t t = 0; t < 3; ++t) {
-    joint.forth[t] = ownPart<Size>(forth[t]);
-    joint.back[t] = ownPart<Size>(back[t]);
+    joint.forward[t] = ownPart<Size>(forward[t]);
+    joint.backward[t] = ownPart<Size>(backward[t]);
   }
   return joint;
 }
 
 template <int Size>
 JointTerms<Size> byHalfTangent(const JointClosure<Size>& joint, double zero) {
-  const auto& [constant, first, second] = joint.forth;
+  const auto& [constant, first, second] = joint.forward;
   if (joint.slides) return {constant + zero * first + zero * zero * second, first + 2 * zero * second, second};
   const double c = std::cos(zero), s = std::sin(zero);
   return {constant + c * first + s * second, 2 * (c * second - s * first), constant - c * first - s * second};

@@ -30,7 +30,7 @@ using JointTerms = std::array<Eigen::Matrix<double, Size, Size>, 3>;
 /// A joint's motion in terms of 1, cos q and sin q (1, d and d^2 for a prismatic joint).
 template <int Size>
 struct JointClosure {
-  JointTerms<Size> forth, back;  ///< terms of the motion by q and of its inverse, the motion by -q
+  JointTerms<Size> forward, backward;  ///< terms of the motion by q and of its inverse, the motion by -q
   bool slides;
 };
 

@@ -45,8 +45,8 @@ StartPostures::StartPostures(const Arm& arm, const InverseKinematicsOptions& opt
       options_(roughly(options)),
       rigid_(arm, false, rigidTips(axes_), options_) {}
 
-bool StartPostures::leadAll(const ToolGoal& goal, std::span<const VectorXd> starts,
-                            std::vector<Candidate>& candidates) {
+bool StartPostures::iterateAll(const ToolGoal& goal, std::span<const VectorXd> starts,
+                               std::vector<Candidate>& candidates) {
   std::vector<Candidate> met, near;
   for (const Branch& found : leadToGoals(rigid_, std::vector(starts.size(), goal), starts)) {
     if (!(found.position_error < kBends * rigid_.reach())) continue;
@@ -77,7 +77,7 @@ std::vector<StartPostures::Candidate> StartPostures::within(const ToolGoal& goal
 std::vector<StartPostures::Candidate> StartPostures::search(const ToolGoal& goal) {
   std::vector<Candidate> found;
   if (arm_.jointCount() < 3 || countSlides(axes_) >= 2) {
-    (void)leadAll(goal, latticeStarts(arm_, options_.lattice_starts), found);
+    (void)iterateAll(goal, latticeStarts(arm_, options_.lattice_starts), found);
     return found;
   }
   std::vector<VectorXd> starts;
@@ -87,17 +87,17 @@ std::vector<StartPostures::Candidate> StartPostures::search(const ToolGoal& goal
     found = within(goal, starts);
     if (found.size() >= kEnough) return found;
   }
-  if (leadAll(goal, starts, found)) return found;
+  if (iterateAll(goal, starts, found)) return found;
   // If no posture has the tool along the goal axis, postures that only reach the goal position may still have an
   // allowed tilt.
   starts.clear();
   if (!places_) places_.emplace(arm_, axes_, RigidSearch::Constraint::kPlace);
   places_->addPostures(goal, starts);
-  (void)leadAll(goal, starts, found);
+  (void)iterateAll(goal, starts, found);
   return found;
 }
 
-std::vector<VectorXd> StartPostures::unlike(std::span<const Candidate> candidates, int most) const {
+std::vector<VectorXd> StartPostures::distinct(std::span<const Candidate> candidates, int most) const {
   const auto areDistinct = [this](const VectorXd& a, const VectorXd& b, double least) {
     for (Eigen::Index j = 0; j < a.size(); ++j)
       if ((rigid_.scale()[j] == 1 ? angleDifference(a[j], b[j]) : std::abs(a[j] - b[j]) / rigid_.scale()[j]) > least)
@@ -124,8 +124,8 @@ void StartPostures::addStarts(const ToolGoal& goal, std::vector<VectorXd>& start
   std::stable_sort(penalized, found.end(),
                    [](const Candidate& a, const Candidate& b) { return a.penalty < b.penalty; });
   const auto good = static_cast<std::size_t>(penalized - found.begin());
-  for (auto& q : unlike(std::span(found).first(good), options_.most_branches)) starts.push_back(std::move(q));
-  for (auto& q : unlike(std::span(found).subspan(good), kMostPenalized)) starts.push_back(std::move(q));
+  for (auto& q : distinct(std::span(found).first(good), options_.most_branches)) starts.push_back(std::move(q));
+  for (auto& q : distinct(std::span(found).subspan(good), kMostPenalized)) starts.push_back(std::move(q));
 }
 
 }  // namespace tubeplan::deflection

@@ -32,8 +32,8 @@ class StartPostures {
   [[nodiscard]] std::vector<Candidate> within(const ToolGoal& goal, std::span<const Eigen::VectorXd> starts);
   /// Iterates from each start to the goal. Sets `candidates` to the postures that meet the goal or, if there are none,
   /// to the postures that end near it. Returns true if any posture meets it.
-  bool leadAll(const ToolGoal& goal, std::span<const Eigen::VectorXd> starts, std::vector<Candidate>& candidates);
-  [[nodiscard]] std::vector<Eigen::VectorXd> unlike(std::span<const Candidate> candidates, int most) const;
+  bool iterateAll(const ToolGoal& goal, std::span<const Eigen::VectorXd> starts, std::vector<Candidate>& candidates);
+  [[nodiscard]] std::vector<Eigen::VectorXd> distinct(std::span<const Candidate> candidates, int most) const;
 
   const Arm& arm_;
   AxesAtZero axes_;

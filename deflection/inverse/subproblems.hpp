@@ -46,7 +46,7 @@ inline Eigen::Vector2d turned(const Eigen::Vector2d& d, double angle) { return E
 
 /// Largest |cosine| of the elbow angle that a goal may require. Values slightly above 1 are allowed, because deflection
 /// extends the reach.
-inline constexpr double kMostBeyond = 1.1;
+inline constexpr double kLargestElbowCosine = 1.1;
 
 /// Returns the shoulder and elbow angles [rad] that bring the wrist to `w`. The shoulder is at the plane's origin;
 /// `elbow` and `wrist` are positions at zero readings.
@@ -55,7 +55,7 @@ inline std::vector<Eigen::Vector2d> solveTwoLinks(const Eigen::Vector2d& elbow, 
   const Eigen::Vector2d upper = elbow, fore = wrist - elbow;
   const double l1 = upper.norm(), l2 = fore.norm();
   const double c = (w.squaredNorm() - l1 * l1 - l2 * l2) / (2 * l1 * l2);
-  if (!(std::abs(c) <= kMostBeyond)) return {};
+  if (!(std::abs(c) <= kLargestElbowCosine)) return {};
   // A deflected arm may reach slightly further than a rigid one. For a goal just out of rigid reach, start from a
   // slightly bent elbow.
   const double at_zero = angleOf(fore) - angleOf(upper),

@@ -101,7 +101,7 @@ WristBranches::WristBranches(const AxesAtZero& axes, double reach)
   assert(axes.point.size() == 6);
 }
 
-bool WristBranches::lead(const Vector3d& p_BW, VectorXd& arm) const {
+bool WristBranches::iterate(const Vector3d& p_BW, VectorXd& arm) const {
   TipMotion tip;
   Vector3d off;
   for (int step = 0; step <= kMostSteps; ++step) {
@@ -155,7 +155,7 @@ std::vector<WristBranches::Root> WristBranches::rootsAt(const ToolGoal& goal, do
   const Vector3d p_BW = goal.p_BT + R * (arm_.tip - axes_.tip);
   std::vector<Root> roots;
   for (VectorXd& arm : armsAt(p_BW, most_imaginary))
-    if (lead(p_BW, arm)) roots.push_back(rootAt(std::move(arm), R));
+    if (iterate(p_BW, arm)) roots.push_back(rootAt(std::move(arm), R));
   return roots;
 }
 

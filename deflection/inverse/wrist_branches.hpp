@@ -52,7 +52,7 @@ class WristBranches {
   [[nodiscard]] Root rootAt(Eigen::VectorXd arm, const Eigen::Matrix3d& R) const;
   /// Iterates from a root to readings with the wrist centre at its position. Returns false if the centre does not come
   /// near it.
-  [[nodiscard]] bool lead(const Eigen::Vector3d& p_BW, Eigen::VectorXd& arm) const;
+  [[nodiscard]] bool iterate(const Eigen::Vector3d& p_BW, Eigen::VectorXd& arm) const;
   void addWrists(const Root& root, double q4_in_line, std::vector<Eigen::VectorXd>& postures) const;
   [[nodiscard]] Eigen::VectorXd withWrist(const Root& root, double q4, double q5) const;
   void addInLineBetween(const ToolGoal& goal, std::span<const Root> from, double from_roll, std::span<const Root> to,

@@ -148,7 +148,7 @@ inline SineCosine bentSineCosine(Real x) {
 }
 
 /// Rotates the vector (c, s) by a small angle x [rad]; accurate to rounding below 1e-3 rad.
-inline void turnLittle(Real x, Real& c, Real& s) {
+inline void rotateBySmallAngle(Real x, Real& c, Real& s) {
   const Real t2 = x * x;
   const Real sine = x - x * t2 * (1. / 6), less = t2 * (0.5 - t2 * (1. / 24));
   const Real was = c;

@@ -14,7 +14,7 @@ inline constexpr int kMaxUnknowns = 48;  ///< largest number of compliant turns 
 inline constexpr int kMaxJoints = 8;
 inline constexpr int kGravityTurns = 3;  ///< number of rotations of gravity, about the base's axes
 
-enum Twisted { kStraight, kQuarter, kAskew };
+enum Twisted { kStraight, kQuarter, kOblique };
 
 struct Turn {
   /// Translation from the frame before, in that frame's axes [m]; for a beam the undeflected vector, with p[2] = 0.

@@ -156,7 +156,7 @@ class RevoluteChain::Builder {
       turn.sin_rest = std::sin(turn.offset);
     }
     for (int k = 0; k < 3; ++k) turn.shifted[k] = turn.p[k] != 0;
-    turn.twist = turn.sin_twist == 0 && turn.cos_twist == 1 ? kStraight : turn.cos_twist == 0 ? kQuarter : kAskew;
+    turn.twist = turn.sin_twist == 0 && turn.cos_twist == 1 ? kStraight : turn.cos_twist == 0 ? kQuarter : kOblique;
     turn.is_compliant = turn.compliance > 0;
     turn.has_moment = turn.moment[0] != 0 || turn.moment[1] != 0 || turn.moment[2] != 0;
   }

@@ -102,7 +102,7 @@ inline Real bend(const Turn& turn, Real moment, Vec before, TurnState& t, Progre
   progress.turned = progress.turned + absolute(more);
   const Bits little = isLess(absolute(more), constant(1e-3));
   Real c = t.c, s = t.s;
-  turnLittle(more, c, s);
+  rotateBySmallAngle(more, c, s);
   if (any(~little)) {
     const SineCosine bent = bentSineCosine(t.given);
     c = select(little, c, t.rest_c * bent.cosine - t.rest_s * bent.sine);

@@ -129,7 +129,7 @@ void ArmClearance::find(const NearestPairs& pairs, const deflection::PlacedRows&
     found[static_cast<std::size_t>(lane)] = pairs.findPadded(placed, lane, padding_);
 }
 
-Clearance ArmClearance::lessBow(Clearance clearance, double bow) const {
+Clearance ArmClearance::reducedByBow(Clearance clearance, double bow) const {
   clearance.distance -= bow + travel_.jump;
   clearance.margin -= bow + travel_.jump;
   return clearance;
@@ -140,7 +140,7 @@ Clearance ArmClearance::at(const Eigen::VectorXd& q, ContactRule rule) const {
   const deflection::PlacedRows& placed = arms_->of_thread.local().place(q);
   NearestPair found;
   find(pairs, placed, {&found, 1});
-  return lessBow(pairs.named(placed, 0, found), placed.bow.front());
+  return reducedByBow(pairs.named(placed, 0, found), placed.bow.front());
 }
 
 MarginsSideBySide ArmClearance::together(const PostureColumns& q, ContactRule rule) const {
@@ -161,7 +161,7 @@ MarginsSideBySide ArmClearance::together(const PostureColumns& q, ContactRule ru
     }
     if (tightest)
       result.clearance =
-          lessBow(pairs.named(placed, static_cast<int>(*tightest), found[*tightest]), placed.bow[*tightest]);
+          reducedByBow(pairs.named(placed, static_cast<int>(*tightest), found[*tightest]), placed.bow[*tightest]);
   }
   return result;
 }

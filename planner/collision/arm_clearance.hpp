@@ -74,7 +74,7 @@ class ArmClearance {
   struct PreparedArms;
 
   void find(const NearestPairs& pairs, const deflection::PlacedRows& placed, std::span<NearestPair> found) const;
-  [[nodiscard]] Clearance lessBow(Clearance clearance, double bow) const;
+  [[nodiscard]] Clearance reducedByBow(Clearance clearance, double bow) const;
 
   const Workcell& cell_;
   BasePadding padding_;

@@ -43,7 +43,7 @@ double lipschitzDistance(const Capsule& capsule, const Shape& shape, const Lipsc
     const CapsuleStretch stretch = open[next];
     const double slack = std::max(options.accuracy, options.share * (least - options.required));
     const double bound = stretch.bound(length);
-    if (bound >= std::min(least - slack, options.enough)) {
+    if (bound >= std::min(least - slack, options.sufficient)) {
       proved = std::min(proved, bound);
       continue;
     }
@@ -97,22 +97,22 @@ double LipschitzMargins::at(std::span<const Eigen::Isometry3d> X_WL, double accu
   estimates_.clear();
   for (const Pair& pair : pairs_) estimates_.push_back(estimateOf(pair, X_WL));
   std::ranges::stable_sort(estimates_, {}, &PairEstimate::bound);
-  double enough = std::numeric_limits<double>::infinity();
+  double sufficient = std::numeric_limits<double>::infinity();
   const Pair* nearest = nullptr;
   for (const PairEstimate& estimate : estimates_) {
-    if (estimate.bound >= enough) break;
-    const LipschitzOptions options{accuracy, share, scene_.clearance + estimate.padding, enough + estimate.padding};
+    if (estimate.bound >= sufficient) break;
+    const LipschitzOptions options{accuracy, share, scene_.clearance + estimate.padding, sufficient + estimate.padding};
     double distance = lipschitzDistance(estimate.capsule, *estimate.other, options) - estimate.padding;
-    if (distance < enough && !solidOf(scene_.bodies[estimate.pair->body]).isCapsule())
+    if (distance < sufficient && !solidOf(scene_.bodies[estimate.pair->body]).isCapsule())
       distance = std::max(distance, gapOf(estimate, X_WL) - estimate.padding);
-    if (distance >= enough) continue;
-    enough = distance;
+    if (distance >= sufficient) continue;
+    sufficient = distance;
     nearest = estimate.pair;
   }
   if (names && nearest)
     *names = bodyLabel(scene_.bodies[nearest->body]) + ", " +
              (nearest->with_body ? bodyLabel(scene_.bodies[nearest->other]) : scene_.obstacles[nearest->other].name);
-  return enough - scene_.clearance;
+  return sufficient - scene_.clearance;
 }
 
 }  // namespace tubeplan::planner

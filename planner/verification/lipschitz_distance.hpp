@@ -22,8 +22,8 @@ struct LipschitzOptions {
   /// Alternative accuracy, as a fraction of the distance beyond `required`; the larger of the two applies.
   double share = 0;
   double required = 0;  ///< distance from which `share` is measured [m]
-  /// A lower bound of at least `enough` [m] is accurate enough.
-  double enough = std::numeric_limits<double>::infinity();
+  /// A lower bound of at least `sufficient` [m] is accurate enough.
+  double sufficient = std::numeric_limits<double>::infinity();
 };
 
 /// Returns a lower bound of the distance between a capsule and a shape [m]; `capsule` is in the shape's frame.

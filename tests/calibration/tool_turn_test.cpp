@@ -68,7 +68,7 @@ TEST(ToolTurn, AnotherConventionOfTheAxesIsAMistake) {
         deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(measurement.kind_values) * R_TM);
   const auto start = placeForMeasurements(cobra().arm, cobra().base_poses[0].X_WB, true, measurements);
   const auto checks = checkMeasurements({start, measurements, {{"tool.tip"}, false}, {}});
-  const auto* gross = grossMistake(checks);
+  const auto* gross = firstMistake(checks);
   ASSERT_NE(gross, nullptr);
   EXPECT_EQ(gross->assume, "tool-frame=yzx");
 }
@@ -84,7 +84,7 @@ TEST(ToolTurn, AMountedBodyIsAMistakeWithItsAngles) {
     const auto start = placeForMeasurements(cobra().arm, cobra().base_poses[0].X_WB, true, measurements);
     const CheckedMeasurements checked{start, measurements, {{"tool.tip"}, false}, {}};
     const auto checks = checkMeasurements(checked);
-    const auto* gross = grossMistake(checks);
+    const auto* gross = firstMistake(checks);
     ASSERT_NE(gross, nullptr) << rpy.transpose();
     ASSERT_EQ(gross->name, "tool-frame") << rpy.transpose();
     const auto named = mistakes::tool_frame::turnOf(checked, gross->assume.substr(gross->assume.find('=') + 1));

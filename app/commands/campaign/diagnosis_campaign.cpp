@@ -94,7 +94,7 @@ DiagnosisTask diagnosisTask(const CampaignRequest& request) {
   task.options.nothing = request.nothing;
   task.options.effects = request.effects;
   task.options.seed = request.seed;
-  task.kinds = hideableKinds(task.cell, task.options);
+  task.kinds = observableKinds(task.cell, task.options);
   if (request.hide == "any") return task;
   std::vector<std::string> names;
   for (const int kind : task.kinds) {

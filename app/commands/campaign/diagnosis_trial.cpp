@@ -111,7 +111,7 @@ std::optional<DiagnosisTrial> DiagnosisTrials::run(std::uint64_t index, const ca
   return trial;
 }
 
-std::vector<int> hideableKinds(const Cell& cell, const DiagnosisTrialOptions& options) {
+std::vector<int> observableKinds(const Cell& cell, const DiagnosisTrialOptions& options) {
   const auto design = prepareSimulation(cell, options.measurements).design;
   const bool is_loaded = std::any_of(design.loads.begin(), design.loads.end(), [](double load) { return load > 0; });
   calibration::Measurement measurement;

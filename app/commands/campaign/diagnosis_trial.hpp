@@ -67,6 +67,6 @@ class DiagnosisTrials {
 
 /// Returns the catalogue effects that can act on the cell's arm and that measurements of the requested design could
 /// show, as indices in effectKinds().
-[[nodiscard]] std::vector<int> hideableKinds(const Cell& cell, const DiagnosisTrialOptions& options);
+[[nodiscard]] std::vector<int> observableKinds(const Cell& cell, const DiagnosisTrialOptions& options);
 
 }  // namespace tubeplan::app

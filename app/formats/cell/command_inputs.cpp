@@ -119,11 +119,11 @@ Eigen::VectorXd parseJoints(const std::string& text, const deflection::Arm& arm,
 }
 
 Eigen::VectorXd parseJointsOf(const std::string& text, const std::vector<const deflection::Joint<double>*>& joints,
-                              const Units& units, const std::string& option, const std::string& whose) {
+                              const Units& units, const std::string& option, const std::string& owner) {
   const auto parts = splitAtCommas(text);
   if (parts.size() != joints.size())
     throw InputError(option, fmt::format("{} numbers", parts.size()),
-                     fmt::format("{}, one for each joint of {}", joints.size(), whose), "write " + option + "=A,B,...");
+                     fmt::format("{}, one for each joint of {}", joints.size(), owner), "write " + option + "=A,B,...");
   Eigen::VectorXd q(static_cast<Eigen::Index>(joints.size()));
   for (std::size_t i = 0; i < joints.size(); ++i)
     q[static_cast<Eigen::Index>(i)] = parseJoint(parts[i], *joints[i], units, option);

@@ -18,10 +18,10 @@ namespace tubeplan::app {
 [[nodiscard]] Eigen::VectorXd parseJoints(const std::string& text, const deflection::Arm& arm, const Units& units,
                                           const std::string& option);
 
-/// Converts readings of any joints in the syntax of parseJoints(); `whose` describes the joints in messages.
+/// Converts readings of any joints in the syntax of parseJoints(); `owner` describes the joints in messages.
 [[nodiscard]] Eigen::VectorXd parseJointsOf(const std::string& text,
                                             const std::vector<const deflection::Joint<double>*>& joints,
-                                            const Units& units, const std::string& option, const std::string& whose);
+                                            const Units& units, const std::string& option, const std::string& owner);
 
 /// Converts the suspended load from the cell's unit of force to newtons. Throws InputError unless the load is finite
 /// and not negative; messages name the input as `option`.

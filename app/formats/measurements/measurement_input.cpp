@@ -164,7 +164,7 @@ struct LimitAdvice {
 };
 LimitAdvice adviceOnLimits(const MeasurementTable& table, const Cell& cell) {
   const auto checks = calibration::checkMeasurements(asChecked(table, cell));
-  const auto* mistake = calibration::grossMistake(checks);
+  const auto* mistake = calibration::firstMistake(checks);
   if (!mistake || mistake->assume.empty()) return {};
   MeasurementTable corrected = table;
   Cell of_corrected = cell;

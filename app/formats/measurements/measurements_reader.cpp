@@ -160,7 +160,7 @@ namespace {
 
 /// Returns advice to write a joint reading shifted by one turn if this brings it within the limits; otherwise empty.
 std::string turnText(const deflection::Joint<double>& joint, double q, const MeasurementTable::JointColumn& column) {
-  const auto back = calibration::oneTurnBack(joint, q);
+  const auto back = calibration::shiftedByOneTurn(joint, q);
   return back ? fmt::format("one whole turn back the reading is {} {}, which is within the limits; write that value",
                             formatNumber(*back / column.factor), column.unit)
               : "";

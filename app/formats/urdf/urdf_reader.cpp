@@ -269,8 +269,8 @@ std::vector<std::string> leftToControllers(const UrdfChain& chain) {
   for (const auto& [words, what, instead] : sorts) {
     std::vector<std::string> joints;
     for (const auto& link : chain)
-      if (const auto& said = link->joint->controller.*words; !said.empty())
-        joints.push_back(nameInLine(link->joint->name) + said);
+      if (const auto& conventions = link->joint->controller.*words; !conventions.empty())
+        joints.push_back(nameInLine(link->joint->name) + conventions);
     if (!joints.empty()) sentences.push_back(fmt::format("{}: {}; {}", what, fmt::join(joints, ", "), instead));
   }
   return sentences;

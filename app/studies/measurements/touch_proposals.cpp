@@ -93,7 +93,7 @@ class TouchSearch {
     for (const auto& plan : calibration::robustlyTouchable(cell.arm, cell.X_WB, plans, count))
       kept.push_back(holes[std::stoul(plan.id)]);
     result_.holes = static_cast<int>(holes.size());
-    result_.holes_unsure = static_cast<int>(holes.size() - kept.size());
+    result_.holes_uncertain = static_cast<int>(holes.size() - kept.size());
     return kept;
   }
 

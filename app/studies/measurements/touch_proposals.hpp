@@ -49,7 +49,7 @@ struct TouchProposals {
   int work = 0, work_lost = 0;
   /// Number of touchable holes in reach from the nominal base, and number of those excluded because they may be out of
   /// reach from the true base.
-  int holes = 0, holes_unsure = 0;
+  int holes = 0, holes_uncertain = 0;
   std::optional<TouchProposal> base, parameters;
   std::vector<std::string> nearest_holes;  ///< the three touchable holes nearest to the base, for comparison
   calibration::TipSigma tip_nearest;

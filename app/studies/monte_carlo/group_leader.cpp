@@ -11,9 +11,9 @@ GroupLeader::GroupLeader(const Experiment& experiment, int rank, const std::vect
 
 std::vector<RankMessage> GroupLeader::take(const RankMessage& message) {
   switch (message.subject) {
-    case kWant:
+    case kRequestRuns:
       wanted_[message.from] += message.words.at(0);
-      return {{rank_, 0, kWant, message.words}};
+      return {{rank_, 0, kRequestRuns, message.words}};
     case kRuns:
       for (const RunRange& chunk : chunksIn(message.words, 0, message.words.size())) waiting_.push_back(chunk);
       return shareOut();
@@ -24,7 +24,7 @@ std::vector<RankMessage> GroupLeader::take(const RankMessage& message) {
       return toAll(kEnd);
     default:
       if (++left_ < wanted_.size()) return {};
-      return {{rank_, 0, kLeft, {}}};
+      return {{rank_, 0, kFinished, {}}};
   }
 }
 

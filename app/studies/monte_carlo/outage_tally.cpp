@@ -7,7 +7,7 @@ void ChangeTally::add(const OutageTrial& trial) {
   alarms += trial.is_alarm;
   early += trial.is_early;
   named += trial.is_named;
-  alone += trial.is_alone;
+  alone += trial.is_only_answer;
   before.add(trial.before.all_steps, trial.before.visits);
   if (trial.is_early || trial.change == 0) return;
   after.add(trial.after.all_steps, trial.after.visits);

@@ -145,7 +145,7 @@ void OutageTrials::judge(const calibration::Watch& watch, const Readings& readin
   const auto& answers = watch.alarm->judgement.answers;
   trial.is_named = std::ranges::any_of(
       answers, [&](const auto& answer) { return isTrueAnswer(answer, changeAt(trial.change), arm); });
-  trial.is_alone = trial.is_named && answers.size() == 1;
+  trial.is_only_answer = trial.is_named && answers.size() == 1;
 }
 
 std::optional<OutageTrial> OutageTrials::run(std::uint64_t index, const calibration::StopQuestion& stop) const {

@@ -30,12 +30,12 @@ struct OutageTrial {
   bool is_watched = false;                     ///< true if the watch has judged the visits
   int change = 0;                              ///< hidden change, as an index in hiddenChanges(); 0: none
   bool is_alarm = false;
-  bool is_early = false;  ///< the alarm was raised before the change
-  std::size_t delay = 0;  ///< number of visits from the change to the alarm, both counted
-  bool is_named = false;  ///< the answers contain the true cause with its course
-  bool is_alone = false;  ///< the true cause is the only answer
-  CountedVisits before;   ///< visits before the change
-  CountedVisits after;    ///< visits since the change, up to the alarm or to the end
+  bool is_early = false;        ///< the alarm was raised before the change
+  std::size_t delay = 0;        ///< number of visits from the change to the alarm, both counted
+  bool is_named = false;        ///< the answers contain the true cause with its course
+  bool is_only_answer = false;  ///< the true cause is the only answer
+  CountedVisits before;         ///< visits before the change
+  CountedVisits after;          ///< visits since the change, up to the alarm or to the end
 };
 
 class OutageTrials {

@@ -7,11 +7,11 @@ namespace tubeplan::app {
 
 /// Subject of a message. The receiver of a rank (rank_groups.hpp) gives it runs and receives its tallies.
 enum RankSubject : int {
-  kWant = 1,  ///< to the receiver: number of further chunks of runs wanted
-  kRuns,      ///< from the receiver: first and end of each chunk
-  kTally,     ///< to the receiver: DoneRuns as words
-  kEnd,       ///< from the receiver: stop work and leave
-  kLeft,      ///< to the receiver: last message
+  kRequestRuns = 1,  ///< to the receiver: number of further chunks of runs wanted
+  kRuns,             ///< from the receiver: first and end of each chunk
+  kTally,            ///< to the receiver: DoneRuns as words
+  kEnd,              ///< from the receiver: stop work and leave
+  kFinished,         ///< to the receiver: last message
 };
 
 struct RankMessage {

@@ -50,7 +50,7 @@ class Master {
     if (!ranks_) return;
     for (const int rank : senders_) ranks_->send(rank, kEnd, {});
     for (std::size_t finished = 0; finished < senders_.size();)
-      if (const auto message = ranks_->receive()) finished += message->subject == kLeft;
+      if (const auto message = ranks_->receive()) finished += message->subject == kFinished;
   }
 
  private:
@@ -79,7 +79,7 @@ class Master {
       const auto message = ranks_->receive();
       if (!message) break;
       has_news = true;
-      if (message->subject == kWant) wanted_[static_cast<std::size_t>(message->from)] += message->words.at(0);
+      if (message->subject == kRequestRuns) wanted_[static_cast<std::size_t>(message->from)] += message->words.at(0);
       if (message->subject == kTally) add(doneIn(message->words));
     }
     return has_news;
@@ -116,7 +116,7 @@ class RankServer {
 
   void run(int workers_count) {
     work(workers_count);
-    sendOwn(kLeft, {});
+    sendOwn(kFinished, {});
     while (!has_left_) {
       receive(nullptr);
       std::this_thread::sleep_for(kPause);
@@ -126,13 +126,13 @@ class RankServer {
  private:
   void work(int workers_count) {
     RunWorkers workers(experiment_, workers_count);
-    sendOwn(kWant, {static_cast<std::uint64_t>(workers.wanted())});
+    sendOwn(kRequestRuns, {static_cast<std::uint64_t>(workers.wanted())});
     while (!is_over_) {
       receive(&workers);
       const auto result = workers.take(kPause);
       if (result && !is_over_) {
         sendOwn(kTally, wordsOfDone({{result->runs}, result->tally}));
-        sendOwn(kWant, {1});
+        sendOwn(kRequestRuns, {1});
       }
       passOn();
     }
@@ -151,7 +151,7 @@ class RankServer {
 
   /// Sends a message, or hands it to this rank's own workers.
   void deliver(const RankMessage& message, RunWorkers* workers) {
-    has_left_ = has_left_ || (message.to == receiver_ && message.subject == kLeft);
+    has_left_ = has_left_ || (message.to == receiver_ && message.subject == kFinished);
     if (message.to != ranks_.rank()) return ranks_.send(message.to, message.subject, message.words);
     is_over_ = is_over_ || message.subject == kEnd;
     if (message.subject != kRuns || !workers) return;

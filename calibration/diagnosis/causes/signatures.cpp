@@ -108,7 +108,7 @@ MatrixXd Signatures::columnsAt(const std::vector<Measurement>& measurements, con
             column.segment(weights.first_row[r], rowsOf(measurements[r])).setZero();
       }
   }
-  takeSharedOff(weights, all);
+  removeSharedParts(weights, all);
   return all;
 }
 

@@ -319,7 +319,7 @@ MatrixXd Discrepancy::columnsAt(const std::vector<Measurement>& measurements, co
     }
   });
   if (!ok) return {};
-  takeSharedOff(weights, columns);
+  removeSharedParts(weights, columns);
   return columns;
 }
 

@@ -199,8 +199,8 @@ std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& riva
     for (const auto& measurement : each[k]) rows += rowsOf(measurement);
     // Displacements from the same reference measurement share its encoder noise. They are predicted separately, because
     // whitening them jointly would mix the candidates.
-    const bool is_alone = together.value.empty() || referenceOf(each[k].front());
-    predictions[k] = is_alone ? predictByAll(rivals, each[k], stop) : someRows(together, first, rows);
+    const bool is_only_answer = together.value.empty() || referenceOf(each[k].front());
+    predictions[k] = is_only_answer ? predictByAll(rivals, each[k], stop) : someRows(together, first, rows);
     first += rows;
   }
   return predictions;

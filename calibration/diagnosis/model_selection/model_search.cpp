@@ -34,7 +34,7 @@ std::vector<CandidateModel> estimateExtensions(const DiagnosisWork& work, const 
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t at) {
     const CompetingModel& seed = seeds[at / causes];
     const int cause = static_cast<int>(at % causes);
-    if (is_stopped || !isVisible(work, cause) || !mayStandTogether(work, seed.terms, cause)) return;
+    if (is_stopped || !isVisible(work, cause) || !areCombinable(work, seed.terms, cause)) return;
     if (shouldStop(work.basis.stop)) {
       is_stopped = true;
       return;
@@ -46,8 +46,8 @@ std::vector<CandidateModel> estimateExtensions(const DiagnosisWork& work, const 
 }
 
 /// Returns indices of the most probable estimates, in descending order, without repeated sets of causes. At most `most`
-/// estimates with only single causes are kept, and at most `most` with collective causes (saysManyAtOnce()), so that
-/// neither kind excludes the other.
+/// estimates with only single causes are kept, and at most `most` with collective causes (representsSeveralCauses()),
+/// so that neither kind excludes the other.
 std::vector<std::size_t> mostProbable(const DiagnosisWork& work, const std::vector<CandidateModel>& candidates,
                                       std::size_t most) {
   std::vector<std::size_t> order(candidates.size());
@@ -59,7 +59,7 @@ std::vector<std::size_t> mostProbable(const DiagnosisWork& work, const std::vect
   std::array<std::size_t, 2> count{};
   for (const std::size_t k : order) {
     if (!std::isfinite(candidates[k].log_weight) || !seen.insert(causesOf(candidates[k].terms)).second) continue;
-    if (count[saysManyAtOnce(work, candidates[k].terms)]++ < most) chosen.push_back(k);
+    if (count[representsSeveralCauses(work, candidates[k].terms)]++ < most) chosen.push_back(k);
   }
   return chosen;
 }
@@ -94,7 +94,7 @@ std::vector<CompetingModel> leadersOf(const DiagnosisWork& work, const std::vect
   for (const bool of_many : {false, true}) {
     std::size_t count = 0;
     for (const CompetingModel& model : models)
-      if (saysManyAtOnce(work, model.terms) == of_many && count++ < most) leaders.push_back(model);
+      if (representsSeveralCauses(work, model.terms) == of_many && count++ < most) leaders.push_back(model);
   }
   sortByWeight(leaders);
   return leaders;
@@ -130,7 +130,7 @@ void compareModels(DiagnosisWork& work) {
     bool gains = false;
     for (const bool of_many : {false, true}) {
       const auto first = std::ranges::find_if(
-          level, [&](const CompetingModel& model) { return saysManyAtOnce(work, model.terms) == of_many; });
+          level, [&](const CompetingModel& model) { return representsSeveralCauses(work, model.terms) == of_many; });
       if (first == level.end()) continue;
       const double before = std::exchange(best[of_many], std::max(best[of_many], first->logWeight()));
       gains |= first->logWeight() >= before - (depth == 1 ? kHopeless : 0);

@@ -105,7 +105,7 @@ bool isVisible(const DiagnosisWork& work, int cause) {
   return false;
 }
 
-bool mayStandTogether(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, int cause) {
+bool areCombinable(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, int cause) {
   const Cause& added = work.cause(cause);
   auto present = work.basis.fitted.arm.effects;
   for (const ModelTerm& term : terms) {
@@ -116,7 +116,7 @@ bool mayStandTogether(const DiagnosisWork& work, const std::vector<ModelTerm>& t
   return mayActBeside(added, present);
 }
 
-bool saysManyAtOnce(const DiagnosisWork& work, const std::vector<ModelTerm>& terms) {
+bool representsSeveralCauses(const DiagnosisWork& work, const std::vector<ModelTerm>& terms) {
   return std::ranges::any_of(terms, [&](const ModelTerm& term) {
     const Cause& cause = work.cause(term.cause);
     return cause.effects.size() > 1 || cause.frees.size() > 1;

@@ -37,9 +37,9 @@ inline constexpr std::size_t kManyTerms = 60;  ///< if a cause has this many var
 /// parameters cannot absorb.
 [[nodiscard]] bool isVisible(const DiagnosisWork& work, int cause);
 
-[[nodiscard]] bool mayStandTogether(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, int cause);
+[[nodiscard]] bool areCombinable(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, int cause);
 
 /// Returns true if one of the terms represents several single causes: an effect at every joint, or the whole geometry.
-[[nodiscard]] bool saysManyAtOnce(const DiagnosisWork& work, const std::vector<ModelTerm>& terms);
+[[nodiscard]] bool representsSeveralCauses(const DiagnosisWork& work, const std::vector<ModelTerm>& terms);
 
 }  // namespace tubeplan::calibration

@@ -114,7 +114,7 @@ void addTo(EvidenceGram& gram, const Block& block, double model_error) {
   MatrixXd all(block.y.size(), block.J.cols() + block.S.cols() + block.Z.cols() + 1);
   all << block.J, block.S, block.Z, block.y;
   if (model_error > 0) whitenAnew(block.measurements, block.weights, weights, all);
-  takeSharedOff(weights, all);
+  removeSharedParts(weights, all);
   gram.add(all.leftCols(block.J.cols()), all.middleCols(block.J.cols(), block.S.cols()),
            all.middleCols(block.J.cols() + block.S.cols(), block.Z.cols()), all.rightCols<1>());
 }

@@ -65,7 +65,7 @@ TEST(RealData, aRunInAnotherUnitIsNamedByItsFirstAndLastMeasurement) {
         is_of_angles ? void(measurements[k].q *= std::numbers::pi / 180) : void(*measurements[k].p_W *= 1e-3);
       const auto checks = calibration::checkMeasurements(
           {startOf(cell, measurements), measurements, freeNumbersOf(cell), table.units, nullptr});
-      const auto* mistake = calibration::grossMistake(checks);
+      const auto* mistake = calibration::firstMistake(checks);
       ASSERT_TRUE(mistake);
       EXPECT_EQ(mistake->assume, is_of_angles ? "angles-of=" + run + ":rad" : "coordinates-of=" + run + ":m");
     }

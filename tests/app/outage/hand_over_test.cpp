@@ -29,7 +29,7 @@ class HandOverOf : public JobTest {
 };
 
 std::int64_t mark(JobStore& store, int column, const char* as, const std::string& at, const EventEntry& of) {
-  return markTube(store, {{"A", Leg::kHot, 10, column}, "", as, {of.who, of.reason, at}, std::nullopt});
+  return markTube(store, {{"A", Leg::kHot, 10, column}, "", as, {of.person, of.reason, at}, std::nullopt});
 }
 
 void expectBalanced(const ItemCounts& counts, int planned) {
@@ -76,7 +76,7 @@ TEST_F(HandOverOf, AShiftEndsWithWhatStoodThen) {
   EXPECT_EQ(of.shift, (ShiftOfDay{"2025-04-02", "night"}));
   EXPECT_EQ(of.events.size(), 3u);
   ASSERT_EQ(of.people.size(), 1u);
-  EXPECT_EQ(of.people[0].who, "Maria");
+  EXPECT_EQ(of.people[0].person, "Maria");
   EXPECT_EQ(of.people[0].undone, 1);
 }
 

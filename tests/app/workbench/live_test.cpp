@@ -207,7 +207,7 @@ TEST_F(LiveTest, AWatchedFileIsReadByWholeRowsOnceEach) {
   watched.look(server->workbench());  // the file does not exist yet
   put(std::string(kHeader) + row(1) + row(2) + "3,posi");
   watched.look(server->workbench());
-  EXPECT_EQ(server->workbench().arrivals().hand().size(), 2u);
+  EXPECT_EQ(server->workbench().arrivals().drain().size(), 2u);
   put(std::string(kHeader) + row(1) + row(2) + row(3));
   watched.look(server->workbench());
   joinArrived(server->workbench());

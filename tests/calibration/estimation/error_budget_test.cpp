@@ -56,14 +56,14 @@ TEST(ErrorBudget, isOfTheFittedErrorsWhereNoneIsHeldOut) {
 }
 
 TEST(ErrorBudget, isOfAnglesWhereEveryMeasurementMeasuresNothingElse) {
-  EXPECT_FALSE(measureAnglesAlone({}));
+  EXPECT_FALSE(measureOnlyAngles({}));
   for (const MeasurementKindRow& row : measurementKinds()) {
     Measurement measurement;
     measurement.kind = row.kind;
-    EXPECT_EQ(measureAnglesAlone({measurement}), row.turn_rows == row.rows) << row.name;
+    EXPECT_EQ(measureOnlyAngles({measurement}), row.turn_rows == row.rows) << row.name;
     Measurement place;
     place.kind = MeasurementKind::kPosition;
-    EXPECT_FALSE(measureAnglesAlone({measurement, place})) << row.name;
+    EXPECT_FALSE(measureOnlyAngles({measurement, place})) << row.name;
   }
 }
 

@@ -78,7 +78,7 @@ void expectWhite(const std::vector<Measurement>& measurements, std::size_t share
   MatrixXd whitener = MatrixXd::Zero(weights->rows, weights->rows);
   for (std::size_t k = 0; k < measurements.size(); ++k)
     whitener.block<3, 3>(weights->first_row[k], weights->first_row[k]) = weights->whitener[k];
-  takeSharedOff(*weights, whitener);
+  removeSharedParts(*weights, whitener);
   const MatrixXd covariance = covarianceOf(measurements);
   const MatrixXd white = whitener * covariance * whitener.transpose();
   EXPECT_LE((white - MatrixXd::Identity(weights->rows, weights->rows)).norm(), 1e-6);

@@ -32,7 +32,7 @@ TEST(GravityDirection, IsNamedWithTheKeyOfTheCell) {
                {Eigen::Vector3d::UnitX(), "gravity: [1, 0, 0]"}};
   for (const auto& c : cases) {
     const auto checks = checksUnder(c.gravity_W, true);
-    const auto* gross = grossMistake(checks);
+    const auto* gross = firstMistake(checks);
     ASSERT_NE(gross, nullptr) << c.key;
     EXPECT_EQ(gross->name, "gravity") << gross->sentence;
     EXPECT_NE(gross->sentence.find(c.key), std::string::npos) << gross->sentence;
@@ -70,7 +70,7 @@ TEST(GravityDirection, IsFoundWhereItIsOblique) {
     for (const double azimuth : {0., 35., 200.}) {
       SCOPED_TRACE(testing::Message() << lean << " " << azimuth);
       const Eigen::Vector3d gravity_W = gravityAt(lean, azimuth);
-      expectGravity(grossMistake(checksUnder(gravity_W, true, static_cast<std::uint64_t>(lean + azimuth))), gravity_W);
+      expectGravity(firstMistake(checksUnder(gravity_W, true, static_cast<std::uint64_t>(lean + azimuth))), gravity_W);
     }
 }
 
@@ -83,7 +83,7 @@ TEST(GravityDirection, IsFoundWhereItIsObliqueAndTheBaseUnknown) {
       SCOPED_TRACE(testing::Message() << lean << " " << azimuth);
       const Eigen::Vector3d gravity_W = gravityAt(lean, azimuth);
       const auto checks = checksUnder(gravity_W, false, static_cast<std::uint64_t>(lean + azimuth));
-      const auto* gross = grossMistake(checks);
+      const auto* gross = firstMistake(checks);
       ASSERT_NE(gross, nullptr);
       if (gross->name != "gravity") continue;
       ++named;
@@ -98,7 +98,7 @@ TEST(GravityDirection, IsToldFromExchangedAxesByTheBase) {
   for (const Eigen::Vector3d& gravity_W :
        {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, -1, 0)}) {
     SCOPED_TRACE(testing::Message() << gravity_W.transpose());
-    expectGravity(grossMistake(checksUnder(gravity_W, false)), gravity_W);
+    expectGravity(firstMistake(checksUnder(gravity_W, false)), gravity_W);
   }
   for (const char* order : {"yzx", "zxy", "x-zy", "x-y-z"}) {
     PlacedArm start = cobra();
@@ -109,7 +109,7 @@ TEST(GravityDirection, IsToldFromExchangedAxesByTheBase) {
     CheckedMeasurements exchanged = checked;
     findMistakeKind("axes")->correction(checked, order)->change(exchanged.measurements);
     const auto checks = checkMeasurements(exchanged);
-    const auto* gross = grossMistake(checks);
+    const auto* gross = firstMistake(checks);
     ASSERT_NE(gross, nullptr) << order;
     EXPECT_EQ(gross->name, "axes") << order << ": " << gross->sentence;
   }
@@ -123,14 +123,14 @@ TEST(GravityDirection, IsFoundOrLeftToTheFitWhereItLeansLittle) {
       SCOPED_TRACE(testing::Message() << azimuth << " " << is_base_known);
       const Eigen::Vector3d gravity_W = gravityAt(30, azimuth);
       const auto checks = checksUnder(gravity_W, is_base_known, static_cast<std::uint64_t>(30 + azimuth));
-      if (const auto* gross = grossMistake(checks)) expectGravity(gross, gravity_W);
+      if (const auto* gross = firstMistake(checks)) expectGravity(gross, gravity_W);
     }
 }
 
 TEST(GravityDirection, IsLeftAloneWhereItIsRight) {
   for (const bool is_base_known : {true, false})
     for (std::uint64_t seed = 8; seed < 13; ++seed)
-      EXPECT_EQ(grossMistake(checksUnder(-Eigen::Vector3d::UnitZ(), is_base_known, seed)), nullptr) << seed;
+      EXPECT_EQ(firstMistake(checksUnder(-Eigen::Vector3d::UnitZ(), is_base_known, seed)), nullptr) << seed;
 }
 
 }  // namespace

@@ -28,14 +28,14 @@ TEST(JointLimits, AMeasurementPastThemIsTakenOneTurnBackWhereThatIsWithin) {
   } cases[] = {{-180, 180, 212, -148}, {-180, 180, 359.5, -0.5}, {0, 360, -30, 330},   {-90, 200, -150, 210},
                {-360, 360, 400, 40},   {-120, 120, 164, 164},    {-180, 180, 572, 572}};
   for (const auto& c : cases) {
-    const auto back = oneTurnBack(jointBetween(c.lower, c.upper), c.read * kDeg);
+    const auto back = shiftedByOneTurn(jointBetween(c.lower, c.upper), c.read * kDeg);
     const bool is_within = c.back != c.read && c.back <= c.upper;
     ASSERT_EQ(back.has_value(), is_within) << c.read;
     EXPECT_NEAR(back.value_or(c.back * kDeg), c.back * kDeg, 1e-12) << c.read;
   }
   auto slide = jointBetween(-180, 180);
   slide.type = deflection::JointType::kPrismatic;
-  EXPECT_FALSE(oneTurnBack(slide, 4));
+  EXPECT_FALSE(shiftedByOneTurn(slide, 4));
 }
 
 TEST(JointLimits, AHairIsAThousandthOfTheRange) {
@@ -75,7 +75,7 @@ TEST(JointLimits, MeasurementsOfAnEncoderFromZeroToATurnAreTakenBackAndSaidSo) {
   ASSERT_NE(said, read.checks.checks.end());
   EXPECT_EQ(said->severity, CheckSeverity::kRemark);
   EXPECT_NE(said->sentence.find(set->cell.arm.joint(0).name), std::string::npos) << said->sentence;
-  EXPECT_EQ(grossMistake(read.checks), nullptr);
+  EXPECT_EQ(firstMistake(read.checks), nullptr);
 }
 
 // A measurement 0.1 deg beyond a joint limit is accepted with a remark that names it; a file with a measurement 0.3 deg
@@ -116,7 +116,7 @@ TEST(JointLimits, AnotherMistakeBesideTheTurnIsNamed) {
     countFromZero(measurements);
     for (auto& m : measurements) m.q[2] *= -1;
   });
-  const auto* gross = grossMistake(read.checks);
+  const auto* gross = firstMistake(read.checks);
   ASSERT_NE(gross, nullptr);
   EXPECT_EQ(gross->assume, "joint-sign=theta3");
 }

@@ -66,7 +66,7 @@ TEST(JointPair, IsNamedBesideAnotherMistake) {
       if (!seededMistake(other).make(pair.set, random)) continue;
       ++made;
       const auto checks = checksOf(pair.set);
-      const auto* gross = grossMistake(checks);
+      const auto* gross = firstMistake(checks);
       if (gross && distanceAfterCorrection(pair, gross->assume) < 1e-6)
         ++corrected;
       else

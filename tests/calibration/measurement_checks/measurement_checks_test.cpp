@@ -121,7 +121,7 @@ TEST(MeasurementChecksOf, CleanMeasurementsSuspectNothing) {
     const auto set = cleanSet(number);
     ASSERT_TRUE(set) << number;
     const auto checks = checksOf(*set);
-    EXPECT_EQ(grossMistake(checks), nullptr) << set->name << ": " << checks.checks.front().sentence;
+    EXPECT_EQ(firstMistake(checks), nullptr) << set->name << ": " << checks.checks.front().sentence;
   }
 }
 
@@ -132,7 +132,7 @@ TEST(MeasurementChecksOf, PhysicsIsNoMistake) {
     const auto set = simulatedSet("bench.yaml", "bench", 60, {hidden}, 3);
     ASSERT_TRUE(set) << hidden;
     const auto checks = checksOf(*set);
-    EXPECT_EQ(grossMistake(checks), nullptr) << hidden << ": " << checks.checks.front().sentence;
+    EXPECT_EQ(firstMistake(checks), nullptr) << hidden << ": " << checks.checks.front().sentence;
   }
 }
 
@@ -176,12 +176,12 @@ TEST(MistakesFromAMeasurement, AreGoneOnceCorrected) {
       const auto correction = set ? seededMistake(label).make(*set, random) : std::nullopt;
       if (!correction) continue;
       const auto checks = checksOf(*set);
-      const auto* mistake = grossMistake(checks);
+      const auto* mistake = firstMistake(checks);
       if (!mistake || mistake->assume.find('@') == std::string::npos) continue;
       const std::string assume = mistake->assume;
       (void)app::takeAssumptions({assume}, set->table, set->cell);
       const auto again = checksOf(*set);
-      EXPECT_EQ(grossMistake(again), nullptr) << assume << ": " << again.checks.front().sentence;
+      EXPECT_EQ(firstMistake(again), nullptr) << assume << ": " << again.checks.front().sentence;
       ++corrected;
     }
   EXPECT_GE(corrected, 6);
@@ -202,7 +202,7 @@ TEST(MistakesFromAMeasurement, AreNamedBesideOthers) {
       if (!step || !whole) continue;
       ++made;
       const auto checks = checksOf(*set);
-      const auto* mistake = grossMistake(checks);
+      const auto* mistake = firstMistake(checks);
       const std::string assume = mistake ? mistake->assume : "nothing";
       named += assume.starts_with(*whole) && assume.find(step->substr(0, step->find('='))) != std::string::npos;
       found += *whole + " + " + *step + ": " + assume + "\n";
@@ -217,7 +217,7 @@ TEST(MeasurementChecksOf, LargeEffectsInFewMeasurementsAreNoMistake) {
     const auto set = hidingSet(number);
     ASSERT_TRUE(set) << number;
     const auto checks = checksOf(*set);
-    EXPECT_EQ(grossMistake(checks), nullptr) << set->name << ": " << checks.checks.front().sentence;
+    EXPECT_EQ(firstMistake(checks), nullptr) << set->name << ": " << checks.checks.front().sentence;
   }
 }
 
@@ -226,7 +226,7 @@ TEST(MeasurementChecksOf, AnArmThriceAsSoftAsDrawnIsNoMistake) {
     for (auto& row : task.truth.arm.rows) row.joint_stiffness /= 3;
   });
   ASSERT_TRUE(set);
-  EXPECT_EQ(grossMistake(checksOf(*set)), nullptr);
+  EXPECT_EQ(firstMistake(checksOf(*set)), nullptr);
 }
 
 TEST(MeasurementChecksOf, BeamsThatBendTooFarForTheirSegmentsAreNamed) {
@@ -271,7 +271,7 @@ TEST(MeasurementChecksOf, RowsByTheStandardConventionAreNamed) {
     MeasurementMaker maker(real, 5, MeasurementMaker::Noise::kStated);
     maker.add(MeasurementKind::kPosition, 40);
     const auto checks = checkMeasurements({elbowArm(), maker.measurements, {{"tool.tip"}, true}, {}});
-    const auto* gross = grossMistake(checks);
+    const auto* gross = firstMistake(checks);
     EXPECT_EQ(gross != nullptr, is_standard);
     if (is_standard && gross) {
       EXPECT_EQ(gross->name, "convention");
@@ -287,7 +287,7 @@ TEST(MeasurementChecksOf, ATwistWithTheOtherSignIsNamed) {
   MeasurementMaker maker(real, 6, MeasurementMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 40);
   const auto checks = checkMeasurements({elbowArm(), maker.measurements, {{"tool.tip"}, true}, {}});
-  const auto* gross = grossMistake(checks);
+  const auto* gross = firstMistake(checks);
   ASSERT_NE(gross, nullptr);
   EXPECT_EQ(gross->name, "twist");
   EXPECT_NE(gross->sentence.find("link5"), std::string::npos) << gross->sentence;
@@ -439,8 +439,8 @@ TEST(MeasurementChecksOf, ManyMeasurementsAreThinnedOut) {
   SeededRandom random(1);
   ASSERT_TRUE(seeded::jointSign(*set, random));
   const auto checks = checksOf(*set);
-  ASSERT_NE(grossMistake(checks), nullptr);
-  EXPECT_EQ(grossMistake(checks)->name, "joint-sign");
+  ASSERT_NE(firstMistake(checks), nullptr);
+  EXPECT_EQ(firstMistake(checks)->name, "joint-sign");
 }
 
 // A miscount of holes is refused as an explanation if it places a touched hole off the sheet. Otherwise this touch

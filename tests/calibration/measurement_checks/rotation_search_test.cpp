@@ -64,7 +64,7 @@ TEST(RotationSearch, AnotherMistakeBothAreNamed) {
     for (std::size_t k = 0; k < others.size() / 2; ++k) {  // each mistake is combined with two of the other kind
       const auto& other = others[static_cast<std::size_t>(made) % others.size()];
       const auto checks = checksOfPoses({&of_turns, &other}, static_cast<std::uint64_t>(++made));
-      const auto* gross = grossMistake(checks);
+      const auto* gross = firstMistake(checks);
       const std::string assume = gross ? gross->assume : "nothing";
       named += assume == other.assume + "," + of_turns.assume;
       found += other.assume + " + " + of_turns.assume + ": " + assume + "\n";
@@ -77,7 +77,7 @@ TEST(RotationSearch, TwoOfTheTurnsAreBothNamed) {
   for (std::size_t form = 0; form < 3; ++form)
     for (const std::uint64_t seed : {1, 2}) {
       const auto checks = checksOfPoses({&kinds[3], &kinds[form]}, seed);
-      const auto* gross = grossMistake(checks);
+      const auto* gross = firstMistake(checks);
       ASSERT_NE(gross, nullptr) << kinds[form].assume;
       EXPECT_EQ(gross->assume, kinds[form].assume + "," + kinds[3].assume) << gross->sentence;
     }

@@ -37,7 +37,7 @@ TEST(ScalesTogether, OfSeveralJointsAreNamed) {
         countPulses(pulses.set, joints, counts);
         ++made;
         const auto checks = checksOf(pulses.set);
-        const auto* gross = grossMistake(checks);
+        const auto* gross = firstMistake(checks);
         if (gross && distanceAfterCorrection(pulses, gross->assume) < 0.02)
           ++corrected;
         else

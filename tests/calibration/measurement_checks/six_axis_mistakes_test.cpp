@@ -179,7 +179,7 @@ TEST_P(SixAxisMistakes, AreNamed) {
     Random random(seed);
     const std::string expected = GetParam().make(measurements, random);
     const auto checks = checksOfSixAxes(measurements);
-    const auto* gross = grossMistake(checks);
+    const auto* gross = firstMistake(checks);
     const bool is_named = gross && agree(gross->assume, expected, GetParam().may_begin_a_row_off);
     named += is_named;
     if (!is_named) missed += fmt::format("{}: {}\n", expected, gross ? gross->assume : "nothing");
@@ -193,7 +193,7 @@ TEST(SixAxisMistakes, AreNotSeenInCleanMeasurements) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const auto kind = seed % 3 ? MeasurementKind::kPosition : MeasurementKind::kPose;
     const auto checks = checksOfSixAxes(measured(kind, seed));
-    EXPECT_EQ(grossMistake(checks), nullptr) << seed << ": " << checks.checks.front().sentence;
+    EXPECT_EQ(firstMistake(checks), nullptr) << seed << ": " << checks.checks.front().sentence;
   }
 }
 
@@ -214,7 +214,7 @@ TEST(SixAxisMistakes, LeaveASigmaThatIsRight) {
       checked.units.lengths = {{"mm", 1e-3}, {"m", 1}, {"in", 0.0254}};
       checked.units.sigmas = checked.units.lengths;
       const auto checks = checkMeasurements(checked);
-      const auto* gross = grossMistake(checks);
+      const auto* gross = firstMistake(checks);
       ASSERT_NE(gross, nullptr) << seed;
       EXPECT_EQ(gross->assume, "coordinates=m,sigma=mm") << seed << " " << model_error << ": " << gross->sentence;
       EXPECT_LT(gross->error_if_corrected, 0.01) << "the error, not the noise of a sigma in metres";
@@ -232,7 +232,7 @@ TEST(SixAxisMistakes, AreNotSeenInAJointThatIsHeld) {
       *m.p_W = predictMeasurement(sixAxisArm(seed), m).value + maker.noise3(m.sigma);
     }
     const auto checks = checksOfSixAxes(maker.measurements);
-    EXPECT_EQ(grossMistake(checks), nullptr) << seed << ": " << checks.checks.front().sentence;
+    EXPECT_EQ(firstMistake(checks), nullptr) << seed << ": " << checks.checks.front().sentence;
   }
 }
 

@@ -69,7 +69,7 @@ TEST(TurnsAs, IsNamedAndCorrectedOfEveryForm) {
           const auto turned = turnedIn(write, kind, seed == 3 ? 12 : 40, seed, is_base_known);
           const auto checked = checkedTurns(turned);
           const auto checks = checkMeasurements(checked);
-          const auto* gross = grossMistake(checks);
+          const auto* gross = firstMistake(checks);
           const std::string label = fmt::format("{} kind {} seed {} base {}", name, static_cast<int>(kind), seed,
                                                 is_base_known ? "known" : "unknown");
           ASSERT_NE(gross, nullptr) << label;
@@ -89,7 +89,7 @@ TEST(TurnsAs, IsNotSeenInTurnsThatAreRight) {
     maker.add(MeasurementKind::kPose, 30);
     const auto start = placeForMeasurements(cobra().arm, cobra().base_poses[0].X_WB, false, maker.measurements);
     const auto checks = checkMeasurements({start, maker.measurements, {{"tool.tip"}, false}, {}});
-    EXPECT_EQ(grossMistake(checks), nullptr) << seed;
+    EXPECT_EQ(firstMistake(checks), nullptr) << seed;
   }
 }
 

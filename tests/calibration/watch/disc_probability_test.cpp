@@ -73,10 +73,10 @@ TEST(DiscProbability, IsTheSameWithoutTheNeedlessDiscs) {
   CommonDiscs discs = families()[1];
   discs.insert(discs.begin(), {{0, 0}, 9});
   discs.push_back(discs.back());
-  EXPECT_EQ(withoutNeedless(discs).size(), 2U);
+  EXPECT_EQ(withoutRedundant(discs).size(), 2U);
   EXPECT_DOUBLE_EQ(probabilityWithin(discs, Vector2d(1, 0), skewed()).p,
                    probabilityWithin(families()[1], Vector2d(1, 0), skewed()).p);
-  EXPECT_EQ(withoutNeedless({{{0, 0}, 2}, {{0, 0}, -1}}).size(), 1U);
+  EXPECT_EQ(withoutRedundant({{{0, 0}, 2}, {{0, 0}, -1}}).size(), 1U);
   EXPECT_EQ(probabilityWithin({{{0, 0}, -1}}, Vector2d::Zero(), skewed()).p, 0);
 }
 
@@ -90,7 +90,7 @@ TEST(CountedSteps, HaveTheProbabilitiesOfPlans) {
       const CountedSteps count = countedSteps(tool, lean, 1, 0);
       ASSERT_EQ(count.outcomes(), 4);
       for (int k = 0; k < count.outcomes(); ++k) {
-        const Vector2d section = tip - depthAmidLastStep(tool) * lean;
+        const Vector2d section = tip - midDepthOfLastStep(tool) * lean;
         EXPECT_NEAR(probabilityOf(count, k, section, skewed()).p, expected[static_cast<std::size_t>(k)], 1e-5) << lean;
       }
     }

@@ -42,13 +42,13 @@ TEST(LoopClosure, AJointChangesItLinearly) {
     placeRigidTip(chain.axes, q, tip);
     const auto joint = jointClosure<kLineSize>(chain.axes, 0);
     const auto at_zero = lineClosure(chain.axes.tip, chain.axes.tool_axis), moved = lineClosure(tip.p, tip.axis);
-    Closure<kLineSize> forth = Closure<kLineSize>::Zero(), back = forth;
+    Closure<kLineSize> forward = Closure<kLineSize>::Zero(), backward = forward;
     for (int t = 0; t < 3; ++t) {
-      forth += terms[t] * (joint.forth[static_cast<std::size_t>(t)] * at_zero);
-      back += terms[t] * (joint.back[static_cast<std::size_t>(t)] * moved);
+      forward += terms[t] * (joint.forward[static_cast<std::size_t>(t)] * at_zero);
+      backward += terms[t] * (joint.backward[static_cast<std::size_t>(t)] * moved);
     }
-    EXPECT_LE((forth - moved).norm(), 1e-13 * moved.norm());
-    EXPECT_LE((back - at_zero).norm(), 1e-13 * moved.norm());
+    EXPECT_LE((forward - moved).norm(), 1e-13 * moved.norm());
+    EXPECT_LE((backward - at_zero).norm(), 1e-13 * moved.norm());
   }
 }
 

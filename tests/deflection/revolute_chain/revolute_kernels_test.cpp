@@ -38,7 +38,7 @@ TEST(SineCosine, AreTheLibrarysToTheLastPlaces) {
     ASSERT_NEAR(both.sine, std::sin(x), 2e-17 + eps * std::abs(x));
     ASSERT_NEAR(both.cosine, std::cos(x), eps);
     double c = std::cos(1.), s = std::sin(1.);
-    turnLittle(x / 100, c, s);
+    rotateBySmallAngle(x / 100, c, s);
     ASSERT_NEAR(c, std::cos(1 + x / 100), 4e-16);
     ASSERT_NEAR(s, std::sin(1 + x / 100), 4e-16);
   }

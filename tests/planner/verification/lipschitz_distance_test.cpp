@@ -82,10 +82,10 @@ TEST(LipschitzDistance, ShareAndEnoughKeepTheirPromises) {
     const double coarse = lipschitzDistance(capsule, *box, {.accuracy = 1e-6, .share = share, .required = required});
     EXPECT_LE(coarse, fine + 1.1e-7);
     EXPECT_GE(coarse, fine - std::max(1e-6, share * (fine + 1e-7 - required) / (1 - share)));
-    const double enough = uniform(generator, 0, 0.5);
-    const double answer = lipschitzDistance(capsule, *box, {.accuracy = 1e-6, .enough = enough});
+    const double sufficient = uniform(generator, 0, 0.5);
+    const double answer = lipschitzDistance(capsule, *box, {.accuracy = 1e-6, .sufficient = sufficient});
     EXPECT_LE(answer, fine + 1.1e-7);
-    EXPECT_GE(answer, std::min(fine - 1e-6, enough));
+    EXPECT_GE(answer, std::min(fine - 1e-6, sufficient));
   }
 }
 

@@ -63,7 +63,7 @@ class SimulatedRanks {
       members.push_back(rank);
       leaders_[rank] = std::make_unique<GroupLeader>(experiment_, rank, members);
     }
-    for (int rank = 1; rank < groups.ranks; ++rank) sendOwn(rank, kWant, {2});
+    for (int rank = 1; rank < groups.ranks; ++rank) sendOwn(rank, kRequestRuns, {2});
   }
 
   void run() {
@@ -124,14 +124,14 @@ class SimulatedRanks {
   }
 
   void takeFirst(const RankMessage& message) {
-    left_of_senders_ += message.subject == kLeft;
+    left_of_senders_ += message.subject == kFinished;
     if (message.subject == kTally) {
       ++tallies_to_first_;
       const DoneRuns done = doneIn(message.words);
       EXPECT_TRUE(experiment_.add(done.tally));
       for (const RunRange& chunk : done.chunks) schedule_.finish(chunk);
     }
-    if (message.subject != kWant) return;
+    if (message.subject != kRequestRuns) return;
     std::vector<RunRange> chunks;
     for (std::uint64_t k = 0; k < message.words.at(0); ++k)
       if (const auto chunk = schedule_.next()) chunks.push_back(*chunk);
@@ -140,10 +140,10 @@ class SimulatedRanks {
 
   /// Workers of a rank: they finish chunks at once, or leave.
   void takeOwn(const RankMessage& message) {
-    if (message.subject == kEnd) return sendOwn(message.to, kLeft, {});
+    if (message.subject == kEnd) return sendOwn(message.to, kFinished, {});
     for (const RunRange& chunk : chunksIn(message.words, 0, message.words.size())) {
       sendOwn(message.to, kTally, wordsOfDone({{chunk}, *experiment_.run(chunk, [] { return false; })}));
-      sendOwn(message.to, kWant, {1});
+      sendOwn(message.to, kRequestRuns, {1});
     }
   }
 
@@ -204,7 +204,7 @@ TEST(GroupLeader, PassesNothingWithoutATally) {
   GroupLeader leader(outages, 4, {4, 5});
   EXPECT_TRUE(leader.pass().empty());
   EXPECT_TRUE(leader.isIdle());
-  (void)leader.take({5, 4, kWant, {1}});
+  (void)leader.take({5, 4, kRequestRuns, {1}});
   const auto given = leader.take({0, 4, kRuns, {0, 7}});
   ASSERT_EQ(given.size(), 1u);
   EXPECT_EQ(given.front().to, 5);
