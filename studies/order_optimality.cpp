@@ -32,13 +32,13 @@ double optimumOf(const Route& route) {
     for (int v = 0; v < visits; ++v) {
       if (!(set >> v & 1)) continue;
       for (int p = table.first(v); p < table.last(v); ++p) {
-        const float here = at(set, p);
-        if (!std::isfinite(here)) continue;
+        const float time_before = at(set, p);
+        if (!std::isfinite(time_before)) continue;
         for (int w = 0; w < visits; ++w) {
           if (set >> w & 1) continue;
           const std::size_t next = set | std::size_t{1} << w;
           for (int q = table.first(w); q < table.last(w); ++q)
-            at(next, q) = std::min(at(next, q), here + between[static_cast<std::size_t>(p * postures + q)]);
+            at(next, q) = std::min(at(next, q), time_before + between[static_cast<std::size_t>(p * postures + q)]);
         }
       }
     }

@@ -122,17 +122,17 @@ int run(int sets, int count, int rounds, std::uint64_t first_seed) {
     const app::CellMeasurements input{set->cell, "simulated", set->table.measurements};
     app::DiagnosisRequest request;
     request.next = count;
-    const auto whole = app::diagnoseModel(input, request);
-    if (whole.diagnosis.verdict != Verdict::kAmbiguous) continue;
+    const auto first_answer = app::diagnoseModel(input, request);
+    if (first_answer.diagnosis.verdict != Verdict::kAmbiguous) continue;
     ++ambiguous;
-    if (whole.next.times != 1) continue;  // the proposal itself states that these measurements do not suffice
+    if (first_answer.next.times != 1) continue;  // the proposal itself states that these measurements do not suffice
     ++separable;
     const int at_once = count / rounds;  // the first measurements of a long proposal are the shorter proposal
-    const auto after = Session(truth, input, seed).run(whole, rounds, at_once, asProposed);
+    const auto after = Session(truth, input, seed).run(first_answer, rounds, at_once, asProposed);
     proposed.add(after, hidden);
-    random_ones.add(Session(truth, input, seed).run(whole, rounds, at_once, atRandom), hidden);
-    fmt::print("{:3d} {:40s} chance {:.2f}; before", k, hidden, whole.next.probability);
-    describe(whole.diagnosis);
+    random_ones.add(Session(truth, input, seed).run(first_answer, rounds, at_once, atRandom), hidden);
+    fmt::print("{:3d} {:40s} chance {:.2f}; before", k, hidden, first_answer.next.probability);
+    describe(first_answer.diagnosis);
     fmt::print("; after");
     describe(after);
     fmt::print("; one cause left: proposed {} of {}, random {}\n", proposed.one, separable, random_ones.one);

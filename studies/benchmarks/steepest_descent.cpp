@@ -55,25 +55,25 @@ bool searchLine(ScaledProblem& problem, const SlopedPlace& from, const VectorXd&
 LeastSquaresResult minimizeBySteepestDescent(const LeastSquaresProblem& problem) {
   using Status = calibration::LeastSquaresStatus;
   ScaledProblem scaled(problem);
-  SlopedPlace here{scaled.start(), {}, {}};
-  if (!scaled.linearizeAt(here.x, here.r, here.jacobian)) return scaled.failureAtStart();
+  SlopedPlace current{scaled.start(), {}, {}};
+  if (!scaled.linearizeAt(current.x, current.r, current.jacobian)) return scaled.failureAtStart();
   for (int iterations = 0;; ++iterations) {
     const auto stopped = [&](Status status, const char* reason) {
-      return scaled.resultAt(here.x, here.chi2(), status, reason, iterations);
+      return scaled.resultAt(current.x, current.chi2(), status, reason, iterations);
     };
-    const VectorXd direction = downhill(scaled, here);
+    const VectorXd direction = downhill(scaled, current);
     if (direction.lpNorm<Eigen::Infinity>() <= kLeastGradient)
       return stopped(Status::kConverged, "the gradient is within tolerance");
-    const double cauchy = direction.squaredNorm() / (here.jacobian * direction).squaredNorm();
+    const double cauchy = direction.squaredNorm() / (current.jacobian * direction).squaredNorm();
     if (iterations == kMostIterations) return stopped(Status::kIterationLimit, "stopped at the iteration limit");
     SlopedPlace next;
-    if (!searchLine(scaled, here, direction, kShareOfCauchyStep * cauchy, next.x))
-      return cauchy * direction.squaredNorm() <= kHiddenByRounding * here.chi2()
+    if (!searchLine(scaled, current, direction, kShareOfCauchyStep * cauchy, next.x))
+      return cauchy * direction.squaredNorm() <= kHiddenByRounding * current.chi2()
                  ? stopped(Status::kConverged, "chi2 falls only within rounding")
                  : stopped(Status::kFailed, "no step lowers the error");
     if (!scaled.linearizeAt(next.x, next.r, next.jacobian))
       return stopped(Status::kFailed, "the model could not be differentiated");
-    here = next;
+    current = next;
   }
 }
 

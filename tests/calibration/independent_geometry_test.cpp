@@ -129,7 +129,7 @@ TEST(IndependentGeometry, HoldsAsManyNumbersAsMechanismsHave) {
 /// If measurements depend on the tool's rotation, the selection must include its parameters and have Everett's complete
 /// count; otherwise, it must not include them.
 TEST(IndependentGeometry, HoldsTheToolsTurnWhereMeasurementsShowIt) {
-  int whole = 0;
+  int complete = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     PlacedArm placed = mechanism(seed);
     placed.base_poses[0].is_known = false;
@@ -141,10 +141,10 @@ TEST(IndependentGeometry, HoldsTheToolsTurnWhereMeasurementsShowIt) {
     const auto names = chosen(placed);
     EXPECT_TRUE(std::ranges::any_of(names, isTurn)) << seed;
     if (slides > 0) continue;
-    ++whole;
+    ++complete;
     EXPECT_EQ(rankOf(motions(placed, names)), 4 * turns + 6) << seed;
   }
-  EXPECT_GT(whole, 20);
+  EXPECT_GT(complete, 20);
 }
 
 TEST(IndependentGeometry, TellsNearlyParallelAxesApartByTheirLean) {

@@ -78,13 +78,13 @@ class Stopping : public testing::Test {
   /// was stopped.
   template <class Work, class IsStopped>
   void stopEverywhere(Work work, IsStopped isStopped) {
-    Watch whole;
-    EXPECT_FALSE(isStopped(work(whole.hooks())));
-    EXPECT_GT(whole.calls(), 10);
-    EXPECT_TRUE(whole.isOrdered());
-    for (const int moment : momentsOf(whole.calls())) {
+    Watch unstopped;
+    EXPECT_FALSE(isStopped(work(unstopped.hooks())));
+    EXPECT_GT(unstopped.calls(), 10);
+    EXPECT_TRUE(unstopped.isOrdered());
+    for (const int moment : momentsOf(unstopped.calls())) {
       Watch watch(moment);
-      EXPECT_TRUE(isStopped(work(watch.hooks()))) << "at question " << moment << " of " << whole.calls();
+      EXPECT_TRUE(isStopped(work(watch.hooks()))) << "at question " << moment << " of " << unstopped.calls();
       EXPECT_LT(watch.calls(), moment + kAsItEnds);
     }
   }
@@ -111,12 +111,12 @@ class StoppingBetweenBlocks : public Stopping {
   /// Stops the work at each of the first `first` calls of `stop`, then at later calls spaced by the factor `growth`.
   template <class Work, class IsStopped>
   void stopAtAll(Work work, IsStopped isStopped, int first, double growth) {
-    Watch whole;
-    EXPECT_FALSE(isStopped(work(whole.hooks())));
-    for (int moment = 1; moment <= whole.calls();
+    Watch unstopped;
+    EXPECT_FALSE(isStopped(work(unstopped.hooks())));
+    for (int moment = 1; moment <= unstopped.calls();
          moment = std::max(moment + 1, moment < first ? 0 : static_cast<int>(growth * moment))) {
       Watch watch(moment);
-      EXPECT_TRUE(isStopped(work(watch.hooks()))) << "at question " << moment << " of " << whole.calls();
+      EXPECT_TRUE(isStopped(work(watch.hooks()))) << "at question " << moment << " of " << unstopped.calls();
     }
   }
 };
@@ -190,10 +190,10 @@ TEST_F(Stopping, ThereAreNoWarningsOfWorkThatWasStopped) {
   IdentificationOptions options = identification({});
   options.free.names.emplace_back("backlash@tool.z.gap");
   const auto fit = identify(carrying, measurements, options);
-  Watch whole;
-  options.hooks = whole.hooks();
+  Watch unstopped;
+  options.hooks = unstopped.hooks();
   EXPECT_FALSE(warnOfEffects(carrying, measurements, options, fit).empty());
-  for (const int moment : momentsOf(whole.calls())) {
+  for (const int moment : momentsOf(unstopped.calls())) {
     Watch watch(moment);
     options.hooks = watch.hooks();
     EXPECT_TRUE(warnOfEffects(carrying, measurements, options, fit).empty()) << moment;

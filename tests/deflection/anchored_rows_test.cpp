@@ -77,8 +77,8 @@ TEST(AnchoredRows, inverseKinematicsFindsTheSameBranches) {
   DrawnRows draw(14);
   int found = 0;
   for (int n = 0; n < 12; ++n) {
-    const auto there = rigidFramesOf<double>(arm, draw.readings(arm));
-    const ToolGoal goal{there.tip, there.rows.back().R.col(2)};
+    const auto frames = rigidFramesOf<double>(arm, draw.readings(arm));
+    const ToolGoal goal{frames.tip, frames.rows.back().R.col(2)};
     const auto one = solveInverseKinematics(arm, goal, 0, -Eigen::Vector3d::UnitZ());
     const auto other = solveInverseKinematics(written, goal, 0, -Eigen::Vector3d::UnitZ());
     const auto usable = [](const InverseKinematics& of) {

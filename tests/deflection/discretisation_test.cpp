@@ -36,10 +36,10 @@ constexpr Elastica kElastica[] = {{0.25, 0.0828}, {1, 0.3017}, {3, 0.6033}};
 
 TEST(Discretisation, EstimatesWhatOneSegmentLeavesOfAnElastica) {
   for (const auto& [alpha, deflection] : kElastica) {
-    const double left = std::abs(deflectionOf(weightlessBeam(), alpha) - deflection);
+    const double error = std::abs(deflectionOf(weightlessBeam(), alpha) - deflection);
     const auto found = discretisationOf(weightlessBeam(), {Eigen::VectorXd(0), alpha}, 1e-3);
-    if (left > 5e-4) {
-      EXPECT_GT(found.tip_error, 0.5 * left) << alpha;
+    if (error > 5e-4) {
+      EXPECT_GT(found.tip_error, 0.5 * error) << alpha;
     }
     ASSERT_GE(found.factor, 1) << alpha;
     Arm cut = weightlessBeam();

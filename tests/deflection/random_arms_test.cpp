@@ -65,10 +65,10 @@ RC_GTEST_PROP(RandomArms, TurnWithTheWorld, ()) {
   foot.placement = Origin<double>{Eigen::Vector3d::Zero(), rpy};
   turned.rows.insert(turned.rows.begin(), foot);
   for (auto& chain : turned.side_chains) ++chain.row;
-  Posture there = posture;
-  there.gravity_B = R * posture.gravity_B;
-  if (there.wrench) there.wrench = Wrench{R * posture.wrench->force_B, R * posture.wrench->moment_B};
-  const auto other = solveFlexibleKinematics(turned, there, kTight);
+  Posture turned_posture = posture;
+  turned_posture.gravity_B = R * posture.gravity_B;
+  if (turned_posture.wrench) turned_posture.wrench = Wrench{R * posture.wrench->force_B, R * posture.wrench->moment_B};
+  const auto other = solveFlexibleKinematics(turned, turned_posture, kTight);
   RC_ASSERT(other.status == KinematicsStatus::kConverged);
   RC_ASSERT((other.X_BD.p - R * shape.X_BD.p).norm() <= 1e-9 * reachOf(arm));
   RC_ASSERT((other.X_BD.R - R * shape.X_BD.R).norm() <= 1e-9);
@@ -145,9 +145,9 @@ RC_GTEST_PROP(RandomArms, FindTheirWayBackOrSayWhyNot, ()) {
     return;
   }
   posture.q = branch.q;
-  const auto there = solveFlexibleKinematics(arm, posture, kTight);
-  RC_ASSERT((there.X_BD.p - goal.p_BT).norm() <= 1e-9 * reachOf(arm));
-  const double cosine = std::clamp((there.X_BD.R * arm.tool_axis_L).dot(goal.axis_B), -1., 1.);
+  const auto solved = solveFlexibleKinematics(arm, posture, kTight);
+  RC_ASSERT((solved.X_BD.p - goal.p_BT).norm() <= 1e-9 * reachOf(arm));
+  const double cosine = std::clamp((solved.X_BD.R * arm.tool_axis_L).dot(goal.axis_B), -1., 1.);
   RC_ASSERT(std::abs(std::acos(cosine) - branch.tilt) <= 1e-6);
   for (Eigen::Index k = 0; k < arm.jointCount(); ++k) {
     const auto& joint = arm.joint(k);

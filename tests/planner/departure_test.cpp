@@ -32,19 +32,20 @@ INSTANTIATE_TEST_SUITE_P(Arms, StandsAtAHole, ::testing::Values("mockup.yaml", "
 TEST_P(StandsAtAHole, TheToolGoesStraightDownAndThePlanIsProved) {
   const Workcell cell = mockup(GetParam());
   const auto tubes = tubesOf(cell, "spread:12");
-  const VisitPlan whole = planVisits(cell, tubes);
-  ASSERT_EQ(whole.status, VisitPlanStatus::kPlanned);
-  const int left = whole.visits.front().tube;
-  const Eigen::VectorXd start = whole.visits.front().branch.q;
-  const VisitPlan plan = planFrom(cell, {whole.visits[1].tube, whole.visits[2].tube}, start);
+  const VisitPlan first_plan = planVisits(cell, tubes);
+  ASSERT_EQ(first_plan.status, VisitPlanStatus::kPlanned);
+  const int departed = first_plan.visits.front().tube;
+  const Eigen::VectorXd start = first_plan.visits.front().branch.q;
+  const VisitPlan plan = planFrom(cell, {first_plan.visits[1].tube, first_plan.visits[2].tube}, start);
   ASSERT_EQ(plan.status, VisitPlanStatus::kPlanned) << plan.reason;
-  EXPECT_EQ(plan.departed, left);
+  EXPECT_EQ(plan.departed, departed);
   const PathSegment& down = plan.segments.front();
   EXPECT_EQ(down.kind, SegmentKind::kRetreat);
   EXPECT_EQ(down.visit, -1);
   EXPECT_EQ(down.waypoints.front(), start);
   EXPECT_GE(down.margin, 0);
-  for (const auto& q : down.waypoints) EXPECT_LT((deflectedTip(cell, q) - holeOf(cell, left)).head<2>().norm(), 1e-8);
+  for (const auto& q : down.waypoints)
+    EXPECT_LT((deflectedTip(cell, q) - holeOf(cell, departed)).head<2>().norm(), 1e-8);
   const PlanCheck check = checkPlan(cell, testing::statedPlan(cell, plan));
   EXPECT_EQ(check.status, PlanCheckStatus::kProved) << (check.findings.empty() ? "" : check.findings.front());
 }

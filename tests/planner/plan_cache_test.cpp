@@ -83,11 +83,11 @@ TEST(PlanCache, AChangedListIsPlannedAroundTheChange) {
   PlanCache cache;
   const VisitPlan before = planVisits(cell, tubes, {}, {}, cache);
   ASSERT_EQ(before.status, VisitPlanStatus::kPlanned);
-  const int gone = before.visits[20].tube;
-  std::erase(tubes, gone);
-  const int come = tubesOf(cell, "R21C50").front();
-  ASSERT_EQ(std::count(tubes.begin(), tubes.end(), come), 0);
-  tubes.push_back(come);
+  const int removed = before.visits[20].tube;
+  std::erase(tubes, removed);
+  const int added = tubesOf(cell, "R21C50").front();
+  ASSERT_EQ(std::count(tubes.begin(), tubes.end(), added), 0);
+  tubes.push_back(added);
   std::sort(tubes.begin(), tubes.end());
   cache.orders.clear();
   const VisitPlan after = planVisits(cell, tubes, {}, {}, cache);
@@ -99,8 +99,8 @@ TEST(PlanCache, AChangedListIsPlannedAroundTheChange) {
   EXPECT_LT(after.kept.travels, static_cast<int>(after.visits.size()) - 1);
   std::set<int> visited;
   for (const auto& visit : after.visits) visited.insert(visit.tube);
-  EXPECT_TRUE(visited.contains(come));
-  EXPECT_FALSE(visited.contains(gone));
+  EXPECT_TRUE(visited.contains(added));
+  EXPECT_FALSE(visited.contains(removed));
   EXPECT_EQ(visited.size() + after.unreachable.size(), tubes.size());
   // The kept order is compared with the bound of a new plan, which holds for any order.
   const VisitPlan anew = planVisits(cell, tubes);
@@ -110,17 +110,17 @@ TEST(PlanCache, AChangedListIsPlannedAroundTheChange) {
 }
 
 /// Plans what is left after the first `done` visits of a plan, from the standoff of the last one of them.
-struct Rest {
+struct RemainingWork {
   std::vector<int> tubes;
   VisitPlanOptions options;
 };
 
-Rest restOf(const VisitPlan& plan, std::size_t done) {
-  Rest rest;
-  for (std::size_t k = done; k < plan.visits.size(); ++k) rest.tubes.push_back(plan.visits[k].tube);
-  std::sort(rest.tubes.begin(), rest.tubes.end());
-  rest.options.conditions.start = plan.visits[done - 1].branch.approach.front();
-  return rest;
+RemainingWork remainingWork(const VisitPlan& plan, std::size_t done) {
+  RemainingWork remaining;
+  for (std::size_t k = done; k < plan.visits.size(); ++k) remaining.tubes.push_back(plan.visits[k].tube);
+  std::sort(remaining.tubes.begin(), remaining.tubes.end());
+  remaining.options.conditions.start = plan.visits[done - 1].branch.approach.front();
+  return remaining;
 }
 
 std::vector<int> visitedIn(const VisitPlan& plan) {
@@ -135,19 +135,19 @@ TEST(PlanCache, WhatIsLeftIsPlannedFromTheOldOrder) {
   const VisitPlan before = planVisits(cell, tubesOf(cell, "spread:120"), {}, {}, cache);
   ASSERT_EQ(before.status, VisitPlanStatus::kPlanned);
   for (const std::size_t done : {std::size_t{1}, before.visits.size() / 3, before.visits.size() - 30}) {
-    const Rest rest = restOf(before, done);
+    const RemainingWork remaining = remainingWork(before, done);
     PlanCache kept = cache;
     kept.orders.clear();
-    const VisitPlan after = planVisits(cell, rest.tubes, rest.options, {}, kept);
+    const VisitPlan after = planVisits(cell, remaining.tubes, remaining.options, {}, kept);
     ASSERT_EQ(after.status, VisitPlanStatus::kPlanned);
     std::vector<int> visited = visitedIn(after);
     std::sort(visited.begin(), visited.end());
-    EXPECT_EQ(visited, rest.tubes);
-    EXPECT_EQ(after.segments.front().waypoints.front(), *rest.options.conditions.start);
-    EXPECT_EQ(after.kept.reach, static_cast<int>(rest.tubes.size()));
+    EXPECT_EQ(visited, remaining.tubes);
+    EXPECT_EQ(after.segments.front().waypoints.front(), *remaining.options.conditions.start);
+    EXPECT_EQ(after.kept.reach, static_cast<int>(remaining.tubes.size()));
     EXPECT_TRUE(after.kept.order);
     EXPECT_GE(after.min_margin, 0);
-    const VisitPlan anew = planVisits(cell, rest.tubes, rest.options);
+    const VisitPlan anew = planVisits(cell, remaining.tubes, remaining.options);
     EXPECT_LE(after.travel_time, 1.01 * anew.travel_time) << done;
     EXPECT_LE(after.lower_bound, anew.travel_time) << done;
   }
@@ -162,15 +162,15 @@ TEST(PlanCache, TheBoundOfWhatIsLeftHoldsForEveryOrder) {
   const PlanHooks hooks;
   for (std::size_t done = 1; done + 1 < before.visits.size(); ++done) {
     for (const bool has_start : {true, false}) {
-      Rest rest = restOf(before, done);
-      if (!has_start) rest.options.conditions.start.reset();
+      RemainingWork remaining = remainingWork(before, done);
+      if (!has_start) remaining.options.conditions.start.reset();
       std::vector<TubeReach> reach;
-      for (const int tube : rest.tubes) reach.push_back(cache.reach.at(tube));
+      for (const int tube : remaining.tubes) reach.push_back(cache.reach.at(tube));
       const VisitChoice choice = allBranches(std::move(reach));
-      const PlanContext context{cell, rest.options, hooks, cache};
+      const PlanContext context{cell, remaining.options, hooks, cache};
       const double bound = remainingBound(context, choice);
-      const Route route = routeOf(choice, context.speeds, rest.options.conditions);
-      std::vector<int> order(rest.tubes.size());
+      const Route route = routeOf(choice, context.speeds, remaining.options.conditions);
+      std::vector<int> order(remaining.tubes.size());
       std::iota(order.begin(), order.end(), 0);
       double least = std::numeric_limits<double>::infinity();
       do least = std::min(least, bestBranches(route, order).travel_time);

@@ -47,7 +47,7 @@ TEST(Trajectory, RestsAtEveryWaypoint) {
   const std::vector<double> times{0, 0.5, 1, 1.5, 2, 3.5, 4, 4 + last / 2, 4 + last};
   ASSERT_EQ(points.size(), times.size());
   for (std::size_t k = 0; k < times.size(); ++k) EXPECT_NEAR(points[k].time, times[k], 1e-12) << k;
-  for (const std::size_t rest : {0, 3, 6, 8}) EXPECT_TRUE(points[rest].speed.isZero()) << rest;
+  for (const std::size_t stop : {0, 3, 6, 8}) EXPECT_TRUE(points[stop].speed.isZero()) << stop;
   EXPECT_NEAR(points[1].position[0], 0.25, 1e-12);
   EXPECT_NEAR(points[1].speed[0], 1, 1e-12);
   EXPECT_NEAR(points[2].acceleration[0], -2, 1e-12);

@@ -94,9 +94,9 @@ inline Workcell turnedAboutTheNormal(const std::string& file, double angle) {
   const Eigen::AngleAxisd turn(angle, kHoleAxis_W);
   cell.arm.gravity_W = turn * cell.arm.gravity_W;
   for (auto& tube : cell.sheet.tubes) {
-    const Eigen::Vector3d there = turn * holeCentre(tube);
-    tube.x = there.x();
-    tube.y = there.y();
+    const Eigen::Vector3d centre = turn * holeCentre(tube);
+    tube.x = centre.x();
+    tube.y = centre.y();
   }
   return cell;
 }

@@ -152,16 +152,16 @@ TEST_F(CampaignCommand, AgreesWithScoreOnTheSameSettings) {
       figuresOf(mockup("--truth " + shipped("mockup-true.yaml") + " --runs 300 --choice tested --seed 4"));
   const std::pair<const char*, const char*> ways[] = {{"none", "none"}, {"goal_point", "compensated"}};
   for (const auto& [mode, way] : ways) {
-    const auto& here = figures["settings"][0][way];
+    const auto& setting = figures["settings"][0][way];
     for (std::size_t k = 1; k <= 3; ++k) {
       const auto [share, error] = shareOfSteps(scored[mode]["counts_by_run"], k);
-      const auto& chance = here["steps"][k - 1]["probability"];
+      const auto& chance = setting["steps"][k - 1]["probability"];
       const double sigma = std::hypot(error, (chance["high"].get<double>() - chance["low"].get<double>()) / 3.92);
       EXPECT_NEAR(chance["value"].get<double>(), share, 4 * sigma + 1e-9) << way << ", " << k << " steps";
     }
     // The mean of `score` over 120 runs has a standard error sqrt(300 / 120) times that of the campaign over 300 runs.
-    const double sigma = here["mean"]["sigma"].get<double>() * std::hypot(1, std::sqrt(300. / 120));
-    EXPECT_NEAR(here["mean"]["value"].get<double>(), scored[mode]["mean_centring_error"].get<double>(), 4 * sigma);
+    const double sigma = setting["mean"]["sigma"].get<double>() * std::hypot(1, std::sqrt(300. / 120));
+    EXPECT_NEAR(setting["mean"]["value"].get<double>(), scored[mode]["mean_centring_error"].get<double>(), 4 * sigma);
   }
 }
 

@@ -60,12 +60,12 @@ TEST_F(OutageCampaign, ARunDependsOnSeedAndIndexAlone) {
   request.touch_every = 4;
   const Campaign campaign = makeOutageCampaign(request), again = makeOutageCampaign(request);
   const auto goes_on = [] { return false; };
-  const Experiment &whole = *campaign.experiment, &parts = *again.experiment;
-  const TallyWords all = *whole.run({0, 3}, goes_on);
-  const TallyWords last = *parts.run({2, 3}, goes_on), first = *parts.run({0, 1}, goes_on);
-  const TallyWords second = *parts.run({1, 2}, goes_on);
-  EXPECT_EQ(*parts.sum(*parts.sum(last, first), second), all);
-  EXPECT_EQ(*parts.sum(last, *parts.sum(first, second)), all);
+  const Experiment &in_one_run = *campaign.experiment, &in_parts = *again.experiment;
+  const TallyWords all = *in_one_run.run({0, 3}, goes_on);
+  const TallyWords last = *in_parts.run({2, 3}, goes_on), first = *in_parts.run({0, 1}, goes_on);
+  const TallyWords second = *in_parts.run({1, 2}, goes_on);
+  EXPECT_EQ(*in_parts.sum(*in_parts.sum(last, first), second), all);
+  EXPECT_EQ(*in_parts.sum(last, *in_parts.sum(first, second)), all);
   EXPECT_FALSE(campaign.experiment->run({3, 4}, [] { return true; }));
 }
 

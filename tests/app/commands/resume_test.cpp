@@ -187,10 +187,10 @@ TEST_F(Resume, WhatIsLeftIsPlannedFromWhereTheArmStands) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     expectSays(outcome.out, ", the order");
     const json made = planOf("new");
-    std::set<std::string> visited, left;
+    std::set<std::string> visited, remaining;
     for (const auto& tube : made["tubes"]) visited.insert(tube["name"]);
-    for (std::size_t k = 20; k < old["tubes"].size(); ++k) left.insert(old["tubes"][k]["name"]);
-    EXPECT_EQ(visited, left);
+    for (std::size_t k = 20; k < old["tubes"].size(); ++k) remaining.insert(old["tubes"][k]["name"]);
+    EXPECT_EQ(visited, remaining);
     EXPECT_EQ(made["start"], stands["joints"]);
     EXPECT_EQ(made["start_at"]["row"], stands["row"]);
     EXPECT_EQ(made["start_at"]["column"], stands["column"]);

@@ -171,10 +171,10 @@ TEST_F(Simulate, AKnownBaseIsWhereTheCellHasIt) {
 TEST_F(Simulate, TheSameSeedGivesTheSameBytesAndAnotherDoesNot) {
   for (const std::string arguments : {"bowl.yaml --spread 0.1 --held-out 0.3", "mockup.yaml --base-error 0.2,0.3"}) {
     const std::string cell = arguments.substr(0, arguments.find(' '));
-    const std::string rest = arguments.substr(cell.size()) + " --design bowl --readings 30 --seed ";
-    (void)simulate(cell, rest + "4", "one");
-    (void)simulate(cell, rest + "4", "two");
-    (void)simulate(cell, rest + "5", "other");
+    const std::string options = arguments.substr(cell.size()) + " --design bowl --readings 30 --seed ";
+    (void)simulate(cell, options + "4", "one");
+    (void)simulate(cell, options + "4", "two");
+    (void)simulate(cell, options + "5", "other");
     for (const char* file : {"measurements.csv", "truth.yaml"}) {
       EXPECT_EQ(contentOf(folder / "one" / file), contentOf(folder / "two" / file)) << file;
       EXPECT_NE(contentOf(folder / "one" / file), contentOf(folder / "other" / file)) << file;

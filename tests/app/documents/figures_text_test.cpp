@@ -77,8 +77,8 @@ TEST(DocumentText, hasALineForEachEntry) {
                 {{"+zero", "{}"}, ""}};
   for (const auto& [line, text] : kCases) EXPECT_EQ(textOf(kDocument, std::span(&line, 1)), text) << line.words;
   for (const char* nothing : {"nothing", "none", "is_free", "empty", "bases/no", "no"}) {
-    const TextLine there[] = {{nothing, "there"}};
-    EXPECT_EQ(textOf(kDocument, there), "") << nothing;
+    const TextLine lines[] = {{nothing, "there"}};
+    EXPECT_EQ(textOf(kDocument, lines), "") << nothing;
   }
 }
 

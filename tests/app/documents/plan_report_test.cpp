@@ -75,10 +75,10 @@ TEST(PlanReport, withoutItsScriptSaysSoAndCarriesTheDocument) {
   const std::string page = renderPage({"plan", "Plan report", "plan.json"}, report, PageSources{});
   EXPECT_EQ(occurrences(page, "This build of tubeplan has no report pictures"), 1U);
   EXPECT_EQ(json::parse(dataBlock(page)), asPlan(report));
-  const std::string whole = renderPage({"plan", "Plan report", "plan.json"}, report, PageSources{"a {}", "show();"});
-  EXPECT_EQ(occurrences(whole, "This build of tubeplan has no report pictures"), 0U);
-  EXPECT_EQ(occurrences(whole, "show();"), 1U);
-  EXPECT_EQ(occurrences(whole, "/*"), 0U);  // every marker is replaced
+  const std::string page = renderPage({"plan", "Plan report", "plan.json"}, report, PageSources{"a {}", "show();"});
+  EXPECT_EQ(occurrences(page, "This build of tubeplan has no report pictures"), 0U);
+  EXPECT_EQ(occurrences(page, "show();"), 1U);
+  EXPECT_EQ(occurrences(page, "/*"), 0U);  // every marker is replaced
 }
 
 TEST(PlanReport, hostileTextCannotLeaveTheDataBlock) {
@@ -120,9 +120,9 @@ TEST(PlanReport, brokenTextAndNumbersDoNotThrow) {
 }
 
 TEST(PlanReport, anyPartMayBeMissing) {
-  const json whole = smallReport();
-  for (const auto& [key, value] : whole.items()) {
-    json without = whole;
+  const json complete = smallReport();
+  for (const auto& [key, value] : complete.items()) {
+    json without = complete;
     without.erase(key);
     EXPECT_EQ(json::parse(dataBlock(renderPlanReport(without))), asPlan(without)) << key;
     without[key] = nullptr;

@@ -36,7 +36,7 @@ class SessionKeeping : public WorkbenchTest {
 /// Returns the state without the keys that change with every start: jobs, folder, moment and the words for the steps,
 /// of which only the models are kept.
 json lasting(json state) {
-  for (const char* gone : {"jobs", "folder", "moment", "undo_words", "redo_words"}) state.erase(gone);
+  for (const char* key : {"jobs", "folder", "moment", "undo_words", "redo_words"}) state.erase(key);
   return state;
 }
 

@@ -232,7 +232,7 @@ TEST_F(WorkbenchRoutes, whatACheckSuspectsIsTakenToBeSo) {
   EXPECT_EQ(post("/api/measurements/assume").status, 422);
   EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"coordinates=parsec"}}}).status, 422);
   const json corrected = post("/api/measurements/assume", {{"assume", {check["assume"]}}}).body["measurements"];
-  for (const auto& left : corrected["checks"]) EXPECT_NE(left["severity"], "mistake") << left.dump();
+  for (const auto& check : corrected["checks"]) EXPECT_NE(check["severity"], "mistake") << check.dump();
   EXPECT_EQ(corrected["readings"], 30);
   EXPECT_EQ(corrected["set_aside"], 2) << "marks made by hand stay";
   EXPECT_EQ(corrected["held_out"], 1);
@@ -454,9 +454,9 @@ TEST_F(WorkbenchRoutes, clearanceIsKnownAlongTheTourAndNeverBelowWhatIsProved) {
   std::map<int, std::set<double>> of_segment;
   for (std::size_t k = 0; k < samples; ++k) {
     const int segment = path["segment"][k];
-    const double here = all["clearance"][k], proved = path["clearance"][static_cast<std::size_t>(segment)];
-    EXPECT_GE(here, proved - 1e-6) << "sample " << k << " of segment " << segment;
-    of_segment[segment].insert(here);
+    const double clearance = all["clearance"][k], proved = path["clearance"][static_cast<std::size_t>(segment)];
+    EXPECT_GE(clearance, proved - 1e-6) << "sample " << k << " of segment " << segment;
+    of_segment[segment].insert(clearance);
   }
   std::size_t most = 0;
   for (const auto& [segment, values] : of_segment) most = std::max(most, values.size());

@@ -124,14 +124,14 @@ TEST(Sensitivity, ErrorAfterCalibrationIsWhatACalibrationLeaves) {
       options.arm = doubt;
       const auto base = calibrateBase(c.cell.arm, touchesBy(truth, c), c.cell.X_WB_nominal, options);
       ASSERT_EQ(base.status, CalibrationStatus::kDone) << name << base.reason;
-      double left = 0, known = 0;
+      double uncompensated = 0, known = 0;
       for (const auto& q : c.task.work) {
-        const Eigen::Vector3d there = tipOf(truth, c.cell.X_WB_nominal, q);
-        left += (there - tipOf(base.arm, base.X_WB, q)).head<2>().norm();
-        known += (there - tipOf(c.cell.arm, c.cell.X_WB_nominal, q)).head<2>().norm();
+        const Eigen::Vector3d true_tip = tipOf(truth, c.cell.X_WB_nominal, q);
+        uncompensated += (true_tip - tipOf(base.arm, base.X_WB, q)).head<2>().norm();
+        known += (true_tip - tipOf(c.cell.arm, c.cell.X_WB_nominal, q)).head<2>().norm();
       }
       const auto n = static_cast<double>(c.task.work.size());
-      EXPECT_NEAR(number.error * step, left / n, 0.01 * left / n) << name;
+      EXPECT_NEAR(number.error * step, uncompensated / n, 0.01 * uncompensated / n) << name;
       EXPECT_NEAR(number.error_base_known * step, known / n, 0.01 * known / n) << name;
     }
   }
@@ -146,12 +146,12 @@ TEST(Sensitivity, UncompensatedErrorIsWhatRigidCalibrationLeaves) {
   blunt.finds_model_error = blunt.finds_suspects = false;
   const auto base = calibrateBase(rigid, touchesBy(c.cell.arm, c), c.cell.X_WB_nominal, blunt);
   ASSERT_EQ(base.status, CalibrationStatus::kDone) << base.reason;
-  double left = 0;
+  double uncompensated = 0;
   for (const auto& q : c.task.work)
-    left += (tipOf(c.cell.arm, c.cell.X_WB_nominal, q) - tipOf(rigid, base.X_WB, q)).head<2>().norm() /
-            static_cast<double>(c.task.work.size());
+    uncompensated += (tipOf(c.cell.arm, c.cell.X_WB_nominal, q) - tipOf(rigid, base.X_WB, q)).head<2>().norm() /
+                     static_cast<double>(c.task.work.size());
   // The prediction is linearised in the base's motion, about 1 in for an arm of 60 in, hence the tolerance.
-  EXPECT_NEAR(c.find().mean_uncompensated, left, 0.01 * left);
+  EXPECT_NEAR(c.find().mean_uncompensated, uncompensated, 0.01 * uncompensated);
 }
 
 TEST(Sensitivity, AKnownBaseAbsorbsNothing) {

@@ -74,7 +74,7 @@ TEST(CorrelatedCoordinates, GoWithWhatWasMeasuredWhereRowsAreShifted) {
 
 /// Number of 95 % intervals, number of those that contain the true value, and sum of their relative widths.
 struct IntervalCoverage {
-  int holds = 0, count = 0;
+  int covered = 0, count = 0;
   double width = 0;
 };
 
@@ -89,7 +89,7 @@ void fit(const PlacedArm& truth, const std::vector<Measurement>& measurements, c
   for (const auto& number : result.numbers) {
     const double value = deflection::findParameter(truth.arm, number.unknown.name)->value;
     ++coverage.count;
-    coverage.holds += number.lower <= value && value <= number.upper;
+    coverage.covered += number.lower <= value && value <= number.upper;
     // Width of the compliance interval, relative to the true compliance.
     coverage.width += (1 / number.lower - 1 / number.upper) * value;
   }
@@ -103,20 +103,20 @@ TEST(CorrelatedCoordinates, IntervalsHoldTheTruthAndAreSharperForIt) {
                                        "mezzanine-beam.joint_stiffness.z", "mezzanine-platform.joint_stiffness.x"};
   PlacedArm truth = cobra();
   for (auto& row : truth.arm.rows) row.joint.encoder_sigma /= 20;
-  IntervalCoverage whole, uncorrelated;
+  IntervalCoverage correlated, uncorrelated;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     MeasurementMaker maker(truth, seed, MeasurementMaker::Noise::kStated);
     maker.sigma_W = Vector3d(0.001, 0.005, 0.005) * kInch;
     maker.correlation_W = Vector3d(0.9, 0.9, 0.9);
     maker.add(MeasurementKind::kPosition, 40);
-    fit(truth, maker.measurements, names, whole);
+    fit(truth, maker.measurements, names, correlated);
     for (auto& measurement : maker.measurements) measurement.correlation_W.reset();
     fit(truth, maker.measurements, names, uncorrelated);
   }
-  ASSERT_EQ(whole.count, 800);
-  EXPECT_GE(whole.holds, 0.93 * 800);
-  EXPECT_LE(whole.holds, 0.97 * 800);
-  EXPECT_LT(whole.width, 0.5 * uncorrelated.width);
+  ASSERT_EQ(correlated.count, 800);
+  EXPECT_GE(correlated.covered, 0.93 * 800);
+  EXPECT_LE(correlated.covered, 0.97 * 800);
+  EXPECT_LT(correlated.width, 0.5 * uncorrelated.width);
 }
 
 }  // namespace

@@ -22,11 +22,11 @@ TEST(Diagnosis, ATouchLeftAloneByAnOutlierIsSetAsideWithIt) {
     options.baseline.free.names = {"tool.joint_stiffness.z", "mezzanine-platform.joint_stiffness.x"};
     const auto diagnosis = diagnose(cobra(), measurements, options);
     EXPECT_NE(diagnosis.verdict, Verdict::kNotRun) << diagnosis.reason;
-    std::map<std::string, int> left;
+    std::map<std::string, int> remaining;
     for (int k = 0; k < static_cast<int>(measurements.size()); ++k)
       if (!std::binary_search(diagnosis.set_aside.begin(), diagnosis.set_aside.end(), k))
-        ++left[measurements[static_cast<std::size_t>(k)].point];
-    for (const auto& [point, touches] : left) EXPECT_EQ(touches, 2) << point << ", seed " << seed;
+        ++remaining[measurements[static_cast<std::size_t>(k)].point];
+    for (const auto& [point, touches] : remaining) EXPECT_EQ(touches, 2) << point << ", seed " << seed;
   }
 }
 

@@ -153,11 +153,11 @@ TEST(WhitenedResidual, SomeNumbersOfABaseHaveTheSlopesThatTheyHaveAmongAll) {
   of_some.conservativeResize(static_cast<Index>(some.size()));
   const auto weights = weighMeasurements(start, maker.measurements);
   ASSERT_TRUE(weights);
-  const auto whole = whitenedResidual(start, all, maker.measurements, *weights, x, true);
+  const auto complete = whitenedResidual(start, all, maker.measurements, *weights, x, true);
   const auto part = whitenedResidual(start, some, maker.measurements, *weights, of_some, true);
-  ASSERT_TRUE(whole.ok && part.ok);
-  EXPECT_TRUE(part.r.isApprox(whole.r, 1e-9));
-  EXPECT_TRUE(part.jacobian.isApprox(whole.jacobian(Eigen::all, columns), 1e-9));
+  ASSERT_TRUE(complete.ok && part.ok);
+  EXPECT_TRUE(part.r.isApprox(complete.r, 1e-9));
+  EXPECT_TRUE(part.jacobian.isApprox(complete.jacobian(Eigen::all, columns), 1e-9));
 }
 
 /// Evaluation in batches and one by one must give the same results. The arm `slow` is evaluated one by one, because an
@@ -248,19 +248,19 @@ TEST(WhitenedResidual, EliminatedPointsEqualExplicitOnes) {
   ASSERT_EQ(weights->points.size(), 8u);
   EXPECT_EQ(weights->degrees_of_freedom, weights->rows - 24);
   auto eliminated = whitenedResidual(start, unknowns, maker.measurements, *weights, x, true);
-  auto whole = withExplicitPoints(start, unknowns, maker.measurements, *weights, x);
+  auto with_points = withExplicitPoints(start, unknowns, maker.measurements, *weights, x);
   for (Index k = 0; k < x.size(); ++k) {  // scale: a compliance and an angle differ by many powers of ten
     eliminated.jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
-    whole.jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
+    with_points.jacobian.col(k) *= unknowns[static_cast<std::size_t>(k)].typical;
   }
   const VectorXd step = eliminated.jacobian.colPivHouseholderQr().solve(-eliminated.r);
-  const VectorXd whole_step = whole.jacobian.colPivHouseholderQr().solve(-whole.r);
-  EXPECT_LE((step - whole_step.head(x.size())).norm(), 1e-9 * step.norm());
-  const double left = (eliminated.r + eliminated.jacobian * step).norm();
-  EXPECT_NEAR(left, (whole.r + whole.jacobian * whole_step).norm(), 1e-8 * left);
+  const VectorXd step_with_points = with_points.jacobian.colPivHouseholderQr().solve(-with_points.r);
+  EXPECT_LE((step - step_with_points.head(x.size())).norm(), 1e-9 * step.norm());
+  const double remaining = (eliminated.r + eliminated.jacobian * step).norm();
+  EXPECT_NEAR(remaining, (with_points.r + with_points.jacobian * step_with_points).norm(), 1e-8 * remaining);
   const MatrixXd covariance = (eliminated.jacobian.transpose() * eliminated.jacobian).inverse();
-  const MatrixXd whole_covariance = (whole.jacobian.transpose() * whole.jacobian).inverse();
-  EXPECT_LE((covariance - whole_covariance.topLeftCorner(x.size(), x.size())).norm(), 1e-6 * covariance.norm());
+  const MatrixXd covariance_with_points = (with_points.jacobian.transpose() * with_points.jacobian).inverse();
+  EXPECT_LE((covariance - covariance_with_points.topLeftCorner(x.size(), x.size())).norm(), 1e-6 * covariance.norm());
 }
 
 TEST(WhitenedResidual, AnUnknownPointIsEstimatedFromItsTouches) {
@@ -323,20 +323,20 @@ TEST(WhitenedResidual, AModelErrorIsOneMoreVarianceOfEveryCoordinate) {
   addEveryKind(maker, 2);
   const double model_error = 2 * maker.measurements.front().sigma;
   const auto plain = weighMeasurements(cobra(), maker.measurements);
-  const auto whole = weighMeasurements(cobra(), maker.measurements, {}, model_error);
+  const auto weights = weighMeasurements(cobra(), maker.measurements, {}, model_error);
   const auto again = reweighted(*plain, maker.measurements, model_error);
   for (std::size_t k = 0; k < maker.measurements.size(); ++k) {
     MatrixXd expected = plain->covariance(k);
     expected.diagonal().array() += model_error * model_error;
-    EXPECT_LE((whole->covariance(k) - expected).norm(), 1e-12 * expected.norm());
-    EXPECT_LE((whole->whitener[k] * expected * whole->whitener[k].transpose() -
+    EXPECT_LE((weights->covariance(k) - expected).norm(), 1e-12 * expected.norm());
+    EXPECT_LE((weights->whitener[k] * expected * weights->whitener[k].transpose() -
                MatrixXd::Identity(expected.rows(), expected.rows()))
                   .norm(),
               1e-9);
-    EXPECT_EQ(again.whitener[k], whole->whitener[k]);
+    EXPECT_EQ(again.whitener[k], weights->whitener[k]);
   }
-  EXPECT_EQ(noiseFloor(maker.measurements, *whole), noiseFloor(maker.measurements, *plain));
-  EXPECT_EQ(whole->degrees_of_freedom, plain->degrees_of_freedom);
+  EXPECT_EQ(noiseFloor(maker.measurements, *weights), noiseFloor(maker.measurements, *plain));
+  EXPECT_EQ(weights->degrees_of_freedom, plain->degrees_of_freedom);
 }
 
 }  // namespace

@@ -198,14 +198,15 @@ TEST(MistakesFromAMeasurement, AreNamedBesideOthers) {
       auto set = cleanSet(3 + 5 * static_cast<std::uint64_t>(made % 3));
       ASSERT_TRUE(set);
       const auto step = seededMistake(label).make(*set, random);
-      const auto whole = seededMistake(other).make(*set, random);
-      if (!step || !whole) continue;
+      const auto second_mistake = seededMistake(other).make(*set, random);
+      if (!step || !second_mistake) continue;
       ++made;
       const auto checks = checksOf(*set);
       const auto* mistake = firstMistake(checks);
       const std::string assume = mistake ? mistake->assume : "nothing";
-      named += assume.starts_with(*whole) && assume.find(step->substr(0, step->find('='))) != std::string::npos;
-      found += *whole + " + " + *step + ": " + assume + "\n";
+      named +=
+          assume.starts_with(*second_mistake) && assume.find(step->substr(0, step->find('='))) != std::string::npos;
+      found += *second_mistake + " + " + *step + ": " + assume + "\n";
     }
   ASSERT_GE(made, 6);
   EXPECT_GE(named, made - 1) << found;

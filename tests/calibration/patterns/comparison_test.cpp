@@ -325,8 +325,8 @@ TEST(JointEquivalents, correctionsTakeThePredictedTipToTheMeasuredOne) {
   for (std::size_t k = 0; k < measurements.size(); ++k) {
     Measurement corrected = measurements[k];
     corrected.q += joints.corrections.col(static_cast<Eigen::Index>(k));
-    const Vector3d left = predictMeasurement(arm, Isometry3d::Identity(), corrected).value - *measurements[k].p_W;
-    EXPECT_LT(left.norm(), 0.02 * residual.error.segment<3>(3 * static_cast<Eigen::Index>(k)).norm());
+    const Vector3d remaining = predictMeasurement(arm, Isometry3d::Identity(), corrected).value - *measurements[k].p_W;
+    EXPECT_LT(remaining.norm(), 0.02 * residual.error.segment<3>(3 * static_cast<Eigen::Index>(k)).norm());
   }
   // Only joint 1 moves the tip out of the arm's plane; its corrections contain the encoder's noise.
   const double noise = joints.sigma[0];

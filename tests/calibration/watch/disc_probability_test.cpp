@@ -60,12 +60,12 @@ TEST(DiscProbability, DerivativesAreThoseOfTheProbability) {
   const Vector2d mean(1.1, 0.3);
   for (const CommonDiscs& discs : families()) {
     const auto at = [&](double x, double y) { return probabilityWithin(discs, mean + Vector2d(x, y), skewed()); };
-    const RegionProbability here = at(0, 0);
-    EXPECT_NEAR(here.slope.x(), (at(kStep, 0).p - at(-kStep, 0).p) / (2 * kStep), 1e-6);
-    EXPECT_NEAR(here.slope.y(), (at(0, kStep).p - at(0, -kStep).p) / (2 * kStep), 1e-6);
-    EXPECT_NEAR(here.curvature(0, 0), (at(kStep, 0).slope.x() - at(-kStep, 0).slope.x()) / (2 * kStep), 1e-5);
-    EXPECT_NEAR(here.curvature(0, 1), (at(0, kStep).slope.x() - at(0, -kStep).slope.x()) / (2 * kStep), 1e-5);
-    EXPECT_NEAR(here.curvature(1, 1), (at(0, kStep).slope.y() - at(0, -kStep).slope.y()) / (2 * kStep), 1e-5);
+    const RegionProbability centre = at(0, 0);
+    EXPECT_NEAR(centre.slope.x(), (at(kStep, 0).p - at(-kStep, 0).p) / (2 * kStep), 1e-6);
+    EXPECT_NEAR(centre.slope.y(), (at(0, kStep).p - at(0, -kStep).p) / (2 * kStep), 1e-6);
+    EXPECT_NEAR(centre.curvature(0, 0), (at(kStep, 0).slope.x() - at(-kStep, 0).slope.x()) / (2 * kStep), 1e-5);
+    EXPECT_NEAR(centre.curvature(0, 1), (at(0, kStep).slope.x() - at(0, -kStep).slope.x()) / (2 * kStep), 1e-5);
+    EXPECT_NEAR(centre.curvature(1, 1), (at(0, kStep).slope.y() - at(0, -kStep).slope.y()) / (2 * kStep), 1e-5);
   }
 }
 

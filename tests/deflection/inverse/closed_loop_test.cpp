@@ -84,19 +84,21 @@ TEST(ClosedLoop, AHeldJointIsAPartOfTheChain) {
     const DrawnChain six = drawnChain(6, n % 7 - 1, draw);
     const VectorXd q = drawnReadings(six, draw);
     const double reach = reachOf(six.arm);
-    const auto whole = closureChain<kLineSize>(six.axes, reach);
+    const auto six_joint_chain = closureChain<kLineSize>(six.axes, reach);
     const auto held = static_cast<std::size_t>(n % 6);
     TipMotion tip;
     placeRigidTip(six.axes, q, tip);
     std::vector<VectorXd> roots;
-    LineLoop(withJointHeld(whole, held, q[static_cast<Eigen::Index>(held)])).addRoots(tip.p, tip.axis, 0.2, roots);
-    VectorXd rest(5);
+    LineLoop(withJointHeld(six_joint_chain, held, q[static_cast<Eigen::Index>(held)]))
+        .addRoots(tip.p, tip.axis, 0.2, roots);
+    VectorXd free_readings(5);
     for (Eigen::Index k = 0, at = 0; k < 6; ++k)
-      if (k != static_cast<Eigen::Index>(held)) rest[at++] = q[k];
+      if (k != static_cast<Eigen::Index>(held)) free_readings[at++] = q[k];
     double nearest = 9;
     for (const VectorXd& root : roots)
       nearest = std::min(
-          nearest, (root - rest).unaryExpr([](double d) { return std::remainder(d, 2 * std::numbers::pi); }).norm());
+          nearest,
+          (root - free_readings).unaryExpr([](double d) { return std::remainder(d, 2 * std::numbers::pi); }).norm());
     EXPECT_LE(nearest, 0.05) << n;
   }
 }

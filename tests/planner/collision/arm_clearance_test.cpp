@@ -179,10 +179,10 @@ TEST_F(UnderAHole, ALeaveThatTheToolsOwnBodyStatesEndsOnTravelToo) {
   for (auto& obstacle : turned.scene.obstacles) std::erase(obstacle.allow, "tool-tip");
   for (auto& body : turned.scene.bodies)
     if (body.name == "tool-tip") body.allow = {"tubesheet"};
-  const ArmClearance here(turned), there(cell);
+  const ArmClearance in_turned(turned), in_cell(cell);
   const VectorXd q = inTheHole();
   for (const auto rule : {ContactRule::kTravel, ContactRule::kApproach})
-    EXPECT_EQ(here.at(q, rule).margin, there.at(q, rule).margin);
+    EXPECT_EQ(in_turned.at(q, rule).margin, in_cell.at(q, rule).margin);
 }
 
 TEST_F(UnderAHole, WhatTheRestOfTheArmMayTouchItMayAlwaysTouch) {

@@ -169,11 +169,11 @@ PostureClearance allAtOnce(const PostureClearance& alone, int& calls) {
                                ++calls;
                                MarginsSideBySide found;
                                for (Eigen::Index k = 0; k < q.cols(); ++k) {
-                                 Clearance here = alone(q.col(k));
-                                 found.margins.push_back(here.margin);
-                                 if (k > 0 && here.margin >= found.margins[found.tightest]) continue;
+                                 Clearance clearance = alone(q.col(k));
+                                 found.margins.push_back(clearance.margin);
+                                 if (k > 0 && clearance.margin >= found.margins[found.tightest]) continue;
                                  found.tightest = static_cast<std::size_t>(k);
-                                 found.clearance = std::move(here);
+                                 found.clearance = std::move(clearance);
                                }
                                return found;
                              }};

@@ -155,9 +155,9 @@ TEST(OneTreeBound, HoldsForTrivialRoutes) {
   route.end.reset();
   EXPECT_EQ(oneTreeBound(route).lower_bound, 0);
   const Route single = randomRoute(random, 1, 1, true, true);
-  const double there = straightMoveDuration(*single.start, single.visits[0].branches[0], single.speeds);
+  const double approach = straightMoveDuration(*single.start, single.visits[0].branches[0], single.speeds);
   const double onwards = straightMoveDuration(single.visits[0].branches[0], *single.end, single.speeds);
-  EXPECT_NEAR(oneTreeBound(single).lower_bound, there + onwards, 1e-9);
+  EXPECT_NEAR(oneTreeBound(single).lower_bound, approach + onwards, 1e-9);
 }
 
 TEST(OneTreeBound, IgnoresExtraTimeAndRefusesBadInput) {

@@ -57,10 +57,10 @@ TEST(PostureTable, AsksForExtraTimesOnlyWhereTheyMayBe) {
   Route route = randomRoute(random, 10, 5, true, false);
   const EdgePenalties penalties = somePenalties(route, random);
   route.extra_time = penalties;
-  const PostureTable whole(route);
+  const PostureTable table(route);
   std::vector<double> expected;
-  for (int p = 0; p < whole.postures(); ++p)
-    for (int q = 0; q < whole.postures(); ++q) expected.push_back(whole.cost(p, q));
+  for (int p = 0; p < table.postures(); ++p)
+    for (int q = 0; q < table.postures(); ++q) expected.push_back(table.cost(p, q));
   for (int visit = 0; visit < 10; ++visit) route.with_extra.push_back(penalties.touches(visit));
   route.extra_time = [&](int a, int branch_a, int b, int branch_b) {
     EXPECT_TRUE(penalties.touches(a) || a < 0) << a;

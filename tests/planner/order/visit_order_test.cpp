@@ -39,10 +39,10 @@ double optimum(const Route& route) {
       for (std::size_t q = 0; q < count; ++q) {
         const std::size_t bit = std::size_t{1} << postures[q].visit;
         if (set & bit) continue;
-        double& there = time[(set | bit) * count + q];
-        there = std::min(there, time[set * count + p] +
-                                    straightMoveDuration(at(postures[p]), at(postures[q]), route.speeds) +
-                                    extra(postures[p], postures[q]));
+        double& shortest = time[(set | bit) * count + q];
+        shortest = std::min(shortest, time[set * count + p] +
+                                          straightMoveDuration(at(postures[p]), at(postures[q]), route.speeds) +
+                                          extra(postures[p], postures[q]));
       }
     }
   }

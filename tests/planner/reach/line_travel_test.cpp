@@ -98,12 +98,12 @@ TEST(LineTravel, IsTheSameBackward) {
   LineTravels lines(cell, speeds);
   const auto tubes = testing::tubesOf(cell, "R20C30,R20C40");
   const VectorXd q0 = standoffsOf(cell, tubes[0]).front(), q1 = nearest(standoffsOf(cell, tubes[1]), q0);
-  const LineTravel there = lines.between(q0, q1), back = lines.between(q1, q0);
-  ASSERT_EQ(there.status, LineTravelStatus::kOnLine) << there.reason;
-  ASSERT_EQ(back.status, LineTravelStatus::kOnLine) << back.reason;
-  ASSERT_EQ(there.waypoints.size(), back.waypoints.size());
-  for (std::size_t k = 0; k < there.waypoints.size(); ++k)
-    EXPECT_LT((there.waypoints[k] - back.waypoints[back.waypoints.size() - 1 - k]).norm(), 1e-8);
+  const LineTravel forward = lines.between(q0, q1), backward = lines.between(q1, q0);
+  ASSERT_EQ(forward.status, LineTravelStatus::kOnLine) << forward.reason;
+  ASSERT_EQ(backward.status, LineTravelStatus::kOnLine) << backward.reason;
+  ASSERT_EQ(forward.waypoints.size(), backward.waypoints.size());
+  for (std::size_t k = 0; k < forward.waypoints.size(); ++k)
+    EXPECT_LT((forward.waypoints[k] - backward.waypoints[backward.waypoints.size() - 1 - k]).norm(), 1e-8);
 }
 
 }  // namespace

@@ -39,10 +39,10 @@ inline TriangleMesh cylinderMesh(double radius, double half_length, int sides) {
       mesh.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
   }
   for (int k = 0; k < sides; ++k) {
-    const int here = 2 + 2 * k, next = 2 + 2 * ((k + 1) % sides);
-    mesh.triangles.push_back({0, next, here});
-    mesh.triangles.push_back({1, here + 1, next + 1});
-    addQuad(mesh, here, next, next + 1, here + 1);
+    const int corner = 2 + 2 * k, next_corner = 2 + 2 * ((k + 1) % sides);
+    mesh.triangles.push_back({0, next_corner, corner});
+    mesh.triangles.push_back({1, corner + 1, next_corner + 1});
+    addQuad(mesh, corner, next_corner, next_corner + 1, corner + 1);
   }
   return mesh;
 }

@@ -113,9 +113,9 @@ TEST_F(MeshReader, APlyFileIsReadAsTextAndInEitherOrderOfBytes) {
 }
 
 TEST_F(MeshReader, APlyFileThatContradictsItselfIsRefused) {
-  const std::string whole = plyText(ballMesh(1, 4));
+  const std::string complete = plyText(ballMesh(1, 4));
   const auto message = [&](const std::string& from, const std::string& to) {
-    std::string text = whole;
+    std::string text = complete;
     text.replace(text.find(from), from.size(), to);
     return messageOf([&] { (void)readMeshFile(write("a.ply", text)); });
   };
@@ -198,9 +198,9 @@ TEST_F(MeshReader, ASpoiltFileIsReadOrRefused) {
   const std::pair<const char*, std::string> files[] = {
       {"a.stl", stlText(ball)}, {"b.stl", stlBytes(ball)}, {"c.obj", objText(ball)}, {"d.ply", plyText(ball)}};
   int refused = 0;
-  for (const auto& [name, whole] : files)
+  for (const auto& [name, complete] : files)
     for (int round = 0; round < 150; ++round) {
-      std::string damaged = whole;
+      std::string damaged = complete;
       for (int k = 0; k < 1 + round % 5; ++k) damaged[generator() % damaged.size()] = static_cast<char>(generator());
       if (round % 3 == 0) damaged.resize(generator() % damaged.size());
       const std::string path = write(name, damaged);

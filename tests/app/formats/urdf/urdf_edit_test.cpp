@@ -34,16 +34,16 @@ class RobotMaker {
         "<?xml version=\"1.0\"?>\n<!-- <joint name=\"j0\"><origin xyz=\"9 9 9\"/></joint> -->\n<robot name='r'>\n"
         "  <material name=\"m\"><color rgba=\"1 0 0 1\"/></material>\n";
     addLink("base");
-    const int count = whole(3, 8);
+    const int count = integer(3, 8);
     for (int k = 0; k < count; ++k) {
-      if (k > 0 && whole(0, 2) == 0) addJoint("fixed", "");
-      const bool follows = k > 1 && !slides_.back() && !slides_.front() && whole(0, 4) == 0;
-      const bool slides = !follows && whole(0, 4) == 0;
-      addJoint(slides ? "prismatic" : whole(0, 1) == 0 ? "continuous" : "revolute", follows ? leader_ : "");
+      if (k > 0 && integer(0, 2) == 0) addJoint("fixed", "");
+      const bool follows = k > 1 && !slides_.back() && !slides_.front() && integer(0, 4) == 0;
+      const bool slides = !follows && integer(0, 4) == 0;
+      addJoint(slides ? "prismatic" : integer(0, 1) == 0 ? "continuous" : "revolute", follows ? leader_ : "");
       slides_.push_back(slides);
       if (slides_.size() == 1) leader_ = last_joint_;
     }
-    for (int k = whole(0, 2); k > 0; --k) addJoint("fixed", "");
+    for (int k = integer(0, 2); k > 0; --k) addJoint("fixed", "");
     return text_ +
            "  <transmission name=\"t\"><joint name=\"j0\"><origin xyz=\"1 1 1\"/></joint></transmission>\n"
            "  <ros2_control name=\"c\" type=\"system\"><joint name=\"j1\"><limit lower='7'/></joint></ros2_control>\n"
@@ -51,7 +51,7 @@ class RobotMaker {
   }
 
  private:
-  int whole(int from, int to) { return std::uniform_int_distribution<int>(from, to)(random_); }
+  int integer(int from, int to) { return std::uniform_int_distribution<int>(from, to)(random_); }
   double draw(double size) {
     return std::round(std::uniform_real_distribution<double>(-size, size)(random_) * 1e4) / 1e4;
   }
@@ -68,7 +68,7 @@ class RobotMaker {
   }
 
   std::string origin() {
-    switch (whole(0, 4)) {
+    switch (integer(0, 4)) {
       case 0:
         return "";
       case 1:

@@ -65,21 +65,21 @@ TEST(OutageTally, CountsAlarmsByWhatWasHidden) {
 }
 
 TEST(OutageTally, MergesToTheSameBytesInAnyGrouping) {
-  OutageTally whole, forward, backward;
+  OutageTally sequential, forward, backward;
   std::vector<TallyWords> parts;
   const auto trials = trialsOfAllKinds();
   for (std::uint64_t k = 0; k < trials.size(); ++k) {
     OutageTally part;
     part.add(trials[k], k);
-    whole.add(trials[k], k);
+    sequential.add(trials[k], k);
     parts.push_back(wordsOf(part));
   }
   for (std::size_t k = 0; k < parts.size(); ++k) {
     EXPECT_TRUE(forward.merge(parts[k]));
     EXPECT_TRUE(backward.merge(parts[parts.size() - 1 - k]));
   }
-  EXPECT_EQ(wordsOf(whole), wordsOf(forward));
-  EXPECT_EQ(wordsOf(whole), wordsOf(backward));
+  EXPECT_EQ(wordsOf(sequential), wordsOf(forward));
+  EXPECT_EQ(wordsOf(sequential), wordsOf(backward));
 }
 
 TEST(OutageTally, RefusesWordsThatAreMissing) {

@@ -78,7 +78,7 @@ class SimulatedRanks {
   [[nodiscard]] TallyWords total() const { return experiment_.total(); }
   [[nodiscard]] std::size_t talliesToFirst() const { return tallies_to_first_; }
   /// Returns the number of ranks whose last message the first rank has received.
-  [[nodiscard]] std::size_t left() const { return left_of_senders_; }
+  [[nodiscard]] std::size_t finishedSenders() const { return finished_senders_; }
 
  private:
   void send(const RankMessage& message) { under_way_[{message.from, message.to}].push_back(message); }
@@ -124,7 +124,7 @@ class SimulatedRanks {
   }
 
   void takeFirst(const RankMessage& message) {
-    left_of_senders_ += message.subject == kFinished;
+    finished_senders_ += message.subject == kFinished;
     if (message.subject == kTally) {
       ++tallies_to_first_;
       const DoneRuns done = doneIn(message.words);
@@ -153,7 +153,7 @@ class SimulatedRanks {
   RunSchedule schedule_;
   std::map<int, std::unique_ptr<GroupLeader>> leaders_;
   std::map<std::pair<int, int>, std::deque<RankMessage>> under_way_;
-  std::size_t tallies_to_first_ = 0, left_of_senders_ = 0;
+  std::size_t tallies_to_first_ = 0, finished_senders_ = 0;
 };
 
 TallyWords sumInOneProcess() {
@@ -187,7 +187,7 @@ TEST(GroupLeader, TheSumIsTheSameForAnyGroupingAndOrder) {
         SimulatedRanks simulated({ranks, size}, seed);
         simulated.run();
         EXPECT_EQ(simulated.total(), sum) << ranks << " ranks in groups of " << size << ", seed " << seed;
-        EXPECT_EQ(simulated.left(), RankGroups({ranks, size}).sendersTo(0).size());
+        EXPECT_EQ(simulated.finishedSenders(), RankGroups({ranks, size}).sendersTo(0).size());
       }
 }
 

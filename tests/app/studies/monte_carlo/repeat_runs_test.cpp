@@ -90,8 +90,8 @@ TEST(RepeatRuns, StoppedItGoesOnToTheSameSum) {
   EXPECT_EQ(repeatRuns(experiment, schedule, 2, hooks, nullptr), RepeatStatus::kStopped);
   EXPECT_GT(kept, 300u);
   EXPECT_LT(kept, kRuns);
-  RunSchedule rest(kRuns, 64, schedule.done());
-  EXPECT_EQ(repeatRuns(experiment, rest, 3, quiet(), nullptr), RepeatStatus::kDone);
+  RunSchedule remaining(kRuns, 64, schedule.done());
+  EXPECT_EQ(repeatRuns(experiment, remaining, 3, quiet(), nullptr), RepeatStatus::kDone);
   EXPECT_EQ(experiment.total(), TallyWords{kSum});
 }
 

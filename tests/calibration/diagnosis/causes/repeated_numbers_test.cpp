@@ -89,10 +89,10 @@ TEST(RepeatedNumbers, AFreeTipRepeatsItsOffsetAndTheLastJointsZeroWithoutTheTool
       const Lists lists = listsFor(placed, {"tool.tip"}, false, seed);
       const auto& last = placed.arm.rows.back().joint;
       if (last.type == deflection::JointType::kPrismatic) continue;  // shifts of the rows before it are the tip's too
-      EffectNames gone{"tool-offset@tool"};
-      if (!shows_tool_turn) gone.insert("joint-offset@" + last.name);
+      EffectNames removed{"tool-offset@tool"};
+      if (!shows_tool_turn) removed.insert("joint-offset@" + last.name);
       EffectNames before = namesOf(lists.before.causes, true);
-      for (const auto& name : gone) EXPECT_EQ(before.erase(name), 1U) << name;
+      for (const auto& name : removed) EXPECT_EQ(before.erase(name), 1U) << name;
       EXPECT_EQ(namesOf(lists.after.causes, true), before) << seed;
     }
 }

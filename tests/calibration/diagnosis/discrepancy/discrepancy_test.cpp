@@ -46,8 +46,8 @@ double shareTaken(const PlacedArm& placed, const std::vector<Measurement>& measu
   const MatrixXd scaled = kSize * columns;
   MatrixXd inner = MatrixXd::Identity(scaled.cols(), scaled.cols());
   inner += scaled.transpose() * scaled;
-  const VectorXd left = error - scaled * inner.llt().solve(scaled.transpose() * error);
-  return 1 - left.squaredNorm() / error.squaredNorm();
+  const VectorXd residual = error - scaled * inner.llt().solve(scaled.transpose() * error);
+  return 1 - residual.squaredNorm() / error.squaredNorm();
 }
 
 TEST(Discrepancy, OfWaysIsTheDifferenceAtBothEnds) {

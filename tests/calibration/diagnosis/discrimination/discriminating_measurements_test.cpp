@@ -65,9 +65,9 @@ struct Bench {
 /// alternatives.
 bool isNamed(const Diagnosis& diagnosis, const std::vector<Explanation>& open, const std::string& truth) {
   if (diagnosis.alternatives.empty() || nameOf(diagnosis.alternatives.front()) != truth) return false;
-  return std::none_of(diagnosis.alternatives.begin(), diagnosis.alternatives.end(), [&](const Explanation& left) {
-    return nameOf(left) != truth && std::any_of(open.begin(), open.end(), [&](const Explanation& explanation) {
-             return nameOf(explanation) == nameOf(left);
+  return std::none_of(diagnosis.alternatives.begin(), diagnosis.alternatives.end(), [&](const Explanation& remaining) {
+    return nameOf(remaining) != truth && std::any_of(open.begin(), open.end(), [&](const Explanation& explanation) {
+             return nameOf(explanation) == nameOf(remaining);
            });
   });
 }

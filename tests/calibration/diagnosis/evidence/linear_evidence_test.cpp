@@ -60,9 +60,9 @@ struct KnownMeasurements {
     return C;
   }
   [[nodiscard]] VectorXd missed() const {
-    VectorXd left = y;
-    for (Index k = 0; k < J.cols(); ++k) left -= fitted[static_cast<std::size_t>(k)].prior_mean * J.col(k);
-    return left;
+    VectorXd residual = y;
+    for (Index k = 0; k < J.cols(); ++k) residual -= fitted[static_cast<std::size_t>(k)].prior_mean * J.col(k);
+    return residual;
   }
   [[nodiscard]] MatrixXd columnsOf(const std::vector<PriorSize>& causes) const {
     MatrixXd columns(y.size(), static_cast<Index>(causes.size()));
@@ -196,9 +196,9 @@ TEST(LinearEvidence, AColumnIsSeenByWhatFittedNumbersLeaveOfIt) {
   KnownMeasurements measurements(8);
   const MatrixXd inverse = measurements.covariance(0).inverse();
   for (int c = 0; c < 3; ++c) {
-    const double left = std::sqrt(measurements.S.col(c).dot(inverse * measurements.S.col(c)));
-    EXPECT_NEAR(measurements.evidence().visibility(c), left, 1e-9);
-    EXPECT_NEAR(measurements.evidence().keptShare(c), left / measurements.S.col(c).norm(), 1e-9);
+    const double visible = std::sqrt(measurements.S.col(c).dot(inverse * measurements.S.col(c)));
+    EXPECT_NEAR(measurements.evidence().visibility(c), visible, 1e-9);
+    EXPECT_NEAR(measurements.evidence().keptShare(c), visible / measurements.S.col(c).norm(), 1e-9);
   }
   for (auto& unknown : measurements.fitted) unknown.prior_sigma = std::numeric_limits<double>::infinity();
   measurements.S.col(1) = measurements.J * Eigen::Vector3d(1, -2, 0.5);
@@ -217,10 +217,10 @@ TEST(LinearEvidence, TheDiscrepancysErrorsAreItsMostProbable) {
   const LinearEvidence evidence = measurements.evidence();
   for (const auto& causes : kHypotheses)
     for (const double size : {0.4, 0.9, 1.7}) {  // 0.9 is not among the tried sizes
-      const VectorXd left =
+      const VectorXd residual =
           measurements.missed() - measurements.columnsOf(causes) * measurements.sizesOf(causes, size).best;
-      const VectorXd expected =
-          size * size * measurements.Z * measurements.Z.transpose() * measurements.covariance(size).inverse() * left;
+      const VectorXd expected = size * size * measurements.Z * measurements.Z.transpose() *
+                                measurements.covariance(size).inverse() * residual;
       const VectorXd found = measurements.Z * evidence.discrepancyWeights(causes, size);
       EXPECT_TRUE(found.isApprox(expected, 1e-9)) << found.transpose() << "\n" << expected.transpose();
     }
