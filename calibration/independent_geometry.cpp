@@ -76,20 +76,20 @@ MatrixXd motionsBy(const Arm& mechanism, const std::vector<Parameter>& numbers) 
 /// Tracks the components of all columns that lie outside the span of the columns taken so far.
 class Span {
  public:
-  explicit Span(const MatrixXd& motions) : rest_(motions), lengths_(motions.colwise().norm()) {}
+  explicit Span(const MatrixXd& motions) : outside_(motions), lengths_(motions.colwise().norm()) {}
 
   /// Returns the fraction of a column's norm that lies outside the span: 1 at first, 0 for a column of zeros.
   [[nodiscard]] double newnessOf(Index column) const {
-    return lengths_[column] > 0 ? rest_.col(column).norm() / lengths_[column] : 0;
+    return lengths_[column] > 0 ? outside_.col(column).norm() / lengths_[column] : 0;
   }
   void take(Index column) {
     if (newnessOf(column) < kNothingNew) return;
-    const VectorXd direction = rest_.col(column).normalized();
-    for (int pass = 0; pass < 2; ++pass) rest_ -= direction * (direction.transpose() * rest_);
+    const VectorXd direction = outside_.col(column).normalized();
+    for (int pass = 0; pass < 2; ++pass) outside_ -= direction * (direction.transpose() * outside_);
   }
 
  private:
-  MatrixXd rest_;
+  MatrixXd outside_;
   VectorXd lengths_;
 };
 

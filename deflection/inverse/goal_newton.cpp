@@ -97,7 +97,7 @@ class Lead {
  public:
   void begin(std::size_t which, const VectorXd& start) {
     which_ = which;
-    there_ = start;
+    next_q_ = start;
     strikes_ = iterations_ = 0;
     status_ = BranchStatus::kNotRun;
     is_first_ = true;
@@ -105,28 +105,28 @@ class Lead {
 
   [[nodiscard]] std::size_t which() const { return which_; }
   /// Returns the joint readings at which the caller must evaluate the tip next.
-  [[nodiscard]] const VectorXd& requestedReadings() const { return there_; }
+  [[nodiscard]] const VectorXd& requestedReadings() const { return next_q_; }
 
   /// Continues the iteration with the tip evaluated at requestedReadings(); returns false once the iteration has ended.
   bool arrive(const GoalProblem& problem, const ToolGoal& goal, TipMotion& tip) {
-    problem.evaluate(goal, tip, next_);
+    problem.evaluate(goal, tip, next_residual_);
     if (is_first_) {
       is_first_ = false;
       take();
       return stepOn(problem);
     }
-    if (meritOf(problem, next_, there_) < merit_) {
+    if (meritOf(problem, next_residual_, next_q_) < merit_) {
       take();
       ++iterations_;
       return stepOn(problem);
     }
     share_ /= 2;
     if (share_ > kLeastShare) {
-      there_ = q_ + share_ * whole_;
+      next_q_ = q_ + share_ * full_step_;
       return true;
     }
     // If even the shortest step does not reduce the merit, take it nevertheless, up to kMostStrikes times.
-    if (next_.isFinite()) take();
+    if (next_residual_.isFinite()) take();
     if (++strikes_ == kMostStrikes) return false;
     ++iterations_;
     return stepOn(problem);
@@ -137,37 +137,38 @@ class Lead {
     branch.status = status_;
     branch.iterations = iterations_;
     branch.q = q_;
-    branch.position_error = here_.position_error;
-    branch.tilt = here_.tilt;
-    if (here_.isFinite()) branch.smallest_singular_value = smallestSingularValue(here_, problem.isTurret());
+    branch.position_error = current_residual_.position_error;
+    branch.tilt = current_residual_.tilt;
+    if (current_residual_.isFinite())
+      branch.smallest_singular_value = smallestSingularValue(current_residual_, problem.isTurret());
     return branch;
   }
 
  private:
   void take() {
-    q_ = there_;
-    std::swap(here_, next_);
+    q_ = next_q_;
+    std::swap(current_residual_, next_residual_);
   }
 
   bool stepOn(const GoalProblem& problem) {
-    if (iterations_ >= problem.options().max_iterations || !here_.isFinite()) return false;
-    const GoalStep step = stepFrom(problem, here_, q_);
-    if (isMet(problem, here_, step)) {
+    if (iterations_ >= problem.options().max_iterations || !current_residual_.isFinite()) return false;
+    const GoalStep step = stepFrom(problem, current_residual_, q_);
+    if (isMet(problem, current_residual_, step)) {
       status_ = BranchStatus::kConverged;
       return false;
     }
-    merit_ = meritOf(problem, here_, q_);
+    merit_ = meritOf(problem, current_residual_, q_);
     const double longest = step.joints.cwiseAbs().maxCoeff();
-    whole_ =
+    full_step_ =
         problem.scale().cwiseProduct(step.joints) * (longest > kLongestScaledStep ? kLongestScaledStep / longest : 1);
     share_ = 1;
-    there_ = q_ + whole_;
+    next_q_ = q_ + full_step_;
     return true;
   }
 
   std::size_t which_ = 0;
-  GoalResidual here_, next_;
-  VectorXd q_, there_, whole_;  ///< `whole_` is the full step; fractions of it are tried
+  GoalResidual current_residual_, next_residual_;
+  VectorXd q_, next_q_, full_step_;  ///< readings [rad, m]; fractions of the full step are tried
   double merit_ = 0, share_ = 1;
   int strikes_ = 0, iterations_ = 0;
   bool is_first_ = true;

@@ -87,8 +87,8 @@ class RevoluteChain::Builder {
     // Gaps, soft zones and compliances of zero are treated as absent.
     if ((element.hasGap() && !element.gap_width.isZero(0)) || !element.flexibility.softness.isZero(0)) return false;
     if (element.flexibility.compliance.isZero(0)) {
-      addWeight(element.weight, here_.p + here_.R * (link.p / 2));
-      here_.p += here_.R * link.p;
+      addWeight(element.weight, link_pose_.p + link_pose_.R * (link.p / 2));
+      link_pose_.p += link_pose_.R * link.p;
       out_.elements_.push_back({-1, Vector3d::UnitZ(), 0, false, link.p});
       return true;
     }
@@ -102,41 +102,42 @@ class RevoluteChain::Builder {
     if (is_beam)
       addBeam(link, axes, axis_compliance->compliance, element.weight);
     else {
-      if (is_member) addWeight(element.weight, here_.p + here_.R * (link.p / 2)), here_.p += here_.R * link.p;
+      if (is_member)
+        addWeight(element.weight, link_pose_.p + link_pose_.R * (link.p / 2)), link_pose_.p += link_pose_.R * link.p;
       turnTo(axes).compliance += axis_compliance->compliance;
     }
-    here_.R = here_.R * axes.transpose();
+    link_pose_.R = link_pose_.R * axes.transpose();
     out_.elements_.push_back({last(), axis_compliance->axis, axis_compliance->compliance, is_beam, link.p});
     return true;
   }
 
   void addLink(const ChainLink<double>& link, int joint, double offset) {
-    if (link.type == ChainLinkType::kTurn) here_.R = here_.R * link.R;
+    if (link.type == ChainLinkType::kTurn) link_pose_.R = link_pose_.R * link.R;
     if (joint >= 0) {
       Turn& turn = turnTo(Matrix3d::Identity(), true);
       turn.joint = joint;
       turn.offset += offset;
     }
-    const Vector3d p = here_.R * link.p;
+    const Vector3d p = link_pose_.R * link.p;
     const bool aside = link.type == ChainLinkType::kLump;
-    addWeight(link.weight, here_.p + (aside ? Vector3d(here_.R * link.lever) : Vector3d(p / 2)));
-    here_.p += p;
+    addWeight(link.weight, link_pose_.p + (aside ? Vector3d(link_pose_.R * link.lever) : Vector3d(p / 2)));
+    link_pose_.p += p;
   }
 
-  void markAxis() { out_.last_axis_ = {last(), here_.R.col(2)}; }
-  void markRow(int row) { out_.rows_.push_back({row, last(), here_}); }
+  void markAxis() { out_.last_axis_ = {last(), link_pose_.R.col(2)}; }
+  void markRow(int row) { out_.rows_.push_back({row, last(), link_pose_}); }
 
   std::optional<RevoluteChain> finish(int joints) {
     if (last() < 0) return std::nullopt;
-    const Twist tip = twistOf(here_.R);
+    const Twist tip = twistOf(link_pose_.R);
     if (tip.sine == 0 && tip.cosine > 0) turnFrame(tip.after);
     if (last() >= kMaxTurns) return std::nullopt;
     if (!rows_are_fixed_) out_.rows_.clear();
     RevoluteArm& numbers = out_.numbers_;
-    const bool turned = !here_.R.isIdentity(4 * kSameFrame);
+    const bool turned = !link_pose_.R.isIdentity(4 * kSameFrame);
     numbers = {nullptr, last() + 1, joints, reach_, {}, {}, turned, false};
-    for (int k = 0; k < 9; ++k) numbers.tip_R[k] = here_.R.data()[k];
-    for (int k = 0; k < 3; ++k) numbers.tip_p[k] = here_.p[k];
+    for (int k = 0; k < 9; ++k) numbers.tip_R[k] = link_pose_.R.data()[k];
+    for (int k = 0; k < 3; ++k) numbers.tip_p[k] = link_pose_.p[k];
     int unknowns = 0;
     for (Turn& turn : out_.turns_) {
       complete(turn);
@@ -176,7 +177,7 @@ class RevoluteChain::Builder {
     turn.offset += angle;
     Eigen::Map<Vector3d> moment(turn.moment);
     moment = (back * moment).eval();
-    here_ = {back * here_.R, back * here_.p};
+    link_pose_ = {back * link_pose_.R, back * link_pose_.p};
     if (out_.last_axis_.turn == last()) out_.last_axis_.direction = back * out_.last_axis_.direction;
     for (RowOnTurn& row : out_.rows_)
       if (row.turn == last()) row.X_TL = PoseOf<double>{back, Vector3d::Zero()} * row.X_TL;
@@ -195,15 +196,15 @@ class RevoluteChain::Builder {
   /// Returns the turn about the z axis of `axes` (in the present axes) at the current position: the last turn, if
   /// possible, or a new one. The following links start from that turn.
   Turn& turnTo(const Matrix3d& axes, bool with_joint = false) {
-    const Matrix3d R = here_.R * axes;
+    const Matrix3d R = link_pose_.R * axes;
     if (isOneWithLast(R, with_joint)) {
       // Rows already fixed to the last turn would wrongly rotate with this addition, so the chain cannot represent
       // their frames.
       for (const RowOnTurn& row : out_.rows_) rows_are_fixed_ = rows_are_fixed_ && row.turn != last();
-      here_.R = R;
+      link_pose_.R = R;
       turnFrame(twistOf(R).after);
       for (double& m : out_.turns_.back().moment) m = 0;
-      here_ = {};
+      link_pose_ = {};
       return out_.turns_.back();
     }
     const Twist twist = twistOf(R);
@@ -211,16 +212,16 @@ class RevoluteChain::Builder {
       out_.turns_.push_back({});
       startTurn(out_.turns_.back());
     }
-    here_.R = R;
+    link_pose_.R = R;
     turnFrame(twist.before);
     Turn turn{};
     startTurn(turn);
-    for (int k = 0; k < 3; ++k) turn.p[k] = here_.p[k];
+    for (int k = 0; k < 3; ++k) turn.p[k] = link_pose_.p[k];
     turn.cos_twist = twist.cosine;
     turn.sin_twist = twist.sine;
     turn.offset = twist.after;
     out_.turns_.push_back(turn);
-    here_ = {};
+    link_pose_ = {};
     return out_.turns_.back();
   }
 
@@ -232,9 +233,9 @@ class RevoluteChain::Builder {
   void addBeam(const ChainLink<double>& link, const Matrix3d& axes, double compliance, double weight) {
     // The beam starts at its near end, from a frame whose z axis is the bending axis.
     const Vector3d v = axes.transpose() * link.p;
-    const Matrix3d R = here_.R * axes;
+    const Matrix3d R = link_pose_.R * axes;
     if (startsAtLast(R)) {
-      here_.R = R;
+      link_pose_.R = R;
       turnFrame(twistOf(R).after);
     } else {
       turnTo(axes);
@@ -247,17 +248,18 @@ class RevoluteChain::Builder {
     turn.compliance = turn.beam_compliance = compliance;
     turn.beam_weight = weight;
     out_.turns_.push_back(turn);
-    here_ = {};
+    link_pose_ = {};
   }
 
   /// Returns true if a beam can start at the last turn's frame, regardless of the weights that the turn carries.
   [[nodiscard]] bool startsAtLast(const Matrix3d& R) const {
-    return last() >= 0 && R(2, 2) > 0 && sineOf(R) < kSameFrame && here_.p.cwiseAbs().maxCoeff() <= kSameFrame * reach_;
+    return last() >= 0 && R(2, 2) > 0 && sineOf(R) < kSameFrame &&
+           link_pose_.p.cwiseAbs().maxCoeff() <= kSameFrame * reach_;
   }
 
   double reach_;
   RevoluteChain out_;
-  PoseOf<double> here_;  ///< pose of the current link in the last turn's frame, or in the base's
+  PoseOf<double> link_pose_;  ///< pose of the current link in the last turn's frame, or in the base's
   bool rows_are_fixed_ = true;
 };
 

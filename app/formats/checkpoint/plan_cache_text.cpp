@@ -153,7 +153,7 @@ PlanCacheText::PlanCacheText(const std::string& text) {
     else
       other_members[std::string(key)] = json::parse(value);
   });
-  rest_ = other_members.dump();
+  other_members_ = other_members.dump();
 }
 
 planner::PlanCache PlanCacheText::read(const std::set<int>& tubes) const {
@@ -161,7 +161,7 @@ planner::PlanCache PlanCacheText::read(const std::set<int>& tubes) const {
     return (ends.first.tube < 0 || tubes.contains(ends.first.tube)) &&
            (ends.second.tube < 0 || tubes.contains(ends.second.tube));
   };
-  planner::PlanCache cache = wholePlanFrom(json::parse(rest_));
+  planner::PlanCache cache = wholePlanFrom(json::parse(other_members_));
   for (const auto& [tube, text] : reach_)
     if (tubes.contains(tube)) cache.reach[tube] = reachFrom(json::parse(text));
   for (const auto& [ends, text] : travels_)
@@ -177,7 +177,9 @@ planner::PlanCache PlanCacheText::readAll() const {
   return read(tubes);
 }
 
-std::vector<int> PlanCacheText::visitingOrder() const { return wholePlanFrom(json::parse(rest_)).visiting_order; }
+std::vector<int> PlanCacheText::visitingOrder() const {
+  return wholePlanFrom(json::parse(other_members_)).visiting_order;
+}
 
 void PlanCacheText::dropEnds() {
   std::erase_if(travels_, [](const auto& entry) { return meetsAnEnd(entry.first); });

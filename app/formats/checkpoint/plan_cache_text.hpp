@@ -37,7 +37,7 @@ class PlanCacheText {
  private:
   std::map<int, std::string> reach_;
   std::map<planner::MotionEnds, std::string> travels_, proofs_;
-  std::string rest_ = "{}";  ///< JSON of all data not tied to a single tube
+  std::string other_members_ = "{}";  ///< JSON of all data not tied to a single tube
 };
 
 }  // namespace tubeplan::app

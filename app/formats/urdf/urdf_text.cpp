@@ -100,17 +100,17 @@ class JointTagWalk {
   void note(const XmlTag& tag, UrdfTags& tags) {
     if (within_.empty() || within_[0] != "robot") return;
     if (within_.size() == 1 && tag.name == "joint" && count_ < names_.size())
-      now_ = &(tags.joints[names_[count_++]] = {tag, {}, {}});
-    if (!now_ || within_.size() != 2 || within_[1] != "joint") return;
-    if (tag.name == "origin" && !now_->origin) now_->origin = tag;
-    if (tag.name == "limit" && !now_->limit) now_->limit = tag;
+      current_joint_ = &(tags.joints[names_[count_++]] = {tag, {}, {}});
+    if (!current_joint_ || within_.size() != 2 || within_[1] != "joint") return;
+    if (tag.name == "origin" && !current_joint_->origin) current_joint_->origin = tag;
+    if (tag.name == "limit" && !current_joint_->limit) current_joint_->limit = tag;
   }
 
   std::string_view text_;
   std::vector<std::string> names_;
   std::size_t count_ = 0;
   std::vector<std::string_view> within_;
-  UrdfJointTags* now_ = nullptr;
+  UrdfJointTags* current_joint_ = nullptr;
 };
 
 }  // namespace

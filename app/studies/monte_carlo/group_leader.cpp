@@ -23,7 +23,7 @@ std::vector<RankMessage> GroupLeader::take(const RankMessage& message) {
     case kEnd:
       return toAll(kEnd);
     default:
-      if (++left_ < wanted_.size()) return {};
+      if (++finished_members_ < wanted_.size()) return {};
       return {{rank_, 0, kFinished, {}}};
   }
 }

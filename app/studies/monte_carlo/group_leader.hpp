@@ -34,8 +34,8 @@ class GroupLeader {
   std::map<int, std::uint64_t> wanted_;  ///< number of chunks that each member waits for
   std::deque<RunRange> waiting_;         ///< chunks that no member has yet
   DoneRuns done_;
-  std::size_t under_way_ = 0;  ///< number of chunks that members work on
-  std::size_t left_ = 0;       ///< number of members that have left
+  std::size_t under_way_ = 0;         ///< number of chunks that members work on
+  std::size_t finished_members_ = 0;  ///< number of members that have left
 };
 
 }  // namespace tubeplan::app
