@@ -41,6 +41,8 @@ def commands(text):
         for line in block.splitlines():
             if line.startswith("$ "):
                 found.append((line[2:], []))
+            elif line.startswith("> "):  # continues the command, such as the lines of a file
+                found[-1] = (found[-1][0] + "\n" + line[2:], [])
             else:
                 found[-1][1].append(line)
     return found
