@@ -5,17 +5,21 @@ import {Panel} from "../drawing/panel";
 import {fixed, jointDecimals, plural} from "../../../drawing/numbers.js";
 import type {CalibrateDocument} from "../server/documents";
 import {get, remove} from "../server/requests";
-import {attempt, cell, order, runJob, runningJob} from "../server/workbench";
+import {attempt, cell, order, runJob, runningJob, state, units} from "../server/workbench";
+import {joinReadings} from "../error/run_sheet";
+import {markReadings} from "../error/reading_marks";
 import {picked} from "../shell/page_state";
 import {holeName, type SheetModel} from "../sheet/sheet_model";
-import {holeOf, proposals, touches} from "./touches";
+import {touchTable} from "./touch_readings";
+import {holeOf, proposals, touches, touchReadings} from "./touches";
 
 function jointsText(values: readonly number[]): string {
   return values.map((value, k) => fixed(value, jointDecimals(cell.value?.joints[k]?.unit ?? ""))).join("  ");
 }
 
 export function TouchPanel({model}: {model: SheetModel}) {
-  const done = touches.value;
+  const done = touches.value,
+    areReadings = touchReadings.value.length > 0;
   const isDone = (hole: number) => hole < 0 || done.some((touch) => touch.hole === hole);
   const open = (proposals.value.document?.next_readings ?? [])
     .map(({point}) => holeOf(model, point))
@@ -36,6 +40,7 @@ export function TouchPanel({model}: {model: SheetModel}) {
       end={suggest}
       body="touch-list"
     >
+      {areReadings ? <p class="muted">The touches of {state.value?.measurements?.name}, which are readings.</p> : null}
       {done.map((touch, index) => (
         <div class="touch-row done" key={touch.id}>
           <b>{touch.id}</b>
@@ -44,7 +49,11 @@ export function TouchPanel({model}: {model: SheetModel}) {
             {jointsText(touch.joints)}
             {touch.simulated ? <small class="muted"> simulated</small> : null}
           </span>
-          <button class="tool" title="Remove this touch" onClick={() => takeAway(index)}>
+          <button
+            class="tool"
+            title={areReadings ? "Set this touch aside" : "Remove this touch"}
+            onClick={() => (areReadings ? markReadings("aside", [touch.id], true) : takeAway(index))}
+          >
             <Icon name="close" size={14} />
           </button>
         </div>
@@ -80,12 +89,16 @@ function takeAway(index: number): Promise<boolean> {
 function TouchForm({name, hole}: {name: string; hole: number}) {
   const joints = cell.value?.joints ?? [];
   const touch = (body: object) => order(`Touch of ${name}`, "/api/touch", {hole, ...body});
+  const others = touchReadings.value;
   return (
     <form
       class="touch-row"
       onSubmit={submitting((form) => {
         const typed = new FormData(form);
-        return touch({joints: joints.map((joint) => Number(withPoint(String(typed.get(joint.name)))))});
+        const values = joints.map((joint) => Number(withPoint(String(typed.get(joint.name)))));
+        return others.length > 0
+          ? joinReadings(touchTable({point: name, values}, others, joints, units.value.force))
+          : touch({joints: values});
       })}
     >
       <span>{name}</span>
@@ -104,9 +117,11 @@ function TouchForm({name, hole}: {name: string; hole: number}) {
         <button class="button" type="submit">
           Enter
         </button>
-        <button class="button" type="button" onClick={() => touch({simulate: true})}>
-          Simulate
-        </button>
+        {others.length === 0 ? (
+          <button class="button" type="button" onClick={() => touch({simulate: true})}>
+            Simulate
+          </button>
+        ) : null}
       </span>
     </form>
   );

@@ -1,11 +1,12 @@
 // Loading of readings and cells. Readings are compared with the model as soon as they are loaded.
 import {signal} from "@preact/signals";
-import type {WorkbenchState} from "../server/documents";
-import {asProblem, post, postText} from "../server/requests";
+import {areTouches} from "../calibrate/touch_readings";
+import type {MeasurementsDocument, WorkbenchState} from "../server/documents";
+import {asProblem, get, post, postText} from "../server/requests";
 import {startCompare, stopWorkOnReadings} from "../error/loop";
 import {freshRows, idsHere, isFilledSheet, joinReadings} from "../error/run_sheet";
 import {isOfRow, tableOf} from "../error/run_sheet_table";
-import {attempt, cell, forget, report, runJob, takeState} from "../server/workbench";
+import {attempt, cell, forget, report, runJob, state, takeState} from "../server/workbench";
 import {openList, seemsToBeList} from "../plan/work_list";
 import {chooseColumns, type ColumnsUse} from "./columns_dialog";
 import {dialog, view} from "./page_state";
@@ -17,8 +18,17 @@ function showErrors(): void {
   view.value = "error";
 }
 
+/** Returns true if the loaded readings are touches of the sheet's holes only. */
+async function areTouchesOfHoles(): Promise<boolean> {
+  const {measurements} = state.peek() ?? {};
+  if (!cell.peek()?.has_sheet || measurements?.kinds.touch !== measurements?.readings) return false;
+  return areTouches((await get<MeasurementsDocument>("/api/measurements")).rows);
+}
+
+/** Shows the readings in their view: touches of holes calibrate a base, other readings show errors. */
 async function afterReadings(): Promise<void> {
   showErrors();
+  if (await areTouchesOfHoles().catch(() => false)) view.value = "calibrate";
   await stopWorkOnReadings();
   await startCompare();
 }
