@@ -13,7 +13,6 @@
 #include "app/formats/cell/cell_writer.hpp"
 #include "app/formats/measurements/measurements_writer.hpp"
 #include "app/formats/sheet/touch_input.hpp"
-#include "app/formats/urdf/urdf_writer.hpp"
 #include "app/report/plan_report.hpp"
 #include "app/storage/atomic_file.hpp"
 #include "app/storage/input_error.hpp"
@@ -21,7 +20,7 @@
 #include "app/workbench/project.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
-#include "deflection/effects/constant_effects.hpp"
+#include "app/workbench/urdf_export.hpp"
 
 namespace tubeplan::app {
 
@@ -62,17 +61,6 @@ std::string exportedArm(const Session& s) {
     throw InputError::problem("export", "the cell has no arm file of its own",
                               "export cell.yaml, which contains the arm");
   return files.back().text;
-}
-/// Returns the arm as a rigid robot in URDF; comments beneath the first line list what URDF cannot express.
-std::string exportedUrdf(const Session& s) {
-  const UrdfText urdf = urdfOf(deflection::writeConstantEffects(currentModel(s).cell.arm).arm);
-  const std::size_t first_line = urdf.text.find('\n') + 1;
-  std::string left_out;
-  for (std::string what : urdf.left_out) {
-    std::replace(what.begin(), what.end(), '-', ' ');  // a comment may not contain "--"
-    left_out += fmt::format("<!-- left out: {} -->\n", xmlEscaped(what));
-  }
-  return urdf.text.substr(0, first_line) + left_out + urdf.text.substr(first_line);
 }
 std::string exportedMeasurements(const Session& s) {
   const CellMeasurements input = inputOf(s);  // throws InputError if there are no measurements

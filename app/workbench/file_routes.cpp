@@ -5,6 +5,7 @@
 #include "app/formats/urdf/urdf_import.hpp"
 #include "app/storage/atomic_file.hpp"
 #include "app/storage/input_error.hpp"
+#include "app/storage/text_file.hpp"
 #include "app/workbench/project.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
@@ -80,13 +81,21 @@ Answer saveProject(Workbench& workbench, const Request& request) {
   return answerOf(stateJson(workbench));
 }
 
+/// Returns the place of the robot description from which a cell is made: beside the cell, with the cell's name.
+std::filesystem::path urdfPathFor(std::filesystem::path cell) { return cell.replace_extension(".urdf"); }
+
+/// Returns true if the opened folder has no file in the way of a cell of this name, made of this robot description.
+bool isFree(const OpenedFolder& folder, const std::string& cell, const std::string& urdf) {
+  const auto own = urdfPathFor(folder.fileToWrite(cell));
+  return !std::filesystem::exists(folder.fileToWrite(cell)) &&
+         !std::filesystem::exists(armPathFor(folder.path() / cell)) &&
+         (!std::filesystem::exists(own) || readTextBytes(own.string()) == urdf);
+}
+
 /// Returns a name for a new cell of the opened folder that no other file has: "robot.yaml", or "robot-2.yaml".
-std::string freeName(const OpenedFolder& folder, const std::string& stem) {
+std::string freeName(const OpenedFolder& folder, const std::string& stem, const std::string& urdf) {
   std::string name = stem;
-  for (int k = 2; std::filesystem::exists(folder.fileToWrite(name + ".yaml")) ||
-                  std::filesystem::exists(armPathFor(folder.path() / (name + ".yaml")));
-       ++k)
-    name = fmt::format("{}-{}", stem, k);
+  for (int k = 2; !isFree(folder, name + ".yaml", urdf); ++k) name = fmt::format("{}-{}", stem, k);
   return name + ".yaml";
 }
 
@@ -96,19 +105,21 @@ std::string stemOf(const std::string& name) {
   return stem.empty() || stem.front() == '.' ? "robot" : stem;
 }
 
-/// Writes an arm and a cell into the opened folder, made of a robot description, for the request {"name", "text"
-/// (URDF), "tip"?}.
+/// Writes an arm and a cell into the opened folder, made of a robot description, with the description itself for a
+/// later export, for the request {"name", "text" (URDF), "tip"?}.
 Answer importArm(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const std::string name = textOf(body, "name", "robot.urdf");
   const auto text = requiredOf(body, "text", "the text of the file").get<std::string>();
   const ImportedUrdf imported = importUrdf(text, name, textOf(body, "tip"));
-  const std::string cell = freeName(workbench.folder(), stemOf(name));
+  const std::string cell = freeName(workbench.folder(), stemOf(name), text);
   const auto arm = armPathFor(workbench.folder().path() / cell);
-  writeFilesTogether(
-      {{arm, imported.arm}, {workbench.folder().fileToWrite(cell), cellOfUrdf(imported.read, arm.filename().string())}},
-      "file");
-  return answerOf({{"written", {cell, arm.filename().string()}},
+  const auto urdf = urdfPathFor(workbench.folder().path() / cell).filename().string();
+  writeFilesTogether({{arm, imported.arm},
+                      {workbench.folder().fileToWrite(cell), cellOfUrdf(imported.read, arm.filename().string())},
+                      {workbench.folder().fileToWrite(urdf), text}},
+                     "file");
+  return answerOf({{"written", {cell, arm.filename().string(), urdf}},
                    {"tip", imported.read.tip},
                    {"left_out", imported.read.left_out},
                    {"remarks", imported.read.remarks}});

@@ -298,6 +298,29 @@ TEST_F(WorkbenchRoutes, anotherCellCanBeOpened) {
   EXPECT_EQ(get("/api/state").body["cell"]["name"], "cobra-mockup");
 }
 
+TEST_F(WorkbenchRoutes, aRobotIsExportedIntoItsOwnFile) {
+  const auto part = [](const std::string& name, const std::string& type, const std::string& parent) {
+    return fmt::format(
+        "<link name=\"{0}\"><visual><geometry><mesh filename=\"{0}.stl\"/></geometry></visual></link>\n"
+        "<joint name=\"to_{0}\" type=\"{1}\"><parent link=\"{2}\"/><child link=\"{0}\"/><origin xyz=\"0.3 0 0.1\"/>"
+        "<axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/></joint>\n",
+        name, type, parent);
+  };
+  const std::string robot = "<robot name=\"r\"><link name=\"base\"/>\n" + part("upper", "revolute", "base") +
+                            part("lower", "revolute", "upper") + part("hand", "fixed", "lower") +
+                            part("left", "fixed", "hand") + part("right", "fixed", "hand") + "</robot>\n";
+  serve("bench.yaml");
+  const json written = post("/api/arm/import", {{"name", "r.urdf"}, {"text", robot}, {"tip", "left"}}).body["written"];
+  EXPECT_EQ(written, json({"r.yaml", "r-arm.yaml", "r.urdf"}));
+  EXPECT_EQ(contentOf(opened() / "r.urdf"), robot);
+  ASSERT_EQ(post("/api/cell/open", {{"file", "r.yaml"}}).status, 200);
+  EXPECT_EQ(get("/api/export/arm.urdf").text, robot);
+  write("opened/r.urdf", changed(robot, "<axis", "<!-- mine --><axis"));
+  EXPECT_NE(get("/api/export/arm.urdf").text.find("<!-- mine -->"), std::string::npos);
+  write("opened/r.urdf", "<robot/>");
+  EXPECT_NE(get("/api/export/arm.urdf").text.find("other elements of r.urdf"), std::string::npos);
+}
+
 TEST_F(WorkbenchRoutes, touchingHolesPlacesTheBase) {
   serve("mockup.yaml", "mockup-true.yaml");
   for (const int hole : {0, 11, 90}) EXPECT_EQ(post("/api/touch", {{"hole", hole}, {"simulate", true}}).status, 200);
