@@ -80,7 +80,7 @@ export class ArmStage {
   private solid: ArmBodies | null = null;
   private isDisposed = false;
   private isRequested = false;
-  private isFilmed = false;
+  private film: {width: number; onPicture: () => void} | null = null;
   private reach = 1;
   private length = 0;
   private cell: {document: SceneDocument; sheet: SheetModel | null} | null = null;
@@ -135,11 +135,13 @@ export class ArmStage {
   private drawNow(isSharp = false): void {
     if (this.isDisposed) return; // the frame was requested before the disposal
     this.isRequested = false;
-    this.renderer.setPixelRatio(isSharp ? pixelRatio() : this.ratio);
+    const filmRatio = (this.film?.width ?? 0) / this.canvas.clientWidth;
+    this.renderer.setPixelRatio(this.film ? filmRatio : isSharp ? pixelRatio() : this.ratio);
     this.renderer.render(this.scene, this.camera);
+    this.film?.onPicture();
     this.onDraw?.();
     clearTimeout(this.later);
-    if (isSharp || this.isFilmed) return;
+    if (isSharp || this.film) return;
     const end = performance.now();
     setTimeout(() => this.adapt(performance.now() - end));
     if (this.ratio < pixelRatio()) this.later = window.setTimeout(() => this.drawNow(true), 400);
@@ -317,14 +319,17 @@ export class ArmStage {
     return this.canvas;
   }
 
-  /** Paints the background in one colour and keeps the resolution, for a film. Returns a function that makes it transparent again. */
-  paintGround(colour: string): () => void {
+  /**
+   * Draws `width` pixels wide on a ground of one colour, for a film; `onPicture` may read the canvas just after each
+   * drawing. Returns a function that ends the film.
+   */
+  beginFilm(colour: string, width: number, onPicture: () => void): () => void {
     this.scene.background = new Color(colour);
-    this.isFilmed = true;
+    this.film = {width, onPicture};
     this.requestFrame();
     return () => {
       this.scene.background = null;
-      this.isFilmed = false;
+      this.film = null;
       this.requestFrame();
     };
   }

@@ -1,7 +1,7 @@
 // Controls of the playback: play, pause, position, speed.
 import {effect, signal} from "@preact/signals";
 import {openStage} from "../arm/arm_stage";
-import {beginFilm, type Film} from "../arm/picture_file";
+import {beginFilm, type Film} from "../arm/film";
 import {Segments} from "../drawing/segments";
 import {Icon} from "../drawing/icons";
 import {clock, MISSING, short} from "../../../drawing/numbers.js";
@@ -24,13 +24,21 @@ function keys(event: KeyboardEvent): void {
 let film: Film | null = null;
 const isFilmed = signal(false);
 
+/** Returns the words over a film, such as "00:12.5 of 03:00.0   R12 C30   2 of 60". */
+function filmWords(): string {
+  const tubes = plan.value.document?.tubes ?? [],
+    tube = tubes[currentVisit.value];
+  const place = tube ? [tubeTitle(tube.row, tube.column), `${currentVisit.value + 1} of ${tubes.length}`] : [];
+  return [`${clock(time.value)} of ${clock(endTime.value)}`, ...place].join("   ");
+}
+
 /** Starts or stops a video recording of the playback. */
 function toggleFilm(): void {
   if (isFilmed.value) {
     isPlaying.value = false;
     return;
   }
-  film = openStage.peek() ? beginFilm(openStage.peek()!) : null;
+  film = openStage.peek() ? beginFilm(openStage.peek()!, filmWords) : null;
   if (!film)
     return report("No film", {
       message: "This browser records no films of pictures.",
