@@ -2,7 +2,7 @@ import {describe, expect, it} from "vitest";
 import {axisEnd, barOf, modelNames, comparedModels, timesFloor} from "../../drawing/ladder.js";
 import {budgetText, errorUnit, setAsideText} from "../../drawing/error_budget.js";
 import type {DiagnoseDocument, LadderDocument} from "../source/server/documents";
-import {acceptanceOf, ladderOf, ladderOfDiagnosis} from "../source/error/ladder";
+import {acceptanceOf, ladderOf, ladderOfDiagnosis, lastChange} from "../source/error/ladder";
 import {jointsAt, sampleAt} from "../source/plan/sampling";
 
 const model = (fitted: number, heldout: number) => ({name: "", fitted, heldout, worst: 2 * heldout, centred: null});
@@ -19,6 +19,12 @@ describe("the ladder", () => {
     expect(acceptanceOf(model(0.01, 0.02), 0.015)).toBe("rejected");
     expect(acceptanceOf(model(0.01, 0.02), null)).toBe(null);
     expect(acceptanceOf({...model(0.01, 0.02), worst: null}, 0.05)).toBe(null);
+  });
+  it("compares two held-out errors, or two fitted ones", () => {
+    expect(lastChange([model(5, 7.57), model(1.5, 1.77)])).toEqual({before: 7.57, now: 1.77, error: "held-out"});
+    expect(lastChange([model(5, 7.57), model(1.77, 1.77)])).toEqual({before: 5, now: 1.77, error: "fitted"});
+    expect(lastChange([model(7.57, 7.57), model(1.5, 1.77)])).toEqual({before: 7.57, now: 1.5, error: "fitted"});
+    expect(lastChange([model(5, 7.57)])).toBeNull();
   });
   it("names models by the last part of their files, where that tells them apart", () => {
     expect(modelNames(["/tmp/cells/bench.yaml, rigid", "hysteresis@theta4"])).toEqual([

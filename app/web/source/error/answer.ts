@@ -6,7 +6,7 @@ import {verdictItems} from "../../../drawing/verdict_items.js";
 import type {Mark} from "../drawing/marks";
 import {pageWords} from "../server/page_words";
 import {currentModel, hasModelBefore, state} from "../server/workbench";
-import {ladderOf} from "./ladder";
+import {ladderOf, lastChange} from "./ladder";
 import {currentComparison, currentDiagnosis, ladder} from "./loop";
 
 interface Answer {
@@ -36,19 +36,18 @@ function fallOfError(): Answer | null {
   const document = ladder.value.document;
   if (!document || document.model !== state.value?.model || document.models.length < 2 || !hasModelBefore.value)
     return null;
-  const {models, floor, unit} = ladderOf(document);
-  const before = models.at(-2)!,
-    now = models.at(-1)!;
-  if (now.heldout === null || before.heldout === null) return null;
-  const isAtFloor = floor !== null && now.heldout < 1.25 * floor;
-  const [from, to] = [short(before.heldout), short(now.heldout)];
-  const change =
-    from === to ? `stays at ${to}` : `${now.heldout < before.heldout ? "fell" : "rose"} from ${from} to ${to}`;
+  const {models, floor, unit} = ladderOf(document),
+    errors = lastChange(models);
+  if (!errors) return null;
+  const {before, now, error} = errors,
+    isAtFloor = floor !== null && now < 1.25 * floor;
+  const [from, to] = [short(before), short(now)];
+  const change = from === to ? `stays at ${to}` : `${now < before ? "fell" : "rose"} from ${from} to ${to}`;
   return {
     words: isAtFloor ? "At the noise floor" : "Above the noise floor",
     mark: verdictMark(isAtFloor ? "adequate" : "falls-short"),
     items: [
-      `With ${(currentModel.value?.label ?? "this model").replace(/^\+ /, "")} the held-out error ${change} ${unit}; ` +
+      `With ${(currentModel.value?.label ?? "this model").replace(/^\+ /, "")} the ${error} error ${change} ${unit}; ` +
         `noise alone leaves ${short(floor)} ${unit}.`,
     ],
   };

@@ -32,6 +32,18 @@ export function ladderOf(document: LadderDocument): Ladder {
 }
 
 /**
+ * Returns the errors of the last two models, both held out or both fitted; null without them. A model of which no number
+ * was fitted has no held-out error of its own: the program states its fitted error in that place.
+ */
+export function lastChange(models: readonly BareModel[]): {before: number; now: number; error: string} | null {
+  const pair = models.slice(-2);
+  const error = pair.every(({fitted, heldout}) => heldout !== fitted) ? "heldout" : "fitted";
+  const [before, now] = pair.map((model) => model[error] ?? null);
+  if (pair.length < 2 || before === null || now === null) return null;
+  return {before, now, error: error === "fitted" ? "fitted" : "held-out"};
+}
+
+/**
  * Returns the ladder within a comparison or diagnosis: the given model, the refitted model, and the model with each
  * explanation.
  */
