@@ -84,6 +84,14 @@ describe.each(TOOLS)("a tool of %i steps", (n) => {
     const expected = stepKinds(plan).map((_, k) => plan.tubes.filter(({steps}) => steps === k).length);
     expect(bySteps(sheetFor(plan), plan, "predicted").counts.slice(0, n + 1)).toEqual(expected);
   });
+  it("is not known on page and report alike for a base that allows no probabilities", () => {
+    const tubes = plan.tubes.map((tube) => ({...tube, probability_by_steps: null})),
+      unknown = {...plan, tubes};
+    const {kinds, counts} = bySteps(sheetFor(plan), unknown, "predicted");
+    expect([kinds.at(-1)!.name, counts.at(-1)]).toEqual(["steps not known", tubes.length]);
+    expect(counts.slice(0, n + 1)).toEqual(kinds.slice(0, n + 1).map(() => 0));
+    expect(tubes.map((tube) => predictedMode(reported(unknown)).caseOf(tube))).toEqual(tubes.map(() => null));
+  });
   it("is counted in the report as the plan counts it", () => {
     const document = reported(plan);
     for (const mode of ["via_point", "none"]) {

@@ -16,9 +16,10 @@ const compensation = signal("via-point");
 const isOnLines = signal(false);
 const isParked = signal(false);
 
-function startPlan(): Promise<boolean> {
+/** Plans the selected holes, or if there are none the given ones, as chosen in the order. */
+export function startPlan(others: readonly number[] = []): Promise<boolean> {
   return runJob("Plan", "/api/plan", {
-    tubes: [...selection.value].sort((a, b) => a - b),
+    tubes: [...(selection.value.size > 0 ? selection.value : others)].sort((a, b) => a - b),
     compensation: compensation.value,
     travel: isOnLines.value && compensation.value === "via-point" ? "line" : "joints",
     load: 0,
@@ -54,7 +55,7 @@ export function PlanOrder() {
       ) : null}
       <WorkListButton />
       <DwellCount />
-      <button class="button first" disabled={count === 0 || job !== null} onClick={startPlan}>
+      <button class="button first" disabled={count === 0 || job !== null} onClick={() => startPlan()}>
         {job ? "Planning …" : `Plan ${plural(count, "tube")}`}
       </button>
     </>

@@ -7,7 +7,7 @@ import {whole} from "../../../drawing/numbers.js";
 import {stepKinds} from "../../../drawing/steps.js";
 import type {PlanDocument} from "../server/documents";
 import {picked, select, selection, toggleSelected} from "../shell/page_state";
-import {byState, bySteps, type Colouring} from "../sheet/colourings";
+import {byState, bySteps, type Colouring, predictedSteps} from "../sheet/colourings";
 import {SelectionBox} from "../sheet/selection_panel";
 import type {PaintOver} from "../sheet/sheet_drawing";
 import type {SheetModel} from "../sheet/sheet_model";
@@ -59,7 +59,7 @@ export function PlanSheet({model, document}: PlanSheetProps) {
           ) : (
             <span class="muted">
               {document
-                ? `steps of the tool as predicted ${document.base?.words ?? ""}`
+                ? predictionWords(document)
                 : "Select holes, then press Plan. The path is checked for collisions."}
             </span>
           )}
@@ -75,6 +75,12 @@ export function PlanSheet({model, document}: PlanSheetProps) {
       onPick={visitOrSelect}
     />
   );
+}
+
+/** Returns what the sheet shows of a plan without a true arm, which for a base that was not measured is no number. */
+function predictionWords({tubes, base}: PlanDocument): string {
+  const isKnown = tubes.some((tube) => predictedSteps(tube) !== null);
+  return `steps of the tool ${isKnown ? "as predicted" : "are not known"} ${base?.words ?? ""}`;
 }
 
 function visitOrSelect(hole: number, event: {shiftKey: boolean}): void {
@@ -110,9 +116,11 @@ function ModeChoice({document, shownMode}: {document: PlanDocument | null; shown
 
 /** Numbers of holes that no step, one step, and so on up to all steps of the tool enter. */
 function StepCounts({document, colouring}: {document: PlanDocument; colouring: Colouring}) {
+  const kinds = stepKinds(document);
+  if (kinds.every((_, i) => colouring.counts[i] === 0)) return null;
   return (
     <span class="counts">
-      {stepKinds(document).map((kind, i) => (
+      {kinds.map((kind, i) => (
         <span title={kind.name}>
           <MarkIcon mark={kind.mark} size={12} /> {whole(colouring.counts[i])}
         </span>

@@ -8,7 +8,7 @@ import {useOpeningPosture} from "../arm/opening_posture";
 import {duration, percent, short, whole} from "../../../drawing/numbers.js";
 import {MARKED} from "../../../drawing/sigma_text.js";
 import type {PlanDocument} from "../server/documents";
-import {units} from "../server/workbench";
+import {currentModel, units} from "../server/workbench";
 import {view} from "../shell/page_state";
 import {ExportMenu} from "../shell/export_menu";
 import {OtherModel} from "../shell/other_model";
@@ -16,6 +16,7 @@ import {Splitter, splitStyle} from "../shell/splits";
 import {ProblemWords} from "../shell/states";
 import type {SheetModel} from "../sheet/sheet_model";
 import {WithSheet} from "../sheet/with_sheet";
+import {startPlan} from "./plan_order";
 import {isFollowed, plan} from "./playback";
 import {PlanSheet} from "./plan_sheet";
 import {tour} from "./tour";
@@ -87,13 +88,23 @@ function tourPoints(model: SheetModel, holes: number[]): Vector3[] | null {
     .map((hole) => new Vector3(model.world[3 * hole], model.world[3 * hole + 1], -model.pitch));
 }
 
-/** Base for which the plan is proved, with the advice to calibrate a base that was not measured. */
+/**
+ * Base for which the plan is proved, with the advice to calibrate a base that was not measured, or to plan again with
+ * the base measured since.
+ */
 function Standing({base}: {base?: PlanDocument["base"]}) {
   if (!base?.words) return null;
+  const now = currentModel.value?.base,
+    isOld = !base.placed && now?.placed === true;
   return (
     <p class={`standing ${base.placed ? "" : "bad"}`}>
       {base.placed ? "" : MARKED}Proved {base.words}
-      {base.placed ? null : (
+      {isOld ? `. Plan again ${now.words}` : ""}
+      {base.placed ? null : isOld ? (
+        <button class="button" onClick={() => startPlan(tour.value)}>
+          Plan again
+        </button>
+      ) : (
         <button class="button" onClick={() => (view.value = "calibrate")}>
           Calibrate
         </button>

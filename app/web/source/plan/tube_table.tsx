@@ -8,7 +8,7 @@ import type {PlanDocument, PlannedTube} from "../server/documents";
 import {pageWords} from "../server/page_words";
 import {units} from "../server/workbench";
 import {stepKinds} from "../../../drawing/steps.js";
-import type {Kind} from "../sheet/colourings";
+import {type Kind, predictedSteps} from "../sheet/colourings";
 import {arrivals, currentVisit, goToVisit, isPlaying} from "./playback";
 
 const titleOf = ({row, column}: {row: number; column: number}) => tubeTitle(row, column);
@@ -73,7 +73,7 @@ export function TubeTable({document}: {document: PlanDocument}) {
 
 function TubeRow({tube, index, kinds}: {tube: PlannedTube; index: number; kinds: readonly Kind[]}) {
   const score = tube.scored?.via_point ?? tube.scored?.goal_point ?? null;
-  const kind = kinds[score?.steps ?? tube.steps];
+  const kind = kinds[score?.steps ?? predictedSteps(tube) ?? -1];
   return (
     <div
       class="tube-row"
@@ -95,7 +95,7 @@ function TubeRow({tube, index, kinds}: {tube: PlannedTube; index: number; kinds:
             <MarkIcon mark={kind.mark} size={12} /> {kind.name}
           </>
         ) : (
-          "–"
+          <span class="muted">not known</span>
         )}
       </span>
       <span role="cell" class="number">

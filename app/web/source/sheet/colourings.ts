@@ -1,11 +1,11 @@
 // Colourings of the sheet's holes. A colouring assigns each hole to one of a few kinds, each with a colour and a shape.
 import type {ColourName} from "../drawing/colours";
 import type {Mark, Shape} from "../drawing/marks";
-import {NOT_PLANNED, stateMark, UNREACHABLE} from "../../../drawing/kinds.js";
+import {NOT_PLANNED, stateMark, UNREACHABLE, UNSCORED} from "../../../drawing/kinds.js";
 import {isNumber, short} from "../../../drawing/numbers.js";
 import {stepKinds, stepText} from "../../../drawing/steps.js";
 import {visitText} from "../../../drawing/visits.js";
-import type {FieldDocument, PlanDocument, ReachDocument} from "../server/documents";
+import type {FieldDocument, PlanDocument, PlannedTube, ReachDocument} from "../server/documents";
 import type {SheetModel} from "./sheet_model";
 
 export interface Kind {
@@ -56,6 +56,11 @@ export function byReach(sheet: SheetModel, reach: ReachDocument): Colouring {
   );
 }
 
+/** Returns the likeliest number of steps that enter a tube; null if the plan's base allows no prediction. */
+export function predictedSteps({steps, probability_by_steps: chances}: PlannedTube): number | null {
+  return chances === null ? null : steps;
+}
+
 /**
  * Returns the colouring by the number of steps that enter the planned tubes, as predicted, or as scored with the true
  * arm in a compensation mode.
@@ -63,14 +68,17 @@ export function byReach(sheet: SheetModel, reach: ReachDocument): Colouring {
 export function bySteps(sheet: SheetModel, plan: PlanDocument, mode: string): Colouring {
   const inserted = stepKinds(plan);
   const kinds = [...inserted, {name: "out of reach", mark: UNREACHABLE}, {name: "not on the list", mark: NOT_PLANNED}];
+  if (mode === "predicted" && plan.tubes.some((tube) => predictedSteps(tube) === null))
+    kinds.push({name: "steps not known", mark: UNSCORED});
   const of = new Uint8Array(sheet.count).fill(inserted.length + 1);
   for (const tube of plan.unreachable) mark(of, sheet.find(tube.row, tube.column), inserted.length);
   const tubes = new Map<number, number>();
   plan.tubes.forEach((tube, index) => {
     const hole = sheet.find(tube.row, tube.column);
-    const score = mode === "predicted" ? tube : tube.scored?.[mode];
+    const steps = mode === "predicted" ? predictedSteps(tube) : tube.scored?.[mode]?.steps;
     tubes.set(hole, index);
-    if (score) mark(of, hole, Math.max(0, Math.min(inserted.length - 1, score.steps)));
+    if (isNumber(steps)) mark(of, hole, Math.max(0, Math.min(inserted.length - 1, steps)));
+    else if (steps === null) mark(of, hole, kinds.length - 1);
   });
   return finished("Steps of the tool", kinds, of, (hole) => tubeWords(plan, tubes.get(hole)));
 }
@@ -82,7 +90,9 @@ function mark(of: Uint8Array, hole: number, kind: number): void {
 function tubeWords(plan: PlanDocument, index: number | undefined): string[] {
   if (index === undefined) return [];
   const tube = plan.tubes[index];
-  return [visitText(index, plan.tubes.length), `predicted: ${stepText(plan.step_words, tube.steps)}`];
+  const steps = predictedSteps(tube);
+  const words = steps === null ? "steps not known" : `predicted: ${stepText(plan.step_words, steps)}`;
+  return [visitText(index, plan.tubes.length), words];
 }
 
 const BANDS: {shape: Shape; colour: ColourName}[] = [
