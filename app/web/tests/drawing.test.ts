@@ -206,6 +206,19 @@ describe("verdicts", () => {
       "Read these next.",
     ]);
   });
+  it("say that an effect probably acts at all joints, of which only some are named", () => {
+    const sentences = ["Missing: sag."];
+    const at = (place: string, chance?: number) => ({effect: "sag", at: place, probability: chance});
+    const document = (named: string[], chance: number) => ({
+      ...{sentences, joints: ["a", "b", "c"], ranking: [at("all joints", chance), at("a", 0.1)]},
+      explanations: [{effects: named.map((place) => at(place))}],
+    });
+    expect(verdictItems(document(["a", "c"], 0.895)).slice(sentences.length)).toEqual([
+      "sag at all joints has the probability 89.5\u00a0%; only at a, c do the readings show its size.",
+    ]);
+    for (const other of [document(["a", "c"], 0.4), document(["a", "b", "c"], 0.9), document(["all joints"], 0.9)])
+      expect(verdictItems(other)).toEqual(sentences);
+  });
   it("of an earlier program are its one text, which has the advice", () => {
     const sentence = "No verdict is possible: too few. Read these next.";
     expect(verdictItems({sentence, splitting: {advice: "Read these next."}})).toEqual([sentence]);

@@ -124,7 +124,11 @@ function Head({report}: OfReport) {
 function answerOf(report: Report): string[] {
   const sentences = Array.isArray(report.sentences) ? textList(report.sentences) : undefined;
   const advice = textOf(object(report.splitting)?.advice, "");
-  return verdictItems({sentence: textOf(report.sentence, ""), sentences, splitting: {advice}});
+  const explanations = list(report.explanations).map(({effects}) => ({effects: list(effects)}));
+  return verdictItems({
+    ...{sentence: textOf(report.sentence, ""), sentences, splitting: {advice}, explanations},
+    ...{ranking: list(report.ranking), joints: list(report.joints)},
+  });
 }
 
 function factsOf(report: Report): [string, string][] {
