@@ -1,17 +1,19 @@
 // The touches: those made, those proposed, and the chosen hole, whose joint values are entered or simulated.
-import {submitting, withPoint} from "../drawing/fields";
+import {signal} from "@preact/signals";
 import {Icon} from "../drawing/icons";
 import {Panel} from "../drawing/panel";
 import {fixed, jointDecimals, plural} from "../../../drawing/numbers.js";
-import type {CalibrateDocument} from "../server/documents";
-import {get, remove} from "../server/requests";
-import {attempt, cell, order, runJob, runningJob, state, units} from "../server/workbench";
-import {joinReadings} from "../error/run_sheet";
+import type {CalibrateDocument, TouchList} from "../server/documents";
+import {get} from "../server/requests";
+import {cell, runJob, runningJob, state} from "../server/workbench";
 import {markReadings} from "../error/reading_marks";
 import {picked} from "../shell/page_state";
 import {holeName, type SheetModel} from "../sheet/sheet_model";
-import {touchTable} from "./touch_readings";
+import {removeTouch, TouchForm} from "./touch_form";
 import {holeOf, proposals, touches, touchReadings} from "./touches";
+
+/** Id of the touch whose joint values are being corrected; empty if none is. */
+const edited = signal("");
 
 function jointsText(values: readonly number[]): string {
   return values.map((value, k) => fixed(value, jointDecimals(cell.value?.joints[k]?.unit ?? ""))).join("  ");
@@ -41,23 +43,19 @@ export function TouchPanel({model}: {model: SheetModel}) {
       body="touch-list"
     >
       {areReadings ? <p class="muted">The touches of {state.value?.measurements?.name}, which are readings.</p> : null}
-      {done.map((touch, index) => (
-        <div class="touch-row done" key={touch.id}>
-          <b>{touch.id}</b>
-          <span>{holeName(model, touch.hole)}</span>
-          <span class="joint-list">
-            {jointsText(touch.joints)}
-            {touch.simulated ? <small class="muted"> simulated</small> : null}
-          </span>
-          <button
-            class="tool"
-            title={areReadings ? "Set this touch aside" : "Remove this touch"}
-            onClick={() => (areReadings ? markReadings("aside", [touch.id], true) : takeAway(index))}
-          >
-            <Icon name="close" size={14} />
-          </button>
-        </div>
-      ))}
+      {done.map((touch, index) =>
+        edited.value === touch.id ? (
+          <TouchForm
+            key={touch.id}
+            name={holeName(model, touch.hole)}
+            hole={touch.hole}
+            old={{...touch, index}}
+            onDone={() => (edited.value = "")}
+          />
+        ) : (
+          <DoneTouch key={touch.id} model={model} touch={touch} index={index} isReading={areReadings} />
+        ),
+      )}
       {open.map((hole) => (
         <TouchForm key={hole} name={holeName(model, hole)} hole={hole} />
       ))}
@@ -75,54 +73,42 @@ export function TouchPanel({model}: {model: SheetModel}) {
   );
 }
 
+interface DoneTouchProps {
+  model: SheetModel;
+  touch: TouchList["touches"][number];
+  index: number;
+  /** True for a touch of a file, which is set aside instead of removed, and corrected in its file. */
+  isReading: boolean;
+}
+
+function DoneTouch({model, touch, index, isReading}: DoneTouchProps) {
+  return (
+    <div class="touch-row done">
+      <b>{touch.id}</b>
+      <span>{touch.hole < 0 ? touch.name : holeName(model, touch.hole)}</span>
+      <button
+        class="joint-list"
+        title={isReading ? "Joint values of the file" : "Correct the joint values"}
+        disabled={isReading}
+        onClick={() => (edited.value = touch.id)}
+      >
+        {jointsText(touch.joints)}
+        {touch.simulated ? <small class="muted"> simulated</small> : null}
+      </button>
+      <button
+        class="tool"
+        title={isReading ? "Set this touch aside" : "Remove this touch"}
+        onClick={() => (isReading ? markReadings("aside", [touch.id], true) : removeTouch(index))}
+      >
+        <Icon name="close" size={14} />
+      </button>
+    </div>
+  );
+}
+
 /** Calibrates the base and, if that succeeds, computes the centring error at each hole with the new base. */
 async function calibrate(): Promise<void> {
   if (!(await runJob("Calibrate", "/api/calibrate"))) return;
   const {status} = await get<CalibrateDocument>("/api/results/calibrate");
   if (status === "done") await runJob("Predicted error", "/api/field", {of: "centring"});
-}
-
-function takeAway(index: number): Promise<boolean> {
-  return attempt("The touch stays", () => remove(`/api/touch/${index}`));
-}
-
-function TouchForm({name, hole}: {name: string; hole: number}) {
-  const joints = cell.value?.joints ?? [];
-  const touch = (body: object) => order(`Touch of ${name}`, "/api/touch", {hole, ...body});
-  const others = touchReadings.value;
-  return (
-    <form
-      class="touch-row"
-      onSubmit={submitting((form) => {
-        const typed = new FormData(form);
-        const values = joints.map((joint) => Number(withPoint(String(typed.get(joint.name)))));
-        return others.length > 0
-          ? joinReadings(touchTable({point: name, values}, others, joints, units.value.force))
-          : touch({joints: values});
-      })}
-    >
-      <span>{name}</span>
-      <span class="joint-inputs">
-        {joints.map((joint) => (
-          <input
-            name={joint.name}
-            inputMode="decimal"
-            placeholder={joint.name}
-            aria-label={`${joint.name} at ${name}`}
-            required
-          />
-        ))}
-      </span>
-      <span class="touch-buttons">
-        <button class="button" type="submit">
-          Enter
-        </button>
-        {others.length === 0 ? (
-          <button class="button" type="button" onClick={() => touch({simulate: true})}>
-            Simulate
-          </button>
-        ) : null}
-      </span>
-    </form>
-  );
 }

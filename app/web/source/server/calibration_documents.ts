@@ -8,7 +8,7 @@ export interface TouchesDocument {
 }
 
 export interface TouchList {
-  touches: {id: string; hole: number; name?: string; joints: number[]; simulated?: boolean}[];
+  touches: {id: string; hole: number; name?: string; joints: number[]; load?: number; simulated?: boolean}[];
 }
 
 /** Joint reading of a touch: a reading error `off` would explain the misfit of the touches. */
