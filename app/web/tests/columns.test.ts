@@ -1,5 +1,6 @@
 import {describe, expect, it} from "vitest";
 import {chosenColumns, type ColumnsDocument, guessed, missingOf} from "../source/shell/columns_choice";
+import {unitOfOthers, withUnit} from "../source/shell/columns_units";
 
 const document: ColumnsDocument = {
   tables: [
@@ -33,6 +34,21 @@ describe("columns of foreign tables", () => {
       "point=points.txt:column 1",
       "x_mm=points.txt:column 2",
     ]);
+  });
+
+  it("of one dimension take a unit together, except where the table states one", () => {
+    const axes = {units: ["in", "mm"], is_required: false, found: null};
+    const more = {...document, targets: [...document.targets, {...axes, quantity: "y"}]};
+    const choices = guessed(more);
+    choices[0][2] = {quantity: "y", unit: ""};
+    choices[1][1] = {quantity: "x", unit: ""};
+    const units = (of: typeof choices) => of.flat().map(({unit}) => unit);
+    const inches = withUnit(more, choices, [1, 1], "in");
+    expect(units(inches)).toEqual(["", "deg", "in", "", "in"]);
+    expect(units(withUnit(more, inches, [0, 2], "mm"))).toEqual(["", "deg", "mm", "", "mm"]);
+    expect(units(withUnit(more, inches, [0, 0], "rad"))).toEqual(["rad", "deg", "in", "", "in"]);
+    expect([unitOfOthers(more, inches, "y"), unitOfOthers(more, choices, "y")]).toEqual(["in", ""]);
+    expect(unitOfOthers(more, inches, "point")).toBe("");
   });
 
   it("are said with the factor of pulses, with its sign", () => {

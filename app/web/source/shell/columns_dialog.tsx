@@ -17,6 +17,7 @@ import {
   rememberChoices,
   type TableOptions,
 } from "./columns_choice";
+import {unitOfOthers, withUnit} from "./columns_units";
 import {Dialog} from "./dialog";
 import {closeDialog, dialog} from "./page_state";
 import {ProblemWords} from "./states";
@@ -195,11 +196,14 @@ function MeaningOf({shown, table, column, name}: {shown: Foreign; table: number;
     none = tables[table].names === column ? "the row's name" : "nothing";
   const target = targets.find(({quantity}) => quantity === choice.quantity);
   const units = target?.units ?? [];
+  const put = (choices: ColumnChoice[][]) => {
+    foreign.value = {...shown, choices};
+    problem.value = null;
+  };
   const change = (next: Partial<ColumnChoice>) => {
     const choices = shown.choices.map((row) => [...row]);
     choices[table][column] = {...choice, ...next};
-    foreign.value = {...shown, choices};
-    problem.value = null;
+    put(choices);
   };
   return (
     <>
@@ -207,14 +211,16 @@ function MeaningOf({shown, table, column, name}: {shown: Foreign; table: number;
         label={`what ${name} is`}
         choices={choicesOf([["", none], ...targets.map(({quantity}) => [quantity, quantity] as const)])}
         value={choice.quantity}
-        onChoose={(quantity) => change({quantity, unit: "", factor: ""})}
+        onChoose={(quantity) =>
+          change({quantity, unit: unitOfOthers(shown.document, shown.choices, quantity), factor: ""})
+        }
       />
       {units.length > 0 ? (
         <Select
           label={`unit of ${name}`}
           choices={choicesOf([["", "unit?"], ...units.map((unit) => [unit, unit] as const)])}
           value={choice.unit}
-          onChoose={(unit) => change({unit})}
+          onChoose={(unit) => put(withUnit(shown.document, shown.choices, [table, column], unit))}
         />
       ) : null}
       {target?.is_required ? (
