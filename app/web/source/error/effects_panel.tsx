@@ -7,6 +7,7 @@ import {Tabs} from "../drawing/tabs";
 import {runningJob, state} from "../server/workbench";
 import {OtherModel} from "../shell/other_model";
 import {ProblemWords, Waiting} from "../shell/states";
+import {baseRows} from "./base_rows";
 import {EffectRanking} from "./effect_ranking";
 import {EffectWarnings} from "./effect_warnings";
 import {FormulaBox} from "./formula_box";
@@ -31,7 +32,11 @@ export function EffectsPanel() {
     <Tabs label="What is missing" tabs={tabs} value={effectsTab.value} onChoose={(next) => (effectsTab.value = next)} />
   );
   return (
-    <Panel head={choice} end={<OtherModel name="diagnose" />} role="tabpanel">
+    <Panel
+      head={choice}
+      end={<OtherModel name={effectsTab.value === "numbers" ? "identify" : "diagnose"} />}
+      role="tabpanel"
+    >
       <TabBody />
     </Panel>
   );
@@ -42,8 +47,9 @@ function TabBody() {
   if (effectsTab.value === "steps" && advice.value.length > 0) return <GuidancePanel />;
   if (effectsTab.value === "formula") return <FormulaBox />;
   if (effectsTab.value === "numbers") {
-    return identify.value.document ? (
-      <ParameterTable parameters={identify.value.document.parameters} />
+    const fitted = identify.value.document;
+    return fitted ? (
+      <ParameterTable parameters={[...fitted.parameters, ...baseRows(fitted)]} />
     ) : (
       <p class="muted">Fitted numbers appear here after an effect is added.</p>
     );

@@ -16,7 +16,7 @@ export function ParameterTable({parameters, hasIntervals = false}: ParameterTabl
     <span class="wrap">{name}</span>,
     ...valueAndSigma(value, sigma),
     ...(hasIntervals ? [intervalOf(interval)] : []),
-    <span title={exact(start)}>{short(start)}</span>,
+    <span title={exact(start)}>{valueAndSigma(start, sigma)[0]}</span>,
     plainUnit(unit === "1" ? "" : unit),
     <span class={identifiable === "yes" ? "" : "bad"}>{identifiable}</span>,
   ]);

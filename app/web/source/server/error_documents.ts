@@ -196,11 +196,15 @@ export interface IdentifyDocument extends JudgedDocument {
     name: string;
     value: number;
     sigma: number | null;
-    start: number;
+    start: number | null;
     unit: string;
     identifiable: string;
     interval: [number, number] | null;
   }[];
+  /** Poses of the bases; like base_steps, missing in projects of earlier versions. */
+  bases?: {setup: string; known: boolean; base: {position: Vector3; rpy: Vector3}}[];
+  /** Fitted steps of the bases from their poses at the start, whose sigmas are those of the poses. */
+  base_steps?: IdentifyDocument["parameters"];
 }
 
 export interface LadderDocument extends JudgedDocument {
