@@ -1,5 +1,6 @@
 // Conclusion on the current model: the newest verdict, or the effect of the last model change on the error.
 import {computed} from "@preact/signals";
+import {explanationTitle} from "../../../drawing/explanations.js";
 import {verdictMark} from "../../../drawing/kinds.js";
 import {short} from "../../../drawing/numbers.js";
 import {verdictItems} from "../../../drawing/verdict_items.js";
@@ -8,6 +9,7 @@ import {pageWords} from "../server/page_words";
 import {currentModel, hasModelBefore, state} from "../server/workbench";
 import {ladderOf, lastChange} from "./ladder";
 import {currentComparison, currentDiagnosis, ladder} from "./loop";
+import {addedInVain} from "./within_noise";
 
 interface Answer {
   words: string;
@@ -49,6 +51,15 @@ function fallOfError(): Answer | null {
     items: [
       `With ${(currentModel.value?.label ?? "this model").replace(/^\+ /, "")} the ${error} error ${change} ${unit}; ` +
         `noise alone leaves ${short(floor)} ${unit}.`,
+      ...vainItems(),
     ],
   };
+}
+
+/** Returns a sentence on effects that were added without need; empty if there are none. */
+function vainItems(): string[] {
+  const effects = addedInVain.value;
+  if (effects.length === 0) return [];
+  const size = effects.length === 1 ? "its size is" : "their sizes are";
+  return [`Not significant: ${explanationTitle({effects})}; ${size} within two standard deviations of zero.`];
 }

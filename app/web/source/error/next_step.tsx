@@ -1,7 +1,7 @@
 // A single button for the next step that an engineer would take.
 import type {ComponentChildren} from "preact";
 import {useEffect, useRef} from "preact/hooks";
-import {briefTitle} from "../../../drawing/explanations.js";
+import {briefTitle, causeKey} from "../../../drawing/explanations.js";
 import {plural} from "../../../drawing/numbers.js";
 import {verdictMark} from "../../../drawing/kinds.js";
 import type {DiagnoseDocument} from "../server/documents";
@@ -10,10 +10,11 @@ import {dialog} from "../shell/page_state";
 import {answer} from "./answer";
 import {suggestedFormula} from "./focus";
 import {openFormula} from "./formula_box";
-import {addEffects, areChangeable, currentDiagnosis, startCompare, startDiagnose} from "./loop";
+import {addEffects, areChangeable, currentDiagnosis, removeCauses, startCompare, startDiagnose} from "./loop";
 import {advice} from "./guidance_panel";
 import {assume, mistake} from "./reading_checks";
 import {effectsTab} from "./tabs";
+import {addedInVain} from "./within_noise";
 
 interface Step {
   words: ComponentChildren;
@@ -89,9 +90,17 @@ function isOpen({verdict, next_readings: next, splitting}: DiagnoseDocument): bo
   return (verdict === "ambiguous" || verdict === "inconclusive") && next.length + others > 0;
 }
 
-/** Returns the next step of the loop: compare, then diagnose. */
+/** Returns the next step of the loop: compare, remove what was added in vain, then diagnose. */
 function stepOfLoop(isBusy: boolean): Step {
   if (!answer.value) return {words: "Compare", act: startCompare, isOff: isBusy};
+  const vain = addedInVain.value;
+  if (vain.length > 0)
+    return {
+      words: `Remove ${briefTitle({effects: vain})}`,
+      act: () => removeCauses(vain.map(causeKey)),
+      title: "The readings do not show it; the model is fitted without it",
+      isOff: isBusy,
+    };
   const isDone = answer.value.mark === verdictMark("adequate");
   return {
     words: isDone && hasModelBefore.value ? "Diagnose again" : "Diagnose",
