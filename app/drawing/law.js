@@ -1,7 +1,8 @@
 // The law of a cause along a variable, as a curve: a straight line or a wave where one describes the contributions of
-// the cause as well as their means in bins do, else the bins.
+// the cause as well as their means in bins do, else a smooth curve through them.
 import {lawAlong} from "./binned.js";
 import {followedShare, knownPairs} from "./groups.js";
+import {smoothed} from "./smoothed.js";
 
 /** @typedef {import("./binned.js").Bin} Bin */
 /** @typedef {(x: number) => number[]} Terms Values of the terms of a law at x, the first of them 1. */
@@ -14,14 +15,14 @@ const POINTS = 73;
 /** @type {Terms} */
 const LINE = (x) => [1, x];
 
-/** @param {string} unit @returns {Terms} */
-function waveIn(unit) {
-  const factor = unit === "deg" ? Math.PI / 180 : 1;
+/** @param {string} unit @param {number} times waves in a turn @returns {Terms} */
+function waveIn(unit, times) {
+  const factor = times * (unit === "deg" ? Math.PI / 180 : 1);
   return (x) => [1, Math.sin(factor * x), Math.cos(factor * x)];
 }
 
 /**
- * Returns the law of a cause along a variable as consecutive bins. `unit`: unit of the variable if it is an angle that a
+ * Returns the law of a cause along a variable as consecutive points, or bins where the variable has few levels. `unit`: unit of the variable if it is an angle that a
  * wave may follow, else empty.
  * @param {readonly (number | undefined)[]} xs @param {readonly (number | null)[]} done @param {string} unit
  * @returns {Bin[]}
@@ -30,12 +31,12 @@ export function lawCurve(xs, done, unit) {
   const rows = knownPairs(xs, done);
   const least = followedShare(xs, done) - LOSS;
   const levels = new Set(rows.map(([x]) => x)).size;
-  const tried = [LINE, ...(unit === "deg" || unit === "rad" ? [waveIn(unit)] : [])];
+  const tried = [LINE, ...(unit === "deg" || unit === "rad" ? [waveIn(unit, 1), waveIn(unit, 2)] : [])];
   for (const [k, terms] of tried.entries()) {
     const law = levels > 3 ? fitted(rows, terms) : null;
     if (law && law.share >= Math.max(least, 0)) return drawn(rows, terms, law, k === 0 ? 2 : POINTS);
   }
-  return lawAlong(xs, done);
+  return smoothed(rows) ?? lawAlong(xs, done);
 }
 
 /**

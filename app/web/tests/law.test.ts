@@ -18,6 +18,16 @@ describe("the law of a cause", () => {
     expect((law[1].mean - law[0].mean) / (law[1].x - law[0].x)).toBeCloseTo(0.01, 3);
   });
 
+  it("is a wave of two periods in a turn where they follow it", () => {
+    const of = (x: number) => Math.sin((2 * x * Math.PI) / 180);
+    const law = lawCurve(
+      xs,
+      xs.map((x, k) => of(x) + scatter(k)),
+      "deg",
+    );
+    for (const {x, mean} of law) expect(mean).toBeCloseTo(of(x), 1);
+  });
+
   it("is a wave where they follow sine and cosine of a joint, in degrees or radians", () => {
     for (const [unit, factor] of [
       ["deg", Math.PI / 180],
@@ -35,14 +45,39 @@ describe("the law of a cause", () => {
     }
   });
 
-  it("stays in bins where neither describes it, such as for a step", () => {
+  it("is a smooth curve where neither describes it", () => {
+    const of = (x: number) => Math.sin(0.1 * x);
+    const law = lawCurve(
+      xs,
+      xs.map((x, k) => of(x) + scatter(k)),
+      "deg",
+    );
+    expect(law.length).toBeGreaterThan(100);
+    const turns = law.slice(2).filter(({mean}, k) => {
+      const [first, second] = [law[k].mean, law[k + 1].mean];
+      return (second - first) * (mean - second) < 0;
+    });
+    expect(turns.length).toBeLessThan(8); // six of the wave itself
+    for (const {x, mean, spread} of law) {
+      expect(Math.abs(mean - of(x))).toBeLessThan(0.3);
+      expect(spread).toBeLessThan(0.4);
+    }
+  });
+
+  it("is in bins for a variable of few levels", () => {
+    const levels = xs.map((_, k) => k % 3);
+    const squares = levels.map((x) => x * x);
+    expect(lawCurve(levels, squares, "").map(({mean}) => mean)).toEqual([0, 1, 4]);
+  });
+
+  it("keeps the ends of a step", () => {
     const law = lawCurve(
       xs,
       xs.map((x) => (x > 0 ? 1 : 0)),
       "deg",
     );
-    expect(law[0].mean).toBe(0);
-    expect(law.at(-1)!.mean).toBe(1);
+    expect(law[0].mean).toBeCloseTo(0);
+    expect(law.at(-1)!.mean).toBeCloseTo(1);
     expect(law.length).toBeGreaterThan(5);
   });
 
