@@ -9,6 +9,9 @@ import {valueAndSigma, withSigma} from "./sigma_text.js";
 /** @typedef {{effects: FoundEffect[], enough?: boolean}} BareExplanation */
 /** @typedef {{name: string, value: number, sigma?: number | null, unit?: string}} NamedNumber */
 
+/** Name of a cause that consists of numbers of the arm's file. */
+const FREED = "free";
+
 /**
  * Returns an effect's name and location; the title of the document where these do not name it, as for numbers of the
  * arm's file. @param {NamedEffect} effect
@@ -46,6 +49,21 @@ export function explanationTitle({effects}) {
  */
 export function briefTitle({effects}) {
   return titleOf(effects, 2);
+}
+
+/**
+ * Returns the words of a button that adds an explanation's effects, or that fits numbers of the arm's file.
+ * @param {{effects: readonly NamedEffect[]}} explanation
+ */
+export function addWords({effects}) {
+  const added = effects.filter(({effect}) => effect !== FREED),
+    freed = effects
+      .filter(({effect}) => effect === FREED)
+      .map(({at}) => (at === "geometry" ? `the ${at}` : (at ?? "")));
+  const add = added.length > 0 ? [`Add ${briefTitle({effects: added})}`] : [];
+  return [...add, ...(freed.length > 0 ? [`${add.length > 0 ? "fit" : "Fit"} ${freed.join(", ")} again`] : [])].join(
+    " and ",
+  );
 }
 
 /** @param {readonly NamedEffect[]} effects @param {number} most */

@@ -1,5 +1,5 @@
 // Error ladder: the fitted and held-out errors of each model, relative to the noise floor.
-import {fixed, isNumber, short} from "./numbers.js";
+import {errorText, fixed, isNumber} from "./numbers.js";
 
 /** @typedef {{name: string, fitted: number | null, heldout: number | null}} ComparedModel */
 
@@ -40,7 +40,7 @@ export function timesFloor(value, floor) {
 
 /** @param {number} floor @param {string} unit */
 export function floorText(floor, unit) {
-  return `noise floor ${short(floor)} ${unit}`;
+  return `noise floor ${errorText(floor, unit)}`;
 }
 
 /**

@@ -139,6 +139,24 @@ export function lengthFigure(value, unit, decimals = 3) {
   return fixed(value, Math.max(0, decimals + (DECIMALS[unit] ?? 0)));
 }
 
+/** Smaller units of lengths, and how many of them make the larger one. @type {Record<string, [string, number]>} */
+const SMALLER = {m: ["mm", 1000], ft: ["in", 12]};
+const SMALL = 0.01; // length below which the smaller unit is chosen
+const LEAST_PLAIN = 1e-6; // least value written without a power of ten
+
+/**
+ * Returns an error with its unit, without a power of ten where possible: 0.0302 in, 0.17 mm (for 0.00017 m).
+ * @param {unknown} value @param {string} unit
+ */
+export function errorText(value, unit) {
+  if (!isNumber(value)) return MISSING;
+  const [name, times] = (value !== 0 && Math.abs(value) < SMALL && SMALLER[unit]) || [unit, 1];
+  const size = times * value,
+    text = short(size);
+  const isPlain = !text.includes("e") || Math.abs(size) < LEAST_PLAIN || Math.abs(size) >= 1;
+  return `${isPlain ? text : Number(size.toPrecision(2)).toString().replace("-", "\u2212")} ${name}`;
+}
+
 /** @param {unknown} value @param {string} unit */
 export function lengthAndUnit(value, unit, decimals = 3) {
   return isNumber(value) ? `${lengthFigure(value, unit, decimals)} ${unit}` : MISSING;

@@ -41,7 +41,7 @@ describe("the steps after a verdict", () => {
     });
     const [add, remainder] = adviceAfter(given);
     expect(add.act).toEqual({kind: "add", effects: [hysteresis]});
-    expect(add.evidence).toContain("0.600 to 0.550 mm");
+    expect(add.evidence).toContain("0.600 mm to 0.550 mm");
     expect(remainder.evidence).toMatch(/^0\.149 mm follows y \(9\s%\)$/);
     expect(remainder.act).toBeUndefined();
   });

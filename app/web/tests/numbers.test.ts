@@ -1,9 +1,10 @@
 import {describe, expect, it} from "vitest";
-import {briefTitle, explanationTitle, sizesOf, sizeText} from "../../drawing/explanations.js";
+import {addWords, briefTitle, explanationTitle, sizesOf, sizeText} from "../../drawing/explanations.js";
 import {
   chance,
   clock,
   duration,
+  errorText,
   fixed,
   inverseUnit,
   jointDecimals,
@@ -46,6 +47,20 @@ describe("figures", () => {
     expect(size({compliance})).toBe("compliance (5.00 ± 0.10)e−4\u00a0deg/(lbf·in), stiffness 2,000 lbf·in/deg");
     expect(size({compliance: {...compliance, sigma: 0.0004}})).not.toContain("stiffness");
   });
+  it("of small errors have a smaller unit and no power of ten", () => {
+    expect([0.5, 0.00017, -0.00017, 0].map((value) => errorText(value, "m"))).toEqual([
+      "0.500 m",
+      "0.170 mm",
+      "−0.170 mm",
+      "0 m",
+    ]);
+    expect([0.0302, 0.00031, 1e-7].map((value) => errorText(value, "in"))).toEqual([
+      "0.0302 in",
+      "0.00031 in",
+      "1.0e−7 in",
+    ]);
+    expect(errorText(null, "m")).toBe("–");
+  });
   it("of several effects stand with their places, effects of one kind together", () => {
     const effects = ["link1.z", "link2.z", "link3.z"].map((at) => ({
       effect: "joint-compliance",
@@ -61,6 +76,10 @@ describe("figures", () => {
     for (const title of [explanationTitle, briefTitle])
       expect(title({effects: [freed, {effect: "hysteresis", at: "A1"}]})).toBe(`hysteresis at A1; ${freed.title}`);
     expect(briefTitle({effects: [freed]})).toBe(freed.title);
+    expect(addWords({effects: [freed]})).toBe("Fit the geometry again");
+    expect(addWords({effects: [freed, {effect: "hysteresis", at: "A1"}]})).toBe(
+      "Add hysteresis at A1 and fit the geometry again",
+    );
     expect(sizesOf({effects: more})[1]).toBe(
       "link2.z: compliance (3.00 ± 0.20)e−6\u00a0deg/(N·mm), stiffness 3.33e5 N·mm/deg",
     );

@@ -1,6 +1,6 @@
 // The calibrated base: its pose with sigmas, the residual of each touch, distances, correlations.
 import {Panel} from "../drawing/panel";
-import {fixed, isNumber, short} from "../../../drawing/numbers.js";
+import {errorText, fixed, isNumber, short} from "../../../drawing/numbers.js";
 import {MARKED} from "../../../drawing/sigma_text.js";
 import type {CalibrateDocument} from "../server/documents";
 import {pageAdvice, pageWords} from "../server/page_words";
@@ -67,7 +67,7 @@ function FitFigure({document}: {document: CalibrateDocument}) {
     <span class={isBad ? "bad" : "muted"}>
       {isBad ? MARKED : ""}
       {document.status === "done" ? "" : "not calibrated "}
-      {isNumber(document.rms) ? `rms ${short(document.rms)} ${units.value.length}` : ""}
+      {isNumber(document.rms) ? `rms ${errorText(document.rms, units.value.length)}` : ""}
     </span>
   );
 }
@@ -94,7 +94,7 @@ function FromNominal({nominal}: {nominal: NonNullable<CalibrateDocument["nominal
   const {length, angle} = units.value;
   return (
     <p class="muted">
-      {short(nominal.distance)} {length}
+      {errorText(nominal.distance, length)}
       {nominal.pitches
         ? ` (${nominal.pitches.map((pitches) => fixed(pitches, 2)).join(" and ")} pitches along x and y)`
         : ""}{" "}

@@ -2,7 +2,7 @@
 import {computed} from "@preact/signals";
 import {explanationTitle} from "../../../drawing/explanations.js";
 import {verdictMark} from "../../../drawing/kinds.js";
-import {short} from "../../../drawing/numbers.js";
+import {errorText} from "../../../drawing/numbers.js";
 import {verdictItems} from "../../../drawing/verdict_items.js";
 import type {Mark} from "../drawing/marks";
 import {pageWords} from "../server/page_words";
@@ -43,14 +43,14 @@ function fallOfError(): Answer | null {
   if (!errors) return null;
   const {before, now, error} = errors,
     isAtFloor = floor !== null && now < 1.25 * floor;
-  const [from, to] = [short(before), short(now)];
+  const [from, to] = [errorText(before, unit), errorText(now, unit)];
   const change = from === to ? `stays at ${to}` : `${now < before ? "fell" : "rose"} from ${from} to ${to}`;
   return {
     words: isAtFloor ? "At the noise floor" : "Above the noise floor",
     mark: verdictMark(isAtFloor ? "adequate" : "falls-short"),
     items: [
-      `With ${(currentModel.value?.label ?? "this model").replace(/^\+ /, "")} the ${error} error ${change} ${unit}; ` +
-        `noise alone leaves ${short(floor)} ${unit}.`,
+      `With ${(currentModel.value?.label ?? "this model").replace(/^\+ /, "")} the ${error} error ${change}; ` +
+        `noise alone leaves ${errorText(floor, unit)}.`,
       ...vainItems(),
     ],
   };

@@ -10,7 +10,7 @@ import {
   sizesOf,
 } from "../../../drawing/explanations.js";
 import {errorUnit} from "../../../drawing/error_budget.js";
-import {isNumber, short} from "../../../drawing/numbers.js";
+import {errorText, isNumber} from "../../../drawing/numbers.js";
 import {foldedRows, LEAST_FALL, rankingRows, triedText} from "../../../drawing/ranking.js";
 import type {DiagnoseDocument, EffectAt, Explanation} from "../server/documents";
 import {Table} from "../drawing/table";
@@ -84,7 +84,7 @@ function ExplanationCard({explanation, index, document, letter}: ExplanationCard
 
 function ExplanationWords({explanation, unit}: {explanation: Shown; unit: string}) {
   const leaves = explanation.heldout_rms ?? explanation.rms;
-  const left = isNumber(leaves) ? [`leaves ${short(leaves)} ${unit} held out`] : [];
+  const left = isNumber(leaves) ? [`leaves ${errorText(leaves, unit)} held out`] : [];
   const table = sizeRows(explanation);
   return (
     <div class="explanation-words">

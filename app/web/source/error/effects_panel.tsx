@@ -29,24 +29,26 @@ export function EffectsPanel() {
     ["numbers", "Numbers"],
   ]);
   const choice = (
-    <Tabs label="What is missing" tabs={tabs} value={effectsTab.value} onChoose={(next) => (effectsTab.value = next)} />
+    <Tabs label="What is missing" tabs={tabs} value={openTab()} onChoose={(next) => (effectsTab.value = next)} />
   );
   return (
-    <Panel
-      head={choice}
-      end={<OtherModel name={effectsTab.value === "numbers" ? "identify" : "diagnose"} />}
-      role="tabpanel"
-    >
+    <Panel head={choice} end={<OtherModel name={openTab() === "numbers" ? "identify" : "diagnose"} />} role="tabpanel">
       <TabBody />
     </Panel>
   );
 }
 
+/** Returns the open tab: the chosen one, or the first if the verdict with the steps of that tab is gone. */
+function openTab(): EffectsTab {
+  return effectsTab.value === "steps" && advice.value.length === 0 ? "effects" : effectsTab.value;
+}
+
 function TabBody() {
-  const found = diagnose.value;
-  if (effectsTab.value === "steps" && advice.value.length > 0) return <GuidancePanel />;
-  if (effectsTab.value === "formula") return <FormulaBox />;
-  if (effectsTab.value === "numbers") {
+  const found = diagnose.value,
+    tab = openTab();
+  if (tab === "steps") return <GuidancePanel />;
+  if (tab === "formula") return <FormulaBox />;
+  if (tab === "numbers") {
     const fitted = identify.value.document;
     return fitted ? (
       <ParameterTable parameters={[...fitted.parameters, ...baseRows(fitted)]} />
@@ -54,8 +56,7 @@ function TabBody() {
       <p class="muted">Fitted numbers appear here after an effect is added.</p>
     );
   }
-  if (effectsTab.value === "split" && (found.document || runSheet.value))
-    return <Splitting document={found.document} />;
+  if (tab === "split" && (found.document || runSheet.value)) return <Splitting document={found.document} />;
   if (runningJob("diagnose")) return <Waiting words="Trying every effect at every place" isBusy />;
   if (found.problem) return <ProblemWords problem={found.problem} />;
   if (!found.document) {

@@ -2,7 +2,7 @@
 // their order. A step shows its evidence from the documents; a step without evidence does not apply and is left out.
 import {briefTitle, effectTitle} from "../../../drawing/explanations.js";
 import {errorUnit, idsSetAside} from "../../../drawing/error_budget.js";
-import {isNumber, percent, plural, probability, short} from "../../../drawing/numbers.js";
+import {errorText, isNumber, percent, plural, probability, short} from "../../../drawing/numbers.js";
 import {findVariable, type Variable} from "../../../drawing/variables.js";
 import type {CompareDocument, DiagnoseDocument, EffectAt} from "../server/documents";
 
@@ -55,7 +55,7 @@ const STEPS = {
       if (!first || first.enough === false) return null;
       const unit = errorUnit(document);
       return {
-        evidence: `${briefTitle(first)}: the held-out error falls from ${short(rms.heldout_before)} to ${short(first.heldout_rms)} ${unit}; noise alone leaves ${short(rms.noise_floor)} ${unit}`,
+        evidence: `${briefTitle(first)}: the held-out error falls from ${errorText(rms.heldout_before, unit)} to ${errorText(first.heldout_rms, unit)}; noise alone leaves ${errorText(rms.noise_floor, unit)}`,
         button: "Add",
         act: {kind: "add", effects: first.effects},
       };

@@ -1,5 +1,5 @@
 // The ladder as bars: a row for each model, with the noise floor and a tolerance as lines across all rows.
-import {short} from "../../../drawing/numbers.js";
+import {errorText} from "../../../drawing/numbers.js";
 import {axisEnd, barOf, floorText, LADDER_WORDS, timesFloor} from "../../../drawing/ladder.js";
 import {type Acceptance, acceptanceOf, type ComparedModel, type Ladder} from "./ladder";
 
@@ -102,7 +102,7 @@ function Bar({kind, value, end, floor, unit}: BarProps) {
         <div class={`bar ${kind} ${isCut ? "cut" : ""}`} style={{width: `${100 * share}%`}} />
       </div>
       <span class="bar-text">
-        {short(value)} {unit} <small>{timesFloor(value, floor)}</small>
+        {errorText(value, unit)} <small>{timesFloor(value, floor)}</small>
       </span>
     </>
   );

@@ -1,7 +1,7 @@
 // A single button for the next step that an engineer would take.
 import type {ComponentChildren} from "preact";
 import {useEffect, useRef} from "preact/hooks";
-import {briefTitle, causeKey} from "../../../drawing/explanations.js";
+import {addWords, briefTitle, causeKey} from "../../../drawing/explanations.js";
 import {plural} from "../../../drawing/numbers.js";
 import {verdictMark} from "../../../drawing/kinds.js";
 import type {DiagnoseDocument} from "../server/documents";
@@ -79,7 +79,7 @@ function stepAfter(diagnosis: DiagnoseDocument, isBusy: boolean): Step | null {
     return {words, act: () => (effectsTab.value = "split")};
   }
   if (first && ADDED.has(verdict))
-    return {words: <span>Add {briefTitle(first)}</span>, act: () => addEffects(first.effects), isOff: isBusy};
+    return {words: <span>{addWords(first)}</span>, act: () => addEffects(first.effects), isOff: isBusy};
   if (verdict === "inconclusive") return {words: "Open more readings", act: () => (dialog.value = "open")};
   return null;
 }

@@ -8,7 +8,7 @@ import {drawRings} from "../drawing/canvas";
 import {palette} from "../drawing/colours";
 import {Terms} from "../drawing/panel";
 import {conditionsOf} from "../../../drawing/conditions.js";
-import {isNumber, short} from "../../../drawing/numbers.js";
+import {errorText, isNumber} from "../../../drawing/numbers.js";
 import {READING_SIGMAS, sigmasText} from "../../../drawing/sigma_text.js";
 import {cell, units} from "../server/workbench";
 import {followLasso, isInside, type Loop} from "../drawing/lasso";
@@ -198,7 +198,7 @@ function ErrorWords({error, sigmas}: {error: number[] | null; sigmas: number | u
   const {text, isMany} = sigmasText(sigmas, READING_SIGMAS);
   return (
     <>
-      {short(Math.hypot(...error))} {units.value.length}
+      {errorText(Math.hypot(...error), units.value.length)}
       {isNumber(sigmas) ? <span class={isMany ? "bad" : ""}>{` ${text} σ`}</span> : null}
     </>
   );

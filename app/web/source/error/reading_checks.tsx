@@ -1,7 +1,7 @@
 // Mistakes suspected when the readings were opened: one line each, with the proposed correction.
 import {computed} from "@preact/signals";
 import {MarkIcon, type Mark} from "../drawing/marks";
-import {plural, short} from "../../../drawing/numbers.js";
+import {errorText, plural} from "../../../drawing/numbers.js";
 import {pageWords} from "../server/page_words";
 import type {ReadingCheck, ReadingsInfo, WorkbenchState} from "../server/state_documents";
 import {post} from "../server/requests";
@@ -125,7 +125,7 @@ function Check({check}: {check: ReadingCheck}) {
         {pageWords(check.sentence)}
         {asIs !== null && ifCorrected !== null && (
           <>
-            : error {short(asIs)} → {short(ifCorrected)} {units.value.length}
+            : error {errorText(asIs, units.value.length)} → {errorText(ifCorrected, units.value.length)}
           </>
         )}
       </span>

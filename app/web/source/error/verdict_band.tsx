@@ -1,6 +1,6 @@
 // The verdict with its sentences and key values, and the next step.
 import {budgetText, errorUnit, idsSetAside, setAsideText} from "../../../drawing/error_budget.js";
-import {isNumber, short, whole} from "../../../drawing/numbers.js";
+import {errorText, isNumber, short, whole} from "../../../drawing/numbers.js";
 import {MARKED} from "../../../drawing/sigma_text.js";
 import {MarkIcon} from "../drawing/marks";
 import type {JudgedDocument} from "../server/documents";
@@ -41,8 +41,10 @@ export function VerdictBand() {
         </dd>
         <dt>noise floor</dt>
         <dd>
-          {short(document?.rms.noise_floor ?? ladder.value.document?.models.at(-1)?.rms.noise_floor)}{" "}
-          {judged ? errorUnit(judged) : ""}
+          {errorText(
+            document?.rms.noise_floor ?? ladder.value.document?.models.at(-1)?.rms.noise_floor,
+            judged ? errorUnit(judged) : "",
+          )}
         </dd>
       </dl>
       <NextStep isBusy={job !== null} />
