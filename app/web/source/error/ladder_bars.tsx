@@ -1,5 +1,6 @@
 // The ladder as bars: the fitted and held-out errors of each model, relative to the noise floor.
 import {signal} from "@preact/signals";
+import {useEffect, useRef} from "preact/hooks";
 import {inUnit} from "../server/unit_table";
 import {cell, state, unitTable} from "../server/workbench";
 import {keep, keptObject} from "../shell/kept";
@@ -63,10 +64,14 @@ function withPresentNames(shown: Ladder | null): Ladder | null {
 
 export function LadderBars() {
   const shown = withPresentNames(shownLadder());
+  const box = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    box.current?.querySelector(".ladder-row.now")?.scrollIntoView({block: "nearest"});
+  }, [shown?.models.length]);
   if (!shown) return <p class="muted">Errors of the models appear here after a comparison.</p>;
   const limit = tolerance(shown.unit);
   return (
-    <div class="ladder">
+    <div class="ladder" ref={box}>
       <LadderRows ladder={shown} limit={limit} now={shown.models.length - 1} />
       <p class="ladder-legend">
         <span title={LADDER_WORDS.fitted}>
