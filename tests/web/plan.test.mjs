@@ -2,6 +2,7 @@
 // played and exported, and a job is stopped.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
+import {readFileSync} from "node:fs";
 import path from "node:path";
 import {it} from "./limits.mjs";
 import {callApi, controlsCutOff, launch, makeFolder, openTab, serve} from "./workbench.mjs";
@@ -126,6 +127,19 @@ describe("the mock-up", () => {
       tab.click(".plan-view .menu a[download='worklist.csv']"),
     ]);
     assert.equal(download.suggestedFilename(), "worklist.csv");
+    assert.deepEqual(tab.errors, []);
+  });
+
+  it("is filmed, 1280 pixels wide and with its duration", async () => {
+    const filming = tab.waitForEvent("download");
+    await tab.click(".transport >> text=Film");
+    await tab.waitForTimeout(2500);
+    await tab.click(".transport >> text=Film");
+    const film = readFileSync(await (await filming).path());
+    const head = film.subarray(0, 400);
+    assert.ok(head.includes(Buffer.from([0xb0, 0x82, 0x05, 0x00])), "the width of the video");
+    const seconds = head.readDoubleBE(head.indexOf(Buffer.from([0x44, 0x89, 0x88])) + 3) / 1000;
+    assert.ok(seconds > 2 && seconds < 10, `${seconds} s`);
     assert.deepEqual(tab.errors, []);
   });
 
