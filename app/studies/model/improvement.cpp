@@ -9,6 +9,7 @@
 
 #include "app/studies/model/cell_fit.hpp"
 #include "app/studies/model/explained_model.hpp"
+#include "app/studies/model/improvement_decision.hpp"
 #include "calibration/diagnosis/causes/cause.hpp"
 
 namespace tubeplan::app {
@@ -18,85 +19,7 @@ namespace {
 using calibration::Diagnosis, calibration::Explanation, calibration::Verdict;
 using calibration::IdentificationStatus, calibration::Measurement;
 
-constexpr double kWorthIt = 0.95;  // an uncertain cause must reduce the error to less than this fraction
-// A certain cause must not raise the error of the farthest poses by more than this factor.
-constexpr double kNoWorse = 1.05;
-
-/// Decision after a diagnosis: the cause to add, or the end of the loop (null cause).
-struct Decision {
-  const Explanation* cause = nullptr;
-  ImprovementEnd end = ImprovementEnd::kNotRun;
-  ImprovementReason reason = ImprovementReason::kNoVerdict;
-  double first = std::numeric_limits<double>::quiet_NaN(), second = first;
-};
-
-/// Returns the explanation with the smallest error at the farthest poses among those that `isWorthIt` accepts; null if
-/// there is none. The explanations are in order of probability: a less probable explanation replaces the best so far
-/// only if its error is at least 5 % lower.
-template <class IsWorthIt>
-const Explanation* bestCarried(const std::vector<Explanation>& explanations, const IsWorthIt& isWorthIt) {
-  const Explanation* best = nullptr;
-  for (const auto& explanation : explanations)
-    if (std::isfinite(explanation.farthest.rms) && isWorthIt(explanation) &&
-        (!best || explanation.farthest.rms < kWorthIt * best->farthest.rms))
-      best = &explanation;
-  return best;
-}
-
-/// Decides between equally good explanations. Adds the best one if the difference of their predictions does not exceed
-/// its reduction of the held-out error. Otherwise adds the causes common to all, if these reduce that error.
-Decision amongEquals(const Diagnosis& diagnosis) {
-  double widest = 0;
-  for (const auto& alternative : diagnosis.alternatives)
-    if (std::isfinite(alternative.distance_from_first)) widest = std::max(widest, alternative.distance_from_first);
-  const Explanation* best = bestCarried(diagnosis.alternatives, [](const Explanation&) { return true; });
-  const double gain = best ? diagnosis.heldout_before.rms - best->heldout.rms : 0;
-  if (best && widest <= gain)
-    return {best, ImprovementEnd::kNotRun, ImprovementReason::kAlternativesClose, widest, gain};
-  if (diagnosis.agreed && diagnosis.agreed->heldout.rms < diagnosis.heldout_before.rms &&
-      diagnosis.agreed->farthest.rms <= kNoWorse * diagnosis.farthest_before.rms)
-    return {&*diagnosis.agreed, ImprovementEnd::kNotRun, ImprovementReason::kCertainInAll};
-  return {nullptr, ImprovementEnd::kAmbiguous, ImprovementReason::kAlternativesDiffer, widest, std::max(0., gain)};
-}
-
-/// Decides if no cause is certain. A cause is added only if it lowers the error of measurements excluded from its fit,
-/// both for the held-out folds and for the farthest poses.
-Decision amongUnsure(const Diagnosis& diagnosis) {
-  const Explanation* best = bestCarried(diagnosis.closest, [&](const Explanation& explanation) {
-    return explanation.heldout.rms < kWorthIt * diagnosis.heldout_before.rms &&
-           explanation.farthest.rms < kWorthIt * diagnosis.farthest_before.rms;
-  });
-  if (!best) return {nullptr, ImprovementEnd::kNothingCertain, ImprovementReason::kNoneLower};
-  return {best, ImprovementEnd::kNotRun, ImprovementReason::kUnsureButLower};
-}
-
-Decision onCertain(const Diagnosis& diagnosis) {
-  const Explanation& first = diagnosis.alternatives.front();
-  if (first.farthest.rms > kNoWorse * diagnosis.farthest_before.rms)
-    return {nullptr, ImprovementEnd::kDoesNotCarryOver, ImprovementReason::kFarthestWorse, first.farthest.rms,
-            diagnosis.farthest_before.rms};
-  return {&first, ImprovementEnd::kNotRun, ImprovementReason::kCertain};
-}
-
-Decision decisionOn(const Diagnosis& diagnosis) {
-  switch (diagnosis.verdict) {
-    case Verdict::kAdequate:
-      return {nullptr, ImprovementEnd::kAdequate, ImprovementReason::kNothingMissing};
-    case Verdict::kExplained:
-    case Verdict::kPartlyExplained:
-      return onCertain(diagnosis);
-    case Verdict::kAmbiguous:
-      return amongEquals(diagnosis);
-    case Verdict::kUnexplained:
-      if (diagnosis.isScatterAlone())
-        return {nullptr, ImprovementEnd::kNothingCertain, ImprovementReason::kScatter, diagnosis.remainder.size};
-      return amongUnsure(diagnosis);
-    default:
-      return {nullptr, ImprovementEnd::kInconclusive, ImprovementReason::kNoVerdict};
-  }
-}
-
-ImprovementStep stepOf(const Diagnosis& diagnosis, const Decision& decision) {
+ImprovementStep stepOf(const Diagnosis& diagnosis, const ImprovementDecision& decision) {
   ImprovementStep step;
   step.diagnosis = diagnosis;
   step.reason = decision.reason;
@@ -235,7 +158,7 @@ class Improver {
     const Diagnosis diagnosis = diagnosisOf(result_.models.back().cell, hooks);
     setAside(diagnosis, hooks);
     const ImprovedModel& last = result_.models.back();
-    const Decision decision = decisionOn(diagnosis);
+    const ImprovementDecision decision = improvementDecision(diagnosis);
     result_.steps.push_back(stepOf(diagnosis, decision));
     result_.end = decision.end;
     return decision.cause && addCause(last, *decision.cause, hooks);
