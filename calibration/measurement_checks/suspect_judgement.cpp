@@ -31,6 +31,15 @@ bool hasNumbers(const Correction& correction) {
   return correction.frees_base || correction.parts_setups || correction.numbers_fitted > 0;
 }
 
+/// Returns true if every parameter of the effect is of a size that is possible on a real machine.
+bool isOfRealMachines(const deflection::Effect& effect) {
+  constexpr double kImpossible = 10;  // multiple of the largest plausible magnitude
+  const auto& parameters = deflection::numbersOf(effect);
+  for (std::size_t v = 0; v < effect.values.size(); ++v)
+    if (std::abs(effect.values[v] - parameters[v].neutral) > kImpossible * parameters[v].plausible) return false;
+  return true;
+}
+
 /// Returns every effect of the catalogue at every place where the arm can have it, except effects with a parameter that
 /// has to be scanned.
 std::vector<deflection::Effect> magnitudesAlone(const deflection::Arm& arm) {
@@ -174,7 +183,7 @@ double SuspectJudgement::merit(const Suspect& suspect) const {
 
 bool SuspectJudgement::isEffectAsLikely(const Suspect& suspect) const {
   constexpr std::size_t kFinalists = 4;
-  if (suspect.parts.size() > 1 || suspect.correction.against <= 0) return false;
+  if (suspect.parts.size() > 1) return false;
   std::vector<std::pair<double, deflection::Effect>> effects;  // with their errors relative to the drawing
   for (const auto& effect : magnitudesAlone(trials_.checked().start.arm)) {
     throwIfStopped(trials_.options().stop);
@@ -185,7 +194,8 @@ bool SuspectJudgement::isEffectAsLikely(const Suspect& suspect) const {
   effects.resize(std::min(kFinalists, effects.size()));
   return std::ranges::any_of(effects, [&](const auto& tried) {
     const Trial open = trials_.triedWith(tried.second, TrialDepth::kOpen);
-    return open.ok && trials_.gain(open) > gainOf(suspect) - kAsGood;
+    return open.ok && isOfRealMachines(open.placed.arm.effects.back()) &&
+           trials_.gain(open) > gainOf(suspect) - kAsGood;
   });
 }
 

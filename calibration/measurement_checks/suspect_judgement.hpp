@@ -40,8 +40,8 @@ class SuspectJudgement {
   [[nodiscard]] bool explainsBase(const Suspect& suspect) const;
   /// Returns true if each of a suspect's mistakes meets the criteria of a single mistake once the others are corrected.
   [[nodiscard]] bool isAllNeeded(const Suspect& suspect) const;
-  /// Returns true if the suspect is a step alone, and one effect of the catalogue at one place explains the
-  /// measurements as well without it.
+  /// Returns true if the suspect is a single mistake, and one effect of the catalogue at one place, of a size that is
+  /// possible on a real machine, explains the measurements as well without it.
   [[nodiscard]] bool isEffectAsLikely(const Suspect& suspect) const;
   /// Returns true if, with the suspect corrected, the remaining error is no larger than the noise.
   [[nodiscard]] static bool isAtNoise(const Suspect& suspect);
