@@ -180,8 +180,8 @@ void NearestPairs::find(const deflection::PlacedRows& placed, std::span<NearestP
     for (std::size_t k = static_cast<std::size_t>(exact_); k < pairs_.size(); ++k) {
       const double bound = bounds[(k - static_cast<std::size_t>(exact_)) * static_cast<std::size_t>(width) + l];
       if (bound >= found[l].distance || isFarther(placed, lane, pairs_[k], found[l].distance)) continue;
-      const double distance = separationOf(placed, lane, pairs_[k]).distance;
-      if (distance < found[l].distance) found[l] = {distance, static_cast<int>(k)};
+      const double exact_distance = separationOf(placed, lane, pairs_[k]).distance;
+      if (exact_distance < found[l].distance) found[l] = {exact_distance, static_cast<int>(k)};
     }
   }
 }

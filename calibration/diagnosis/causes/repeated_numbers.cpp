@@ -72,7 +72,8 @@ void removeFromCollective(const std::vector<Cause>& repeated, std::vector<Cause>
   std::erase_if(causes, [&](Cause& cause) {
     if (cause.effects.size() < 2) return false;
     std::erase_if(cause.effects, [&](const deflection::Effect& effect) {
-      return std::ranges::any_of(repeated, [&](const Cause& cause) { return areOne(cause.effects.front(), effect); });
+      return std::ranges::any_of(
+          repeated, [&](const Cause& repeated_cause) { return areOne(repeated_cause.effects.front(), effect); });
     });
     return cause.effects.size() < 2;
   });

@@ -75,10 +75,11 @@ TEST(PlanReport, withoutItsScriptSaysSoAndCarriesTheDocument) {
   const std::string page = renderPage({"plan", "Plan report", "plan.json"}, report, PageSources{});
   EXPECT_EQ(occurrences(page, "This build of tubeplan has no report pictures"), 1U);
   EXPECT_EQ(json::parse(dataBlock(page)), asPlan(report));
-  const std::string page = renderPage({"plan", "Plan report", "plan.json"}, report, PageSources{"a {}", "show();"});
-  EXPECT_EQ(occurrences(page, "This build of tubeplan has no report pictures"), 0U);
-  EXPECT_EQ(occurrences(page, "show();"), 1U);
-  EXPECT_EQ(occurrences(page, "/*"), 0U);  // every marker is replaced
+  const std::string page_with_script =
+      renderPage({"plan", "Plan report", "plan.json"}, report, PageSources{"a {}", "show();"});
+  EXPECT_EQ(occurrences(page_with_script, "This build of tubeplan has no report pictures"), 0U);
+  EXPECT_EQ(occurrences(page_with_script, "show();"), 1U);
+  EXPECT_EQ(occurrences(page_with_script, "/*"), 0U);  // every marker is replaced
 }
 
 TEST(PlanReport, hostileTextCannotLeaveTheDataBlock) {

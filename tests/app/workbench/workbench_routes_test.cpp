@@ -232,7 +232,8 @@ TEST_F(WorkbenchRoutes, whatACheckSuspectsIsTakenToBeSo) {
   EXPECT_EQ(post("/api/measurements/assume").status, 422);
   EXPECT_EQ(post("/api/measurements/assume", {{"assume", {"coordinates=parsec"}}}).status, 422);
   const json corrected = post("/api/measurements/assume", {{"assume", {check["assume"]}}}).body["measurements"];
-  for (const auto& check : corrected["checks"]) EXPECT_NE(check["severity"], "mistake") << check.dump();
+  for (const auto& remaining_check : corrected["checks"])
+    EXPECT_NE(remaining_check["severity"], "mistake") << remaining_check.dump();
   EXPECT_EQ(corrected["readings"], 30);
   EXPECT_EQ(corrected["set_aside"], 2) << "marks made by hand stay";
   EXPECT_EQ(corrected["held_out"], 1);

@@ -40,7 +40,7 @@ std::optional<Measurement> uprightVisit(const app::Cell& cell, SeededRandom& ran
 
 /// Returns the offset of the counted section from the hole [m].
 double offsetOf(const Measurement& visit, const deflection::Arm& arm, const Eigen::Isometry3d& X_WB) {
-  return steps::aside(visit, atMeasuredPoint(visit, *toolAt(arm, X_WB, visit))).norm();
+  return steps::lateralOffset(visit, atMeasuredPoint(visit, *toolAt(arm, X_WB, visit))).norm();
 }
 
 TEST(CountedSection, HasAnOffsetWithinTheBoundsForAnyToolAndTilt) {

@@ -57,10 +57,10 @@ TEST(PostureTable, AsksForExtraTimesOnlyWhereTheyMayBe) {
   Route route = randomRoute(random, 10, 5, true, false);
   const EdgePenalties penalties = somePenalties(route, random);
   route.extra_time = penalties;
-  const PostureTable table(route);
+  const PostureTable full_table(route);
   std::vector<double> expected;
-  for (int p = 0; p < table.postures(); ++p)
-    for (int q = 0; q < table.postures(); ++q) expected.push_back(table.cost(p, q));
+  for (int p = 0; p < full_table.postures(); ++p)
+    for (int q = 0; q < full_table.postures(); ++q) expected.push_back(full_table.cost(p, q));
   for (int visit = 0; visit < 10; ++visit) route.with_extra.push_back(penalties.touches(visit));
   route.extra_time = [&](int a, int branch_a, int b, int branch_b) {
     EXPECT_TRUE(penalties.touches(a) || a < 0) << a;

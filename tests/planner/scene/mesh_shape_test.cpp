@@ -107,10 +107,10 @@ TEST(MeshSurvey, SaysWhetherASurfaceHasAnInside) {
   EXPECT_NE(describe(surveyMesh(box)).find("3 of its edges are open"), std::string::npos);
   // A box is closed even if each triangle has its own copies of its corners, as in an STL file.
   TriangleMesh unjoined;
-  const TriangleMesh box = testing::boxMesh({1, 2, 3});
-  for (const auto& triangle : box.triangles) {
+  const TriangleMesh joined_box = testing::boxMesh({1, 2, 3});
+  for (const auto& triangle : joined_box.triangles) {
     const int first = static_cast<int>(unjoined.vertices.size());
-    for (const int k : triangle) unjoined.vertices.push_back(box.vertices[static_cast<std::size_t>(k)]);
+    for (const int k : triangle) unjoined.vertices.push_back(joined_box.vertices[static_cast<std::size_t>(k)]);
     unjoined.triangles.push_back({first, first + 1, first + 2});
   }
   EXPECT_TRUE(surveyMesh(unjoined).isClosed());
