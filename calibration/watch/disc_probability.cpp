@@ -26,18 +26,30 @@ double tail(double z) {
 /// Returns the probability that a standard normal variable lies between the limits, without cancellation in the tails.
 double between(double low, double high) { return low > 0 ? tail(low) - tail(high) : tail(-high) - tail(-low); }
 
-/// Calls `add(x, weight)` at the nodes of a Gauss rule for integrals over [low, high]. The substitution by a sine
-/// removes square roots at the ends.
-template <class Add>
-void overNodes(double low, double high, const Add& add) {
+/// A node of a rule for integrals over [-1, 1].
+struct Node {
+  double x, weight;
+};
+
+/// Returns the nodes of a Gauss rule in the variable whose sine is x, which removes square roots at the ends.
+std::vector<Node> nodesOfRule() {
   using Rule = boost::math::quadrature::gauss<double, 30>;
   constexpr double kQuarterTurn = std::numbers::pi / 2;
-  const double middle = (low + high) / 2, half = (high - low) / 2;
+  std::vector<Node> nodes;
   for (std::size_t k = 0; k < Rule::abscissa().size(); ++k)
     for (const double side : {-1., 1.}) {
       const double turn = side * kQuarterTurn * Rule::abscissa()[k];
-      add(middle + half * std::sin(turn), kQuarterTurn * Rule::weights()[k] * half * std::cos(turn));
+      nodes.push_back({std::sin(turn), kQuarterTurn * Rule::weights()[k] * std::cos(turn)});
     }
+  return nodes;
+}
+
+/// Calls `add(x, weight)` at the nodes of a rule for integrals over [low, high].
+template <class Add>
+void overNodes(double low, double high, const Add& add) {
+  static const std::vector<Node> kNodes = nodesOfRule();
+  const double middle = (low + high) / 2, half = (high - low) / 2;
+  for (const Node& node : kNodes) add(middle + half * node.x, half * node.weight);
 }
 
 /// A chord of the common part of discs, along y.
@@ -121,7 +133,8 @@ CommonDiscs withoutRedundant(const CommonDiscs& discs) {
 }
 
 RegionProbability probabilityWithin(const CommonDiscs& discs, const Vector2d& mean, const Matrix2d& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Matrix2d> axes(covariance);
+  Eigen::SelfAdjointEigenSolver<Matrix2d> axes;
+  axes.computeDirect(covariance);
   const Matrix2d turn = axes.eigenvectors();
   const Vector2d sigma = axes.eigenvalues().cwiseSqrt();
   CommonDiscs near;  // discs whose rims come near the point, along the axes about its mean
