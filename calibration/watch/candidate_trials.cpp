@@ -59,11 +59,11 @@ void CandidateTrials::tryStart(int start, const StopQuestion& stop) {
   for (const ChangeCourse course : kChangeCourses) {
     if (course == ChangeCourse::kRamp && start == last_) continue;  // a ramp of one measurement is a step
     throwIfStopped(stop);
-    const StartFits& at = fitsAt(start, course);
+    const ChangeFitter& fitter = fitsAt(start, course);
     Fits fits;
     for (std::size_t c = 0; c < tried_.size(); ++c) {
       if (is_dropped_[leader_[c]]) continue;
-      if (auto fit = fitAs(c, at.fitter, fits)) take(c, std::move(*fit), at.unchanged, start, course);
+      if (auto fit = fitAs(c, fitter, fits)) take(c, std::move(*fit), start, course);
     }
   }
 }
@@ -84,12 +84,14 @@ void CandidateTrials::refineStarts(int first, int last, const StopQuestion& stop
   }
 }
 
-const CandidateTrials::StartFits& CandidateTrials::fitsAt(int start, ChangeCourse course) {
+const ChangeFitter& CandidateTrials::fitsAt(int start, ChangeCourse course) {
   const std::pair key{start, course};
   if (const auto known = at_start_.find(key); known != at_start_.end()) return known->second;
-  ChangeFitter fitter(watched_.rows, states_[static_cast<std::size_t>(start)], start, last_, course);
-  const double unchanged = fitter.fit({})->deviance;
-  return at_start_.emplace(key, StartFits{std::move(fitter), unchanged}).first->second;
+  const ErrorState& before = states_[static_cast<std::size_t>(start)];
+  const ChangeFitter& fitter =
+      at_start_.emplace(key, ChangeFitter(watched_.rows, before, start, last_, course)).first->second;
+  if (!unchanged_) unchanged_ = fitter.fit({})->deviance;
+  return fitter;
 }
 
 std::optional<ChangeFit> CandidateTrials::fitAs(std::size_t c, const ChangeFitter& fitter, Fits& fits) const {
@@ -121,9 +123,9 @@ VectorXd CandidateTrials::hintFor(std::size_t c) const {
   return best.gain > 0 ? VectorXd(best.fit.numbers / scale_[c]) : VectorXd();
 }
 
-void CandidateTrials::take(std::size_t c, ChangeFit fit, double unchanged, int start, ChangeCourse course) {
+void CandidateTrials::take(std::size_t c, ChangeFit fit, int start, ChangeCourse course) {
   ChangeTrial trial;
-  trial.gain = unchanged - fit.deviance;
+  trial.gain = *unchanged_ - fit.deviance;
   trial.start = start;
   trial.course = course;
   const MatrixXd L = fit.information.llt().matrixL();
@@ -146,16 +148,16 @@ void CandidateTrials::refineCourse(std::size_t c, const ChangeTrial& best, int f
 
 bool CandidateTrials::refineStart(std::size_t c, const ChangeTrial& best, int first, int last) {
   const auto& columns = watched_.candidates.list[c].columns;
-  const int start = fitsAt(best.start, best.course).fitter.bestStart(columns, best.fit, first, last);
+  const int start = fitsAt(best.start, best.course).bestStart(columns, best.fit, first, last);
   if (start == best.start || (best.course == ChangeCourse::kRamp && start == last_)) return false;
   return fitAgain(c, start, best, best.fit.numbers);
 }
 
 bool CandidateTrials::fitAgain(std::size_t c, int start, const ChangeTrial& best, const VectorXd& near) {
   const double before = best.gain;
-  const StartFits& at = fitsAt(start, best.course);
-  auto fit = at.fitter.fit(watched_.candidates.list[c].columns, boundsOf(watched_.candidates.list[c]), near);
-  if (fit) take(c, std::move(*fit), at.unchanged, start, best.course);
+  const ChangeFitter& fitter = fitsAt(start, best.course);
+  auto fit = fitter.fit(watched_.candidates.list[c].columns, boundsOf(watched_.candidates.list[c]), near);
+  if (fit) take(c, std::move(*fit), start, best.course);
   return best.gain > before;
 }
 

@@ -50,18 +50,14 @@ class CandidateTrials {
   [[nodiscard]] const std::vector<TriedChange>& tried() const { return tried_; }
 
  private:
-  /// Fits of changes that begin at one measurement and follow one course, with the deviance without a change.
-  struct StartFits {
-    ChangeFitter fitter;
-    double unchanged;
-  };
   /// Fits, keyed by leader and by one-sided bounds of its numbers: a play, for instance, is never negative.
   using Fits = std::map<std::pair<std::size_t, int>, std::optional<ChangeFit>>;
 
   /// Finds the leader of each candidate: the longest of the columns that are equal up to scale, for which one fit
   /// suffices.
   void findLeaders();
-  [[nodiscard]] const StartFits& fitsAt(int start, ChangeCourse course);
+  /// Returns the fits of changes that begin at `start` and follow `course`.
+  [[nodiscard]] const ChangeFitter& fitsAt(int start, ChangeCourse course);
   /// Returns the fit of a candidate, derived from its leader's by the ratio of their columns; nullopt if no change
   /// within its bounds fits.
   [[nodiscard]] std::optional<ChangeFit> fitAs(std::size_t c, const ChangeFitter& fitter, Fits& fits) const;
@@ -69,7 +65,7 @@ class CandidateTrials {
   /// none.
   [[nodiscard]] Eigen::VectorXd hintFor(std::size_t c) const;
   /// Keeps the fit as the best trial of its course if its gain is the largest so far.
-  void take(std::size_t c, ChangeFit fit, double unchanged, int start, ChangeCourse course);
+  void take(std::size_t c, ChangeFit fit, int start, ChangeCourse course);
   void refineCourse(std::size_t c, const ChangeTrial& best, int first, int last, const StopQuestion& stop);
   /// Fits the candidate at a better start than that of its best trial. Returns false if there is none.
   bool refineStart(std::size_t c, const ChangeTrial& best, int first, int last);
@@ -84,7 +80,8 @@ class CandidateTrials {
   std::vector<std::size_t> leader_;  // index of each candidate's leader, whose fit it shares
   std::vector<double> scale_;        // factor from the leader's number to the candidate's number
   std::vector<bool> is_dropped_;
-  std::map<std::pair<int, ChangeCourse>, StartFits> at_start_;
+  std::map<std::pair<int, ChangeCourse>, ChangeFitter> at_start_;
+  std::optional<double> unchanged_;  // deviance without a change, by the first fits
 };
 
 }  // namespace tubeplan::calibration

@@ -106,7 +106,9 @@ struct ChangeFitter::Problem {
 ChangeFitter::ChangeFitter(const WatchedRows& rows, const ErrorState& before, int start, int last, ChangeCourse course)
     : rows_(rows), start_(start), last_(last), course_(course), mean_(before.mean) {
   const Index n = mean_.size();
-  prior_ = before.covariance.llt().solve(MatrixXd::Identity(n, n));
+  const Eigen::LLT<MatrixXd> covariance(before.covariance);
+  prior_ = covariance.solve(MatrixXd::Identity(n, n));
+  before_ = before.deviance + logDeterminant(covariance);
   measured_xx_ = MatrixXd::Zero(n, n);
   int counts = 0;
   for (int k = start; k <= last; ++k) {
@@ -238,7 +240,6 @@ std::optional<ChangeFit> ChangeFitter::fit(const std::vector<int>& columns, cons
 ChangeFit ChangeFitter::resultOf(const Problem& problem, const VectorXd& y) const {
   ChangeFit fit;
   const Index n = problem.errors, d = problem.numbers;
-  fit.deviance = problem.at(y);
   fit.measured_chi2 = problem.measuredAt(y);
   for (int k = start_; k <= last_; ++k)
     if (!rows_.isCounted(k)) fit.measured_rows += static_cast<int>(rows_.rowsOf(k));
@@ -247,10 +248,11 @@ ChangeFit ChangeFitter::resultOf(const Problem& problem, const VectorXd& y) cons
   MatrixXd curvature = problem.N;
   VectorXd slope = VectorXd::Zero(n + d);
   problem.addCounts(y, curvature, slope);
+  const Eigen::LLT<MatrixXd> of_errors(curvature.topLeftCorner(n, n));
+  fit.deviance = before_ + problem.at(y) + logDeterminant(of_errors);
   if (d > 0)
-    fit.information =
-        curvature.bottomRightCorner(d, d) -
-        curvature.bottomLeftCorner(d, n) * curvature.topLeftCorner(n, n).llt().solve(curvature.topRightCorner(n, d));
+    fit.information = curvature.bottomRightCorner(d, d) -
+                      curvature.bottomLeftCorner(d, n) * of_errors.solve(curvature.topRightCorner(n, d));
   double excess = 0, variance = 0;
   for (const auto& count : problem.counts) {
     const Vector2d offset = count.u + count.A * y;

@@ -2,7 +2,9 @@
 //
 // Minimises -2 log of the posterior density: |x - m|^2 by the covariance of the errors before the start, |t|^2 with the
 // numbers t in units of the largest change on real machines, |u|^2 for measured values, and -2 log p for counts of
-// steps. For measured values alone the minimum is reached in one step.
+// steps. For measured values alone the minimum is reached in one step. The deviance of all measurements is that of the
+// filter before the start, and from there on this minimum with the errors x integrated out (Laplace's approximation),
+// so that fits from different starts are comparable.
 #pragma once
 
 #include "calibration/watch/state_filter.hpp"
@@ -20,7 +22,7 @@ enum class ChangeCourse {
 [[nodiscard]] double courseAt(ChangeCourse course, int k, int start, int last);
 
 struct ChangeFit {
-  double deviance = 0;          ///< minimum of -2 log posterior density, without constants
+  double deviance = 0;          ///< -2 log density of all measurements with the fitted numbers, without constants
   Eigen::VectorXd errors;       ///< errors x of base and parameters
   Eigen::VectorXd numbers;      ///< numbers of the change [ChangeNumber::typical]; for a ramp, those at its end
   Eigen::MatrixXd information;  ///< information on the numbers, their prior included
@@ -63,6 +65,7 @@ class ChangeFitter {
   const WatchedRows& rows_;
   int start_, last_;
   ChangeCourse course_;
+  double before_;  // deviance before the start, plus the log determinant of the errors' covariance there
   Eigen::VectorXd mean_;
   Eigen::MatrixXd prior_;        // information on x before the start
   Eigen::MatrixXd measured_xx_;  // information on x since the start by measured values

@@ -74,10 +74,8 @@ class Judge {
     answer.effect = of.effect;
     answer.at = of.at;
     answer.remedy = of.remedy;
-    // Counts do not tell the courses apart, because what they say of the errors before the start is only approximate.
-    const bool tells_course = !watched_.rows.hasCounts();
-    answer.may_be_step = mayBe(tells_course ? tried.of_course[0] : tried.best());
-    answer.may_be_ramp = mayBe(tells_course ? tried.of_course[1] : tried.best());
+    answer.may_be_step = mayBe(tried.of_course[0]);
+    answer.may_be_ramp = mayBe(tried.of_course[1]);
     if (!answer.may_be_step && !answer.may_be_ramp) return;
     const ChangeTrial& trial = tried.best();
     answer.since = trial.start;

@@ -2,11 +2,11 @@
 // measurements cannot distinguish.
 //
 // Every candidate is fitted as a step and as a ramp from each likely start. With counts of steps, the start is then
-// moved to where the fit explains the measurements best, and step and ramp are not told apart. A candidate's gain is
-// the decrease of the deviance against no change. A candidate is one of the answers unless the largest gain exceeds its
-// gain by more than chance allows, for the numbers that the other has in addition and the number of candidates
-// (likelihood ratio test, Bonferroni). The answers are ranked by their probabilities: the prior, times the evidence by
-// Laplace's approximation, which charges each number for the range that it could have had.
+// moved to where the fit explains the measurements best. A candidate's gain is the decrease of the deviance against no
+// change. A candidate is one of the answers unless the largest gain exceeds its gain by more than chance allows, for
+// the numbers that the other has in addition and the number of candidates (likelihood ratio test, Bonferroni). The
+// answers are ranked by their probabilities: the prior, times the evidence by Laplace's approximation, which charges
+// each number for the range that it could have had.
 #pragma once
 
 #include "calibration/watch/change_fit.hpp"

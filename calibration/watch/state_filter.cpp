@@ -19,7 +19,7 @@ double withBlunders(double p) { return (1 - kBlunder) * p + kBlunder; }
 }  // namespace
 
 StateFilter::StateFilter(const WatchedRows& rows)
-    : rows_(rows), state_{VectorXd::Zero(rows.H.cols()), MatrixXd::Identity(rows.H.cols(), rows.H.cols())} {}
+    : rows_(rows), state_{VectorXd::Zero(rows.H.cols()), MatrixXd::Identity(rows.H.cols(), rows.H.cols()), 0} {}
 
 CountChances StateFilter::add(int k) {
   if (rows_.isCounted(k)) return addCount(k);
@@ -27,6 +27,7 @@ CountChances StateFilter::add(int k) {
   const VectorXd innovation = rows_.r.segment(rows_.first(k), rows_.rowsOf(k)) + H * state_.mean;
   const MatrixXd PH = state_.covariance * H.transpose();
   const Eigen::LLT<MatrixXd> S(MatrixXd::Identity(H.rows(), H.rows()) + H * PH);
+  state_.deviance += innovation.dot(S.solve(innovation)) + logDeterminant(S);
   state_.mean -= PH * S.solve(innovation);
   state_.covariance -= PH * S.solve(PH.transpose());
   return {};
@@ -40,6 +41,7 @@ CountChances StateFilter::addCount(int k) {
   const Matrix2d S = Matrix2d::Identity() + H * PH;
   const RegionProbability now = probabilityOf(count, count.entered, mean, S);
   CountChances chances{withBlunders(now.p), {}};
+  state_.deviance -= 2 * std::log(chances.unchanged);
   for (std::size_t t = 0; t < kSpreads.size(); ++t) {
     const double spread = kSpreads[t] / rows_.scale[static_cast<std::size_t>(k)];
     const Matrix2d wider = S + spread * spread * Matrix2d::Identity();

@@ -9,6 +9,7 @@
 // exceeds 1/a at any time with a probability of at most a (Ville's inequality).
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <array>
 #include <vector>
 
@@ -16,11 +17,17 @@
 
 namespace tubeplan::calibration {
 
-/// Mean and covariance of the errors x of base and parameters.
+/// Mean and covariance of the errors x of base and parameters, after some measurements.
 struct ErrorState {
   Eigen::VectorXd mean;
   Eigen::MatrixXd covariance;
+  double deviance = 0;  ///< -2 log of the predictive density of these measurements, without constants
 };
+
+/// Returns the log determinant of a factorised matrix.
+[[nodiscard]] inline double logDeterminant(const Eigen::LLT<Eigen::MatrixXd>& factors) {
+  return 2 * factors.matrixLLT().diagonal().array().log().sum();
+}
 
 /// Probability of a count if nothing changed, and if its offset has an additional error of each size in kSpreads.
 inline constexpr std::array kSpreads{1e-4, 2e-4, 5e-4, 1e-3, 2e-3};  ///< standard deviation per coordinate [m]

@@ -123,6 +123,24 @@ TEST(ChangeWatch, CountsOfStepsLeaveTheTruthAmongSeveralAnswers) {
   }
 }
 
+/// Counts from before the change must not favour an earlier start over the true one.
+TEST(ChangeWatch, CountsOfStepsDateASlipOfAJoint) {
+  const HiddenChange& change = hidden("joint-slip");
+  constexpr int kSince = 70;
+  int alarms = 0, named = 0, dated = 0;
+  for (std::uint64_t seed = 4; seed < 8; ++seed) {
+    const Watch watch = watchOf(change, kVisitKinds[1], kVisits, kSince, seed);
+    if (!watch.alarm || watch.alarm->measurement < kSince) continue;
+    ++alarms;
+    const ChangeAnswer* answer = answerOf(watch, change);
+    named += answer && answer->may_be_step;
+    dated += answer && std::abs(answer->since - kSince) <= 2;
+  }
+  EXPECT_GE(alarms, 3);
+  EXPECT_EQ(named, alarms);
+  EXPECT_GE(dated, alarms - 1);
+}
+
 /// A lean of the tool alone, with the tip held, shows in the steps of a tool with lengths and in no others.
 TEST(ChangeWatch, ALeanOfTheToolShowsInStepsWithLengthsAlone) {
   for (const VisitKind& kind : kVisitKinds) {
