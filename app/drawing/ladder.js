@@ -52,6 +52,14 @@ export function barOf(value, end) {
 }
 
 /**
+ * Returns the held-out error of a model; null if nothing was fitted, where documents repeat the other error in its place.
+ * @template T @param {number | null} fitted @param {T} heldout @returns {T | null}
+ */
+export function heldOutOf(fitted, heldout) {
+  return heldout === fitted ? null : heldout;
+}
+
+/**
  * Returns the models of a document's list, whose errors are plain numbers or objects {rms}.
  * @param {readonly any[]} entries @returns {ComparedModel[]}
  */
@@ -61,7 +69,7 @@ export function comparedModels(entries) {
     .map((entry, k) => ({
       name: names[k],
       fitted: errorOf(entry.rms),
-      heldout: errorOf(entry.heldout_rms ?? entry.heldout),
+      heldout: heldOutOf(errorOf(entry.rms), errorOf(entry.heldout_rms ?? entry.heldout)),
     }))
     .filter((model) => model.fitted !== null || model.heldout !== null);
 }

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import {axisEnd, barOf, modelNames, comparedModels, timesFloor} from "../../drawing/ladder.js";
+import {axisEnd, barOf, heldOutOf, modelNames, comparedModels, timesFloor} from "../../drawing/ladder.js";
 import {budgetText, errorUnit, setAsideText} from "../../drawing/error_budget.js";
 import type {DiagnoseDocument, LadderDocument} from "../source/server/documents";
 import {acceptanceOf, ladderOf, ladderOfDiagnosis, lastChange} from "../source/error/ladder";
@@ -22,8 +22,9 @@ describe("the ladder", () => {
   });
   it("compares two held-out errors, or two fitted ones", () => {
     expect(lastChange([model(5, 7.57), model(1.5, 1.77)])).toEqual({before: 7.57, now: 1.77, error: "held-out"});
-    expect(lastChange([model(5, 7.57), model(1.77, 1.77)])).toEqual({before: 5, now: 1.77, error: "fitted"});
-    expect(lastChange([model(7.57, 7.57), model(1.5, 1.77)])).toEqual({before: 7.57, now: 1.5, error: "fitted"});
+    const bare = (fitted: number) => ({...model(fitted, fitted), heldout: heldOutOf(fitted, fitted)});
+    expect(lastChange([model(5, 7.57), bare(1.77)])).toEqual({before: 5, now: 1.77, error: "fitted"});
+    expect(lastChange([bare(7.57), model(1.5, 1.77)])).toEqual({before: 7.57, now: 1.5, error: "fitted"});
     expect(lastChange([model(5, 7.57)])).toBeNull();
   });
   it("names models by the last part of their files, where that tells them apart", () => {

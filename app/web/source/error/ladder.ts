@@ -1,5 +1,5 @@
 // The ladder of errors as numbers: its models and their acceptance.
-import {modelNames, type ComparedModel as BareModel} from "../../../drawing/ladder.js";
+import {heldOutOf, modelNames, type ComparedModel as BareModel} from "../../../drawing/ladder.js";
 import {errorUnit, idsSetAside} from "../../../drawing/error_budget.js";
 import type {CompareDocument, DiagnoseDocument, LadderDocument} from "../server/documents";
 
@@ -22,7 +22,7 @@ export function ladderOf(document: LadderDocument): Ladder {
     models: document.models.map((model, k) => ({
       name: names[k],
       fitted: model.rms.fitted,
-      heldout: model.rms.heldout,
+      heldout: heldOutOf(model.rms.fitted, model.rms.heldout),
       worst: model.worst.heldout ?? model.worst.fitted,
       centred: model.steps ? {holes: model.steps.holes, all: model.steps.counts.at(-1) ?? 0} : null,
     })),
@@ -32,12 +32,12 @@ export function ladderOf(document: LadderDocument): Ladder {
 }
 
 /**
- * Returns the errors of the last two models, both held out or both fitted; null without them. A model of which no number
- * was fitted has no held-out error of its own: the program states its fitted error in that place.
+ * Returns the errors of the last two models, both held out or, if one has no held-out error, both fitted; null without
+ * them.
  */
 export function lastChange(models: readonly BareModel[]): {before: number; now: number; error: string} | null {
   const pair = models.slice(-2);
-  const error = pair.every(({fitted, heldout}) => heldout !== fitted) ? "heldout" : "fitted";
+  const error = pair.every(({heldout}) => heldout !== null) ? "heldout" : "fitted";
   const [before, now] = pair.map((model) => model[error] ?? null);
   if (pair.length < 2 || before === null || now === null) return null;
   return {before, now, error: error === "fitted" ? "fitted" : "held-out"};
@@ -52,7 +52,7 @@ export function ladderOfOne(document: CompareDocument | DiagnoseDocument): Ladde
     models: (document.ladder ?? []).map((model) => ({
       name: model.name,
       fitted: model.rms,
-      heldout: model.heldout_rms,
+      heldout: heldOutOf(model.rms, model.heldout_rms),
       worst: null,
       centred: null,
     })),
