@@ -141,7 +141,7 @@ export function lengthFigure(value, unit, decimals = 3) {
 
 /** Smaller units of lengths, and how many of them make the larger one. @type {Record<string, [string, number]>} */
 const SMALLER = {m: ["mm", 1000], ft: ["in", 12]};
-const SMALL = 0.01; // length below which the smaller unit is chosen
+const SMALL = 0.1; // length below which the smaller unit is chosen
 const LEAST_PLAIN = 1e-6; // least value written without a power of ten
 
 /**

@@ -48,8 +48,9 @@ describe("figures", () => {
     expect(size({compliance: {...compliance, sigma: 0.0004}})).not.toContain("stiffness");
   });
   it("of small errors have a smaller unit and no power of ten", () => {
-    expect([0.5, 0.00017, -0.00017, 0].map((value) => errorText(value, "m"))).toEqual([
+    expect([0.5, 0.02, 0.00017, -0.00017, 0].map((value) => errorText(value, "m"))).toEqual([
       "0.500 m",
+      "20.0 mm",
       "0.170 mm",
       "−0.170 mm",
       "0 m",
