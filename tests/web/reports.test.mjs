@@ -190,6 +190,10 @@ describe("reports", () => {
     const found = await opened("found/report.html", ["Nothing hidden: not recorded."]); // both runs hide something
     assert.match(await found.innerText("#effects thead"), /the truth named/);
     await found.context().close();
+    run("campaign", "mockup.yaml", "--kind", "outage", "--runs", "2", "--visits", "40", "--out", "watched");
+    const watched = await opened("watched/report.html");
+    assert.match(await watched.innerText("#changes thead"), /all of these/);
+    await watched.context().close();
   });
 
   it("of an outage say first what must be known, draw every leg, and the arms over the time", async () => {

@@ -1,6 +1,7 @@
 // Campaign of outages: performs the runs, and derives the results from their tally.
 #include "app/commands/campaign/outage_figures.hpp"
 #include "app/formats/sheet/touch_input.hpp"
+#include "app/report/campaign_report.hpp"
 #include "app/studies/monte_carlo/tally_experiment.hpp"
 
 namespace tubeplan::app {
@@ -39,8 +40,11 @@ Campaign makeOutageCampaign(const CampaignRequest& request) {
     return outageJson(*task, request, made.tally(), progress);
   };
   campaign.text = outageText;
-  campaign.files = [](const nlohmann::json& figures) {
-    return std::vector<CampaignResult>{{"changes.csv", changesCsv(figures)}};
+  campaign.files = [task](const nlohmann::json& figures) {
+    nlohmann::json page = figures;
+    page["title"] = "Watched outages of " + task->centring.cell.name;
+    return std::vector<CampaignResult>{{"changes.csv", changesCsv(figures)},
+                                       {"report.html", renderCampaignReport(page)}};
   };
   campaign.experiment = std::move(experiment);
   return campaign;

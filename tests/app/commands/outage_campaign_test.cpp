@@ -30,7 +30,7 @@ class OutageCampaign : public ProgramTest {
   }
 
   void expectSameFiles(const std::string& one, const std::string& other) const {
-    for (const char* file : {"campaign.json", "changes.csv", "tally.json"})
+    for (const char* file : {"campaign.json", "changes.csv", "report.html", "tally.json"})
       EXPECT_EQ(contentOf(folder / one / file), contentOf(folder / other / file)) << file;
   }
 };

@@ -1,10 +1,11 @@
-// The pages of campaigns: centring, and the rate of correct diagnoses.
+// The pages of campaigns: centring, the rate of correct diagnoses, and outages.
 import {MISSING, plural, probability, short, whole} from "../../../../drawing/numbers.js";
 import type {PageKind} from "../page";
 import {Card, Lead, Named, type OfReport, Table} from "../parts";
 import {list, object, type Report, textOf} from "../values";
 import {ChanceMapSection, CurvesSection, settingName, SettingsSection, WorstHolesSection} from "./centring_runs";
 import {type Estimate, Estimates, lookOf} from "./estimates";
+import {ChangesSection, FoundSection, outageSentence} from "./outage_pages";
 
 const FACTS: PageKind["facts"] = ({cell, seed, version}) => [
   ["cell", cell],
@@ -35,8 +36,19 @@ const DIAGNOSIS: PageKind = {
   facts: FACTS,
 };
 
+const OUTAGES: PageKind = {
+  title: "Campaign",
+  Head: ({report}) => <Runs report={report}>{outageSentence(report)}</Runs>,
+  sections: [
+    {id: "found", title: "Changes found", Content: FoundSection},
+    {id: "changes", title: "By change", Content: ChangesSection},
+  ],
+  facts: FACTS,
+};
+
 /** Returns the page for the kind of a campaign. */
 export function campaignPage(report: Report): PageKind {
+  if (report.kind === "outage") return OUTAGES;
   return report.kind === "diagnose" ? DIAGNOSIS : CENTRING;
 }
 
