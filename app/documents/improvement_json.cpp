@@ -70,7 +70,8 @@ constexpr TextLine kImprovementStepWords[] = {
     {"added", "  added {added}: {reason}\n", {}, {}, 1},
     {"!added", "  ended ({end}): {reason}\n"},
     {"not_needed",
-     "  without {not_needed}: their fitted sizes are within two standard deviations of zero\n",
+     "  without {not_needed}: their fitted sizes are within three standard deviations of zero, and held-out readings "
+     "are predicted as well\n",
      {},
      {},
      1},

@@ -33,6 +33,8 @@ ImprovementStep stepOf(const Diagnosis& diagnosis, const ImprovementDecision& de
   return step;
 }
 
+constexpr double kHardlySignificant = 3;  // [standard deviations]
+
 bool isUsable(const calibration::Identification& fit) { return fit.status == IdentificationStatus::kDone; }
 
 /// Returns the largest distance of an effect's fitted parameters from their neutral values, in standard deviations;
@@ -50,15 +52,15 @@ double significanceOf(const calibration::Identification& fit, int effect) {
   return most < 0 ? kUnknown : most;
 }
 
-/// Returns the added effects with all parameters within two standard deviations of their neutral values, the least
+/// Returns the added effects with all parameters within three standard deviations of their neutral values, the least
 /// significant first; at least one added effect is not among them.
-std::vector<std::string> foundToBeNone(const std::vector<std::string>& added, const calibration::Identification& fit,
-                                       const CellModel& cell) {
+std::vector<std::string> hardlySignificant(const std::vector<std::string>& added,
+                                           const calibration::Identification& fit, const CellModel& cell) {
   std::vector<std::pair<double, std::string>> none;
   for (int e = 0; e < static_cast<int>(cell.arm.effects.size()); ++e) {
     const std::string name = deflection::textOf(cell.arm, cell.arm.effects[static_cast<std::size_t>(e)]);
     const double significance = significanceOf(fit, e);
-    if (std::ranges::count(added, name) > 0 && significance <= calibration::kFoundSigmas)
+    if (std::ranges::count(added, name) > 0 && significance <= kHardlySignificant)
       none.emplace_back(significance, name);
   }
   std::ranges::stable_sort(none, {}, &std::pair<double, std::string>::first);
@@ -175,23 +177,23 @@ class Improver {
       return false;
     }
     step.added = added.names;
-    model = withoutNone(std::move(model), cell, hooks);
+    model = withoutInsignificant(std::move(model), cell, hooks);
     for (const auto& effect : cause.effects)
       for (const auto& [name, at] : effect.indistinguishable) step.indistinguishable.push_back(name + "@" + at);
     keep(std::move(model));
     return true;
   }
 
-  /// Returns the model without the added effects that the fit found to be zero: without all of them, or otherwise
-  /// without each effect that is unnecessary given the others. A model that predicts held-out measurements less well is
+  /// Returns the model without the added effects that are hardly significant: without all of them, or otherwise without
+  /// each effect that is unnecessary given the others. A model that predicts held-out measurements less well is
   /// rejected. The model is unchanged if fewer than three effects were added.
-  ImprovedModel withoutNone(ImprovedModel model, const CellModel& cell, const WorkHooks& hooks) {
+  ImprovedModel withoutInsignificant(ImprovedModel model, const CellModel& cell, const WorkHooks& hooks) {
     constexpr std::size_t kSeveral = 3;
     constexpr double kAsLow = 1.01;  // largest ratio of the held-out error without these effects to that with them
     ImprovementStep& step = result_.steps.back();
     if (step.added.size() < kSeveral) return model;
     const double most = kAsLow * model.fit.heldout.rms;
-    const auto none = foundToBeNone(step.added, model.fit, cell);
+    const auto none = hardlySignificant(step.added, model.fit, cell);
     const auto takeOut = [&](const std::vector<std::string>& names) {
       std::vector<std::string> out = step.not_needed;
       out.insert(out.end(), names.begin(), names.end());
