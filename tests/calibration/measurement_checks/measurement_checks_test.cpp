@@ -15,11 +15,11 @@
 namespace tubeplan::calibration {
 namespace {
 
-class MeasurementChecks : public ::testing::TestWithParam<std::size_t> {};
+class EachMistake : public ::testing::TestWithParam<std::size_t> {};
 
 // Each mistake is named in at least two of three sets; in the third, the priors may explain the error. The zero of the
 // last joint is excluded: for tip positions it is equivalent to a tool mounted elsewhere.
-TEST_P(MeasurementChecks, NameTheMistake) {
+TEST_P(EachMistake, IsNamed) {
   constexpr int kSets = 3;
   const auto& kind = seededMistakes().at(GetParam());
   SeededRandom random(17);
@@ -61,7 +61,7 @@ double chi2Corrected(SeededSet& set, const std::string& assume) {
 
 // After the proposed correction, chi-square is as expected of the noise. If the sigmas stayed in the wrong unit, it
 // would be off by a factor of hundreds.
-TEST_P(MeasurementChecks, AreCorrectedByWhatTheyOffer) {
+TEST_P(EachMistake, IsCorrectedByWhatTheChecksOffer) {
   constexpr int kSets = 2;
   const auto& kind = seededMistakes().at(GetParam());
   SeededRandom random(23);
@@ -85,7 +85,7 @@ TEST_P(MeasurementChecks, AreCorrectedByWhatTheyOffer) {
   EXPECT_GT(corrected, 0) << kind.label;
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEveryKind, MeasurementChecks, ::testing::Range<std::size_t>(0, seededMistakes().size()));
+INSTANTIATE_TEST_SUITE_P(OfEveryKind, EachMistake, ::testing::Range<std::size_t>(0, seededMistakes().size()));
 
 // No finding states an error below the noise, even if the measurements are so few that the free parameters fit them
 // exactly.
