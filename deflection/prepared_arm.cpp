@@ -126,8 +126,8 @@ void PreparedArm::prepare(const Arm& arm, const VectorXd& q) {
   equilibrium_.elements.clear();
   equilibrium_.loads.assign(1, {});
   equilibrium_.clearances = chain_.clearances;
-  // Only effects change an arm's reach, which costs more than the rest of an arm with a slide.
-  if (dependsOnPosture(arm_) || !(equilibrium_.reach > 0)) equilibrium_.reach = reachOf(arm);
+  // The reach scales tolerances only, and costs more than the rest of an arm with a slide.
+  if (!(equilibrium_.reach > 0)) equilibrium_.reach = reachOf(arm_);
   std::vector<int> joints;
   int joint = 0;
   for (const auto& row : arm.rows) joints.push_back(row.joint.type == JointType::kPassive ? -1 : joint++);

@@ -13,8 +13,8 @@ class Kinematics;
 namespace tubeplan::calibration {
 
 /// Returns true if the model of these measurements depends on joints, load and gravity only, so that their shapes can
-/// be solved side by side (SIMD). This holds for arms without effects, tips that carry only a hung load, and
-/// measurements that do not measure a row's frame.
+/// be solved side by side (SIMD). This holds for arms without effects or with effects that only shift joints, tips that
+/// carry only a hung load, and measurements that do not measure a row's frame.
 [[nodiscard]] bool areForKernels(const deflection::Arm& arm, const std::vector<Measurement>& measurements);
 
 /// Calls `each(k, prediction)` for every measurement, in any order and on any thread; measurement k is made at base

@@ -5,6 +5,7 @@
 #include "calibration/estimation/whitened_residual.hpp"
 #include "calibration/measurements/predict_all.hpp"
 #include "deflection/effects/effect.hpp"
+#include "deflection/effects/joint_shift.hpp"
 #include "tests/calibration/synthetic_measurements.hpp"
 
 namespace tubeplan::calibration {
@@ -109,10 +110,26 @@ TEST(RowMeasurements, DerivativesMatchDifferences) {
   }
 }
 
-// Residuals and derivatives of tool measurements are the same whether they are solved in batches or, if measurements of
-// rows are among them, singly.
-TEST(RowMeasurements, AmongOthersChangeNothingOfThem) {
-  const PlacedArm placed = cobraTwice();
+/// Returns the arm with every effect that only shifts joints, at its first place, and adds the names of their
+/// parameters to `names`.
+PlacedArm withShiftedJoints(PlacedArm placed, std::vector<std::string>& names) {
+  for (const auto& kind : deflection::effectKinds()) {
+    const auto places = deflection::placeTexts(placed.arm, kind);
+    if (kind.parameters.empty() || places.empty()) continue;
+    auto effect = deflection::makeEffect(placed.arm, kind.name, places.front()).effect;
+    if (!deflection::shiftsJoints(effect)) continue;
+    for (std::size_t v = 0; v < effect.values.size(); ++v) {
+      effect.values[v] += 0.3 * kind.parameters[v].plausible;
+      names.push_back(deflection::textOf(placed.arm, effect) + "." + kind.parameters[v].name);
+    }
+    placed.arm.effects.push_back(effect);
+  }
+  return placed;
+}
+
+/// Expects that residuals and derivatives of tool measurements are the same whether they are solved in batches or, if
+/// measurements of rows are among them, singly.
+void expectSameInBatches(const PlacedArm& placed, const std::vector<std::string>& names) {
   MeasurementMaker maker(placed, 8, MeasurementMaker::Noise::kStated);
   addUntouched(maker, 2, "A");
   const auto alone = maker.measurements;
@@ -121,15 +138,25 @@ TEST(RowMeasurements, AmongOthersChangeNothingOfThem) {
   ASSERT_TRUE(areForKernels(placed.arm, alone));
   ASSERT_FALSE(areForKernels(placed.arm, maker.measurements));
   PlacedArm start = placed;
-  const auto unknowns = chooseUnknowns(start, {{"tool.joint_stiffness.z", "forearm.dh.a"}, true}).list;
+  const auto unknowns = chooseUnknowns(start, {names, true}).list;
   const auto weights = weighMeasurements(start, alone), all_weights = weighMeasurements(start, maker.measurements);
   ASSERT_TRUE(weights && all_weights);
   const auto a = whitenedResidual(start, unknowns, alone, *weights, zerosOf(unknowns), true);
   const auto b = whitenedResidual(start, unknowns, maker.measurements, *all_weights, zerosOf(unknowns), true);
   ASSERT_TRUE(a.ok && b.ok);
   EXPECT_LE((a.r - b.r.head(a.r.size())).norm(), 1e-7 * a.r.norm());
-  EXPECT_LE((a.jacobian - b.jacobian.topRows(a.r.size())).norm(), 1e-7 * a.jacobian.norm());
+  for (Eigen::Index k = 0; k < a.jacobian.cols(); ++k)
+    EXPECT_LE((a.jacobian.col(k) - b.jacobian.col(k).head(a.r.size())).norm(), 1e-7 * a.jacobian.col(k).norm())
+        << unknowns[static_cast<std::size_t>(k)].name;
   EXPECT_GT(b.jacobian.bottomRows(b.r.size() - a.r.size()).norm(), 1);
+}
+
+TEST(RowMeasurements, AmongOthersChangeNothingOfThem) {
+  std::vector<std::string> names{"tool.joint_stiffness.z", "forearm.dh.a"};
+  expectSameInBatches(cobraTwice(), names);
+  const PlacedArm shifted = withShiftedJoints(cobraTwice(), names);
+  ASSERT_GT(shifted.arm.effects.size(), 5U);
+  expectSameInBatches(shifted, names);
 }
 
 struct Stiffness {
