@@ -28,6 +28,8 @@ struct Step {
   Vector3d end_moment = Vector3d::Zero();   ///< first moment of eccentric loads at the end of the step [N m]
   Vector3d end_force_B = Vector3d::Zero();  ///< force at the end of the step, in base axes [N]
   Vector3d bent = Vector3d::Zero();         ///< rotation of the spring, as a rotation vector [rad]
+
+  [[nodiscard]] bool isRigid() const { return compliance.isZero(0) && softness.isZero(0); }
 };
 
 Matrix3d turned(const Vector3d& by) {
@@ -104,7 +106,7 @@ class SegmentedArm {
       const Vector3d way = R * step.way;
       moment += way.cross(force) + (way / 2).cross(step.weight * g);
       force += step.weight * g;
-      change = std::max(change, bend(step, step.compliance.isZero(0) ? Vector3d::Zero() : springMoment(k, moment)));
+      change = std::max(change, bend(step, step.isRigid() ? Vector3d::Zero() : springMoment(k, moment)));
     }
     return change;
   }
