@@ -116,7 +116,9 @@ std::string remainderSentence(const Diagnosis& result, const Units& units) {
   if (!std::isfinite(remainder.size)) return "";
   const std::string size = errorText(budgetOf(result).remainder, result, units);
   if (remainder.follows.empty()) return fmt::format("{} remains that {}.", size, kFollowsNothing);
-  return fmt::format("{} remains that no known effect explains; it follows {}.", size, followsText(remainder));
+  const char* unexplained =
+      result.verdict == Verdict::kUnexplained ? "no known effect is certain to explain" : "no known effect explains";
+  return fmt::format("{} remains that {}; it follows {}.", size, unexplained, followsText(remainder));
 }
 
 /// Returns a sentence that compares the scatter of repeated measurements with the stated noise; empty if no
@@ -204,6 +206,19 @@ std::string inconclusiveSentence(const Diagnosis& result) {
       100 * (1 - result.nothing_probability));
 }
 
+/// Returns a sentence on the uncertain explanation that lowers the held-out error most; empty if none halves it.
+std::string closestSentence(const Diagnosis& result, const Units& units) {
+  constexpr double kMuch = 0.5;
+  const Explanation* closest = nullptr;
+  for (const Explanation& explanation : result.closest)
+    if (explanation.heldout.rms < (closest ? closest->heldout.rms : kMuch * result.heldout_before.rms))
+      closest = &explanation;
+  if (!closest) return "";
+  return fmt::format("Not certain, but closest: with {} the held-out error would fall from {} to {}.",
+                     namesText(*closest), errorText(result.heldout_before.rms, result, units),
+                     errorText(closest->heldout.rms, result, units));
+}
+
 /// Returns the sentences of a diagnosis; those that do not apply are empty.
 std::vector<std::string> sentencesOf(const Diagnosis& result, const Units& units) {
   switch (result.verdict) {
@@ -223,7 +238,7 @@ std::vector<std::string> sentencesOf(const Diagnosis& result, const Units& units
     case Verdict::kUnexplained:
       if (budgetOf(result).remainder == 0) return {withinNoiseSentence(result, units)};
       if (result.isScatterAlone()) return {scatterSentence(result, units)};
-      return {"Something is missing, and no known effect is certain to be part of it.",
+      return {"Something is missing, and no known effect is certain to be part of it.", closestSentence(result, units),
               remainderSentence(result, units)};
     case Verdict::kInconclusive:
       return {inconclusiveSentence(result)};
