@@ -127,8 +127,8 @@ struct EffectTerms {
   /// Additional softness below the knee moment [1]; see elements/joint_stiffness.hpp.
   Vector3<S> softness = Vector3<S>::Zero();
   Vector3<S> soft_compliance = Vector3<S>::Zero();  ///< additional compliance below the knee moment [rad/(N m)]
-  Vector3<S> knee = Vector3<S>::Zero();  ///< knee moment [N m]
-  Vector3<S> gap = Vector3<S>::Zero();   ///< clearance [rad], see elements/clearance.hpp
+  Vector3<S> knee = Vector3<S>::Zero();             ///< knee moment [N m]
+  Vector3<S> gap = Vector3<S>::Zero();              ///< clearance [rad], see elements/clearance.hpp
   /// Bending compliance of the member about the row's axes [1/(N m^2)].
   Vector3<S> bending_compliance = Vector3<S>::Zero();
   S torsion_compliance{0};  ///< torsion compliance of the member [1/(N m^2)]

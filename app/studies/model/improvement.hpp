@@ -70,7 +70,7 @@ struct ImprovementStep {
   double first = std::numeric_limits<double>::quiet_NaN(), second = first;
   std::vector<std::string> added;              ///< names of the added causes; empty if none was added
   std::vector<std::string> indistinguishable;  ///< causes that no measurement distinguishes from the added causes
-  std::vector<std::string> not_needed;  ///< added effects that were removed again as hardly significant
+  std::vector<std::string> not_needed;         ///< added effects that were removed again as hardly significant
   /// Errors of poses held out in folds, before and after the addition.
   calibration::ErrorSize heldout_before, heldout_after;
   /// Errors of the farthest-reaching quarter of the poses, held out of the fit, before and after the addition.

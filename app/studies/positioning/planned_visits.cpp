@@ -47,7 +47,8 @@ double paddingAtHoles(const planner::Workcell& model, const planner::VisitPlan& 
   const planner::BasePadding padding(model, sigmas);
   double most = 0;
   for (const auto& visit : plan.visits)
-    most = std::max(most, padding.of({visit.branch.predicted_tip_W, visit.branch.predicted_tip_W, 0}, planner::tipRow(model.arm)));
+    most = std::max(
+        most, padding.of({visit.branch.predicted_tip_W, visit.branch.predicted_tip_W, 0}, planner::tipRow(model.arm)));
   return most;
 }
 
