@@ -33,11 +33,11 @@ const heldOut = async (tab) =>
   parseFloat((await tab.locator(".ladder-row.now .bar-text").last().innerText()).replace(/,/g, ""));
 
 async function run(browser, folder, row, index) {
-  const {hide} = row,
+  const {hide, beside} = row,
     name = hide.split(":")[0],
     cell = row.weightless ? writeWeightless(folder, row.cell ?? "bench") : (row.cell ?? "bench");
   const design = row.kind ? writeDesign(folder, row.kind) : "bench";
-  const options = {hide, design, cell: `${cell}.yaml`, spread: row.cell ? "0" : "0.1"};
+  const options = {hide, beside, design, cell: `${cell}.yaml`, spread: row.cell ? "0" : "0.1"};
   const file = simulate(folder, `hidden-${index}`, options);
   const server = await serve(folder, `${cell}.yaml`, [file]);
   const tab = await openTab(browser, server.address);

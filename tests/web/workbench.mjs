@@ -61,7 +61,7 @@ export function simulate(folder, name, options) {
       String(options.seed ?? 7),
       "--spread",
       options.spread ?? "0.1",
-      ...(options.hide ? ["--hide", options.hide] : []),
+      ...[options.hide, options.beside].flatMap((effect) => (effect ? ["--hide", effect] : [])),
       "--out",
       out,
     ],

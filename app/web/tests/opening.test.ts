@@ -24,6 +24,8 @@ const cells = process.env.TUBEPLAN_CELLS ?? path.resolve(__dirname, "../../cells
 
 interface Row {
   hide: string;
+  /** Another effect that is hidden as well, which the effect extends. */
+  beside?: string;
   /** Regular expression that the variable on which the plot opens must match. */
   opens_on: string;
   /** Name of the cell; "bench" if missing. */
@@ -114,7 +116,8 @@ async function done(server: Server, name: string, body: unknown): Promise<void> 
 async function simulate(server: Server, row: Row): Promise<void> {
   const spread = row.cell ? 0 : 0.1; // spread of the free parameters of the cell
   if (!row.kind) {
-    await done(server, "simulate", {design: "bench", readings: 120, seed: 7, hide: [row.hide], spread});
+    const hide = [row.hide, ...(row.beside ? [row.beside] : [])];
+    await done(server, "simulate", {design: "bench", readings: 120, seed: 7, hide, spread});
     return;
   }
   const design = path.join(folder, `${row.kind}.yaml`),
