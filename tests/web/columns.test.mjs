@@ -4,7 +4,7 @@ import {after, before, describe} from "node:test";
 import {readFileSync, writeFileSync} from "node:fs";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {callApi, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
+import {callApi, drop, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
 
 let made, browser, points, log;
 
@@ -61,6 +61,23 @@ describe("tables of other programs", () => {
 
     await openFiles(tab, [log, points]);
     assert.equal(await take.isDisabled(), false);
+  });
+
+  it("ask for the columns without a message of failure, and take earlier ones away", async () => {
+    const server = await serve(made.folder, "bench.yaml");
+    const tab = await openTab(browser, server.address);
+    const text = readFileSync(path.join(made.folder, "readings.csv"), "utf8").replace(/^id,/, "name,");
+    await tab.waitForSelector(".project-tools");
+    await drop(tab, "scan.pdf", "%PDF-1.7\n");
+    await tab.waitForSelector(".notice");
+    await drop(tab, "tracker.csv", text);
+    await tab.waitForSelector("dialog[open] >> text=Meaning of the columns");
+    await tab.click("dialog[open] button[type=submit]");
+    await tab.waitForFunction(() => !document.querySelector("dialog[open]"));
+    assert.equal((await stateOf(server)).measurements.readings, 40);
+    assert.deepEqual(await tab.locator(".notice").allInnerTexts(), []);
+    await tab.context().close();
+    await server.stop();
   });
 
   it("without the joints are refused in words", async () => {

@@ -87,6 +87,8 @@ describe("a dropped file", () => {
       await drop(tab, name, readFileSync(path.join(ROBOTS, name), "utf8"));
       await untilOpen(`${stem}.yaml`);
       assert.ok(existsSync(path.join(setting.made.folder, `${stem}-arm.yaml`)), name);
+      const failures = tab.locator(".notice:not(.note-of-success)");
+      assert.deepEqual(await failures.allInnerTexts(), [], `${name} is not reported as a failure`);
       const exported = await fetch(`${server.address}api/export/arm.urdf`);
       const text = readFileSync(path.join(ROBOTS, name), "utf8");
       assert.ok((await exported.text()).startsWith(text), `${name} is exported into its own file`);

@@ -76,9 +76,12 @@ export async function idsHere(): Promise<Set<string>> {
 
 // ---- return of readings
 
+/** Title of notices of readings that could not be added. */
+export const JOINING = "Readings to join";
+
 /** Adds new readings to the current readings, compares, and diagnoses if there was a diagnosis. */
 export function joinReadings(text: string): Promise<boolean> {
-  return attempt("Readings to join", () => postText("/api/live/readings", text));
+  return attempt(JOINING, () => postText("/api/live/readings", text));
 }
 
 /** Returns true if a table is a measurement table whose ids all belong to this run sheet. */

@@ -5,7 +5,7 @@ import {chooseColumns, type ColumnsUse, type TableText} from "../shell/columns_d
 import {dwellTimes, selection, view} from "../shell/page_state";
 import {OPENING} from "../shell/project";
 import {post} from "../server/requests";
-import {cell, report} from "../server/workbench";
+import {cell, inform, report} from "../server/workbench";
 
 interface WorkListDocument {
   name: string;
@@ -21,7 +21,7 @@ async function takeList(list: TableText, columns: string[] = []): Promise<void> 
   const {name, tubes, notes, stays: own} = await post<WorkListDocument>("/api/tubes", {...list, columns});
   dwellTimes.value = new Map(Object.entries(own).map(([tube, seconds]) => [Number(tube), seconds]));
   selection.value = new Set(tubes);
-  if (notes.length > 0) report(name, {message: notes.join("; ")}, OPENING);
+  if (notes.length > 0) inform(name, notes.join("; "), OPENING);
 }
 
 const LIST: ColumnsUse = {

@@ -141,7 +141,7 @@ function perCell<T>(path: string, isThere: () => boolean): ReadonlySignal<Loaded
 export const sheetDocument = perCell<SheetDocument>("/api/sheet", () => cell.value?.has_sheet === true);
 export const sceneDocument = perCell<SceneDocument>("/api/scene", () => true);
 
-// ---- errors, shown until they are dismissed, or until the same is tried again
+// ---- notices, shown until they are dismissed, or until the same is tried again
 
 export interface Notice {
   id: number;
@@ -149,15 +149,26 @@ export interface Notice {
   about: string;
   title: string;
   problem: Problem;
+  /** True for words on an action that succeeded. */
+  isNote: boolean;
 }
 
 export const notices = signal<Notice[]>([]);
 let nextNotice = 1;
 
+function show(notice: Omit<Notice, "id">): void {
+  forget(notice.about);
+  notices.value = [...notices.peek().slice(-2), {id: nextNotice++, ...notice}]; // peek() does not add a dependency
+}
+
+/** Shows a failure of an action. */
 export function report(title: string, error: unknown, about = title): void {
-  const problem = error instanceof Error ? asProblem(error) : (error as Problem);
-  forget(about);
-  notices.value = [...notices.peek().slice(-2), {id: nextNotice++, about, title, problem}]; // peek() does not add a dependency
+  show({about, title, problem: error instanceof Error ? asProblem(error) : (error as Problem), isNote: false});
+}
+
+/** Shows words on an action that succeeded. */
+export function inform(title: string, message: string, about = title): void {
+  show({about, title, problem: {message}, isNote: true});
 }
 
 /** Removes the notices about earlier attempts of the same action. */

@@ -6,7 +6,7 @@ import {choicesOf} from "../drawing/segments";
 import type {Problem} from "../server/documents";
 import {plural} from "../../../drawing/numbers.js";
 import {asProblem, post} from "../server/requests";
-import {cell} from "../server/workbench";
+import {cell, forget} from "../server/workbench";
 import {
   chosenColumns,
   type ColumnChoice,
@@ -20,6 +20,7 @@ import {
 import {unitOfOthers, withUnit} from "./columns_units";
 import {Dialog} from "./dialog";
 import {closeDialog, dialog} from "./page_state";
+import {OPENING} from "./project";
 import {ProblemWords} from "./states";
 
 export interface TableText {
@@ -63,6 +64,7 @@ export async function chooseColumns(tables: TableText[], use: ColumnsUse): Promi
   const document = await post<ColumnsDocument>(use.address, {tables});
   foreign.value = {use, tables, document, choices: rememberedChoices(document) ?? guessed(document), options: {}};
   problem.value = null;
+  forget(OPENING);
   dialog.value = "columns";
 }
 
@@ -94,6 +96,7 @@ function noise({use}: Foreign): {sigma?: number} {
 }
 
 async function take(shown: Foreign): Promise<void> {
+  forget(OPENING);
   try {
     const columns = chosenColumns(shown.document, shown.choices);
     await shown.use.take({tables: shown.tables, columns, options: shown.options, ...noise(shown)});

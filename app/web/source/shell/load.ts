@@ -4,7 +4,7 @@ import {areTouches} from "../calibrate/touch_readings";
 import type {MeasurementsDocument, WorkbenchState} from "../server/documents";
 import {asProblem, get, post, postText} from "../server/requests";
 import {startCompare, stopWorkOnReadings} from "../error/loop";
-import {freshRows, idsHere, isFilledSheet, joinReadings} from "../error/run_sheet";
+import {freshRows, idsHere, isFilledSheet, JOINING, joinReadings} from "../error/run_sheet";
 import {isOfRow, tableOf} from "../error/run_sheet_table";
 import {attempt, cell, forget, report, runJob, state, takeState} from "../server/workbench";
 import {openList, seemsToBeList} from "../plan/work_list";
@@ -25,8 +25,12 @@ async function areTouchesOfHoles(): Promise<boolean> {
   return areTouches((await get<MeasurementsDocument>("/api/measurements")).rows);
 }
 
-/** Shows the readings in their view: touches of holes calibrate a base, other readings show errors. */
+/**
+ * Shows the readings in their view: touches of holes calibrate a base, other readings show errors. Notices of earlier
+ * failures to read a file are removed.
+ */
 async function afterReadings(): Promise<void> {
+  for (const about of [OPENING, JOINING]) forget(about);
   showErrors();
   if (await areTouchesOfHoles().catch(() => false)) view.value = "calibrate";
   await stopWorkOnReadings();
@@ -129,7 +133,6 @@ export async function loadFiles(files: File[]): Promise<void> {
   }
   try {
     await chooseColumns(tables, READINGS);
-    if (refused !== null) report(`${names} is not a measurement table`, refused, OPENING);
   } catch (error) {
     report(`${names} cannot be read`, refused ?? error, OPENING);
   }

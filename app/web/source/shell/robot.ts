@@ -1,6 +1,6 @@
 // Import of a robot description as a cell and an arm.
 import {post} from "../server/requests";
-import {cell, report} from "../server/workbench";
+import {cell, inform} from "../server/workbench";
 import {attemptWithChoices, type Choices} from "./choice_dialog";
 import type {TableText} from "./columns_dialog";
 import {view} from "./page_state";
@@ -24,8 +24,7 @@ export async function importRobot(robot: TableText): Promise<void> {
     await openInstead("/api/cell/open", {file: written[0]}, written[0]);
     if (cell.value?.file === written[0]) view.value = "arm";
     const words = [...left_out.map((what) => `left out: ${what}`), ...remarks];
-    if (words.length > 0)
-      report(`${robot.name} is imported as ${written.join(" and ")}`, {message: words.join("; ")}, OPENING);
+    if (words.length > 0) inform(`${robot.name} is imported as ${written.join(" and ")}`, words.join("; "), OPENING);
   };
   await attemptWithChoices(`${robot.name} cannot be imported`, send, OPENING);
 }
