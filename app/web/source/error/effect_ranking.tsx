@@ -12,10 +12,11 @@ import {
 import {errorUnit} from "../../../drawing/error_budget.js";
 import {errorText, isNumber} from "../../../drawing/numbers.js";
 import {foldedRows, LEAST_FALL, rankingRows, triedText} from "../../../drawing/ranking.js";
-import type {DiagnoseDocument, EffectAt, Explanation} from "../server/documents";
+import type {DiagnoseDocument, Explanation} from "../server/documents";
 import {Table} from "../drawing/table";
 import {currentModel, runningJob} from "../server/workbench";
 import {addEffects} from "./loop";
+import {hasCause, type Standing, standingOf} from "./in_model";
 import {letterOf} from "../../../drawing/reading_errors.js";
 import {type RankedRow, RankingTable} from "./ranking_table";
 import {chosenExplanation} from "./residuals";
@@ -33,6 +34,7 @@ export function EffectRanking({document}: {document: DiagnoseDocument}) {
           explanation={explanation}
           index={index}
           document={document}
+          standing={standingOf(explanation, explanations, currentModel.value)}
           letter={explanations.length > 1 ? letterOf(index) : ""}
         />
       ))}
@@ -57,27 +59,24 @@ export function EffectRanking({document}: {document: DiagnoseDocument}) {
   );
 }
 
-/** Returns true if the current model has this effect. */
-function hasEffect(effect: EffectAt): boolean {
-  return currentModel.value?.effects.some((own) => own.effect === effect.effect && own.at === effect.at) ?? false;
-}
-
 interface ExplanationCardProps {
   explanation: Shown;
   index: number;
   document: DiagnoseDocument;
+  standing: Standing;
   letter: string;
 }
 
-function ExplanationCard({explanation, index, document, letter}: ExplanationCardProps) {
-  const isAdded = explanation.effects.every(hasEffect);
+function ExplanationCard({explanation, index, document, standing, letter}: ExplanationCardProps) {
   const isDrawn = index < document.explanations.length && document.explanations.length > 1;
   return (
-    <div class={`explanation ${isAdded ? "added" : isEnough(explanation) ? "" : "not-enough"}`}>
+    <div class={`explanation ${standing === "added" ? "added" : isEnough(explanation) ? "" : "not-enough"}`}>
       {letter ? <b class="letter">{letter}</b> : null}
       <ExplanationWords explanation={explanation} unit={errorUnit(document)} />
       {isDrawn ? <DrawButton explanation={explanation} index={index} /> : null}
-      {isAdded ? <span class="done">✓ added</span> : <AddButton explanation={explanation} />}
+      {standing === "open" ? <AddButton explanation={explanation} /> : null}
+      {standing === "added" ? <span class="done">✓ added</span> : null}
+      {standing === "part of the added" ? <span class="muted">{standing}</span> : null}
     </div>
   );
 }
@@ -132,7 +131,7 @@ function AddButton({explanation}: {explanation: Shown}) {
 
 /** Button that adds a ranked effect, unless the model has it. */
 function RankedAction({row: {entry: effect, title}}: {row: RankedRow}) {
-  if (hasEffect(effect)) return <span class="good">✓</span>;
+  if (hasCause(currentModel.value, effect)) return <span class="good nowrap">✓ added</span>;
   return (
     <button
       class="button small"

@@ -3,7 +3,8 @@ import {causeKey, explanationTitle} from "../../../drawing/explanations.js";
 import {plural} from "../../../drawing/numbers.js";
 import type {EffectWarning} from "../server/documents";
 import {pageWords} from "../server/page_words";
-import {runningJob} from "../server/workbench";
+import {currentModel, runningJob} from "../server/workbench";
+import {hasCause} from "./in_model";
 import {removeCauses} from "./loop";
 import {type WarningGroup, warningGroups} from "./warning_groups";
 
@@ -69,14 +70,23 @@ function titleOf(warnings: readonly EffectWarning[]): string {
 }
 
 function RemoveButton({warnings}: {warnings: readonly EffectWarning[]}) {
+  const effects = warnings
+    .map(({effect = "", at = ""}) => ({effect, at}))
+    .filter((effect) => hasCause(currentModel.value, effect));
+  if (effects.length === 0)
+    return (
+      <button class="button small" title="The model does not have them any more" disabled>
+        ✓ removed
+      </button>
+    );
   return (
     <button
       class="button small"
       title="The model is fitted without them; Undo restores them"
       disabled={runningJob("remove", "add") !== null}
-      onClick={() => removeCauses(warnings.map(({effect = "", at = ""}) => causeKey({effect, at})))}
+      onClick={() => removeCauses(effects.map(causeKey))}
     >
-      Remove {warnings.length === 1 ? titleOf(warnings) : `the ${plural(warnings.length, "effect")} not needed`}
+      Remove {effects.length === 1 ? explanationTitle({effects}) : `the ${plural(effects.length, "effect")} not needed`}
     </button>
   );
 }

@@ -7,7 +7,8 @@ import {submitting, Select, TextInput} from "../drawing/fields";
 import {choicesOf} from "../drawing/segments";
 import {useAnswer} from "../server/answers";
 import {ProblemWords} from "../shell/states";
-import {cell, runningJob, units} from "../server/workbench";
+import {cell, currentModel, runningJob, units} from "../server/workbench";
+import {hasCause} from "./in_model";
 import {addEffects, addFormula} from "./loop";
 import {effectsTab} from "./tabs";
 
@@ -66,7 +67,8 @@ function CatalogueMenu() {
     chosen = useSignal(-1);
   const {document, problem} = useAnswer<CatalogueDocument>(isWanted.value ? "/api/catalogue" : "");
   const effects = document?.effects ?? [],
-    effect = effects[chosen.value];
+    effect = effects[chosen.value],
+    isThere = effect !== undefined && hasCause(currentModel.value, effect);
   return (
     <div class="catalogue">
       <label class="field">
@@ -81,10 +83,10 @@ function CatalogueMenu() {
       <button
         type="button"
         class="button"
-        disabled={!effect || runningJob("add") !== null}
+        disabled={!effect || isThere || runningJob("add") !== null}
         onClick={() => effect && addEffects([{effect: effect.effect, at: effect.at}])}
       >
-        Add
+        {isThere ? "✓ added" : "Add"}
       </button>
       {problem ? <ProblemWords problem={problem} /> : null}
       <p class="muted reserve">{effect ? `${effect.words}. ${effect.law}` : ""}</p>

@@ -8,6 +8,7 @@ import {effectsTab, evidenceTab} from "./tabs";
 import {chosenVariable, remainderFormula, suggestedFormula, variables} from "./focus";
 import {openFormula} from "./formula_box";
 import {type Act, adviceAfter} from "./guidance";
+import {hasCause} from "./in_model";
 import {selectedReadings} from "./linked";
 import {addEffects, currentComparison, currentDiagnosis, removeCauses} from "./loop";
 
@@ -50,6 +51,29 @@ function perform(act: Act): void {
   }
 }
 
+/** Returns the mark of a change that the model has already; empty for other actions. */
+function doneMark(act: Act): string {
+  if (act.kind !== "add" && act.kind !== "remove") return "";
+  const isThere = act.effects.map((effect) => hasCause(currentModel.value, effect));
+  if (act.kind === "add") return isThere.every(Boolean) ? "✓ added" : "";
+  return isThere.some(Boolean) ? "" : "✓ removed";
+}
+
+function StepButton({words, button, act}: {words: string; button: string; act: Act}) {
+  const done = doneMark(act),
+    isBusy = (act.kind === "add" || act.kind === "remove") && runningJob("add", "remove") !== null;
+  return (
+    <button
+      class="button small"
+      aria-label={`${done || button}: ${words}`}
+      disabled={isBusy || done !== ""}
+      onClick={() => perform(act)}
+    >
+      {done || button}
+    </button>
+  );
+}
+
 export function GuidancePanel() {
   return (
     <ol class="guidance">
@@ -59,16 +83,7 @@ export function GuidancePanel() {
             <b>{words}</b>
             <span class="muted">{pageWords(evidence)}</span>
           </div>
-          {button && act ? (
-            <button
-              class="button small"
-              aria-label={`${button}: ${words}`}
-              disabled={(act.kind === "add" || act.kind === "remove") && runningJob("add", "remove") !== null}
-              onClick={() => perform(act)}
-            >
-              {button}
-            </button>
-          ) : null}
+          {button && act ? <StepButton words={words} button={button} act={act} /> : null}
         </li>
       ))}
     </ol>
